@@ -1,0 +1,30 @@
+# What every target of ours is compiled with: hrt_add_library and hrt_add_executable
+# are add_library and add_executable plus these flags.
+
+add_library(hrt_flags INTERFACE)
+target_compile_features(hrt_flags INTERFACE cxx_std_20)
+if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
+  target_compile_options(hrt_flags INTERFACE
+    # A fused multiply-add rounds once where two operations round twice, and compilers
+    # differ in where they fuse: results would depend on the host.
+    -ffp-contract=off
+    -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Werror
+    # A designated initialiser that leaves a field to its default is meant to.
+    -Wno-missing-field-initializers
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
+endif()
+if(HRT_SANITIZE)
+  target_compile_options(hrt_flags INTERFACE -fsanitize=${HRT_SANITIZE} -fno-omit-frame-pointer
+                         -fno-sanitize-recover=all)
+  target_link_options(hrt_flags INTERFACE -fsanitize=${HRT_SANITIZE})
+endif()
+
+function(hrt_add_library name)
+  add_library(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:hrt_flags>)
+endfunction()
+
+function(hrt_add_executable name)
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:hrt_flags>)
+endfunction()

@@ -1,0 +1,79 @@
+// The controller of paper section III: the plate orientations over a short window that keep both the
+// perceived direction near the virtual target and the finger near the real one, solved exactly.
+//
+// With angles relative to the virtual direction theta_V (p finger, t plate, e perceived error) the
+// participant of section II-A is a scalar system
+//     e_i = K_i (w_T t_i + (1 - w_T) p_i),    p_i+1 = p_i - e_i
+// and the cost over the window of N steps (paper equation 1, with weights) is
+//     sum over i = k .. k+N-1 of  q_perceived e_i^2 + q_actual (p_i - p_R)^2,   |t_i| <= L.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "core/perception.h"
+
+namespace hrt {
+
+/// The controller's settings; is_valid() tells the ranges.
+struct MpcConfig {
+  int horizon = 3;                ///< N, steps in the window, 1 to max_horizon
+  double perceived_weight = 1.0;  ///< q_perceived, > 0
+  double actual_weight = 1.0;     ///< q_actual, >= 0
+  /// L: the plate stays within this of the virtual direction, degrees in (0, 90].
+  double plate_bound_deg = 84.5;
+  /// The plate turns by at most this in a step, degrees > 0; infinity: no limit.
+  double plate_rate_bound_deg = std::numeric_limits<double>::infinity();
+};
+
+/// True if every field is in its range.
+bool is_valid(const MpcConfig& config);
+
+/// One problem; every angle in degrees relative to the virtual direction.
+struct MpcProblem {
+  double finger_offset_deg;  ///< p_k, finite
+  double real_offset_deg;    ///< p_R, finite
+  double tactile_weight;     ///< w_T in (0, 0.5)
+  /// t_k-1: where the plate stands now. Read only with a rate bound.
+  double plate_offset_deg;
+  /// K_k .. K_k+N-1, each in (0, 1]; must point at `horizon` values.
+  const double* gains;
+};
+
+/// Which bound holds a step of the window.
+enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
+
+/// What the optimum looks like. Entries past `horizon` are not written.
+struct MpcDiagnostics {
+  int horizon;
+  double cost;
+  std::array<ActiveBound, max_horizon> active;
+  std::array<double, max_horizon> plate_offset_deg;     ///< t_k ..
+  std::array<double, max_horizon> perceived_error_deg;  ///< e_k ..
+  std::array<double, max_horizon> finger_offset_deg;    ///< p_k ..
+};
+
+/// Solves one problem a step; remembers which bounds were active to start the next one.
+/// No heap, no lock, no exception, bounded time. One thread at a time.
+class Mpc {
+ public:
+  /// Requires is_valid(config).
+  explicit Mpc(const MpcConfig& config);
+
+  struct Command {
+    double plate_offset_deg;  ///< t_k, relative to the virtual direction
+    ActiveBound active;       ///< what holds t_k
+  };
+
+  /// The exact optimum's first step. Fills `diagnostics` if it is not null.
+  Command solve(const MpcProblem& problem, MpcDiagnostics* diagnostics = nullptr);
+
+  const MpcConfig& config() const { return config_; }
+
+ private:
+  MpcConfig config_;
+  std::array<ActiveBound, max_horizon> active_{};
+};
+
+}  // namespace hrt

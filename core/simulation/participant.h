@@ -1,0 +1,29 @@
+// A simulated person, who follows paper section II-A to the letter.
+#pragma once
+
+#include "core/perception.h"
+
+namespace hrt {
+
+class SimulatedParticipant {
+ public:
+  /// About to reach for `goal_direction_deg` (theta_V); the finger first moves along the mid-line.
+  /// Requires is_valid(participant).
+  SimulatedParticipant(const Participant& participant, double goal_direction_deg);
+
+  /// P_k: where the finger moves, degrees from the mid-line.
+  double finger_direction_deg() const { return finger_direction_deg_; }
+  /// theta_hat: where the person felt the finger move in the last step.
+  double perceived_direction_deg() const { return filter_.perceived_direction_deg(); }
+
+  /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
+  /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
+  void step(double plate_orientation_deg, double noise);
+
+ private:
+  Participant participant_;
+  PerceptionFilter filter_;
+  double finger_direction_deg_ = 0.0;  // P_0
+};
+
+}  // namespace hrt

@@ -1,0 +1,21 @@
+// The random numbers of simulations: counter-based, so that each is a pure function of where it is used
+// and results do not depend on threads, order or how a batch is split.
+#pragma once
+
+#include <cstdint>
+
+namespace hrt {
+
+/// Where a random number is used.
+struct RandomCounter {
+  std::uint64_t seed;
+  std::uint32_t condition;
+  std::uint32_t trial;
+  std::uint32_t step;
+};
+
+/// A draw from N(0, 1): Philox 4x32-10, then the inverse of the normal distribution function.
+/// The same bits on every compiler that keeps IEEE arithmetic.
+double standard_normal(const RandomCounter& counter);
+
+}  // namespace hrt
