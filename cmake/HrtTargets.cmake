@@ -9,8 +9,8 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     # differ in where they fuse: results would depend on the host.
     -ffp-contract=off
     -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wdouble-promotion -Werror
-    # A designated initialiser that leaves a field to its default is meant to.
-    -Wno-missing-field-initializers
+    # A designated initialiser may leave fields to their defaults; ints index arrays.
+    -Wno-missing-field-initializers -Wno-sign-conversion
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
 endif()
 if(HRT_SANITIZE)
