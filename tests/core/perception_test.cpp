@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace hrt {
 namespace {
@@ -61,7 +62,7 @@ TEST(Perception, InvalidParametersAreRecognised) {
   EXPECT_FALSE(is_valid(Participant{.tactile_weight = std::nan("")}));
   EXPECT_FALSE(is_valid(Participant{.motor_variance_deg2 = -1.0}));
   EXPECT_FALSE(is_valid(Participant{.sensory_variance_deg2 = 0.0}));
-  EXPECT_FALSE(is_valid(Participant{.initial_variance_deg2 = INFINITY}));
+  EXPECT_FALSE(is_valid(Participant{.initial_variance_deg2 = std::numeric_limits<double>::infinity()}));
 }
 
 }  // namespace
