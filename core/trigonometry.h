@@ -1,0 +1,20 @@
+// Sine, cosine and arctangent in degrees, built from the four operations and comparisons alone. The C
+// library's own differ in the last bit between hosts, and a recording must replay to the same bits on all.
+#pragma once
+
+namespace hrt {
+
+/// Sine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
+double sin_deg(double angle_deg);
+
+/// Cosine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
+double cos_deg(double angle_deg);
+
+/// The angle of the point (x, y) in (-180, 180] degrees, with a relative error below 4e-16; 0 at the
+/// origin. Finite arguments whose ratio neither overflows nor underflows.
+double atan2_deg(double y, double x);
+
+/// `angle_deg` less the whole turns of `period_deg` that bring it into [-period/2, period/2).
+double wrap_deg(double angle_deg, double period_deg);
+
+}  // namespace hrt
