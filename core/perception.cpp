@@ -30,6 +30,10 @@ double felt_direction_deg(double tactile_weight, double plate_orientation_deg, d
   return tactile_weight * plate_orientation_deg + (1.0 - tactile_weight) * finger_direction_deg;
 }
 
+double perceived_direction_deg(double gain, double goal_direction_deg, double felt_deg) {
+  return goal_direction_deg + gain * (felt_deg - goal_direction_deg);
+}
+
 PerceptionFilter::PerceptionFilter(const Participant& participant, double goal_direction_deg)
     : participant_(participant),
       goal_direction_deg_(goal_direction_deg),
@@ -39,16 +43,14 @@ double PerceptionFilter::update(double plate_orientation_deg, double finger_dire
   const FilterGain step = next_gain(participant_, variance_deg2_);
   const double felt_deg =
       felt_direction_deg(participant_.tactile_weight, plate_orientation_deg, finger_direction_deg);
-  // The prior theta_hat + u equals the goal exactly.
-  perceived_direction_deg_ = goal_direction_deg_ + step.gain * (felt_deg - goal_direction_deg_);
+  perceived_direction_deg_ = hrt::perceived_direction_deg(step.gain, goal_direction_deg_, felt_deg);
   variance_deg2_ = step.variance_deg2;
   return perceived_direction_deg_;
 }
 
 GainWindow::GainWindow(const Participant& participant, int horizon)
     : participant_(participant), horizon_(horizon), last_variance_deg2_(participant.initial_variance_deg2) {
-  for (int i = 0; i < horizon; ++i)
-    advance();
+  for (int i = 0; i < horizon; ++i) advance();
 }
 
 void GainWindow::advance() {

@@ -42,8 +42,11 @@ FilterGain steady_gain(const Participant& participant);
 /// h_k = w_T T_k + (1 - w_T) P_k: what touch and proprioception report together.
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);
 
-/// The perceived direction over one reach towards a goal. The participant's motor command always
-/// steers the prediction back to the goal, so the prior of every step is the goal itself.
+/// theta_hat = G + K (h - G): the perceived direction once the filter has taken `felt_deg` in. The motor
+/// command always steers the prediction back to the goal, so the prior is the goal itself.
+double perceived_direction_deg(double gain, double goal_direction_deg, double felt_deg);
+
+/// The perceived direction over one reach towards a goal.
 class PerceptionFilter {
  public:
   /// Starts a reach towards `goal_direction_deg` (theta_V). Requires is_valid(participant).

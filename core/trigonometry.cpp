@@ -12,8 +12,7 @@ constexpr double deg_per_rad = 57.29577951308232;
 template <std::size_t n>
 double polynomial(double x, const std::array<double, n>& highest_power_first) {
   double value = highest_power_first[0];
-  for (std::size_t i = 1; i < n; ++i)
-    value = value * x + highest_power_first[i];
+  for (std::size_t i = 1; i < n; ++i) value = value * x + highest_power_first[i];
   return value;
 }
 

@@ -28,8 +28,7 @@ TEST(Perception, SteadyGainIsAFixedPointThatTheRecursionReaches) {
     EXPECT_NEAR(next.gain, steady.gain, 1e-15);
     EXPECT_NEAR(next.variance_deg2, steady.variance_deg2, 1e-15);
     FilterGain step{0.0, 0.0};
-    for (int i = 0; i < 100; ++i)
-      step = next_gain(participant, step.variance_deg2);
+    for (int i = 0; i < 100; ++i) step = next_gain(participant, step.variance_deg2);
     EXPECT_NEAR(step.gain, steady.gain, 1e-15);
   }
 }
@@ -47,11 +46,9 @@ TEST(Perception, WindowHoldsTheGainsAhead) {
   GainWindow window(participant, 3);
   std::array<double, 20> gains{};
   FilterGain step{0.0, participant.initial_variance_deg2};
-  for (double& gain : gains)
-    gain = (step = next_gain(participant, step.variance_deg2)).gain;
+  for (double& gain : gains) gain = (step = next_gain(participant, step.variance_deg2)).gain;
   for (std::size_t k = 0; k + 3 <= gains.size(); ++k, window.advance()) {
-    for (std::size_t i = 0; i < 3; ++i)
-      EXPECT_EQ(window.data()[i], gains[k + i]) << k << ' ' << i;
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(window.data()[i], gains[k + i]) << k << ' ' << i;
   }
 }
 

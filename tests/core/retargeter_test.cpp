@@ -3,9 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
+#include "core/trigonometry.h"
 
 namespace hrt {
 namespace {
@@ -46,6 +48,133 @@ TEST(Retargeter, ConditionOneOfTableOne) {
     hits += std::abs(final_deg + 5.0) <= 1.5;
   }
   EXPECT_NEAR(hits / 2000.0, 0.928, 0.023);
+}
+
+constexpr std::int64_t ms = 1'000'000;
+
+// A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
+// before the motion starts; returns the final direction.
+struct StreamedReach {
+  GuidanceMode guidance = GuidanceMode::fixed_direction;
+  double rate_hz = 90.0;
+  std::int64_t phase_ns = 0;
+  int dropped_from = -1;  // no samples from this step ..
+  int dropped_to = -1;    // .. to before this one
+
+  ReachSummary summary{};
+  double final_direction_deg = 0.0;
+  PlatePoint finger{0.0, -0.05};
+
+  void run() {
+    RetargeterConfig config;
+    config.guidance = guidance;
+    Retargeter retargeter(config);
+    const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}};
+    retargeter.begin(reach);
+    SimulatedParticipant participant(config.participant, reach.virtual_direction_deg);
+    const double speed_m_per_ns = 0.1 / 3e9;
+    std::int64_t moved_to_ns = 0;
+    int step = 0;
+    const auto move_to = [&](std::int64_t time_ns) {
+      const double travel_m = speed_m_per_ns * static_cast<double>(time_ns - moved_to_ns);
+      finger.right_m -= travel_m * sin_deg(participant.finger_direction_deg());
+      finger.away_m += travel_m * cos_deg(participant.finger_direction_deg());
+      moved_to_ns = time_ns;
+    };
+    for (int i = 0; step < 30; ++i) {
+      const std::int64_t time_ns = -phase_ns + static_cast<std::int64_t>(i * 1e9 / rate_hz);
+      while (step < 30 && time_ns >= (step + 1) * 100 * ms) {
+        move_to((step + 1) * 100 * ms);
+        participant.step(retargeter.command().plate_orientation_deg, 0.0);
+        ++step;
+      }
+      if (time_ns > 0) move_to(time_ns);
+      if (step >= dropped_from && step < dropped_to) continue;
+      retargeter.update({.time_ns = time_ns, .observation = Observation::position, .position = finger});
+    }
+    summary = retargeter.summary();
+    final_direction_deg = participant.finger_direction_deg();
+  }
+};
+
+TEST(Retargeter, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
+  for (const double rate_hz : {40.0, 90.0, 240.0, 1000.0}) {
+    for (const std::int64_t phase_ns : {0 * ms, 7 * ms, 50 * ms, 1234 * ms}) {
+      StreamedReach reach{.rate_hz = rate_hz, .phase_ns = phase_ns};
+      reach.run();
+      EXPECT_NEAR(reach.final_direction_deg, 5.0, 0.2) << rate_hz << ' ' << phase_ns;
+      EXPECT_EQ(reach.summary.predicted_steps, 0) << rate_hz << ' ' << phase_ns;
+    }
+  }
+}
+
+TEST(Retargeter, LineOfSightLeadsToThePlace) {
+  // A finger that starts 5 mm beside the agreed place: a fixed direction keeps the offset.
+  StreamedReach fixed{.finger = {0.005, -0.05}};
+  fixed.run();
+  StreamedReach sight{.guidance = GuidanceMode::line_of_sight, .finger = {0.005, -0.05}};
+  sight.run();
+  EXPECT_GT(fixed.summary.distance_to_target_m, 0.004);
+  EXPECT_LT(sight.summary.distance_to_target_m, 0.001);
+}
+
+TEST(Retargeter, ADropoutHoldsThenRecovers) {
+  StreamedReach reach{.dropped_from = 10, .dropped_to = 15};
+  reach.run();
+  EXPECT_NEAR(reach.final_direction_deg, 5.0, 0.2);
+  EXPECT_GE(reach.summary.predicted_steps, 4);
+  EXPECT_LE(reach.summary.predicted_steps, 5);
+}
+
+// Exact directions once a step are the paper's loop, to the bit.
+TEST(Retargeter, DirectionSamplesAreThePapersLoop) {
+  const Reach reach{.real_direction_deg = 0, .virtual_direction_deg = 10};
+  Retargeter streamed{RetargeterConfig{}};
+  Retargeter stepped{RetargeterConfig{}};
+  streamed.begin(reach);
+  stepped.begin(reach);
+  for (int k = 0; k < 30; ++k) {
+    const double direction_deg = 3.0 * std::sin(k * 1.7);
+    const PlateCommand& a = streamed.update(
+        {.time_ns = k * 100 * ms, .observation = Observation::direction, .direction_deg = direction_deg});
+    const PlateCommand& b = stepped.step(direction_deg);
+    EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
+    EXPECT_EQ(a.perceived_direction_deg, b.perceived_direction_deg);
+    EXPECT_EQ(a.step, k);
+    // Between steps the command is held.
+    const double held_deg = a.plate_orientation_deg;
+    const PlateCommand& c = streamed.update(
+        {.time_ns = k * 100 * ms + 50 * ms, .observation = Observation::direction, .direction_deg = 40.0});
+    EXPECT_TRUE(c.held);
+    EXPECT_EQ(c.plate_orientation_deg, held_deg);
+  }
+}
+
+TEST(Retargeter, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
+  Retargeter retargeter{RetargeterConfig{}};
+  retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10});
+  const auto sample = [](std::int64_t time_ns) {
+    return FingerSample{.time_ns = time_ns, .observation = Observation::direction, .direction_deg = 2.0};
+  };
+  retargeter.update(sample(std::numeric_limits<std::int64_t>::min()));
+  retargeter.update(sample(0));
+  EXPECT_EQ(retargeter.update(sample(3'600'000 * ms)).held, false);
+  const PlateCommand& last = retargeter.update(sample(std::numeric_limits<std::int64_t>::max()));
+  EXPECT_TRUE(std::isfinite(last.plate_orientation_deg));
+  const ReachSummary summary = retargeter.summary();
+  EXPECT_EQ(summary.steps, 4);
+  EXPECT_EQ(summary.steps + summary.predicted_steps, last.step + 1);
+}
+
+TEST(Retargeter, ThePlateStaysUntilTheFingerMoves) {
+  Retargeter retargeter{RetargeterConfig{}};
+  retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
+  for (int i = 0; i < 100; ++i) {
+    const PlateCommand& command =
+        retargeter.update({.time_ns = i * 50 * ms, .observation = Observation::position, .position = {0, 0}});
+    EXPECT_EQ(command.plate_orientation_deg, 12.5);
+    EXPECT_EQ(command.step, -1);
+  }
 }
 
 }  // namespace
