@@ -5,6 +5,15 @@
 
 namespace hrt {
 
+/// What went on in a SimulatedParticipant during one step. Angles in degrees.
+struct ParticipantStep {
+  double felt_direction_deg;  ///< h_k: what touch and proprioception report together
+  double gain;                ///< K_k
+  double variance_deg2;       ///< var_k of the perceived direction
+  double motor_command_deg;   ///< u_k
+  double noise_deg;           ///< eps_u + eps_theta
+};
+
 class SimulatedParticipant {
  public:
   /// About to reach for `goal_direction_deg` (theta_V); the finger first moves along the mid-line.
@@ -18,7 +27,7 @@ class SimulatedParticipant {
 
   /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
-  void step(double plate_orientation_deg, double noise);
+  ParticipantStep step(double plate_orientation_deg, double noise);
 
  private:
   Participant participant_;

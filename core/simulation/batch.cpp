@@ -1,0 +1,143 @@
+#include "core/simulation/batch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <thread>
+
+namespace hrt {
+namespace {
+
+constexpr double units_per_deg = 0x1p20;
+// 2^32 trials of at most this many units keep the sum within 63 bits.
+constexpr double largest_deg = 1000.0;
+// Trials that a thread takes at a time: short enough for progress and for even work on all cores.
+constexpr std::uint32_t chunk_trials = 4096;
+
+struct Chunk {
+  std::size_t job;
+  std::uint32_t first_trial;
+  std::uint32_t last_trial;
+};
+
+std::vector<Chunk> split(std::span<const BatchJob> jobs) {
+  std::vector<Chunk> chunks;
+  for (std::size_t job = 0; job < jobs.size(); ++job) {
+    std::uint32_t first = jobs[job].first_trial;
+    while (first < jobs[job].last_trial) {
+      const std::uint32_t last = first + std::min(chunk_trials, jobs[job].last_trial - first);
+      chunks.push_back({job, first, last});
+      first = last;
+    }
+  }
+  return chunks;
+}
+
+}  // namespace
+
+void AngleSums::add(double angle_deg) {
+  // Written so that a NaN counts as a miss of the largest size.
+  const double clamped_deg =
+      angle_deg >= largest_deg ? largest_deg : (angle_deg > -largest_deg ? angle_deg : -largest_deg);
+  const auto units = static_cast<std::int64_t>(std::floor(clamped_deg * units_per_deg + 0.5));
+  const auto square = static_cast<std::uint64_t>(units * units);
+  sum_ += units;
+  squares_low_ += square;
+  squares_high_ += squares_low_ < square ? 1 : 0;
+}
+
+void AngleSums::add(AngleSums other) {
+  sum_ += other.sum_;
+  squares_low_ += other.squares_low_;
+  squares_high_ += other.squares_high_ + (squares_low_ < other.squares_low_ ? 1 : 0);
+}
+
+double AngleSums::mean_deg(std::uint64_t count) const {
+  return static_cast<double>(sum_) / units_per_deg / static_cast<double>(count);
+}
+
+double AngleSums::rms_deg(std::uint64_t count) const {
+  const double squares = static_cast<double>(squares_high_) * 0x1p64 + static_cast<double>(squares_low_);
+  return std::sqrt(squares / static_cast<double>(count)) / units_per_deg;
+}
+
+double AngleSums::standard_deviation_deg(std::uint64_t count) const {
+  const double n = static_cast<double>(count);
+  const double variance_deg2 = rms_deg(count) * rms_deg(count) - mean_deg(count) * mean_deg(count);
+  return std::sqrt(std::max(0.0, variance_deg2) * n / (n - 1.0));
+}
+
+BatchResult& BatchResult::operator+=(const BatchResult& other) {
+  trials += other.trials;
+  hits += other.hits;
+  steps += other.steps;
+  saturated_steps += other.saturated_steps;
+  miss.add(other.miss);
+  felt_error.add(other.felt_error);
+  return *this;
+}
+
+BatchResult run_job(const BatchJob& job, std::uint64_t seed) {
+  BatchResult result;
+  for (std::uint32_t trial = job.first_trial; trial < job.last_trial; ++trial) {
+    const TrialOutcome outcome =
+        simulate_trial(job.condition, {.seed = seed, .condition = job.condition_id, .trial = trial});
+    ++result.trials;
+    result.hits += outcome.hit ? 1 : 0;
+    result.steps += static_cast<std::uint64_t>(job.condition.steps);
+    result.saturated_steps += static_cast<std::uint64_t>(outcome.saturated_steps);
+    result.miss.add(outcome.final_direction_deg - job.condition.real_direction_deg);
+    result.felt_error.add(outcome.perceived_direction_deg - job.condition.virtual_direction_deg);
+  }
+  return result;
+}
+
+std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
+                                   const BatchOptions& options) {
+  std::vector<BatchResult> results(jobs.size());
+  const std::vector<Chunk> chunks = split(jobs);
+  std::uint64_t total = 0;
+  for (const BatchJob& job : jobs)
+    total += job.last_trial - job.first_trial;
+
+  std::atomic<std::size_t> next_chunk{0};
+  std::atomic<std::uint64_t> done{0};
+  std::mutex results_mutex;
+  const auto work = [&](const auto& after_chunk) {
+    while (!(options.cancel && options.cancel->load(std::memory_order_relaxed))) {
+      const std::size_t taken = next_chunk.fetch_add(1);
+      if (taken >= chunks.size()) return;
+      const auto [index, first, last] = chunks[taken];
+      BatchJob part = jobs[index];
+      part.first_trial = first;
+      part.last_trial = last;
+      const BatchResult result = run_job(part, seed);
+      {
+        const std::lock_guard lock(results_mutex);
+        results[index] += result;
+      }
+      done += result.trials;
+      after_chunk();
+    }
+  };
+
+  const std::size_t wanted =
+      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
+  std::vector<std::jthread> others;
+  // Makes the other threads stop before they are joined if this one leaves by an exception.
+  struct StopOnExit {
+    std::atomic<std::size_t>& next;
+    std::size_t end;
+    ~StopOnExit() { next = end; }
+  } stop_on_exit{next_chunk, chunks.size()};
+  for (std::size_t i = 1; i < std::min(wanted, chunks.size()); ++i)
+    others.emplace_back([&] { work([] {}); });
+  work([&] {
+    if (options.progress) options.progress(done, total);
+  });
+  others.clear();
+  if (options.progress && done == total) options.progress(done, total);
+  return results;
+}
+
+}  // namespace hrt

@@ -1,0 +1,87 @@
+// Many trials of many conditions on all cores. What comes out depends on the seed, the conditions and the
+// trial numbers alone: every bit is the same for any number of threads, any order, any split of a range of
+// trials into parts, and any compiler that keeps IEEE arithmetic.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/simulation/trial.h"
+
+namespace hrt {
+
+/// Sum and sum of squares of angles, in integers, so that it does not matter in which order they are added.
+class AngleSums {
+ public:
+  /// Adds one angle, rounded to 2^-20 degrees and clamped to +-1000.
+  void add(double angle_deg);
+  void add(AngleSums other);
+
+  /// Mean over `count` angles, > 0.
+  double mean_deg(std::uint64_t count) const;
+  /// Root of the mean square over `count` angles, > 0.
+  double rms_deg(std::uint64_t count) const;
+  /// Standard deviation over `count` angles (divided by count - 1), > 1.
+  double standard_deviation_deg(std::uint64_t count) const;
+
+  bool operator==(const AngleSums&) const = default;
+
+ private:
+  std::int64_t sum_ = 0;           // of units of 2^-20 degrees
+  std::uint64_t squares_low_ = 0;  // of squared units, a 128-bit sum in two halves
+  std::uint64_t squares_high_ = 0;
+};
+
+/// What a range of trials of one condition came to. Results of disjoint ranges merge to exactly what their
+/// union gives.
+struct BatchResult {
+  std::uint64_t trials = 0;
+  std::uint64_t hits = 0;
+  std::uint64_t steps = 0;            ///< model steps of all trials
+  std::uint64_t saturated_steps = 0;  ///< of these, steps with the plate held by a bound
+  AngleSums miss;                     ///< P_steps - P_R of each trial
+  AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
+
+  double hit_percent() const { return 100.0 * static_cast<double>(hits) / static_cast<double>(trials); }
+  double saturated_share() const { return static_cast<double>(saturated_steps) / static_cast<double>(steps); }
+  /// Mean of P_steps - P_R.
+  double mean_miss_deg() const { return miss.mean_deg(trials); }
+  double rms_miss_deg() const { return miss.rms_deg(trials); }
+  /// Standard deviation of the final direction.
+  double final_direction_sd_deg() const { return miss.standard_deviation_deg(trials); }
+  /// Root mean square of theta_hat - theta_V in the last step.
+  double rms_felt_error_deg() const { return felt_error.rms_deg(trials); }
+
+  BatchResult& operator+=(const BatchResult& other);
+  bool operator==(const BatchResult&) const = default;
+};
+
+/// Trials `first_trial` up to, not including, `last_trial` of one condition.
+struct BatchJob {
+  Condition condition;
+  std::uint32_t condition_id;  ///< TrialId::condition of its trials
+  std::uint32_t first_trial;
+  std::uint32_t last_trial;  ///< >= first_trial
+};
+
+struct BatchOptions {
+  int threads = 0;  ///< 0: as many as the machine has
+  /// Called now and then on the calling thread, with trials done and trials of all jobs.
+  std::function<void(std::uint64_t done, std::uint64_t total)> progress;
+  /// Once this is true the batch ends early. May be null; any thread or signal handler may set it.
+  const std::atomic<bool>* cancel = nullptr;
+};
+
+/// Runs one job on this thread. Requires is_valid(job.condition).
+BatchResult run_job(const BatchJob& job, std::uint64_t seed);
+
+/// Runs all jobs; results in their order. A cancelled batch has results with fewer trials than were asked
+/// for. Requires is_valid() of every job's condition. Throws std::system_error if threads can't be started,
+/// and whatever `progress` throws.
+std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
+                                   const BatchOptions& options = {});
+
+}  // namespace hrt

@@ -1,0 +1,62 @@
+// One simulated reach: a participant who is told to go to the virtual target, and the controller that leads
+// them to the real one, step by step as in paper section II-A and III.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/retargeter.h"
+
+namespace hrt {
+
+/// The longest reach that is simulated.
+inline constexpr int max_trial_steps = 10'000;
+
+/// All that a trial depends on but its random numbers. The defaults are condition 1 of Table I.
+struct Condition {
+  Participant participant;             ///< who reaches
+  RetargeterConfig controller;         ///< what leads them; `controller.participant` is whom it assumes
+  double real_direction_deg = -5.0;    ///< P_R
+  double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
+  double plate_orientation_deg = 0.0;  ///< where the plate stands before the first step
+  int steps = 30;                      ///< of a reach, 1 to max_trial_steps
+  double tolerance_deg = 1.5;          ///< a trial hits if |P_steps - P_R| is at most this, >= 0
+};
+
+/// True if every field is in its range.
+bool is_valid(const Condition& condition);
+
+/// Which random numbers a trial takes.
+struct TrialId {
+  std::uint64_t seed;
+  std::uint32_t condition;
+  std::uint32_t trial;
+};
+
+/// What happened in step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
+struct TrialStep {
+  int step;                        ///< k
+  double finger_direction_deg;     ///< P_k
+  double plate_orientation_deg;    ///< T_k
+  double felt_direction_deg;       ///< h_k
+  double perceived_direction_deg;  ///< theta_hat_k
+  double gain;                     ///< K_k, the participant's
+  double variance_deg2;            ///< var_k of the perceived direction
+  double motor_command_deg;        ///< u_k
+  double noise_deg;                ///< eps_u + eps_theta: P_k+1 = P_k + u_k + noise
+  ActiveBound active;              ///< the bound that holds T_k
+};
+
+struct TrialOutcome {
+  double final_direction_deg;      ///< P_steps
+  double perceived_direction_deg;  ///< theta_hat of the last step
+  int saturated_steps;             ///< steps with T_k held by a bound
+  bool hit;
+};
+
+/// Simulates one trial with the Retargeter, as an engine would drive it. Appends every step to `steps` if
+/// it is not null. Requires is_valid(condition). Any thread.
+TrialOutcome simulate_trial(const Condition& condition, const TrialId& id,
+                            std::vector<TrialStep>* steps = nullptr);
+
+}  // namespace hrt

@@ -1,0 +1,119 @@
+#include "core/simulation/batch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace hrt {
+namespace {
+
+// 1, 2 and -6 degrees: mean -1, mean square 41 / 3, variance (4 + 9 + 25) / 2 = 19.
+TEST(AngleSums, ByHand) {
+  AngleSums sums;
+  sums.add(1.0);
+  sums.add(2.0);
+  sums.add(-6.0);
+  EXPECT_DOUBLE_EQ(sums.mean_deg(3), -1.0);
+  EXPECT_DOUBLE_EQ(sums.rms_deg(3), std::sqrt(41.0 / 3.0));
+  EXPECT_NEAR(sums.standard_deviation_deg(3), std::sqrt(19.0), 1e-12);
+}
+
+// 1000 degrees are 1.05e9 units; the squares of 100 of them pass 2^64.
+TEST(AngleSums, ClampsAndCarries) {
+  AngleSums one_by_one;
+  AngleSums doubled;
+  doubled.add(1e300);
+  for (int i = 0; i < 7; ++i)
+    doubled.add(doubled);
+  for (int i = 0; i < 128; ++i)
+    one_by_one.add(std::numeric_limits<double>::infinity());
+  EXPECT_EQ(doubled, one_by_one);
+  EXPECT_DOUBLE_EQ(one_by_one.mean_deg(128), 1000.0);
+  EXPECT_DOUBLE_EQ(one_by_one.rms_deg(128), 1000.0);
+  EXPECT_EQ(one_by_one.standard_deviation_deg(128), 0.0);
+}
+
+std::vector<BatchJob> mixed_jobs() {
+  return {
+      {.condition = {}, .condition_id = 0, .first_trial = 0, .last_trial = 10'000},
+      {.condition = {.steps = 7}, .condition_id = 1, .first_trial = 100, .last_trial = 100},
+      {.condition = {.participant = {.tactile_weight = 0.1}, .real_direction_deg = 4.0},
+       .condition_id = 2,
+       .first_trial = 4095,
+       .last_trial = 9000},
+  };
+}
+
+TEST(Batch, ThreadsDoNotMatter) {
+  const std::vector<BatchJob> jobs = mixed_jobs();
+  const std::vector<BatchResult> one = run_batch(jobs, 11, {.threads = 1});
+  for (const int threads : {0, 2, 5})
+    EXPECT_EQ(run_batch(jobs, 11, {.threads = threads}), one) << threads;
+  EXPECT_NE(run_batch(jobs, 12, {.threads = 1}), one);
+  EXPECT_EQ(one[0].trials, 10'000u);
+  EXPECT_EQ(one[1], BatchResult{});
+  EXPECT_EQ(one[2].trials, 4905u);
+  EXPECT_EQ(one[2].steps, 4905u * 30u);
+}
+
+TEST(Batch, PartsMergeToTheWhole) {
+  for (BatchJob job : mixed_jobs()) {
+    const BatchResult whole = run_job(job, 3);
+    const std::uint32_t end = job.last_trial;
+    BatchResult parts;
+    while (job.first_trial < end) {
+      job.last_trial = job.first_trial + std::min(end - job.first_trial, 1u + job.first_trial % 1013u);
+      parts += run_job(job, 3);
+      job.first_trial = job.last_trial;
+    }
+    EXPECT_EQ(parts, whole);
+  }
+}
+
+TEST(Batch, CountsWhatTrialsGive) {
+  const BatchJob job{.condition = {}, .condition_id = 5, .first_trial = 20, .last_trial = 90};
+  const BatchResult result = run_job(job, 9);
+  std::uint64_t hits = 0;
+  std::uint64_t saturated = 0;
+  double miss_sum_deg = 0.0;
+  double felt_squares_deg2 = 0.0;
+  for (std::uint32_t trial = 20; trial < 90; ++trial) {
+    const TrialOutcome outcome = simulate_trial(job.condition, {9, 5, trial});
+    hits += outcome.hit;
+    saturated += static_cast<std::uint64_t>(outcome.saturated_steps);
+    miss_sum_deg += outcome.final_direction_deg + 5.0;
+    felt_squares_deg2 += std::pow(outcome.perceived_direction_deg - 5.0, 2);
+  }
+  EXPECT_EQ(result.hits, hits);
+  EXPECT_EQ(result.saturated_steps, saturated);
+  EXPECT_NEAR(result.mean_miss_deg(), miss_sum_deg / 70.0, 1e-6);
+  EXPECT_NEAR(result.rms_felt_error_deg(), std::sqrt(felt_squares_deg2 / 70.0), 1e-6);
+}
+
+TEST(Batch, ReportsProgressToTheEnd) {
+  std::uint64_t last = 0;
+  run_batch(mixed_jobs(), 1, {.threads = 2, .progress = [&](std::uint64_t done, std::uint64_t total) {
+                                EXPECT_EQ(total, 14'905u);
+                                EXPECT_GE(done, last);
+                                last = done;
+                              }});
+  EXPECT_EQ(last, 14'905u);
+}
+
+TEST(Batch, CancelsAndPassesOnExceptions) {
+  std::vector<BatchJob> jobs = mixed_jobs();
+  jobs[0].last_trial = 4'000'000;
+  std::atomic<bool> cancel{false};
+  const std::vector<BatchResult> results =
+      run_batch(jobs, 1, {.threads = 2, .progress = [&](auto, auto) { cancel = true; }, .cancel = &cancel});
+  EXPECT_GT(results[0].trials, 0u);
+  EXPECT_LT(results[0].trials, 1'000'000u);
+  EXPECT_THROW(
+      run_batch(jobs, 1, {.threads = 2, .progress = [](auto, auto) { throw std::runtime_error("full"); }}),
+      std::runtime_error);
+}
+
+}  // namespace
+}  // namespace hrt
