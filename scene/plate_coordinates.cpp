@@ -1,0 +1,53 @@
+#include "scene/plate_coordinates.h"
+
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double largest_coordinate_m = 1e6;
+
+// False for NaN too.
+bool in_range(Vec3 v) {
+  return std::abs(v.x) < largest_coordinate_m && std::abs(v.y) < largest_coordinate_m &&
+         std::abs(v.z) < largest_coordinate_m;
+}
+
+double squared_norm(Quaternion q) {
+  return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
+}
+
+Quaternion normalized(Quaternion q) {
+  const double scale = 1.0 / std::sqrt(squared_norm(q));
+  return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
+}
+
+}  // namespace
+
+Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
+  const double forward_m = start_m.z - point_m.z;
+  const double left_m = start_m.x - point_m.x;
+  const double distance_m = std::sqrt(forward_m * forward_m + left_m * left_m);
+  return {.direction_deg = atan2_deg(left_m, forward_m),
+          .distance_m = distance_m,
+          .at_start = distance_m < least_distance_m};
+}
+
+bool is_valid(const Pose& pose) {
+  return in_range(pose.position_m) && std::abs(squared_norm(pose.orientation) - 1.0) < 2e-3;
+}
+
+bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingertip_m, FingerOnPlate& out) {
+  if (!is_valid(plate) || !in_range(fingertip_m)) {
+    return false;
+  }
+  const Vec3 position_m = along(axes_of(normalized(plate.orientation)), fingertip_m - plate.position_m);
+  out = {.position_m = position_m,
+         .bearing = bearing_from(surface.start_m, position_m),
+         .off_plate =
+             position_m.x * position_m.x + position_m.z * position_m.z > surface.radius_m * surface.radius_m,
+         .lifted = position_m.y > surface.lift_height_m};
+  return true;
+}
+
+}  // namespace hrt

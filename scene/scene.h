@@ -1,0 +1,63 @@
+// A glTF 2.0 file with haptic roles, read into a plate, a start point and targets. README.md tells the
+// conventions and what a designer writes into the file. Metres and degrees throughout.
+//
+// Any thread may load, and several at once. Loading allocates, reads no other file than the one named and
+// opens no image or buffer.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "scene/plate_coordinates.h"
+#include "scene/scene_error.h"
+
+namespace hrt {
+
+/// The plate as the file places it.
+struct ScenePlate {
+  Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
+  double radius_m;
+  std::optional<double> max_speed_deg_s;  ///< of its servo, if the file tells
+  std::string node_path;                  ///< names from the root, joined with '/'
+};
+
+enum class TargetKind {
+  real_object,     ///< one that the hand can touch
+  virtual_object,  ///< one that is only seen or felt: the hand is led to the real one that serves it
+};
+
+struct SceneTarget {
+  TargetKind kind;
+  std::string name;                ///< unique among the targets
+  Vec3 world_position_m;           ///< of the node's origin
+  Vec3 position_m;                 ///< the same in plate coordinates; y is the height above the plate
+  double direction_deg;            ///< from the start, in (-180, 180]
+  double distance_m;               ///< from the start along the plate, >= least_distance_m
+  std::optional<double> radius_m;  ///< if the file tells
+  std::optional<std::size_t>
+      served_by;  ///< of a virtual target, always: the real one's index in Scene::targets
+  std::string node_path;
+};
+
+struct Scene {
+  ScenePlate plate;
+  Vec3 start_m;                           ///< in plate coordinates, on the plate: y = 0
+  std::optional<std::string> start_path;  ///< the start's node, if the file has one
+  std::vector<SceneTarget> targets;       ///< in the order of the file's node tree
+};
+
+/// What locate_finger() needs of the scene.
+PlateSurface surface_of(const Scene& scene);
+
+/// Reads a .gltf or .glb file, told apart by content. Throws SceneError; std::bad_alloc.
+Scene load_scene(const std::filesystem::path& file);
+
+/// The same from memory. `name` stands for the file in messages.
+Scene load_scene(std::span<const std::byte> bytes, std::string_view name);
+
+}  // namespace hrt

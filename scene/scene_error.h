@@ -1,0 +1,23 @@
+// How a file is refused.
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace hrt {
+
+/// Why a file is not a usable scene: one line that names the file, the node and the property.
+class SceneError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// `text` in double quotes for a message: control characters as '?', cut after 80 bytes.
+std::string in_quotes(std::string_view text);
+
+/// An index as `[7]`: the name of what has none.
+std::string in_brackets(std::size_t index);
+
+}  // namespace hrt

@@ -1,0 +1,63 @@
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace hrt {
+namespace {
+
+const std::filesystem::path sample_scenes = HRT_SAMPLE_SCENES;
+
+TEST(DeskScene, HoldsWhatItsMakerPutThere) {
+  const Scene scene = load_scene(sample_scenes / "desk.gltf");
+  EXPECT_EQ(scene.plate.node_path, "Desk/Apparatus/Plate");
+  EXPECT_DOUBLE_EQ(scene.plate.radius_m, 0.075);
+  EXPECT_EQ(scene.plate.max_speed_deg_s, 400.0);
+  EXPECT_DOUBLE_EQ(scene.plate.pose.position_m.x, 0.12);
+  EXPECT_DOUBLE_EQ(scene.plate.pose.position_m.y, 0.75);
+  EXPECT_DOUBLE_EQ(scene.start_m.z, 0.05);
+
+  struct Expected {
+    const char* name;
+    double direction_deg;
+    TargetKind kind;
+  };
+  const std::vector<Expected> expected{{"cylinder", 0.0, TargetKind::real_object},
+                                       {"bottle", 6.0, TargetKind::virtual_object},
+                                       {"goblet", -8.0, TargetKind::virtual_object},
+                                       {"pawn", 12.0, TargetKind::virtual_object}};
+  ASSERT_EQ(scene.targets.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    SCOPED_TRACE(expected[i].name);
+    const SceneTarget& target = scene.targets[i];
+    EXPECT_EQ(target.name, expected[i].name);
+    EXPECT_EQ(target.kind, expected[i].kind);
+    EXPECT_NEAR(target.direction_deg, expected[i].direction_deg, 1e-8);
+    EXPECT_NEAR(target.distance_m, 0.1, 1e-9);
+    EXPECT_NEAR(target.position_m.y, 0.0, 1e-12);
+    EXPECT_EQ(target.radius_m, 0.005);
+    EXPECT_EQ(target.served_by.has_value(), target.kind == TargetKind::virtual_object);
+    EXPECT_EQ(target.served_by.value_or(0), 0u);
+  }
+}
+
+TEST(Table1Scene, HoldsTheSixPairsOfThePaper) {
+  const Scene scene = load_scene(sample_scenes / "table1.gltf");
+  const std::vector<std::pair<double, double>> real_and_virtual_deg{{-5, 5},  {5, -5}, {0, 10},
+                                                                    {-10, 0}, {10, 0}, {0, -10}};
+  std::vector<std::pair<double, double>> found;
+  for (const SceneTarget& target : scene.targets) {
+    if (target.served_by) {
+      found.emplace_back(scene.targets[*target.served_by].direction_deg, target.direction_deg);
+    }
+  }
+  ASSERT_EQ(found.size(), real_and_virtual_deg.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_NEAR(found[i].first, real_and_virtual_deg[i].first, 1e-8);
+    EXPECT_NEAR(found[i].second, real_and_virtual_deg[i].second, 1e-8);
+  }
+}
+
+}  // namespace
+}  // namespace hrt
