@@ -97,8 +97,7 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   std::vector<BatchResult> results(jobs.size());
   const std::vector<Chunk> chunks = split(jobs);
   std::uint64_t total = 0;
-  for (const BatchJob& job : jobs)
-    total += job.last_trial - job.first_trial;
+  for (const BatchJob& job : jobs) total += job.last_trial - job.first_trial;
 
   std::atomic<std::size_t> next_chunk{0};
   std::atomic<std::uint64_t> done{0};
@@ -130,8 +129,7 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
     std::size_t end;
     ~StopOnExit() { next = end; }
   } stop_on_exit{next_chunk, chunks.size()};
-  for (std::size_t i = 1; i < std::min(wanted, chunks.size()); ++i)
-    others.emplace_back([&] { work([] {}); });
+  for (std::size_t i = 1; i < std::min(wanted, chunks.size()); ++i) others.emplace_back([&] { work([] {}); });
   work([&] {
     if (options.progress) options.progress(done, total);
   });

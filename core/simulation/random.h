@@ -14,8 +14,8 @@ struct RandomCounter {
   std::uint32_t step;
 };
 
-/// A draw from N(0, 1): Philox 4x32-10, then the inverse of the normal distribution function.
-/// The same bits on every compiler that keeps IEEE arithmetic.
+/// A draw from N(0, 1): Philox 4x32-10 of Random123 and the transform of random_lanes.h. A block of four
+/// words serves steps 4 i to 4 i + 3. The same bits on every compiler that keeps IEEE arithmetic.
 double standard_normal(const RandomCounter& counter);
 
 }  // namespace hrt

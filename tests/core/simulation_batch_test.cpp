@@ -25,10 +25,8 @@ TEST(AngleSums, ClampsAndCarries) {
   AngleSums one_by_one;
   AngleSums doubled;
   doubled.add(1e300);
-  for (int i = 0; i < 7; ++i)
-    doubled.add(doubled);
-  for (int i = 0; i < 128; ++i)
-    one_by_one.add(std::numeric_limits<double>::infinity());
+  for (int i = 0; i < 7; ++i) doubled.add(doubled);
+  for (int i = 0; i < 128; ++i) one_by_one.add(std::numeric_limits<double>::infinity());
   EXPECT_EQ(doubled, one_by_one);
   EXPECT_DOUBLE_EQ(one_by_one.mean_deg(128), 1000.0);
   EXPECT_DOUBLE_EQ(one_by_one.rms_deg(128), 1000.0);
@@ -49,8 +47,7 @@ std::vector<BatchJob> mixed_jobs() {
 TEST(Batch, ThreadsDoNotMatter) {
   const std::vector<BatchJob> jobs = mixed_jobs();
   const std::vector<BatchResult> one = run_batch(jobs, 11, {.threads = 1});
-  for (const int threads : {0, 2, 5})
-    EXPECT_EQ(run_batch(jobs, 11, {.threads = threads}), one) << threads;
+  for (const int threads : {0, 2, 5}) EXPECT_EQ(run_batch(jobs, 11, {.threads = threads}), one) << threads;
   EXPECT_NE(run_batch(jobs, 12, {.threads = 1}), one);
   EXPECT_EQ(one[0].trials, 10'000u);
   EXPECT_EQ(one[1], BatchResult{});

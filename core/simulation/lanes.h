@@ -1,0 +1,85 @@
+// Arithmetic on two doubles at a time. Code that is written as a template over Lanes runs on single numbers
+// (ScalarLanes) or on pairs (PairLanes) and gives the same bits on both: every operation is IEEE's.
+//
+// PairLanes is SSE2 on x86-64 and what the compiler makes of its vector types elsewhere; where a compiler
+// has none, it is ScalarLanes.
+#pragma once
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <emmintrin.h>
+#endif
+
+namespace hrt {
+
+struct ScalarLanes {
+  using Reals = double;
+  using Words = std::uint64_t;
+  static constexpr int count = 1;
+
+  static Reals all(double x) { return x; }
+  static Words all(std::uint64_t x) { return x; }
+  static Reals load(const double* from) { return *from; }
+  static Words load(const std::uint64_t* from) { return *from; }
+  static void store(double* to, Reals x) { *to = x; }
+  static void store(std::uint64_t* to, Words x) { *to = x; }
+  static Reals as_reals(Words x) { return std::bit_cast<double>(x); }
+  static Words as_words(Reals x) { return std::bit_cast<std::uint64_t>(x); }
+  static Reals square_root(Reals x) { return std::sqrt(x); }
+  static Reals larger(Reals a, Reals b) { return a > b ? a : b; }
+  /// All bits where a <= b, none elsewhere.
+  static Words less_equal(Reals a, Reals b) { return a <= b ? ~std::uint64_t{0} : 0; }
+  /// Product of the low 32 bits of each.
+  static Words multiply_low(Words a, Words b) { return (a & 0xffffffffu) * (b & 0xffffffffu); }
+};
+
+#if defined(__GNUC__)
+
+struct PairLanes {
+  using Reals = double __attribute__((vector_size(16)));
+  using Words = std::uint64_t __attribute__((vector_size(16)));
+  static constexpr int count = 2;
+
+  static Reals all(double x) { return Reals{x, x}; }
+  static Words all(std::uint64_t x) { return Words{x, x}; }
+  static Reals load(const double* from) { return Reals{from[0], from[1]}; }
+  static Words load(const std::uint64_t* from) { return Words{from[0], from[1]}; }
+  static void store(double* to, Reals x) { std::memcpy(to, &x, sizeof x); }
+  static void store(std::uint64_t* to, Words x) { std::memcpy(to, &x, sizeof x); }
+  static Reals as_reals(Words x) { return reinterpret_cast<Reals>(x); }
+  static Words as_words(Reals x) { return reinterpret_cast<Words>(x); }
+  static Words less_equal(Reals a, Reals b) { return reinterpret_cast<Words>(a <= b); }
+#if defined(__SSE2__)
+  static Reals square_root(Reals x) {
+    return _mm_sqrt_pd(x);
+  }
+  static Reals larger(Reals a, Reals b) {
+    return _mm_max_pd(a, b);
+  }
+  static Words multiply_low(Words a, Words b) {
+    return reinterpret_cast<Words>(_mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
+  }
+#else
+  static Reals square_root(Reals x) {
+    return Reals{std::sqrt(x[0]), std::sqrt(x[1])};
+  }
+  static Reals larger(Reals a, Reals b) {
+    return Reals{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
+  }
+  static Words multiply_low(Words a, Words b) {
+    return (a & 0xffffffffu) * (b & 0xffffffffu);
+  }
+#endif
+};
+
+#else
+
+using PairLanes = ScalarLanes;
+
+#endif
+
+}  // namespace hrt

@@ -1,0 +1,204 @@
+#include "core/simulation/random.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "core/simulation/random_lanes.h"
+
+namespace hrt {
+namespace {
+
+// The known answers that Random123 is distributed with (kat_vectors, philox4x32 of 10 rounds).
+TEST(SimulationRandom, PhiloxKnownAnswers) {
+  const auto zeros = philox<ScalarLanes>(PhiloxKeys(0), 0, 0, 0, 0);
+  EXPECT_EQ(zeros.first, 0xe169c58d'6627e8d5u);
+  EXPECT_EQ(zeros.second, 0x9b00dbd8'bc57ac4cu);
+  const std::uint64_t most = 0xffffffff;
+  const auto ones = philox<ScalarLanes>(PhiloxKeys(~std::uint64_t{0}), most, most, most, most);
+  EXPECT_EQ(ones.first, 0x41c83b0e'408f276du);
+  EXPECT_EQ(ones.second, 0x6d5451fd'a20bc7c6u);
+  const auto pi =
+      philox<ScalarLanes>(PhiloxKeys(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344);
+  EXPECT_EQ(pi.first, 0x94fdcceb'd16cfe09u);
+  EXPECT_EQ(pi.second, 0x24126ea1'5001e420u);
+}
+
+// Box and Muller's formula in long double, on the bits as normal_pair() lays them out.
+std::array<long double, 2> reference_pair(std::uint64_t bits) {
+  const long double radius =
+      std::sqrt(-2.0L * std::log((static_cast<long double>(bits >> 24) + 0.5L) * 0x1p-40L));
+  long double x = static_cast<long double>(bits & 0x3fffff) + 0.5L;
+  x = (x * 0x1p-22L - 0.5L) * std::numbers::pi_v<long double> / 2.0L;
+  std::array<long double, 2> pair{(bits >> 22 & 1) ? -std::cos(x) : std::cos(x), std::sin(x)};
+  if (bits >> 23 & 1) std::swap(pair[0], pair[1]);
+  return {radius * pair[0], radius * pair[1]};
+}
+
+void expect_near_reference(std::uint64_t bits) {
+  const NormalPair<ScalarLanes> pair = normal_pair<ScalarLanes>(bits);
+  const auto [first, second] = reference_pair(bits);
+  const double tolerance = 3e-15 * std::max(1.0, static_cast<double>(std::hypot(first, second)));
+  ASSERT_NEAR(pair.first, static_cast<double>(first), tolerance) << std::hex << bits;
+  ASSERT_NEAR(pair.second, static_cast<double>(second), tolerance) << std::hex << bits;
+}
+
+TEST(SimulationRandom, TransformAgreesWithLongDouble) {
+  for (const std::uint64_t radius_bits : {0x0ull, 0x1ull, 0xffull, 0x7fffffffffull, 0x8000000000ull,
+                                          0xb504f333f9ull, 0xb504f333faull, 0xffffffffffull}) {
+    for (const std::uint64_t angle_bits : {0x0ull, 0x1fffffull, 0x200000ull, 0x3fffffull, 0x400000ull,
+                                           0x5a5a5aull, 0x800000ull, 0xc00000ull, 0xffffffull})
+      expect_near_reference(radius_bits << 24 | angle_bits);
+  }
+  for (std::uint64_t i = 0; i < 200'000; ++i) expect_near_reference(i * 0x9e3779b97f4a7c15u);
+}
+
+TEST(SimulationRandom, RadiusReachesSevenAndAHalf) {
+  EXPECT_NEAR(normal_pair<ScalarLanes>(0x200000).first, std::sqrt(2.0 * 41.0 * std::numbers::ln2), 1e-6);
+}
+
+TEST(SimulationRandom, LanesDoNotMatter) {
+  const PhiloxKeys keys(0x0123456789abcdef);
+  for (std::uint32_t trial = 0; trial < 5000; trial += 2) {
+    std::array<std::uint64_t, 2> trials{trial, trial + 1};
+    const auto block =
+        philox<PairLanes>(keys, PairLanes::all(std::uint64_t{5}), PairLanes::load(trials.data()),
+                          PairLanes::all(std::uint64_t{77}), PairLanes::all(std::uint64_t{0}));
+    std::array<std::array<double, PairLanes::count>, 4> draws;
+    const NormalPair<PairLanes> early = normal_pair<PairLanes>(block.first);
+    const NormalPair<PairLanes> late = normal_pair<PairLanes>(block.second);
+    PairLanes::store(draws[0].data(), early.first);
+    PairLanes::store(draws[1].data(), early.second);
+    PairLanes::store(draws[2].data(), late.first);
+    PairLanes::store(draws[3].data(), late.second);
+    for (std::uint32_t lane = 0; lane < PairLanes::count; ++lane) {
+      for (std::uint32_t step = 0; step < 4; ++step) {
+        ASSERT_EQ(draws[step][lane], standard_normal({0x0123456789abcdef, 77, trial + lane, 20 + step}));
+      }
+    }
+  }
+}
+
+// Every bit of the counter makes another draw.
+TEST(SimulationRandom, EveryPartOfTheCounterCounts) {
+  const RandomCounter base{.seed = 1, .condition = 2, .trial = 3, .step = 4};
+  std::vector<double> draws{standard_normal(base)};
+  for (int bit = 0; bit < 32; ++bit) {
+    RandomCounter changed = base;
+    changed.condition ^= 1u << bit;
+    draws.push_back(standard_normal(changed));
+    changed = base;
+    changed.trial ^= 1u << bit;
+    draws.push_back(standard_normal(changed));
+    changed = base;
+    changed.step ^= 1u << bit;
+    draws.push_back(standard_normal(changed));
+    changed = base;
+    changed.seed ^= std::uint64_t{1} << bit;
+    draws.push_back(standard_normal(changed));
+    changed.seed = base.seed ^ std::uint64_t{1} << (32 + bit);
+    draws.push_back(standard_normal(changed));
+  }
+  std::sort(draws.begin(), draws.end());
+  EXPECT_EQ(std::adjacent_find(draws.begin(), draws.end()), draws.end());
+}
+
+double normal_distribution_function(double x) {
+  return 0.5 * std::erfc(-x / std::numbers::sqrt2);
+}
+
+// A million draws over trials and steps.
+const std::vector<double>& sorted_sample() {
+  static const std::vector<double> sample = [] {
+    std::vector<double> draws;
+    for (std::uint32_t trial = 0; trial < 33'334; ++trial) {
+      for (std::uint32_t step = 0; step < 30; ++step)
+        draws.push_back(standard_normal({.seed = 42, .condition = 1, .trial = trial, .step = step}));
+    }
+    std::sort(draws.begin(), draws.end());
+    return draws;
+  }();
+  return sample;
+}
+
+// Standard errors of the first four moments of n draws: sqrt of 1, 2, 15 and 96 over n.
+TEST(SimulationRandom, Moments) {
+  double sums[4] = {};
+  for (const double x : sorted_sample()) {
+    sums[0] += x;
+    sums[1] += x * x;
+    sums[2] += x * x * x;
+    sums[3] += x * x * x * x;
+  }
+  const double n = static_cast<double>(sorted_sample().size());
+  EXPECT_NEAR(sums[0] / n, 0.0, 4.0 * std::sqrt(1.0 / n));
+  EXPECT_NEAR(sums[1] / n, 1.0, 4.0 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(sums[2] / n, 0.0, 4.0 * std::sqrt(15.0 / n));
+  EXPECT_NEAR(sums[3] / n, 3.0, 4.0 * std::sqrt(96.0 / n));
+}
+
+// Kolmogorov and Smirnov: sqrt(n) D exceeds 1.95 once in a thousand samples.
+TEST(SimulationRandom, DistributionIsNormal) {
+  const std::vector<double>& sample = sorted_sample();
+  const double n = static_cast<double>(sample.size());
+  double distance = 0.0;
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const double expected = normal_distribution_function(sample[i]);
+    distance = std::max(
+        {distance, expected - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - expected});
+  }
+  EXPECT_LT(std::sqrt(n) * distance, 1.95);
+}
+
+// Counts beyond 2, 3, 4 and 4.5 on either side, each within four standard errors.
+TEST(SimulationRandom, Tails) {
+  const std::vector<double>& sample = sorted_sample();
+  const double n = static_cast<double>(sample.size());
+  for (const double x : {2.0, 3.0, 4.0, 4.5}) {
+    const double expected = n * normal_distribution_function(-x);
+    const auto below = std::lower_bound(sample.begin(), sample.end(), -x) - sample.begin();
+    const auto above = sample.end() - std::upper_bound(sample.begin(), sample.end(), x);
+    EXPECT_NEAR(static_cast<double>(below), expected, 4.0 * std::sqrt(expected) + 1.0) << x;
+    EXPECT_NEAR(static_cast<double>(above), expected, 4.0 * std::sqrt(expected) + 1.0) << x;
+  }
+}
+
+// Chi-squared over 16 equally likely cells for each of two neighbouring draws, and correlation: of steps that
+// share 64 bits, of steps that share a block, of steps of different blocks, and of neighbouring trials.
+TEST(SimulationRandom, NeighboursAreIndependent) {
+  struct Neighbour {
+    std::uint32_t trial;
+    std::uint32_t step;
+  };
+  for (const auto& [next_trial, next_step] :
+       {Neighbour{0, 1}, Neighbour{0, 2}, Neighbour{0, 4}, Neighbour{1, 0}}) {
+    constexpr int cells = 16;
+    constexpr std::uint32_t n = 200'000;
+    std::array<double, cells * cells> counts{};
+    double products = 0.0;
+    double square_products = 0.0;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      const double a = standard_normal({7, 0, 2 * i, 8});
+      const double b = standard_normal({7, 0, 2 * i + next_trial, 8 + next_step});
+      const auto cell = [](double x) { return static_cast<int>(cells * normal_distribution_function(x)); };
+      ++counts[static_cast<std::size_t>(cells * cell(a) + cell(b))];
+      products += a * b;
+      square_products += (a * a - 1.0) * (b * b - 1.0);
+    }
+    const double expected = n / static_cast<double>(counts.size());
+    double chi_squared = 0.0;
+    for (const double count : counts) chi_squared += (count - expected) * (count - expected) / expected;
+    // 255 degrees of freedom: mean 255, standard deviation 22.6.
+    EXPECT_LT(chi_squared, 255.0 + 4.0 * 22.6) << next_trial << ' ' << next_step;
+    EXPECT_GT(chi_squared, 255.0 - 4.0 * 22.6) << next_trial << ' ' << next_step;
+    EXPECT_NEAR(products / n, 0.0, 4.0 / std::sqrt(n));
+    EXPECT_NEAR(square_products / n, 0.0, 4.0 * 2.0 / std::sqrt(n));
+  }
+}
+
+}  // namespace
+}  // namespace hrt
