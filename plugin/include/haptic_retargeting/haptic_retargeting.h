@@ -1,0 +1,14 @@
+/*
+ * Haptic retargeting by touch: a ridged plate under the user's finger turns so that the hand arrives at a
+ * real target while the user feels that it goes to a virtual one. This header includes all others.
+ */
+#ifndef HAPTIC_RETARGETING_H
+#define HAPTIC_RETARGETING_H
+
+#include "authority.h"
+#include "base.h"
+#include "reach.h"
+#include "session.h"
+#include "target.h"
+
+#endif

@@ -1,0 +1,88 @@
+/*
+ * A session: one user, one plate, and what the controller assumes of both.
+ *
+ *   create -> add targets -> (begin -> update ... update -> end) as often as wanted -> destroy
+ */
+#ifndef HAPTIC_RETARGETING_SESSION_H
+#define HAPTIC_RETARGETING_SESSION_H
+
+#include "base.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/** A session's handle. Zero is never a session. A handle of a destroyed session is never valid again. */
+typedef struct hrt_session {
+  uint64_t value;
+} hrt_session;
+
+/** Sessions that can exist at the same time in a process. */
+#define HRT_SESSIONS_MAX 64
+
+/** What decides the plate's orientation. */
+#define HRT_CONTROL_MPC 0         /**< the model-predictive controller */
+#define HRT_CONTROL_FIXED_PLATE 1 /**< none, as a baseline: the plate stays where it is told to */
+
+/** Where the finger is wanted. */
+#define HRT_GUIDANCE_FIXED_DIRECTION 0 /**< in the real target's direction from the start */
+/** In the direction from where the finger is to where the real target is, held once less than a fifth of
+ *  the path remains. Takes effect when positions are streamed. */
+#define HRT_GUIDANCE_LINE_OF_SIGHT 1
+
+/** Everything that a session is made from. hrt_session_config_default() fills every field. */
+typedef struct hrt_session_config {
+  uint32_t struct_size;
+  /** Steps that the controller looks ahead, 1 to 50. Default 3. */
+  uint32_t horizon;
+  /** Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default 100 ms. */
+  int64_t step_period_ns;
+  /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
+  uint32_t control;
+  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION. */
+  uint32_t guidance;
+  /** Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1. */
+  double perceived_weight;
+  /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
+  double actual_weight;
+  /** The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5. */
+  double plate_bound_deg;
+  /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0. */
+  double fixed_plate_orientation_deg;
+  /** Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15. */
+  double tactile_weight;
+  /** Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5. */
+  double motor_variance_deg2;
+  /** Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1. */
+  double sensory_variance_deg2;
+  /** Variance of the user's perceived direction before the first step, 0 to 1e4. Default 0. */
+  double initial_variance_deg2;
+  /** Where reaches start, in plate coordinates; target directions are measured from here, in the plane of
+   *  the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
+  double start_position_m[3];
+} hrt_session_config;
+
+/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
+HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
+                                              uint32_t struct_size) HRT_NOEXCEPT;
+
+/** Makes a session. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY.
+ *  [any-thread] */
+HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
+                                      hrt_session* out_session) HRT_NOEXCEPT;
+
+/** Ends the session, its targets and a reach that is under way. [one-thread] */
+HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
+
+/** The configuration in use. `out_config->struct_size` must be set. [one-thread] */
+HRT_API hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) HRT_NOEXCEPT;
+
+/** Replaces the configuration, between reaches; targets stay. Errors: as hrt_session_create(), and
+ *  WRONG_STATE during a reach. [one-thread] */
+HRT_API hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
+
+#if defined(__cplusplus)
+}
+#endif
+
+#endif

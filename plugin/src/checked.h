@@ -1,0 +1,95 @@
+// Checks on what crosses the boundary: structs of other versions, numbers out of range.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+
+#include "plugin/src/error.h"
+
+namespace hrt::plugin {
+
+/// The size of a struct in the first version that had it. A struct that has grown specialises this.
+template <class Struct>
+inline constexpr std::uint32_t first_size = sizeof(Struct);
+
+/// No version of any struct is larger: a number beyond this is not a size.
+inline constexpr std::uint32_t largest_struct_size = 4096;
+
+template <class Struct>
+hrt_result check_struct_size(const char* name, std::uint32_t size) {
+  if (size >= first_size<Struct> && size <= largest_struct_size) return HRT_OK;
+  return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
+              ", at least ", first_size<Struct>, " is needed");
+}
+
+/// Reads a struct of any version into `*known`, which holds the defaults.
+template <class Struct>
+hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
+  if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
+  std::uint32_t size;
+  std::memcpy(&size, given, sizeof size);
+  HRT_RETURN_IF_FAILED(check_struct_size<Struct>(name, size));
+  const auto* bytes = reinterpret_cast<const unsigned char*>(given);
+  for (std::uint32_t i = sizeof(Struct); i < size; ++i) {
+    if (bytes[i] != 0)
+      return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, and only ", sizeof(Struct),
+                  " bytes are known to this library");
+  }
+  std::memcpy(known, given, size < sizeof(Struct) ? size : sizeof(Struct));
+  known->struct_size = sizeof(Struct);
+  return HRT_OK;
+}
+
+/// Whether write_struct() can be called.
+template <class Struct>
+hrt_result check_output(const char* name, const Struct* out) {
+  if (!out) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
+  std::uint32_t size;
+  std::memcpy(&size, out, sizeof size);
+  return check_struct_size<Struct>(name, size);
+}
+
+/// Writes as much of `known` as a struct of `size` bytes has room for, and zeros beyond.
+template <class Struct>
+void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
+  std::memcpy(out, &known, size < sizeof(Struct) ? size : sizeof(Struct));
+  if (size > sizeof(Struct)) std::memset(static_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
+  std::memcpy(out, &size, sizeof size);
+}
+
+/// Writes a struct that passed check_output().
+template <class Struct>
+void write_struct(const Struct& known, Struct* out) {
+  write_struct_of(out->struct_size, known, out);
+}
+
+/// The body of a *_default() call.
+template <class Struct>
+hrt_result write_default(const char* name, const Struct& defaults, Struct* out, std::uint32_t size) {
+  if (!out) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
+  HRT_RETURN_IF_FAILED(check_struct_size<Struct>(name, size));
+  write_struct_of(size, defaults, out);
+  return HRT_OK;
+}
+
+template <class Number>
+hrt_result check_range(const char* field, Number value, Number low, Number high) {
+  if (value >= low && value <= high) return HRT_OK;  // not a number is neither
+  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; allowed: ", low, " to ", high);
+}
+
+inline hrt_result check_zero(const char* field, std::uint32_t value) {
+  if (value == 0) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
+}
+
+inline constexpr double largest_coordinate_m = 1000.0;
+
+inline hrt_result check_position(const char* field, const double (&position_m)[3]) {
+  for (const double coordinate_m : position_m)
+    HRT_RETURN_IF_FAILED(check_range(field, coordinate_m, -largest_coordinate_m, largest_coordinate_m));
+  return HRT_OK;
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,114 @@
+// Handles: numbers that stand for objects, checked at every use.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <utility>
+
+#include "plugin/src/error.h"
+
+namespace hrt::plugin {
+
+/// Up to `capacity` objects. A handle names a slot and the slot's generation, which grows with every object
+/// that lives there, so a stale handle matches nothing. `kind` keeps the handles of two tables apart. Any
+/// member may be called from any thread; an object is leased to one caller at a time.
+template <class Object, std::size_t capacity, std::uint8_t kind>
+class HandleTable {
+  static_assert(capacity <= 256);
+
+ public:
+  /// The object while this lives; without one, `result` tells why.
+  class Lease {
+   public:
+    explicit Lease(hrt_result failure) : result_(failure) {}
+    Lease(Object& object, std::atomic<std::uint64_t>& state, std::uint64_t idle)
+        : object_(&object), state_(&state), idle_(idle) {}
+    ~Lease() {
+      if (state_) state_->store(idle_, std::memory_order_release);
+    }
+    Lease(const Lease&) = delete;
+    Lease& operator=(const Lease&) = delete;
+    Lease(Lease&&) = delete;
+    Lease& operator=(Lease&&) = delete;
+
+    hrt_result result() const { return result_; }
+    Object& operator*() const { return *object_; }
+
+   private:
+    hrt_result result_ = HRT_OK;
+    Object* object_ = nullptr;
+    std::atomic<std::uint64_t>* state_ = nullptr;
+    std::uint64_t idle_ = 0;
+  };
+
+  /// The object's handle; 0, and the object is destroyed, if the table is full.
+  std::uint64_t insert(std::unique_ptr<Object> object) {
+    for (std::size_t index = 0; index < capacity; ++index) {
+      Slot& slot = slots_[index];
+      std::uint64_t state = slot.state.load(std::memory_order_acquire);
+      if ((state & (live | busy)) != 0 || !slot.state.compare_exchange_strong(state, state | busy)) continue;
+      slot.object = std::move(object);
+      const std::uint64_t generation = (state >> generation_shift) + 1;
+      slot.state.store(generation << generation_shift | live, std::memory_order_release);
+      count_.fetch_add(1);
+      return std::uint64_t{kind} << 56 | generation << 8 | index;
+    }
+    return 0;
+  }
+
+  /// Takes the object for one call.
+  Lease lease(std::uint64_t handle) {
+    Slot* slot = find(handle);
+    if (!slot) return Lease(HRT_ERROR_INVALID_HANDLE);
+    const std::uint64_t idle = idle_state(handle);
+    if (const hrt_result result = take(*slot, idle); result != HRT_OK) return Lease(result);
+    return Lease(*slot->object, slot->state, idle);
+  }
+
+  hrt_result destroy(std::uint64_t handle) {
+    Slot* slot = find(handle);
+    if (!slot) return HRT_ERROR_INVALID_HANDLE;
+    const std::uint64_t idle = idle_state(handle);
+    if (const hrt_result result = take(*slot, idle); result != HRT_OK) return result;
+    slot->object.reset();
+    slot->state.store(idle & ~live, std::memory_order_release);
+    count_.fetch_sub(1);
+    return HRT_OK;
+  }
+
+  std::size_t count() const { return count_.load(); }
+
+ private:
+  // A slot's state: its generation, whether an object lives there, whether a call has it.
+  static constexpr std::uint64_t busy = 1;
+  static constexpr std::uint64_t live = 2;
+  static constexpr int generation_shift = 2;
+
+  struct Slot {
+    std::atomic<std::uint64_t> state{0};
+    std::unique_ptr<Object> object;
+  };
+
+  Slot* find(std::uint64_t handle) {
+    const std::size_t index = handle & 0xff;
+    return handle >> 56 == kind && index < capacity ? &slots_[index] : nullptr;
+  }
+
+  static std::uint64_t idle_state(std::uint64_t handle) {
+    const std::uint64_t generation = (handle & ~(std::uint64_t{0xff} << 56)) >> 8;
+    return generation << generation_shift | live;
+  }
+
+  static hrt_result take(Slot& slot, std::uint64_t idle) {
+    std::uint64_t seen = idle;
+    if (slot.state.compare_exchange_strong(seen, idle | busy, std::memory_order_acquire)) return HRT_OK;
+    return seen == (idle | busy) ? HRT_ERROR_BUSY : HRT_ERROR_INVALID_HANDLE;
+  }
+
+  std::array<Slot, capacity> slots_;
+  std::atomic<std::size_t> count_{0};
+};
+
+}  // namespace hrt::plugin

@@ -1,0 +1,94 @@
+#include "plugin/src/targets.h"
+
+#include <atomic>
+
+#include "plugin/src/error.h"
+
+namespace hrt::plugin {
+namespace {
+
+// The kind in the top byte keeps a target's id from being taken for a handle.
+std::atomic<std::uint64_t> next_id{(std::uint64_t{0x7a} << 56) + 1};
+
+hrt_result name_taken(const char* name) {
+  return fail(HRT_ERROR_NAME_TAKEN, "name \"", name, "\" is that of another target of this session");
+}
+
+hrt_result no_such_target(std::uint64_t id) {
+  return fail(HRT_ERROR_INVALID_HANDLE, "target ", id, " is not one of this session's");
+}
+
+}  // namespace
+
+hrt_result Targets::add(const hrt_target_config& checked_config, std::uint64_t* out_id) {
+  if (by_id_.size() >= HRT_TARGETS_MAX)
+    return fail(HRT_ERROR_LIMIT_REACHED, "the session has ", HRT_TARGETS_MAX, " targets; remove one first");
+  if (find(std::string_view(checked_config.name)) != 0) return name_taken(checked_config.name);
+  const std::uint64_t id = next_id.fetch_add(1);
+  const auto added = by_id_.emplace(id, checked_config).first;
+  if (checked_config.name[0] != '\0') {
+    try {
+      by_name_.emplace(checked_config.name, id);
+    } catch (...) {
+      by_id_.erase(added);
+      throw;
+    }
+  }
+  *out_id = id;
+  return HRT_OK;
+}
+
+hrt_result Targets::set(std::uint64_t id, const hrt_target_config& checked_config) {
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end()) return no_such_target(id);
+  const std::string_view old_name = found->second.name;
+  const std::string_view new_name = checked_config.name;
+  if (new_name != old_name) {
+    if (find(new_name) != 0) return name_taken(checked_config.name);
+    if (!new_name.empty()) by_name_.emplace(new_name, id);
+    if (!old_name.empty()) by_name_.erase(by_name_.find(old_name));
+  }
+  found->second = checked_config;
+  return HRT_OK;
+}
+
+hrt_result Targets::remove(std::uint64_t id) {
+  const auto found = by_id_.find(id);
+  if (found == by_id_.end()) return no_such_target(id);
+  const auto named = by_name_.find(std::string_view(found->second.name));
+  if (named != by_name_.end()) by_name_.erase(named);
+  by_id_.erase(found);
+  return HRT_OK;
+}
+
+const hrt_target_config* Targets::find(std::uint64_t id) const {
+  const auto found = by_id_.find(id);
+  return found == by_id_.end() ? nullptr : &found->second;
+}
+
+std::uint64_t Targets::find(std::string_view name) const {
+  const auto found = by_name_.find(name);
+  return found == by_name_.end() ? 0 : found->second;
+}
+
+TargetView view_from(const PlatePoint& start, const hrt_target_config& target) {
+  if (target.place == HRT_PLACE_DIRECTION) return {target.direction_deg, target.distance_m};
+  const PlatePoint place{.right_m = target.position_m[0], .away_m = -target.position_m[2]};
+  return {bearing_deg(start, place), distance_m(start, place)};
+}
+
+hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,
+                       const hrt_target_config** out_config) {
+  const hrt_target_config* found = targets.find(target.value);
+  if (!found)
+    return fail(HRT_ERROR_INVALID_HANDLE, argument, ": target ", target.value,
+                " is not one of this session's");
+  if (role != 0 && found->role != role)
+    return fail(
+        HRT_ERROR_OUT_OF_RANGE, argument, ": target ", target.value, " is a ",
+        role == HRT_TARGET_REAL ? "virtual one; a real one is needed" : "real one; a virtual one is needed");
+  *out_config = found;
+  return HRT_OK;
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,49 @@
+// The targets of one session.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/estimator.h"
+#include "haptic_retargeting/target.h"
+
+namespace hrt::plugin {
+
+/// A target nearer to the start than this has no direction.
+inline constexpr double least_target_distance_m = 0.001;
+
+/// A target seen from where reaches start.
+struct TargetView {
+  double direction_deg;
+  double distance_m;
+};
+
+/// Targets by id. Ids come from one counter for the whole process: they are never given out twice, and
+/// a greater one was added later.
+class Targets {
+ public:
+  hrt_result add(const hrt_target_config& checked_config, std::uint64_t* out_id);
+  hrt_result set(std::uint64_t id, const hrt_target_config& checked_config);
+  hrt_result remove(std::uint64_t id);
+
+  /// Null if there is none.
+  const hrt_target_config* find(std::uint64_t id) const;
+  /// 0 if there is none.
+  std::uint64_t find(std::string_view name) const;
+
+  const std::map<std::uint64_t, hrt_target_config>& all() const { return by_id_; }
+
+ private:
+  std::map<std::uint64_t, hrt_target_config> by_id_;
+  std::map<std::string, std::uint64_t, std::less<>> by_name_;
+};
+
+TargetView view_from(const PlatePoint& start, const hrt_target_config& target);
+
+/// Finds a target of the wanted role (0: of either), or fails naming `argument`.
+hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,
+                       const hrt_target_config** out_config);
+
+}  // namespace hrt::plugin

@@ -1,0 +1,115 @@
+// What the tests of the C ABI share: a session with one real and one virtual target.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <string>
+
+#include "haptic_retargeting/haptic_retargeting.h"
+
+namespace hrt::test {
+
+/// Fails the test with the library's own words unless the call succeeds.
+#define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
+#define EXPECT_OK(call) EXPECT_EQ((call), HRT_OK) << hrt_last_error()
+
+/// Expects an error whose text begins with the call's name and mentions `part`.
+inline void expect_error(hrt_result result, hrt_result expected, const std::string& part) {
+  EXPECT_EQ(result, expected) << hrt_result_string(result) << ": " << hrt_last_error();
+  EXPECT_NE(std::string(hrt_last_error()).find(part), std::string::npos)
+      << '"' << hrt_last_error() << "\" does not mention \"" << part << '"';
+}
+
+inline hrt_session_config session_config() {
+  hrt_session_config config;
+  EXPECT_OK(hrt_session_config_default(&config, sizeof config));
+  return config;
+}
+
+inline hrt_target_config target_config(std::uint32_t role, double direction_deg, const char* name = "") {
+  hrt_target_config config;
+  EXPECT_OK(hrt_target_config_default(&config, sizeof config));
+  config.role = role;
+  config.direction_deg = direction_deg;
+  std::snprintf(config.name, sizeof config.name, "%s", name);
+  return config;
+}
+
+template <class Output>
+Output output() {
+  Output out{};
+  out.struct_size = sizeof out;
+  return out;
+}
+
+inline hrt_sample direction_sample(std::int64_t time_ns, double direction_deg) {
+  auto sample = output<hrt_sample>();
+  sample.flags = HRT_SAMPLE_DIRECTION;
+  sample.time_ns = time_ns;
+  sample.finger_direction_deg = direction_deg;
+  return sample;
+}
+
+/// `forward_m` along the mid-line away from the user.
+inline hrt_sample position_sample(std::int64_t time_ns, double right_m, double forward_m) {
+  auto sample = output<hrt_sample>();
+  sample.flags = HRT_SAMPLE_PLATE_POSITION;
+  sample.time_ns = time_ns;
+  sample.finger_position_m[0] = right_m;
+  sample.finger_position_m[2] = -forward_m;
+  return sample;
+}
+
+class SessionTest : public ::testing::Test {
+ protected:
+  void SetUp() override { create(session_config()); }
+  void TearDown() override {
+    if (session.value != 0) {
+      EXPECT_OK(hrt_session_destroy(session));
+    }
+  }
+
+  void create(const hrt_session_config& config) {
+    if (session.value != 0) {
+      ASSERT_OK(hrt_session_destroy(session));
+    }
+    session.value = 0;
+    ASSERT_OK(hrt_session_create(&config, &session));
+  }
+
+  hrt_target add(std::uint32_t role, double direction_deg, const char* name = "") {
+    const hrt_target_config config = target_config(role, direction_deg, name);
+    hrt_target target{};
+    EXPECT_OK(hrt_target_add(session, &config, &target));
+    return target;
+  }
+
+  hrt_result begin(hrt_target real_target, hrt_target virtual_target) {
+    hrt_reach_config config;
+    EXPECT_OK(hrt_reach_config_default(&config, sizeof config));
+    config.real_target = real_target;
+    config.virtual_target = virtual_target;
+    return hrt_reach_begin(session, &config);
+  }
+
+  /// A reach to a real target 5 degrees to the right while the virtual one is 5 to the left.
+  void begin_reach() { ASSERT_OK(begin(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0))); }
+
+  hrt_command update(const hrt_sample& sample) {
+    auto command = output<hrt_command>();
+    EXPECT_OK(hrt_reach_update(session, &sample, &command));
+    return command;
+  }
+
+  hrt_reach_summary end() {
+    auto summary = output<hrt_reach_summary>();
+    EXPECT_OK(hrt_reach_end(session, &summary));
+    return summary;
+  }
+
+  hrt_session session{0};
+};
+
+}  // namespace hrt::test

@@ -1,0 +1,240 @@
+// Reaches through the C ABI.
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "core/simulation/participant.h"
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+using ReachTest = SessionTest;
+
+constexpr std::int64_t step_ns = 100'000'000;
+
+// Horizon 3 away from the bound: e = 3/5 (p - p_R) at full gain, which the unsteady filter multiplies by
+// the first gain K_0 = sigma_u2/(sigma_u2 + sigma_h2) = 5/6 only in what the plate must do to get it:
+// e_0 = K_0 (w_T t + (1 - w_T) p) = 0.6 (p - p_R), so t = (0.6 (p - p_R)/K_0 - (1 - w_T) p)/w_T.
+// With p_R = -1 (a gap of 1) and the finger on the goal, p = 0: t = 0.6/(5/6)/0.15 = 4.8.
+TEST_F(ReachTest, FirstCommandIsAsDerivedByHand) {
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, -1.0), add(HRT_TARGET_VIRTUAL, 0.0)));
+  const hrt_command command = update(direction_sample(0, 0.0));
+  EXPECT_NEAR(command.plate_orientation_deg, 4.8, 1e-9);
+  EXPECT_NEAR(command.perceived_direction_deg, 0.6, 1e-9);
+  EXPECT_EQ(command.flags, 0u);
+  EXPECT_EQ(command.step, 0);
+  EXPECT_EQ(command.tactile_weight, 0.15);
+  EXPECT_EQ(command.tactile_weight_sd, 0.0);
+}
+
+TEST_F(ReachTest, CommandIsHeldBetweenSteps) {
+  begin_reach();
+  const hrt_command first = update(direction_sample(0, 0.0));
+  EXPECT_EQ(first.flags & HRT_COMMAND_HELD, 0u);
+  for (int i = 1; i < 9; ++i) {
+    const hrt_command held = update(direction_sample(i * step_ns / 9, 30.0));
+    EXPECT_NE(held.flags & HRT_COMMAND_HELD, 0u);
+    EXPECT_EQ(held.plate_orientation_deg, first.plate_orientation_deg);
+  }
+  const hrt_command second = update(direction_sample(step_ns, 30.0));
+  EXPECT_EQ(second.flags & HRT_COMMAND_HELD, 0u);
+  EXPECT_EQ(second.step, 1);
+}
+
+// The participant of paper section II-A without noise ends on the real target.
+TEST_F(ReachTest, LeadsTheModelParticipantToTheRealTarget) {
+  begin_reach();
+  SimulatedParticipant participant({}, 5.0);
+  for (int step = 0; step < 30; ++step) {
+    const double finger_deg = participant.finger_direction_deg();
+    participant.step(update(direction_sample(step * step_ns, finger_deg)).plate_orientation_deg, 0.0);
+  }
+  const hrt_reach_summary summary = end();
+  EXPECT_EQ(summary.samples, 30);
+  EXPECT_EQ(summary.dropped_samples, 0);
+  EXPECT_EQ(summary.steps, 30);
+  EXPECT_NEAR(summary.final_direction_deg, -5.0, 0.05);
+  EXPECT_NEAR(summary.final_miss_deg, 0.0, 0.05);
+  EXPECT_NEAR(summary.perceived_error_deg, 0.0, 0.05);
+}
+
+TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
+  begin_reach();
+  double forward_m = -0.05;
+  hrt_command command{};
+  for (int i = 0; i <= 30; ++i) {
+    command = update(position_sample(i * step_ns / 10, 0.0, forward_m));
+    forward_m += 0.001;
+  }
+  EXPECT_NEAR(command.finger_direction_deg, 0.0, 1e-9);
+  EXPECT_GE(command.step, 1);
+  // The real target is 0.1 m from the start, 5 degrees to the right; the finger has gone 0.03 m ahead.
+  const double rad = 5.0 * 3.14159265358979323846 / 180.0;
+  EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * std::sin(rad), 0.1 * std::cos(rad) - 0.03), 1e-12);
+}
+
+TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
+  begin_reach();
+  const hrt_command first = update(direction_sample(0, 0.0));
+  auto lost = output<hrt_sample>();
+  lost.time_ns = step_ns / 2;
+  hrt_command command = update(lost);
+  EXPECT_EQ(command.plate_orientation_deg, first.plate_orientation_deg);
+  EXPECT_EQ(command.flags & HRT_COMMAND_PREDICTED, 0u);
+  lost.time_ns = 5 * step_ns;
+  command = update(lost);
+  EXPECT_EQ(command.plate_orientation_deg, first.plate_orientation_deg);
+  EXPECT_NE(command.flags & HRT_COMMAND_PREDICTED, 0u);
+  command = update(direction_sample(5 * step_ns + 1, -5.0));
+  EXPECT_EQ(command.flags & HRT_COMMAND_PREDICTED, 0u);
+  EXPECT_EQ(command.step, 5);
+  const hrt_reach_summary summary = end();
+  EXPECT_EQ(summary.dropped_samples, 2);
+  EXPECT_EQ(summary.predicted_steps, 4);
+}
+
+TEST_F(ReachTest, LiftedFingerIsADropoutWhateverItsPosition) {
+  begin_reach();
+  hrt_sample lifted = direction_sample(0, 10.0);
+  lifted.flags |= HRT_SAMPLE_LIFTED;
+  EXPECT_EQ(update(lifted).step, -1);
+  EXPECT_EQ(end().dropped_samples, 1);
+}
+
+TEST_F(ReachTest, FixedPlateStaysWhereItIsTold) {
+  hrt_session_config config = session_config();
+  config.control = HRT_CONTROL_FIXED_PLATE;
+  config.fixed_plate_orientation_deg = -30.0;
+  create(config);
+  begin_reach();
+  for (int step = 0; step < 30; ++step)
+    EXPECT_EQ(update(direction_sample(step * step_ns, step)).plate_orientation_deg, -30.0);
+}
+
+TEST_F(ReachTest, UnreachablePairIsSaid) {
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, -15.0), add(HRT_TARGET_VIRTUAL, 15.0)));
+  hrt_command command = update(direction_sample(0, 0.0));
+  EXPECT_NE(command.flags & HRT_COMMAND_UNREACHABLE, 0u);
+  EXPECT_NE(command.flags & HRT_COMMAND_SATURATED, 0u);
+  EXPECT_NEAR(command.plate_orientation_deg, 15.0 + 84.5, 1e-9);
+  EXPECT_EQ(end().saturated_steps, 1);
+}
+
+TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
+  auto command = output<hrt_command>();
+  auto summary = output<hrt_reach_summary>();
+  const hrt_sample sample = direction_sample(0, 0.0);
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_WRONG_STATE, "no reach");
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach");
+  begin_reach();
+  expect_error(begin({1}, {2}), HRT_ERROR_WRONG_STATE, "under way");
+  const hrt_session_config config = session_config();
+  expect_error(hrt_session_set_config(session, &config), HRT_ERROR_WRONG_STATE, "under way");
+  end();
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach");
+}
+
+TEST_F(ReachTest, TimeRunningBackwardsIsRefusedAndChangesNothing) {
+  begin_reach();
+  update(direction_sample(1000, 0.0));
+  auto command = output<hrt_command>();
+  command.step = 77;
+  const hrt_sample early = direction_sample(999, 0.0);
+  expect_error(hrt_reach_update(session, &early, &command), HRT_ERROR_TIME_REVERSED,
+               "time_ns is 999; allowed: from the last sample's, 1000");
+  EXPECT_EQ(command.step, 77);
+  update(direction_sample(1000, 0.0));
+  EXPECT_EQ(end().samples, 2);
+}
+
+TEST_F(ReachTest, AnHourLateAndTheWholeRangeOfTimeAreBounded) {
+  begin_reach();
+  update(direction_sample(std::numeric_limits<std::int64_t>::min(), 0.0));
+  update(direction_sample(0, 0.0));
+  update(direction_sample(3'600'000'000'000, 0.0));
+  const hrt_command command = update(direction_sample(std::numeric_limits<std::int64_t>::max(), 0.0));
+  EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
+  EXPECT_GT(command.step, 0);
+}
+
+TEST_F(ReachTest, BadSamplesAreRefusedAndChangeNothing) {
+  begin_reach();
+  const hrt_command before = update(direction_sample(0, 0.0));
+  const auto refused = [&](hrt_sample sample, hrt_result code, const char* part) {
+    auto command = output<hrt_command>();
+    command.step = 77;
+    expect_error(hrt_reach_update(session, &sample, &command), code, part);
+    EXPECT_EQ(command.step, 77);
+  };
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::nan(""), infinity, -infinity, 180.1, -1e300}) {
+    refused(direction_sample(1, bad), HRT_ERROR_OUT_OF_RANGE, "finger_direction_deg");
+    refused(position_sample(1, bad * 10.0, 0.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m");
+    hrt_sample measured = direction_sample(1, 0.0);
+    measured.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    measured.plate_orientation_deg = bad * 2.0;
+    refused(measured, HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
+  }
+  hrt_sample sample = direction_sample(1, 0.0);
+  sample.flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION;
+  refused(sample, HRT_ERROR_OUT_OF_RANGE, "both");
+  sample.flags = 1u << 31;
+  refused(sample, HRT_ERROR_OUT_OF_RANGE, "flags");
+  sample = direction_sample(1, 0.0);
+  sample.struct_size = 3;
+  refused(sample, HRT_ERROR_STRUCT_SIZE, "sample");
+  auto command = output<hrt_command>();
+  expect_error(hrt_reach_update(session, nullptr, &command), HRT_ERROR_NULL_ARGUMENT, "sample is null");
+  const hrt_sample good = direction_sample(0, 0.0);
+  expect_error(hrt_reach_update(session, &good, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_command is null");
+  command.struct_size = 0;
+  expect_error(hrt_reach_update(session, &good, &command), HRT_ERROR_STRUCT_SIZE, "out_command");
+
+  EXPECT_EQ(update(good).plate_orientation_deg, before.plate_orientation_deg);
+  EXPECT_EQ(end().samples, 2);
+}
+
+TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
+  begin_reach();
+  hrt_sample sample = direction_sample(0, 0.0);
+  sample.finger_position_m[0] = sample.plate_orientation_deg = std::nan("");
+  const hrt_command command = update(sample);
+  EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
+}
+
+TEST_F(ReachTest, BadPairsAreRefused) {
+  const hrt_target real = add(HRT_TARGET_REAL, -50.0), virtual_target = add(HRT_TARGET_VIRTUAL, 45.0);
+  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "95 degrees apart");
+  expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");
+  expect_error(begin({0}, virtual_target), HRT_ERROR_INVALID_HANDLE, "real_target");
+  expect_error(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "config is null");
+}
+
+TEST_F(ReachTest, GoesOnWhenItsTargetsAreRemoved) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  ASSERT_OK(begin(real, virtual_target));
+  ASSERT_OK(hrt_target_remove(session, real));
+  ASSERT_OK(hrt_target_remove(session, virtual_target));
+  EXPECT_EQ(update(direction_sample(0, 0.0)).step, 0);
+}
+
+// Mirror symmetry: left and right exchanged, every angle changes its sign.
+TEST_F(ReachTest, MirroredReachIsMirrored) {
+  double left[30];
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, -4.0), add(HRT_TARGET_VIRTUAL, 7.0)));
+  for (int i = 0; i < 30; ++i)
+    left[i] = update(direction_sample(i * step_ns, 10.0 - i)).plate_orientation_deg;
+  end();
+  hrt_reach_config reach;
+  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  reach.real_target = add(HRT_TARGET_REAL, 4.0);
+  reach.virtual_target = add(HRT_TARGET_VIRTUAL, -7.0);
+  reach.flags = HRT_REACH_PLATE_ORIENTATION;
+  ASSERT_OK(hrt_reach_begin(session, &reach));
+  for (int i = 0; i < 30; ++i)
+    EXPECT_NEAR(update(direction_sample(i * step_ns, i - 10.0)).plate_orientation_deg, -left[i], 1e-10);
+}
+
+}  // namespace
+}  // namespace hrt::test

@@ -1,0 +1,240 @@
+// Targets: added, changed, removed, listed, found; and what can be held of them.
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <vector>
+
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+using TargetTest = SessionTest;
+using AuthorityTest = SessionTest;
+
+TEST_F(TargetTest, ComesBackAsGiven) {
+  const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 12.5, "cup");
+  hrt_target target{};
+  ASSERT_OK(hrt_target_add(session, &config, &target));
+  auto back = output<hrt_target_config>();
+  ASSERT_OK(hrt_target_get(session, target, &back));
+  EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
+}
+
+TEST_F(TargetTest, IsFoundByItsName) {
+  add(HRT_TARGET_REAL, 0.0);
+  const hrt_target cup = add(HRT_TARGET_VIRTUAL, 5.0, "cup");
+  hrt_target found{};
+  ASSERT_OK(hrt_target_find(session, "cup", &found));
+  EXPECT_EQ(found.value, cup.value);
+  expect_error(hrt_target_find(session, "lamp", &found), HRT_ERROR_NOT_FOUND, "\"lamp\"");
+  expect_error(hrt_target_find(session, "", &found), HRT_ERROR_NOT_FOUND, "\"\"");
+  expect_error(hrt_target_find(session, std::string(1000, 'x').c_str(), &found), HRT_ERROR_NOT_FOUND, "xxx");
+  EXPECT_EQ(found.value, cup.value);
+}
+
+TEST_F(TargetTest, RenamedIsFoundByItsNewNameOnly) {
+  const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
+  const hrt_target_config renamed = target_config(HRT_TARGET_REAL, 0.0, "mug");
+  ASSERT_OK(hrt_target_set(session, target, &renamed));
+  hrt_target found{};
+  EXPECT_EQ(hrt_target_find(session, "cup", &found), HRT_ERROR_NOT_FOUND);
+  EXPECT_OK(hrt_target_find(session, "mug", &found));
+  add(HRT_TARGET_REAL, 1.0, "cup");
+  expect_error(hrt_target_set(session, found,
+                              [] {
+                                static const hrt_target_config cup =
+                                    target_config(HRT_TARGET_REAL, 0.0, "cup");
+                                return &cup;
+                              }()),
+               HRT_ERROR_NAME_TAKEN, "\"cup\"");
+}
+
+TEST_F(TargetTest, TakenNameIsRefused) {
+  add(HRT_TARGET_REAL, 0.0, "cup");
+  const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 5.0, "cup");
+  hrt_target target{7};
+  expect_error(hrt_target_add(session, &config, &target), HRT_ERROR_NAME_TAKEN, "\"cup\"");
+  EXPECT_EQ(target.value, 7u);
+}
+
+TEST_F(TargetTest, RemovedIsGoneForEver) {
+  const hrt_target target = add(HRT_TARGET_REAL, 0.0, "cup");
+  ASSERT_OK(hrt_target_remove(session, target));
+  expect_error(hrt_target_remove(session, target), HRT_ERROR_INVALID_HANDLE, "not one of this session's");
+  const hrt_target again = add(HRT_TARGET_REAL, 0.0, "cup");
+  EXPECT_NE(again.value, target.value);
+  auto config = output<hrt_target_config>();
+  expect_error(hrt_target_get(session, target, &config), HRT_ERROR_INVALID_HANDLE, "target");
+}
+
+TEST_F(TargetTest, OfAnotherSessionIsRefused) {
+  const hrt_target ours = add(HRT_TARGET_REAL, 0.0);
+  const hrt_session_config config = session_config();
+  hrt_session other{};
+  ASSERT_OK(hrt_session_create(&config, &other));
+  EXPECT_EQ(hrt_target_remove(other, ours), HRT_ERROR_INVALID_HANDLE);
+  EXPECT_EQ(hrt_target_remove(other, {session.value}), HRT_ERROR_INVALID_HANDLE);
+  EXPECT_EQ(hrt_session_destroy({ours.value}), HRT_ERROR_INVALID_HANDLE);
+  EXPECT_OK(hrt_session_destroy(other));
+}
+
+TEST_F(TargetTest, AreListedInTheOrderAdded) {
+  const hrt_target a = add(HRT_TARGET_REAL, 0.0), b = add(HRT_TARGET_VIRTUAL, 1.0),
+                   c = add(HRT_TARGET_REAL, 2.0);
+  ASSERT_OK(hrt_target_remove(session, a));
+  const hrt_target d = add(HRT_TARGET_REAL, 3.0);
+  uint32_t count = 0;
+  ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
+  ASSERT_EQ(count, 3u);
+  std::vector<hrt_target> listed(3);
+  ASSERT_OK(hrt_target_list(session, 0, 3, listed.data(), &count));
+  EXPECT_EQ(listed[0].value, b.value);
+  EXPECT_EQ(listed[1].value, c.value);
+  EXPECT_EQ(listed[2].value, d.value);
+  ASSERT_OK(hrt_target_list(session, HRT_TARGET_REAL, 3, listed.data(), &count));
+  EXPECT_EQ(count, 2u);
+  EXPECT_EQ(listed[0].value, c.value);
+
+  count = 99;
+  expect_error(hrt_target_list(session, 0, 2, listed.data(), &count), HRT_ERROR_BUFFER_TOO_SMALL, "3");
+  EXPECT_EQ(count, 99u);
+}
+
+TEST_F(TargetTest, TenThousandFit) {
+  for (int i = 0; i < 10'000; ++i)
+    add(i % 2 ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL, 0.01 * i, std::to_string(i).c_str());
+  uint32_t count = 0;
+  ASSERT_OK(hrt_target_list(session, HRT_TARGET_REAL, 0, nullptr, &count));
+  EXPECT_EQ(count, 5'000u);
+  hrt_target found{};
+  ASSERT_OK(hrt_target_find(session, "9999", &found));
+}
+
+TEST_F(TargetTest, EveryFieldIsChecked) {
+  const auto refused = [&](auto change, const char* part) {
+    hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
+    change(config);
+    hrt_target target{7};
+    expect_error(hrt_target_add(session, &config, &target), HRT_ERROR_OUT_OF_RANGE, part);
+    EXPECT_EQ(target.value, 7u);
+  };
+  refused([](hrt_target_config& c) { c.role = 0; }, "role is 0; allowed: 1 to 2");
+  refused([](hrt_target_config& c) { c.place = 9; }, "place is 9");
+  refused([](hrt_target_config& c) { c.reserved = 1; }, "reserved");
+  refused([](hrt_target_config& c) { c.direction_deg = std::nan(""); }, "direction_deg is nan");
+  refused([](hrt_target_config& c) { c.direction_deg = 180.5; }, "direction_deg is 180.5");
+  refused([](hrt_target_config& c) { c.distance_m = 0.0; }, "distance_m");
+  refused(
+      [](hrt_target_config& c) {
+        c.place = HRT_PLACE_PLATE_POSITION;
+        c.position_m[2] = HUGE_VAL;
+      },
+      "position_m");
+  refused(
+      [](hrt_target_config& c) {
+        c.place = HRT_PLACE_PLATE_POSITION;
+        c.position_m[2] = 0.05;
+      },
+      "from the start");
+  refused([](hrt_target_config& c) { std::memset(c.name, 'x', sizeof c.name); }, "name is not ended");
+  refused([](hrt_target_config& c) { std::strcpy(c.name, "\xff"); }, "UTF-8");
+  refused([](hrt_target_config& c) { std::strcpy(c.name, "\xed\xa0\x80"); }, "UTF-8");
+  refused([](hrt_target_config& c) { std::strcpy(c.name, "\xc0\x80"); }, "UTF-8");
+  refused([](hrt_target_config& c) { std::strcpy(c.name, "caf\xc3"); }, "UTF-8");
+  refused([](hrt_target_config& c) { std::strcpy(c.name, "a\nb"); }, "control character");
+}
+
+TEST_F(TargetTest, NamesMayBeInAnyScript) {
+  for (const char* name : {"caf\xc3\xa9", "\xe6\x9d\xaf", "\xf0\x9f\x8d\xb5"}) {
+    const hrt_target cup = add(HRT_TARGET_REAL, 0.0, name);
+    hrt_target found{};
+    ASSERT_OK(hrt_target_find(session, name, &found));
+    EXPECT_EQ(found.value, cup.value);
+  }
+}
+
+// model.md section 3: to hold P_R while the user feels theta_V the plate must stand at
+// (theta_V - P_R)(1 - w_T)/w_T from theta_V: 10 x 0.85/0.15 = 56.67 for the default of 0.15.
+TEST_F(AuthorityTest, OfAPairIsAsDerivedByHand) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  auto authority = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
+  EXPECT_EQ(authority.reachable, 1u);
+  EXPECT_DOUBLE_EQ(authority.gap_deg, 10.0);
+  EXPECT_NEAR(authority.largest_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
+  EXPECT_NEAR(authority.margin_deg, 84.5 * 0.15 / 0.85 - 10.0, 1e-12);
+  EXPECT_NEAR(authority.plate_orientation_deg, 5.0 + 10.0 * 0.85 / 0.15, 1e-12);
+  EXPECT_NEAR(authority.settling_direction_deg, -5.0, 1e-12);
+}
+
+// From the default start, 5 cm towards the user of the plate's centre, a target 5 cm to the right of the
+// centre is 45 degrees to the right, and one straight ahead is at 0.
+TEST_F(AuthorityTest, TakesDirectionsFromTheStart) {
+  hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
+  config.place = HRT_PLACE_PLATE_POSITION;
+  config.position_m[0] = 0.05;
+  hrt_target real{};
+  ASSERT_OK(hrt_target_add(session, &config, &real));
+  config.role = HRT_TARGET_VIRTUAL;
+  config.position_m[0] = 0.0;
+  config.position_m[1] = 0.3;
+  hrt_target virtual_target{};
+  ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
+  auto authority = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
+  EXPECT_NEAR(authority.gap_deg, 45.0, 1e-12);
+  EXPECT_EQ(authority.reachable, 0u);
+  EXPECT_NEAR(authority.settling_direction_deg, -84.5 * 0.15 / 0.85, 1e-12);
+}
+
+TEST_F(AuthorityTest, GapGoesTheShortWayRound) {
+  const hrt_target real = add(HRT_TARGET_REAL, 175.0), virtual_target = add(HRT_TARGET_VIRTUAL, -175.0);
+  auto authority = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
+  EXPECT_NEAR(authority.gap_deg, 10.0, 1e-12);
+}
+
+TEST_F(AuthorityTest, OfEveryPair) {
+  const hrt_target r0 = add(HRT_TARGET_REAL, 0.0), v0 = add(HRT_TARGET_VIRTUAL, 1.0),
+                   r1 = add(HRT_TARGET_REAL, 20.0), v1 = add(HRT_TARGET_VIRTUAL, 18.0);
+  uint64_t count = 0;
+  ASSERT_OK(hrt_authority_query_all(session, 0, nullptr, &count));
+  ASSERT_EQ(count, 4u);
+  std::vector<hrt_authority> all(4, output<hrt_authority>());
+  ASSERT_OK(hrt_authority_query_all(session, 4, all.data(), &count));
+  const hrt_target expected[4][2] = {{r0, v0}, {r1, v0}, {r0, v1}, {r1, v1}};
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(all[i].real_target.value, expected[i][0].value);
+    EXPECT_EQ(all[i].virtual_target.value, expected[i][1].value);
+    auto alone = output<hrt_authority>();
+    ASSERT_OK(hrt_authority_query(session, expected[i][0], expected[i][1], &alone));
+    EXPECT_EQ(std::memcmp(&all[i], &alone, sizeof alone), 0);
+  }
+  count = 99;
+  expect_error(hrt_authority_query_all(session, 3, all.data(), &count), HRT_ERROR_BUFFER_TOO_SMALL,
+               "4 pairs");
+  EXPECT_EQ(count, 99u);
+}
+
+TEST_F(AuthorityTest, BestRealTargetIsTheNearest) {
+  const hrt_target v = add(HRT_TARGET_VIRTUAL, 5.0);
+  auto best = output<hrt_authority>();
+  expect_error(hrt_authority_query_best(session, v, &best), HRT_ERROR_NOT_FOUND, "no real target");
+  add(HRT_TARGET_REAL, -5.0);
+  const hrt_target near = add(HRT_TARGET_REAL, 8.0);
+  add(HRT_TARGET_REAL, 2.0);
+  ASSERT_OK(hrt_authority_query_best(session, v, &best));
+  EXPECT_EQ(best.real_target.value, near.value);
+}
+
+TEST_F(AuthorityTest, RolesAreChecked) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  auto authority = output<hrt_authority>();
+  expect_error(hrt_authority_query(session, virtual_target, real, &authority), HRT_ERROR_OUT_OF_RANGE,
+               "real_target");
+  expect_error(hrt_authority_query_best(session, real, &authority), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
+}
+
+}  // namespace
+}  // namespace hrt::test
