@@ -1,0 +1,29 @@
+// The time of the runtime: XrTime counts nanoseconds, like CLOCK_MONOTONIC.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <cstdint>
+
+namespace hrt::mock {
+
+/// A manual clock stands still but for xrWaitFrame and xrAdvanceTimeHRTX: a run takes no longer than its
+/// computations, and is the same every time. A real-time clock is CLOCK_MONOTONIC.
+class Clock {
+ public:
+  enum class Kind { manual, real_time };
+
+  explicit Clock(Kind kind) : kind_(kind) {}
+
+  Kind kind() const { return kind_; }
+  XrTime now() const;
+
+  /// Lets a manual clock stand at `time`, if that is later than it does.
+  void advance_to(XrTime time);
+
+ private:
+  Kind kind_;
+  XrTime manual_now_ = 1'000'000'000;  // 0 and below are no valid times
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,33 @@
+// How a function of the runtime refuses: it throws an Error, which the barrier around every entry point
+// (entry.h) turns into the result the application sees and a line of the call log that says why.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <string>
+
+namespace hrt::mock {
+
+struct Error {
+  XrResult result;
+  std::string why;
+};
+
+inline void require(bool holds, XrResult otherwise, const char* why) {
+  if (!holds) throw Error{otherwise, why};
+}
+
+/// Valid usage: "pointer must be a pointer to a valid structure", of which the type is what can be checked.
+template <typename Struct>
+void require_struct(const Struct* pointer, XrStructureType type, const char* name) {
+  if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
+  if (pointer->type != type)
+    throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " has a wrong type"};
+}
+
+template <typename Value>
+void require_pointer(const Value* pointer, const char* name) {
+  if (pointer == nullptr) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(name) + " is null"};
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,70 @@
+// Every function of the runtime, once: its OpenXR name, what implements it, and the extension that it
+// belongs to (core: none). Declarations, dispatch table, call log and fault injection follow from this.
+#pragma once
+
+#include <ctime>
+#define XR_USE_TIMESPEC
+#include <openxr/openxr.h>
+#include <openxr/openxr_platform.h>
+
+#include <type_traits>
+
+#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
+
+// clang-format off
+#define HRT_MOCK_FUNCTIONS(X)                                                                            \
+  X(xrGetInstanceProcAddr,                  get_instance_proc_addr,                  core)               \
+  X(xrEnumerateApiLayerProperties,          enumerate_api_layer_properties,          core)               \
+  X(xrEnumerateInstanceExtensionProperties, enumerate_instance_extension_properties, core)               \
+  X(xrCreateInstance,                       create_instance,                         core)               \
+  X(xrDestroyInstance,                      destroy_instance,                        core)               \
+  X(xrGetInstanceProperties,                get_instance_properties,                 core)               \
+  X(xrPollEvent,                            poll_event,                              core)               \
+  X(xrResultToString,                       result_to_string,                        core)               \
+  X(xrStructureTypeToString,                structure_type_to_string,                core)               \
+  X(xrGetSystem,                            get_system,                              core)               \
+  X(xrGetSystemProperties,                  get_system_properties,                   core)               \
+  X(xrEnumerateEnvironmentBlendModes,       enumerate_environment_blend_modes,       core)               \
+  X(xrEnumerateViewConfigurations,          enumerate_view_configurations,           core)               \
+  X(xrGetViewConfigurationProperties,       get_view_configuration_properties,       core)               \
+  X(xrEnumerateViewConfigurationViews,      enumerate_view_configuration_views,      core)               \
+  X(xrCreateSession,                        create_session,                          core)               \
+  X(xrDestroySession,                       destroy_session,                         core)               \
+  X(xrBeginSession,                         begin_session,                           core)               \
+  X(xrEndSession,                           end_session,                             core)               \
+  X(xrRequestExitSession,                   request_exit_session,                    core)               \
+  X(xrEnumerateReferenceSpaces,             enumerate_reference_spaces,              core)               \
+  X(xrCreateReferenceSpace,                 create_reference_space,                  core)               \
+  X(xrGetReferenceSpaceBoundsRect,          get_reference_space_bounds_rect,         core)               \
+  X(xrLocateSpace,                          locate_space,                            core)               \
+  X(xrDestroySpace,                         destroy_space,                           core)               \
+  X(xrWaitFrame,                            wait_frame,                              core)               \
+  X(xrBeginFrame,                           begin_frame,                             core)               \
+  X(xrEndFrame,                             end_frame,                               core)               \
+  X(xrLocateViews,                          locate_views,                            core)               \
+  X(xrCreateHandTrackerEXT,                 create_hand_tracker,                     hand_tracking)      \
+  X(xrDestroyHandTrackerEXT,                destroy_hand_tracker,                    hand_tracking)      \
+  X(xrLocateHandJointsEXT,                  locate_hand_joints,                      hand_tracking)      \
+  X(xrConvertTimespecTimeToTimeKHR,         convert_timespec_time_to_time,           timespec)           \
+  X(xrConvertTimeToTimespecTimeKHR,         convert_time_to_timespec_time,           timespec)           \
+  X(xrPlacePlateHRTX,                       place_plate,                             ridged_plate)       \
+  X(xrSetPlateOrientationHRTX,              set_plate_orientation,                   ridged_plate)       \
+  X(xrGetPlateOrientationHRTX,              get_plate_orientation,                   ridged_plate)       \
+  X(xrInstructReachHRTX,                    instruct_reach,                          ridged_plate)       \
+  X(xrGetReachTruthHRTX,                    get_reach_truth,                         ridged_plate)
+// clang-format on
+
+namespace hrt::mock {
+
+enum class FunctionId {
+#define HRT_MOCK_ID(name, implementation, extension) name,
+  HRT_MOCK_FUNCTIONS(HRT_MOCK_ID)
+#undef HRT_MOCK_ID
+      count
+};
+
+#define HRT_MOCK_DECLARE(name, implementation, extension) std::remove_pointer_t<PFN_##name> implementation;
+HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
+#undef HRT_MOCK_DECLARE
+
+}  // namespace hrt::mock

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <bitset>
+#include <deque>
+
+#include "samples/mock_runtime/clock.h"
+#include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/runtime.h"
+
+namespace hrt::mock {
+
+/// The one system there is, a head-mounted display.
+inline constexpr XrSystemId the_system = 1;
+
+/// The instance; there can be one at a time.
+class Instance : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_INSTANCE;
+
+  Instance(Object* parent, Clock::Kind kind) : Object(object_type, parent), clock(kind) {}
+
+  bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
+  void enable(const char* name);
+
+  template <typename Event>
+  void push_event(const Event& event) {
+    static_assert(sizeof(Event) <= sizeof(XrEventDataBuffer));
+    XrEventDataBuffer buffer{};
+    __builtin_memcpy(&buffer, &event, sizeof(event));
+    events.push_back(buffer);
+  }
+
+  Clock clock;
+  std::deque<XrEventDataBuffer> events;  // oldest first
+
+ private:
+  std::bitset<static_cast<std::size_t>(Extension::count)> extensions_;
+};
+
+void require_system(XrSystemId system);
+
+}  // namespace hrt::mock

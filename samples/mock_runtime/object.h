@@ -1,0 +1,105 @@
+// The tree of objects behind the application's handles: an instance owns its sessions, a session its
+// spaces, and so on. Destroying an object destroys what hangs below it.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "samples/mock_runtime/error.h"
+
+namespace hrt::mock {
+
+class Object {
+ public:
+  Object(XrObjectType type, Object* parent) : type_(type), parent_(parent) {}
+  virtual ~Object() = default;
+  Object(const Object&) = delete;
+  Object& operator=(const Object&) = delete;
+
+  XrObjectType type() const { return type_; }
+  Object* parent() const { return parent_; }
+  std::uint64_t id() const { return id_; }
+
+  /// What using this object, or anything below it, returns once it is lost: XR_ERROR_INSTANCE_LOST or
+  /// XR_ERROR_SESSION_LOST. XR_SUCCESS while it is not.
+  XrResult lost = XR_SUCCESS;
+
+ private:
+  friend class Registry;
+  XrObjectType type_;
+  Object* parent_;
+  std::uint64_t id_ = 0;
+  std::vector<std::unique_ptr<Object>> children_;
+};
+
+template <typename Handle>
+std::uint64_t id_of(Handle handle) {
+  static_assert(sizeof(Handle) == sizeof(std::uint64_t), "handles are 64 bits here");
+  return reinterpret_cast<std::uint64_t>(handle);
+}
+
+/// Every living object by its handle. A handle is a number that is never used twice, so a null, foreign
+/// or destroyed one is recognised, and never followed as a pointer.
+class Registry {
+ public:
+  template <typename T, typename Parent, typename... Args>
+  T& create(Parent* parent, Args&&... args) {
+    auto object = std::make_unique<T>(parent, std::forward<Args>(args)...);
+    T& created = *object;
+    created.id_ = next_id_++;
+    objects_.emplace(created.id_, &created);
+    Object* above = parent;
+    (above != nullptr ? above->children_ : roots_).push_back(std::move(object));
+    return created;
+  }
+
+  /// The object of a handle. Throws XR_ERROR_HANDLE_INVALID, or that it or a parent of it is lost.
+  template <typename T, typename Handle>
+  T& get(Handle handle) const {
+    T& object = get_even_lost<T>(handle);
+    for (const Object* above = &object; above != nullptr; above = above->parent())
+      require(above->lost == XR_SUCCESS, above->lost, "the session or instance of this handle is lost");
+    return object;
+  }
+
+  /// The same for the functions that destroy: they still work on what is lost.
+  template <typename T, typename Handle>
+  T& get_even_lost(Handle handle) const {
+    const auto found = objects_.find(id_of(handle));
+    require(found != objects_.end(), XR_ERROR_HANDLE_INVALID, "no such handle, or it has been destroyed");
+    require(found->second->type() == T::object_type, XR_ERROR_HANDLE_INVALID, "a handle of another type");
+    return static_cast<T&>(*found->second);
+  }
+
+  bool contains(std::uint64_t id) const { return objects_.contains(id); }
+
+  /// The children of one type, oldest first.
+  template <typename T>
+  std::vector<T*> children(const Object& parent) const {
+    std::vector<T*> found;
+    for (const auto& child : parent.children_)
+      if (child->type() == T::object_type) found.push_back(static_cast<T*>(child.get()));
+    return found;
+  }
+
+  void destroy(Object& object);
+
+ private:
+  void forget(Object& object);
+
+  // Far from 0 and from small integers, which a broken application is likely to pass.
+  std::uint64_t next_id_ = 0x4852'5458'0000'0001;
+  std::unordered_map<std::uint64_t, Object*> objects_;
+  std::vector<std::unique_ptr<Object>> roots_;
+};
+
+template <typename Handle>
+Handle handle_of(const Object& object) {
+  return reinterpret_cast<Handle>(object.id());
+}
+
+}  // namespace hrt::mock

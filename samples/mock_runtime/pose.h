@@ -1,0 +1,35 @@
+// Rigid transforms in double precision, and their conversion to and from the API's floats.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <Eigen/Geometry>
+
+namespace hrt::mock {
+
+struct Pose {
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+};
+
+inline Eigen::Vector3d operator*(const Pose& pose, const Eigen::Vector3d& point) {
+  return pose.orientation * point + pose.position_m;
+}
+
+inline Pose operator*(const Pose& outer, const Pose& inner) {
+  return {(outer.orientation * inner.orientation).normalized(), outer * inner.position_m};
+}
+
+inline Pose inverse(const Pose& pose) {
+  const Eigen::Quaterniond back = pose.orientation.conjugate();
+  return {back, -(back * pose.position_m)};
+}
+
+/// Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion is of unit length within
+/// 1 % (specification, "Pose": "must be within 1% of unit length").
+Pose checked_pose(const XrPosef& pose);
+
+XrPosef to_xr(const Pose& pose);
+XrVector3f to_xr(const Eigen::Vector3d& vector);
+
+}  // namespace hrt::mock

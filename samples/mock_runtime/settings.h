@@ -1,0 +1,40 @@
+// What a script can set of the simulated world (script.h reads it from JSON). The defaults are the paper's
+// participant under ideal conditions.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/perception.h"
+
+namespace hrt::mock {
+
+/// One simulated participant.
+struct ParticipantSettings {
+  Participant parameters;
+  double speed_m_per_s = 0.1 / 3.0;          ///< of the fingertip, > 0
+  std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
+};
+
+/// The hand tracker.
+struct TrackerSettings {
+  double noise_m = 0.0;         ///< standard deviation of each coordinate, white, >= 0
+  std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
+  std::int64_t period_ns = 0;   ///< time between samples; 0: a new sample at every time that is asked for
+};
+
+/// The servo that turns the plate.
+struct ServoSettings {
+  double speed_deg_per_s = std::numeric_limits<double>::infinity();  ///< > 0
+  std::int64_t latency_ns = 0;                                       ///< from a command to its effect, >= 0
+};
+
+struct WorldSettings {
+  std::uint64_t seed = 1;
+  std::vector<ParticipantSettings> participants = {{}};  ///< reach n is made by number n modulo their count
+  TrackerSettings tracker;
+  ServoSettings servo;
+};
+
+}  // namespace hrt::mock

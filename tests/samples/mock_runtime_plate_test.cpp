@@ -1,0 +1,120 @@
+// XR_HRTX_ridged_plate: the participant of the paper, as an application sees it.
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "core/simulation/participant.h"
+#include "core/simulation/random.h"
+#include "tests/samples/mock_runtime_support.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockPlate : public MockRuntime {
+ protected:
+  void SetUp() override {
+    MockRuntime::SetUp();
+    begin_session();
+    plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
+    ASSERT_XR(XR_SUCCESS, functions->create_hand_tracker(session, &info, &hand));
+  }
+
+  void place_plate() {
+    const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, plate_space, identity_pose,
+                                         0.075};
+    ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+  }
+
+  void instruct(double goal_deg, double length_m = 0.1) {
+    const XrReachInstructionHRTX instruction{XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr,  XR_HAND_RIGHT_EXT,
+                                             {0.0F, 0.007F, 0.05F},          goal_deg, length_m};
+    ASSERT_XR(XR_SUCCESS, functions->instruct_reach(session, &instruction));
+  }
+
+  XrReachTruthHRTX truth() {
+    XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
+    EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+    return truth;
+  }
+
+  XrVector3f index_tip(XrTime time) {
+    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
+                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
+    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, plate_space, time};
+    EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(hand, &info, &locations));
+    EXPECT_TRUE(locations.isActive);
+    return joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+  }
+
+  // In front of the user, turned a quarter to the left.
+  static constexpr XrPosef plate_pose{{0.0F, 0.70710678F, 0.0F, 0.70710678F}, {0.1F, -0.4F, -0.3F}};
+  XrSpace plate_space = XR_NULL_HANDLE;
+  XrHandTrackerEXT hand = XR_NULL_HANDLE;
+};
+
+// The paper's model, made by hand: 30 steps of 1/30 of the path, noise of seed 1, reach 0.
+TEST_F(MockPlate, FingertipFollowsThePaperModelWithThePlateAsItFeelsIt) {
+  place_plate();
+  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
+  frame();
+  instruct(10.0);
+  XrTime last = 0;
+  while (!truth().isDone) last = frame();
+
+  SimulatedParticipant participant(Participant{}, 10.0);
+  double x_m = 0.0;
+  double z_m = 0.05;
+  for (std::uint32_t step = 0; step < 30; ++step) {
+    const double direction = participant.finger_direction_deg() * std::numbers::pi / 180.0;
+    x_m -= std::sin(direction) * 0.1 / 30.0;
+    z_m -= std::cos(direction) * 0.1 / 30.0;
+    participant.step(40.0, standard_normal({1, 0, 0, step}));
+  }
+  const XrReachTruthHRTX end = truth();
+  EXPECT_EQ(end.stepCount, 30U);
+  EXPECT_DOUBLE_EQ(end.trueDirection, participant.finger_direction_deg());
+  EXPECT_DOUBLE_EQ(end.perceivedDirection, participant.perceived_direction_deg());
+  const XrVector3f tip = index_tip(last);
+  EXPECT_NEAR(static_cast<double>(tip.x), x_m, 1e-6);
+  EXPECT_NEAR(static_cast<double>(tip.y), 0.007, 1e-6);
+  EXPECT_NEAR(static_cast<double>(tip.z), z_m, 1e-6);
+}
+
+// The ridges lead the hand away from where the participant believes to go (paper, figure 8): at rest
+// P = (G - w_T T) / (1 - w_T), which is -5.9 degrees for G = -5 and T = 0.
+TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
+  place_plate();
+  double sum_deg = 0.0;
+  constexpr int reaches = 40;
+  for (int i = 0; i < reaches; ++i) {
+    instruct(-5.0);
+    while (!truth().isDone) frame();
+    sum_deg += truth().trueDirection;
+  }
+  // The end of a reach has a variance of about 0.6 degrees squared.
+  EXPECT_NEAR(sum_deg / reaches, -5.0 / 0.85, 4.0 * std::sqrt(0.6 / reaches));
+}
+
+TEST_F(MockPlate, OneReachWithOneSeedGivesTheSameBytes) {
+  std::array<std::vector<XrVector3f>, 2> paths;
+  for (auto& path : paths) {
+    place_plate();
+    instruct(5.0);
+    while (!truth().isDone) {
+      path.push_back(index_tip(frame()));
+      ASSERT_XR(XR_SUCCESS,
+                functions->set_plate_orientation(session, static_cast<double>(path.size() % 7) * 10.0));
+    }
+    TearDown();
+    SetUp();
+  }
+  ASSERT_EQ(paths[0].size(), paths[1].size());
+  EXPECT_EQ(std::memcmp(paths[0].data(), paths[1].data(), paths[0].size() * sizeof(XrVector3f)), 0);
+}
+
+}  // namespace
+}  // namespace hrt::mock

@@ -1,0 +1,81 @@
+// What the tests of the mock runtime share: each goes through Khronos' loader, as an application does.
+#pragma once
+
+#define XR_USE_TIMESPEC
+#include <gtest/gtest.h>
+#include <openxr/openxr.h>
+#include <time.h>
+
+#include <openxr/openxr_platform.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
+
+namespace hrt::mock {
+
+inline constexpr XrPosef identity_pose{{0.0F, 0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 0.0F}};
+
+/// Prints results by name.
+std::string result_name(XrResult result);
+
+#define EXPECT_XR(expected, call) EXPECT_EQ(result_name(expected), result_name(call))
+#define ASSERT_XR(expected, call) ASSERT_EQ(result_name(expected), result_name(call))
+
+/// A function of the runtime by its name; it fails the test if there is none.
+template <typename Function>
+Function fetch(XrInstance instance, const char* name) {
+  PFN_xrVoidFunction function = nullptr;
+  EXPECT_XR(XR_SUCCESS, xrGetInstanceProcAddr(instance, name, &function));
+  return reinterpret_cast<Function>(function);
+}
+
+/// The info of an instance with these extensions. Valid as long as `extensions` is.
+XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
+
+/// The extensions that the tests use by default: all.
+const std::vector<const char*>& all_extensions();
+
+/// The functions that the loader does not export.
+struct Functions {
+  explicit Functions(XrInstance instance);
+
+  PFN_xrCreateHandTrackerEXT create_hand_tracker;
+  PFN_xrDestroyHandTrackerEXT destroy_hand_tracker;
+  PFN_xrLocateHandJointsEXT locate_hand_joints;
+  PFN_xrConvertTimespecTimeToTimeKHR to_time;
+  PFN_xrConvertTimeToTimespecTimeKHR to_timespec;
+  PFN_xrPlacePlateHRTX place_plate;
+  PFN_xrSetPlateOrientationHRTX set_plate_orientation;
+  PFN_xrGetPlateOrientationHRTX get_plate_orientation;
+  PFN_xrInstructReachHRTX instruct_reach;
+  PFN_xrGetReachTruthHRTX get_reach_truth;
+};
+
+/// A test with an instance of all extensions, and on request a session of it.
+class MockRuntime : public ::testing::Test {
+ protected:
+  void SetUp() override;
+  void TearDown() override;
+
+  void create_session();
+  /// create_session(), xrBeginSession, and every event so far read.
+  void begin_session();
+
+  /// The next session state that is told, or nothing.
+  std::optional<XrSessionState> next_state();
+  std::vector<XrSessionState> all_states();
+
+  XrSpace create_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose);
+  /// One frame of the loop. Returns the predicted display time.
+  XrTime frame();
+
+  XrInstance instance = XR_NULL_HANDLE;
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  XrSession session = XR_NULL_HANDLE;
+  std::optional<Functions> functions;
+};
+
+}  // namespace hrt::mock
