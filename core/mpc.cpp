@@ -6,15 +6,69 @@
 namespace hrt {
 namespace {
 
-// With x_i = p_i - p_R and the perceived error e_i as the input, x_i+1 = x_i - e_i, and the cost to go
-// from x_i is S_i x_i^2 + 2 r_i x_i plus a constant for given active bounds.
-struct CostToGo {
-  double s;
-  double r;
-};
+// Sweeps of the plate-bound solver that a problem may take before the general one takes over. Problems of
+// a closed loop take one or two.
+constexpr int max_box_sweeps = 8;
 
-// Sweeps that a problem may take before the last one counts. Problems of a closed loop take one or two.
-constexpr int max_sweeps = 4 * max_horizon;
+// The exact optimum without a rate bound, if it is found: a backward sweep for the cost to go under the
+// bounds assumed active, a forward one that clamps each step's optimum, until what was clamped is what
+// was assumed.
+bool solve_box(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution) {
+  struct CostToGo {  // s x^2 + 2 r x plus a constant
+    double s;
+    double r;
+  };
+  std::array<CostToGo, max_horizon + 1> to_go;
+  auto& active = working_set.pin;
+  const double q_perceived = problem.perceived_weight;
+  const double q_actual = problem.actual_weight;
+  const double pw = problem.proprioceptive_weight;
+  const double bound = problem.bound_deg;
+  const double slack = 1e-14 * bound;
+  bool settled = false;
+  for (int sweep = 0; sweep < max_box_sweeps && !settled; ++sweep) {
+    to_go[problem.horizon] = {0.0, 0.0};
+    for (int i = problem.horizon - 1; i >= 0; --i) {
+      const auto [s, r] = to_go[i + 1];
+      const double k = problem.gains[i];
+      if (active[i] == 0) {
+        const double share = q_perceived / (q_perceived + s);
+        to_go[i] = {q_actual + share * s, share * r};
+      } else {
+        const double pull = k * pw;
+        const double push = k * (pw * problem.real_offset_deg + active[i] * bound);
+        to_go[i] = {q_actual + q_perceived * pull * pull + (1.0 - pull) * (1.0 - pull) * s,
+                    q_perceived * pull * push + (1.0 - pull) * (r - s * push)};
+      }
+    }
+    settled = true;
+    double x = problem.miss_deg;
+    for (int i = 0; i < problem.horizon; ++i) {
+      const auto [s, r] = to_go[i + 1];
+      const double k = problem.gains[i];
+      const double felt_by_finger = pw * (x + problem.real_offset_deg);
+      const double wanted = (s * x + r) / (q_perceived + s) / k - felt_by_finger;
+      std::int8_t now = 0;
+      if (wanted > bound + (active[i] > 0 ? -slack : slack)) now = 1;
+      if (wanted < -bound - (active[i] < 0 ? -slack : slack)) now = -1;
+      settled = settled && now == active[i];
+      active[i] = now;
+      const double u = now ? now * bound : wanted;
+      const double e = k * (u + felt_by_finger);
+      solution.plate_deg[i] = u;
+      solution.error_deg[i] = e;
+      solution.miss_deg[i] = x;
+      x -= e;
+    }
+  }
+  return settled;
+}
+
+ActiveBound active_bound(const WorkingSet& set, int i) {
+  if (set.pin[i]) return set.pin[i] > 0 ? ActiveBound::upper : ActiveBound::lower;
+  if (set.link[i]) return set.link[i] > 0 ? ActiveBound::rate_up : ActiveBound::rate_down;
+  return ActiveBound::none;
+}
 
 }  // namespace
 
@@ -22,69 +76,78 @@ bool is_valid(const MpcConfig& config) {
   return config.horizon >= 1 && config.horizon <= max_horizon && std::isfinite(config.perceived_weight) &&
          config.perceived_weight > 0.0 && std::isfinite(config.actual_weight) &&
          config.actual_weight >= 0.0 && config.plate_bound_deg > 0.0 && config.plate_bound_deg <= 90.0 &&
-         config.plate_rate_bound_deg == std::numeric_limits<double>::infinity();
+         config.plate_rate_bound_deg > 0.0;
 }
 
 Mpc::Mpc(const MpcConfig& config) : config_(config) {}
 
 Mpc::Command Mpc::solve(const MpcProblem& problem, MpcDiagnostics* diagnostics) {
-  const int horizon = config_.horizon;
-  const double q_perceived = config_.perceived_weight;
-  const double q_actual = config_.actual_weight;
   const double w = problem.tactile_weight;
-  const double bound = w * config_.plate_bound_deg;
-
-  std::array<CostToGo, max_horizon + 1> to_go;
+  const double bound_deg = config_.plate_bound_deg;
+  const double rate_deg = config_.plate_rate_bound_deg;
+  const bool has_rate_bound = std::isfinite(rate_deg);
+  double finger_deg = problem.finger_offset_deg;
+  double last_plate_deg = problem.plate_offset_deg;
+  double cost = 0.0;
+  int i = 0;
   Command command{};
-  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
-    // Backwards: the cost to go under the assumed active bounds.
-    to_go[horizon] = {0.0, 0.0};
-    for (int i = horizon - 1; i >= 0; --i) {
-      const auto [s, r] = to_go[i + 1];
-      const double k = problem.gains[i];
-      if (active_[i] == ActiveBound::none) {
-        const double share = q_perceived / (q_perceived + s);
-        to_go[i] = {q_actual + share * s, share * r};
-      } else {
-        const double pull = k * (1.0 - w);
-        const double push =
-            k * ((1.0 - w) * problem.real_offset_deg + (active_[i] == ActiveBound::upper ? bound : -bound));
-        to_go[i] = {q_actual + q_perceived * pull * pull + (1.0 - pull) * (1.0 - pull) * s,
-                    q_perceived * pull * push + (1.0 - pull) * (r - s * push)};
-      }
-    }
-    // Forwards: each step's optimum, clamped to what the plate can reach.
-    bool settled = true;
-    double cost = 0.0;
-    double x = problem.finger_offset_deg - problem.real_offset_deg;
-    for (int i = 0; i < horizon; ++i) {
-      const auto [s, r] = to_go[i + 1];
-      const double k = problem.gains[i];
-      const double felt_by_finger = (1.0 - w) * (x + problem.real_offset_deg);
-      const double wanted = (s * x + r) / (q_perceived + s) / k - felt_by_finger;  // w_T t_i
-      const double slack = 1e-12 * bound;
-      ActiveBound active = ActiveBound::none;
-      if (wanted > bound + (active_[i] == ActiveBound::upper ? -slack : slack)) active = ActiveBound::upper;
-      if (wanted < -bound - (active_[i] == ActiveBound::lower ? -slack : slack)) active = ActiveBound::lower;
-      settled = settled && active == active_[i];
-      active_[i] = active;
-      const double plate = std::clamp(wanted, -bound, bound);
-      const double e = k * (plate + felt_by_finger);
-      if (i == 0) command = {plate / w, active};
-      if (diagnostics) {
-        diagnostics->active[i] = active;
-        diagnostics->plate_offset_deg[i] = plate / w;
-        diagnostics->perceived_error_deg[i] = e;
-        diagnostics->finger_offset_deg[i] = x + problem.real_offset_deg;
-        cost += q_perceived * e * e + q_actual * x * x;
-      }
-      x -= e;
-    }
+  const auto take = [&](double plate_deg, ActiveBound active) {
+    if (i == 0) command = {plate_deg, active};
+    const double error_deg = problem.gains[i] * (w * plate_deg + (1.0 - w) * finger_deg);
+    const double miss_deg = finger_deg - problem.real_offset_deg;
     if (diagnostics) {
-      diagnostics->horizon = horizon;
-      diagnostics->cost = cost;
+      diagnostics->active[i] = active;
+      diagnostics->plate_offset_deg[i] = plate_deg;
+      diagnostics->perceived_error_deg[i] = error_deg;
+      diagnostics->finger_offset_deg[i] = finger_deg;
     }
-    if (settled) break;
+    cost += config_.perceived_weight * error_deg * error_deg + config_.actual_weight * miss_deg * miss_deg;
+    finger_deg -= error_deg;
+    last_plate_deg = plate_deg;
+    ++i;
+  };
+
+  // Out of the bound, and too far to come back in one step: full speed towards it is all there is.
+  while (has_rate_bound && i < config_.horizon && std::abs(last_plate_deg) > bound_deg + rate_deg) {
+    const bool above = last_plate_deg > 0.0;
+    take(last_plate_deg + (above ? -rate_deg : rate_deg),
+         above ? ActiveBound::rate_down : ActiveBound::rate_up);
+  }
+
+  if (const int forced = i; forced < config_.horizon) {
+    const WindowProblem window{
+        .horizon = config_.horizon - forced,
+        .perceived_weight = config_.perceived_weight,
+        .actual_weight = config_.actual_weight,
+        .miss_deg = finger_deg - problem.real_offset_deg,
+        .real_offset_deg = problem.real_offset_deg,
+        .proprioceptive_weight = 1.0 - w,
+        .bound_deg = w * bound_deg,
+        .rate_deg = w * rate_deg,
+        .last_plate_deg = w * last_plate_deg,
+        .gains = problem.gains + forced,
+    };
+    WindowSolution solution;
+    if (has_rate_bound || !solve_box(window, working_set_, solution))
+      solve_active_set(window, working_set_, solution);
+    // Rounding must not carry a command past a bound, nor keep it from standing exactly on one.
+    while (i < config_.horizon) {
+      const ActiveBound active = active_bound(working_set_, i - forced);
+      double plate_deg = solution.plate_deg[i - forced] / w;
+      if (has_rate_bound) {
+        if (active == ActiveBound::rate_up) plate_deg = last_plate_deg + rate_deg;
+        if (active == ActiveBound::rate_down) plate_deg = last_plate_deg - rate_deg;
+        plate_deg = std::clamp(plate_deg, last_plate_deg - rate_deg, last_plate_deg + rate_deg);
+      }
+      if (active == ActiveBound::upper) plate_deg = bound_deg;
+      if (active == ActiveBound::lower) plate_deg = -bound_deg;
+      take(std::clamp(plate_deg, -bound_deg, bound_deg), active);
+      if (!diagnostics) break;
+    }
+  }
+  if (diagnostics) {
+    diagnostics->horizon = config_.horizon;
+    diagnostics->cost = cost;
   }
   return command;
 }

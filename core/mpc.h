@@ -5,13 +5,15 @@
 // participant of section II-A is a scalar system
 //     e_i = K_i (w_T t_i + (1 - w_T) p_i),    p_i+1 = p_i - e_i
 // and the cost over the window of N steps (paper equation 1, with weights) is
-//     sum over i = k .. k+N-1 of  q_perceived e_i^2 + q_actual (p_i - p_R)^2,   |t_i| <= L.
+//     sum over i = k .. k+N-1 of  q_perceived e_i^2 + q_actual (p_i - p_R)^2,
+// subject to |t_i| <= L and |t_i - t_i-1| <= R. The method is derived in core/README.md.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <limits>
 
+#include "core/mpc_active_set.h"
 #include "core/perception.h"
 
 namespace hrt {
@@ -35,13 +37,14 @@ struct MpcProblem {
   double finger_offset_deg;  ///< p_k, finite
   double real_offset_deg;    ///< p_R, finite
   double tactile_weight;     ///< w_T in (0, 0.5)
-  /// t_k-1: where the plate stands now. Read only with a rate bound.
+  /// t_k-1: where the plate stands now, finite. Read only with a rate bound. If it is farther out of the
+  /// plate bound than one step can turn, the plate returns at full rate and the bound gives way until then.
   double plate_offset_deg;
   /// K_k .. K_k+N-1, each in (0, 1]; must point at `horizon` values.
   const double* gains;
 };
 
-/// Which bound holds a step of the window.
+/// Which bound holds a step of the window: the plate bound, or else the rate bound against the step before.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 
 /// What the optimum looks like. Entries past `horizon` are not written.
@@ -54,8 +57,8 @@ struct MpcDiagnostics {
   std::array<double, max_horizon> finger_offset_deg;    ///< p_k ..
 };
 
-/// Solves one problem a step; remembers which bounds were active to start the next one.
-/// No heap, no lock, no exception, bounded time. One thread at a time.
+/// Solves one problem a step; remembers which bounds were active to start the next one, which changes the
+/// time it takes, not the optimum. No heap, no lock, no exception, bounded time. One thread at a time.
 class Mpc {
  public:
   /// Requires is_valid(config).
@@ -73,7 +76,7 @@ class Mpc {
 
  private:
   MpcConfig config_;
-  std::array<ActiveBound, max_horizon> active_{};
+  WorkingSet working_set_;  // of the last problem
 };
 
 }  // namespace hrt

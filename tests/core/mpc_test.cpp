@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <limits>
 #include <vector>
+
+#include "tests/core/mpc_reference.h"
 
 namespace hrt {
 namespace {
@@ -58,18 +60,88 @@ TEST(Mpc, SaturatedFirstStepByHand) {
   EXPECT_DOUBLE_EQ(command.plate_offset_deg, 84.5);
 }
 
-// The cost of the plate offsets `plate`, straight from the definition.
-double window_cost(const MpcConfig& config, const MpcProblem& problem, const std::vector<double>& plate) {
-  double p = problem.finger_offset_deg;
-  double cost = 0.0;
-  for (std::size_t i = 0; i < plate.size(); ++i) {
-    const double e =
-        problem.gains[i] * (problem.tactile_weight * plate[i] + (1.0 - problem.tactile_weight) * p);
-    const double miss = p - problem.real_offset_deg;
-    cost += config.perceived_weight * e * e + config.actual_weight * miss * miss;
-    p -= e;
+// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1: the second step costs nothing but its miss, so it
+// stands where e_1 = 0, and only t_0 matters: it wants 6 / 0.085 = 70.59, and from 20 it gets to 20 + 40.
+// Then p_1 = -0.085 * 60 = -5.1, and e_1 = 0 where t_1 = 0.9 * 5.1 / 0.1 = 45.9, within 40 of 60.
+TEST(Mpc, RateBoundOnTheFirstStepByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 20.0, gains.data()};
+  MpcDiagnostics diagnostics;
+  const Mpc::Command command = Mpc({.horizon = 2, .plate_rate_bound_deg = 40.0}).solve(problem, &diagnostics);
+  EXPECT_EQ(command.active, ActiveBound::rate_up);
+  EXPECT_DOUBLE_EQ(command.plate_offset_deg, 60.0);
+  EXPECT_NEAR(diagnostics.plate_offset_deg[1], 45.9, 1e-12);
+  EXPECT_EQ(diagnostics.active[1], ActiveBound::none);
+  EXPECT_NEAR(diagnostics.cost, 5.1 * 5.1 + 12.0 * 12.0 + 6.9 * 6.9, 1e-12);
+}
+
+// The same from 50 with R = 10. The first step gets to 60 at most, and the second, which wants 45.9, no
+// lower than 50: e_1 = 0.85 (5 - 0.9 * 5.1) = 0.3485. That coupling pulls t_0 down, not enough to leave 60:
+// with t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 = 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975 t_0 - 0.85 and
+// x_1 = 12 - e_0, half the derivative by t_0 is 0.085 e_0 + 0.019975 e_1 - 0.085 x_1 = -0.146 at 60.
+TEST(Mpc, RateBoundOnBothStepsByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 50.0, gains.data()};
+  MpcDiagnostics diagnostics;
+  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(problem, &diagnostics);
+  EXPECT_EQ(diagnostics.active[0], ActiveBound::rate_up);
+  EXPECT_EQ(diagnostics.active[1], ActiveBound::rate_down);
+  EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[0], 60.0);
+  EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[1], 50.0);
+  EXPECT_NEAR(diagnostics.perceived_error_deg[1], 0.3485, 1e-12);
+}
+
+// From 65 with R = 10 neither bound on t_0 holds, but t_0 and t_1 stay 10 apart: the derivative above
+// vanishes where (0.085^2 + 0.019975^2 + 0.085^2) t_0 = 0.085 * 12 + 0.019975 * 0.85.
+TEST(Mpc, RateBoundCouplesTwoFreeStepsByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 65.0, gains.data()};
+  MpcDiagnostics diagnostics;
+  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(problem, &diagnostics);
+  const double t_0 = (0.085 * 12.0 + 0.019975 * 0.85) / (2.0 * 0.085 * 0.085 + 0.019975 * 0.019975);
+  EXPECT_NEAR(diagnostics.plate_offset_deg[0], t_0, 1e-10);  // 69.84
+  EXPECT_NEAR(diagnostics.plate_offset_deg[1], t_0 - 10.0, 1e-10);
+  EXPECT_EQ(diagnostics.active[0], ActiveBound::none);
+  EXPECT_EQ(diagnostics.active[1], ActiveBound::rate_down);
+}
+
+// A new goal can leave the plate out of the bound about it. It comes back at full speed, and once it can
+// be inside within a step the optimum is exact again: it is that of the shorter window from there.
+TEST(Mpc, ComesBackIntoTheBoundAtFullSpeed) {
+  const MpcConfig config{.horizon = 5, .plate_rate_bound_deg = 40.0};
+  const MpcProblem problem{3.0, -2.0, 0.15, -170.0, gains.data()};
+  MpcDiagnostics diagnostics;
+  EXPECT_EQ(Mpc(config).solve(problem, &diagnostics).active, ActiveBound::rate_up);
+  EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[0], -130.0);
+  EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[1], -90.0);
+  EXPECT_EQ(diagnostics.active[1], ActiveBound::rate_up);
+  MpcConfig shorter = config;
+  shorter.horizon = 3;
+  MpcProblem from_there = problem;
+  from_there.finger_offset_deg = diagnostics.finger_offset_deg[2];
+  from_there.plate_offset_deg = -90.0;
+  EXPECT_NEAR(Mpc(shorter).solve(from_there).plate_offset_deg, diagnostics.plate_offset_deg[2], 1e-10);
+  EXPECT_GE(diagnostics.plate_offset_deg[2], -84.5);
+}
+
+// w_T = 0.1 and a gap of 10 need 0.9 / 0.1 * 10 = 90 degrees: at rest the optimum touches the bound of 90
+// at every step without being pressed against it. Methods that trust rounding cycle here.
+TEST(Mpc, SettlesWhereEveryStepJustTouchesTheBound) {
+  for (const double real : {-10.0, 10.0}) {
+    for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {
+      for (const int horizon : {3, 10, 50}) {
+        Mpc mpc({.horizon = horizon, .plate_bound_deg = 90.0, .plate_rate_bound_deg = rate});
+        double finger = 0.0;
+        double plate = 0.0;
+        MpcDiagnostics diagnostics;
+        for (int k = 0; k < 60; ++k) {
+          const MpcProblem problem{finger, real, 0.1, plate, gains.data()};
+          plate = mpc.solve(problem, &diagnostics).plate_offset_deg;
+          finger -= diagnostics.perceived_error_deg[0];
+        }
+        for (int i = 0; i < horizon; ++i)
+          EXPECT_NEAR(diagnostics.plate_offset_deg[i], -9.0 * real, 1e-9) << horizon << ' ' << rate;
+        EXPECT_NEAR(finger, real, 1e-9);
+      }
+    }
   }
-  return cost;
 }
 
 TEST(Mpc, NoGridPointBeatsTheOptimum) {
