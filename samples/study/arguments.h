@@ -1,0 +1,86 @@
+// What the subcommands share of the command line: options whose values are checked against a range that
+// the help and the error message both state.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hrt::study {
+
+/// A mistake of the caller's: one line that names the argument and what is allowed. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// The numbers that an option takes.
+struct NumberRange {
+  double low;
+  double high;
+  bool low_allowed = true;
+  bool high_allowed = true;
+  bool infinity_allowed = false;  ///< "inf" as well, whatever `high` is
+  bool whole = false;             ///< whole numbers only
+
+  bool contains(double value) const;
+  std::string text() const;  ///< "a number in (0, 0.5)"
+};
+
+inline constexpr NumberRange tactile_weight_range{0.0, 0.5, false, false};
+inline constexpr NumberRange variance_range{0.0, 1e6};
+inline constexpr NumberRange positive_variance_range{0.0, 1e6, false};
+inline constexpr NumberRange weight_range{0.0, 1e6};
+inline constexpr NumberRange positive_weight_range{0.0, 1e6, false};
+inline constexpr NumberRange direction_range{-180.0, 180.0};
+inline constexpr NumberRange gap_range{-90.0, 90.0, false, false};
+inline constexpr NumberRange plate_bound_range{0.0, 90.0, false};
+inline constexpr NumberRange plate_rate_bound_range{0.0, 360.0, false, true, true};
+
+/// Adds `name VALUE` for a number of `range`; the help shows the range and `*value` as the default.
+CLI::Option* add_number(CLI::App& app, const std::string& name, double* value, NumberRange range,
+                        const std::string& help);
+
+/// Adds `name VALUE` for a whole number of [low, high].
+CLI::Option* add_integer(CLI::App& app, const std::string& name, std::uint64_t* value, std::uint64_t low,
+                         std::uint64_t high, const std::string& help);
+
+/// Adds `name LIST` for one or several numbers of `range`: "0.1,0.15" or "0.05:0.45:9", the latter being
+/// nine values evenly spaced from the first to the last.
+CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values,
+                         NumberRange range, const std::string& help);
+
+/// Adds `name WORD` for one of `allowed`.
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string* value,
+                        const std::vector<std::string>& allowed, const std::string& help);
+
+/// Adds `name TEXT` for a file or folder; not empty.
+CLI::Option* add_path(CLI::App& app, const std::string& name, std::string* value, const std::string& what,
+                      const std::string& help);
+
+/// Adds --threads; the default is every processor.
+CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads);
+
+/// Adds --seed.
+CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
+
+/// Adds --trials.
+CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
+
+/// "NAME: 'TEXT' is not allowed; it must be WHAT".
+std::string not_allowed(const std::string& name, std::string_view text, const std::string& what);
+
+/// Help with the range and the default of each option on a line of their own.
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter();
+  std::string make_option_opts(const CLI::Option* option) const override;
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_description(const CLI::App* app) const override;
+};
+
+}  // namespace hrt::study

@@ -1,0 +1,16 @@
+// The subcommands, a file each. Each adds itself to the command line and does its work as a callback.
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace hrt::study {
+
+void add_table1(CLI::App& app);
+void add_trial(CLI::App& app);
+void add_sweep(CLI::App& app);
+void add_authority(CLI::App& app);
+void add_report(CLI::App& app);
+
+}  // namespace hrt::study

@@ -1,0 +1,82 @@
+// hrt-study: the paper's study and its neighbourhood, in simulation. See README.md beside this file.
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cctype>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands.h"
+
+namespace {
+
+// One line, whatever the arguments held.
+void complain(std::string message) {
+  for (char& character : message)
+    if (std::iscntrl(static_cast<unsigned char>(character))) character = '?';
+  std::cerr << "hrt-study: " << message << '\n';
+}
+
+// CLI11's words, and what is allowed where they do not say it.
+std::string explain(const CLI::App& app, const CLI::ParseError& error,
+                    const std::vector<std::string>& words) {
+  const std::string message = error.what();
+  if (app.get_subcommands().empty()) {
+    std::string names;
+    for (const CLI::App* subcommand : app.get_subcommands({}))
+      names += (names.empty() ? "one of " : ", ") + subcommand->get_name();
+    return hrt::study::not_allowed("SUBCOMMAND", words.empty() ? "" : words.front(), names) + " (see --help)";
+  }
+  for (const CLI::App* subcommand : app.get_subcommands())
+    for (const CLI::Option* option : subcommand->get_options())
+      if (message.starts_with(option->get_name() + ": 1 required"))
+        return option->get_name() + ": the value is missing; it must be " + option->get_type_name();
+  return message + " (see --help)";
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  using namespace hrt::study;
+  constexpr int usage_error = 2;
+
+  CLI::App app(
+      "Simulates haptic retargeting by touch: a plate that turns under the fingertip leads the hand to\n"
+      "a real target while the participant feels that they go to a virtual one.\n"
+      "Every result is of simulation; there was no human trial.",
+      "hrt-study");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.footer(
+      "Start with:\n"
+      "  hrt-study table1                 the paper's Table I beside the model\n"
+      "  hrt-study trial                  one reach, step by step\n"
+      "  hrt-study report --out report    figures and a page that shows them all\n"
+      "\n"
+      "'hrt-study SUBCOMMAND --help' lists what each takes. Directions are in degrees from the plate's\n"
+      "mid-line (straight away from the participant), counter-clockwise positive seen from above.\n"
+      "Exit codes: 0 done, 1 failed, 2 an argument is wrong.");
+  app.set_version_flag("--version", HRT_STUDY_VERSION, "Print the version and exit.");
+  app.set_help_flag("-h,--help", "Print this and exit.");
+  app.require_subcommand(1);
+  add_table1(app);
+  add_trial(app);
+  add_authority(app);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    complain(explain(app, error, {argv + std::min(argc, 1), argv + argc}));
+    return usage_error;
+  } catch (const UsageError& error) {
+    complain(error.what());
+    return usage_error;
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,122 @@
+#include "samples/study/output.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstdio>
+#include <cstring>
+#include <stdexcept>
+
+#include "samples/study/arguments.h"
+
+namespace hrt::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int bar_width = 30;
+
+std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
+  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
+}
+
+std::filesystem::path temporary_beside(const std::filesystem::path& path) {
+  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".tmp");
+}
+
+// 0, or errno.
+int write_all(int file, std::string_view content) {
+  while (!content.empty()) {
+    const ssize_t written = write(file, content.data(), content.size());
+    if (written < 0 && errno != EINTR) return errno;
+    if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::string number(double value) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> text;  // the largest double has 309 digits
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+  return {text.data(), end};
+}
+
+std::string right(std::string_view text, std::size_t width) {
+  return std::string(width - std::min(width, text.size()), ' ') + std::string(text);
+}
+
+std::string left(std::string_view text, std::size_t width) {
+  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view content) {
+  const std::filesystem::path temporary = temporary_beside(path);
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw cannot_write(path, errno);
+  int error = write_all(file, content);
+  if (close(file) != 0 && error == 0) error = errno;
+  if (error == 0 && rename(temporary.c_str(), path.c_str()) != 0) error = errno;
+  if (error == 0) return;
+  unlink(temporary.c_str());
+  throw cannot_write(path, error);
+}
+
+Output::Output(const std::string& argument, const std::string& path) {
+  if (path.empty()) return;
+  const std::string allowed = "a file in a folder that can be written";
+  std::error_code error;
+  path_ = std::filesystem::weakly_canonical(path, error);
+  if (error) throw UsageError(not_allowed(argument, path, allowed + " (" + error.message() + ")"));
+  const auto status = std::filesystem::status(path_, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw UsageError(not_allowed(argument, path, allowed + " (this is not a regular file)"));
+  // Only trying tells: permissions, read-only and full file systems, names too long.
+  const std::filesystem::path temporary = temporary_beside(path_);
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw UsageError(not_allowed(argument, path, allowed + " (" + std::strerror(errno) + ")"));
+  close(file);
+  unlink(temporary.c_str());
+}
+
+void Output::write(std::string_view content) const {
+  if (!path_.empty()) return replace_file(path_, content);
+  if (const int error = write_all(STDOUT_FILENO, content); error != 0)
+    throw cannot_write("standard output", error);
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), started_(Clock::now()), last_drawn_(started_) {}
+
+Progress::~Progress() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::update(std::uint64_t done, std::uint64_t total) {
+  if (!terminal_) return;
+  const Clock::time_point now = Clock::now();
+  if (now - started_ < std::chrono::seconds(1)) return;
+  if (drawn_ && now - last_drawn_ < std::chrono::milliseconds(100)) return;
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const double elapsed_s = std::chrono::duration<double>(now - started_).count();
+  const auto filled = static_cast<std::size_t>(bar_width * share);
+  std::string line = "\r\033[K[" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] " +
+                     fixed(100.0 * share, 0) + " %";
+  if (done > 0) line += ", " + fixed(elapsed_s * (1.0 - share) / share, 0) + " s left";
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  drawn_ = true;
+  last_drawn_ = now;
+}
+
+}  // namespace hrt::study

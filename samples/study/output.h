@@ -1,0 +1,59 @@
+// What the subcommands write, and how: numbers that read back to the same bits whatever the locale, files
+// that are whole or not there, and a progress bar for a person who waits.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace hrt::study {
+
+/// The shortest decimal that reads back to the same double: "0.1", "1e+20", "inf".
+std::string number(double value);
+
+/// `value` with `decimals` digits after the point.
+std::string fixed(double value, int decimals);
+
+/// `text` with spaces before it, or after it, to at least `width` characters.
+std::string right(std::string_view text, std::size_t width);
+std::string left(std::string_view text, std::size_t width);
+
+/// Puts `content` in the place of `path` in one step: it is written to a temporary file beside it, which is
+/// then renamed. Throws std::runtime_error, and leaves nothing behind, if that fails.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
+/// Where a subcommand's result goes: a file, or standard output for an empty path. Made before the work, so
+/// that a place that can't be written is known at once.
+class Output {
+ public:
+  /// Throws UsageError naming `argument` if `path` can't be written.
+  Output(const std::string& argument, const std::string& path);
+
+  /// Writes everything. Throws std::runtime_error if that fails.
+  void write(std::string_view content) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// A bar on standard error, drawn once the work has taken a second and only on a terminal.
+class Progress {
+ public:
+  Progress();
+  ~Progress();
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// `done` of `total` > 0 is done.
+  void update(std::uint64_t done, std::uint64_t total);
+
+ private:
+  bool terminal_;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point started_;
+  std::chrono::steady_clock::time_point last_drawn_;
+};
+
+}  // namespace hrt::study

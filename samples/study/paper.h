@@ -1,0 +1,40 @@
+// What the paper reports, number by number as printed: "Controlling Hand Movements relying on Tactile
+// Illusions: A Model Predictive Control Framework".
+#pragma once
+
+#include <array>
+
+namespace hrt::study {
+
+/// Trials behind each percentage of the paper.
+inline constexpr double paper_trials = 50;
+
+/// One row of Table I: the percentage of trials that end within 1.5 degrees of the real target.
+struct PaperCell {
+  double real_direction_deg;
+  double virtual_direction_deg;
+  double percent;
+};
+
+/// One block of Table I.
+struct PaperCondition {
+  double motor_variance_deg2;
+  double tactile_weight;
+  double mean_percent;  ///< as the paper's text gives it
+  std::array<PaperCell, 6> cells;
+};
+
+inline constexpr std::array<PaperCondition, 4> paper_table1{{
+    {0.5, 0.15, 93.0, {{{-5, 5, 94}, {5, -5, 96}, {0, 10, 90}, {-10, 0, 94}, {10, 0, 96}, {0, -10, 88}}}},
+    {0.5, 0.10, 82.7, {{{-5, 5, 82}, {5, -5, 80}, {0, 10, 80}, {-10, 0, 82}, {10, 0, 88}, {0, -10, 84}}}},
+    {1.0, 0.15, 81.3, {{{-5, 5, 78}, {5, -5, 84}, {0, 10, 78}, {-10, 0, 80}, {10, 0, 82}, {0, -10, 86}}}},
+    // 79 % of 50 trials is no whole number; it is taken as printed.
+    {1.0, 0.10, 77.8, {{{-5, 5, 76}, {5, -5, 72}, {0, 10, 80}, {-10, 0, 82}, {10, 0, 78}, {0, -10, 79}}}},
+}};
+
+/// Section III-B: the mean of the six pairs with w_T = 0.05.
+inline constexpr double paper_impaired_touch_percent = 40;
+/// Section III-B and Fig. 7: P_R = 0, theta_V = 12, variance 2.
+inline constexpr double paper_wide_gap_percent = 60;
+
+}  // namespace hrt::study

@@ -1,0 +1,47 @@
+#include "samples/study/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrt::study {
+
+PercentInterval wilson_interval(double percent, double trials) {
+  constexpr double z = 1.959963984540054;  // the normal quantile of 0.975
+  const double p = percent / 100.0;
+  const double shrink = 1.0 / (1.0 + z * z / trials);
+  const double centre = shrink * (p + z * z / (2.0 * trials));
+  const double half = shrink * z * std::sqrt(p * (1.0 - p) / trials + z * z / (4.0 * trials * trials));
+  return {100.0 * std::max(0.0, centre - half), 100.0 * std::min(1.0, centre + half)};
+}
+
+double squared_difference(double percent_a, double trials_a, double percent_b, double trials_b) {
+  const double difference = (percent_a - percent_b) / 100.0;
+  if (difference == 0.0) return 0.0;
+  const double pooled = (percent_a * trials_a + percent_b * trials_b) / (100.0 * (trials_a + trials_b));
+  return difference * difference / (pooled * (1.0 - pooled) * (1.0 / trials_a + 1.0 / trials_b));
+}
+
+double chi_squared_tail(double chi_squared, int degrees_of_freedom) {
+  // For an even number it is that of a Poisson variable of mean x/2 being below half the number.
+  const double mean = 0.5 * chi_squared;
+  double term = 1.0;
+  double sum = 1.0;
+  for (int i = 1; i < degrees_of_freedom / 2; ++i) {
+    term *= mean / i;
+    sum += term;
+  }
+  return std::exp(-mean) * sum;
+}
+
+double percent_within(double tolerance, double variance) {
+  return variance > 0.0 ? 100.0 * std::erf(tolerance / std::sqrt(2.0 * variance)) : 100.0;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,31 @@
+// The statistics that a proportion of successful trials needs.
+#pragma once
+
+#include <vector>
+
+namespace hrt::study {
+
+/// An interval of percentages.
+struct PercentInterval {
+  double low;
+  double high;
+  bool contains(double percent) const { return low <= percent && percent <= high; }
+};
+
+/// Wilson's 95 % interval for a proportion seen as `percent` of `trials` > 0 trials.
+PercentInterval wilson_interval(double percent, double trials);
+
+/// The squared difference of two proportions over its variance, both being estimates of one proportion
+/// (pooled): a chi-squared variable of one degree of freedom. 0 if the two are equal.
+double squared_difference(double percent_a, double trials_a, double percent_b, double trials_b);
+
+/// The probability that a chi-squared variable exceeds `chi_squared` >= 0. `degrees_of_freedom` even, > 0.
+double chi_squared_tail(double chi_squared, int degrees_of_freedom);
+
+/// The percentage of N(0, variance) within +-`tolerance`.
+double percent_within(double tolerance, double variance);
+
+/// The median; `values` not empty.
+double median(std::vector<double> values);
+
+}  // namespace hrt::study

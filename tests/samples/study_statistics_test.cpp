@@ -1,0 +1,87 @@
+#include "samples/study/statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+#include "samples/study/output.h"
+#include "samples/study/paper.h"
+
+namespace hrt::study {
+namespace {
+
+// No hits of n: from 0 to z^2 / (n + z^2); half of them: symmetrical about 50.
+TEST(StudyStatistics, WilsonByHand) {
+  const double z2 = 1.959963984540054 * 1.959963984540054;
+  EXPECT_DOUBLE_EQ(wilson_interval(0.0, 50).low, 0.0);
+  EXPECT_NEAR(wilson_interval(0.0, 50).high, 100.0 * z2 / (50.0 + z2), 1e-12);
+  const PercentInterval half = wilson_interval(50.0, 50);
+  EXPECT_NEAR(half.low + half.high, 100.0, 1e-12);
+  EXPECT_NEAR(half.high - half.low, 100.0 * std::sqrt(z2 / (50.0 + z2)), 1e-12);
+}
+
+// What defines the interval: at each end the seen proportion is 1.96 standard deviations away.
+TEST(StudyStatistics, WilsonEndsAreWhereTheTestTurns) {
+  for (const double percent : {94.0, 72.0, 40.0, 79.0}) {
+    const PercentInterval interval = wilson_interval(percent, 50);
+    for (const double end : {interval.low, interval.high}) {
+      const double p = end / 100.0;
+      EXPECT_NEAR(std::abs(percent / 100.0 - p) / std::sqrt(p * (1.0 - p) / 50.0), 1.959963984540054, 1e-9);
+    }
+  }
+}
+
+// Two degrees: exp(-x/2). Four: exp(-x/2) (1 + x/2). Tables: 36.415 is the 5 % point of 24.
+TEST(StudyStatistics, ChiSquaredTail) {
+  EXPECT_DOUBLE_EQ(chi_squared_tail(0.0, 24), 1.0);
+  EXPECT_NEAR(chi_squared_tail(3.0, 2), std::exp(-1.5), 1e-15);
+  EXPECT_NEAR(chi_squared_tail(3.0, 4), 2.5 * std::exp(-1.5), 1e-15);
+  EXPECT_NEAR(chi_squared_tail(36.41503, 24), 0.05, 1e-6);
+}
+
+// 40 of 50 against 25 of 50: pooled 0.65, 0.3^2 / (0.65 0.35 2 / 50).
+TEST(StudyStatistics, SquaredDifferenceByHand) {
+  EXPECT_NEAR(squared_difference(80.0, 50, 50.0, 50), 0.09 / (0.65 * 0.35 * 0.04), 1e-12);
+  EXPECT_EQ(squared_difference(0.0, 50, 0.0, 20000), 0.0);
+  EXPECT_TRUE(std::isfinite(squared_difference(100.0, 50, 0.0, 1)));
+}
+
+// One standard deviation holds 68.27 %.
+TEST(StudyStatistics, PercentWithin) {
+  EXPECT_NEAR(percent_within(1.0, 1.0), 68.2689, 1e-4);
+  EXPECT_EQ(percent_within(1.5, 0.0), 100.0);
+}
+
+TEST(StudyStatistics, Median) {
+  EXPECT_EQ(median({3.0}), 3.0);
+  EXPECT_EQ(median({5.0, 1.0, 3.0}), 3.0);
+  EXPECT_EQ(median({4.0, 1.0, 3.0, 10.0}), 3.5);
+}
+
+// The paper's own means of its Table I.
+TEST(StudyPaper, CellsGiveThePrintedMeans) {
+  for (const PaperCondition& condition : paper_table1) {
+    double sum = 0.0;
+    for (const PaperCell& cell : condition.cells) {
+      sum += cell.percent;
+      EXPECT_EQ(std::abs(cell.real_direction_deg - cell.virtual_direction_deg), 10.0);
+    }
+    EXPECT_NEAR(sum / 6.0, condition.mean_percent, 0.051);
+  }
+}
+
+TEST(StudyOutput, NumbersReadBackToTheSameBits) {
+  for (const double value : {0.1, 1.0 / 3.0, 1e300, 5e-324, -0.0, 84.5})
+    EXPECT_EQ(std::strtod(number(value).c_str(), nullptr), value);
+  EXPECT_EQ(number(0.1), "0.1");
+  EXPECT_EQ(number(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(fixed(2.0 / 3.0, 2), "0.67");
+  EXPECT_EQ(fixed(-1e300, 0).size(), 302U);
+  EXPECT_EQ(right("ab", 4), "  ab");
+  EXPECT_EQ(left("abcde", 4), "abcde");
+}
+
+}  // namespace
+}  // namespace hrt::study
