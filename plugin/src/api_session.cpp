@@ -62,10 +62,7 @@ hrt_result read_session_config(const hrt_session_config* given, hrt_session_conf
 Session::Session(const hrt_session_config& checked_config)
     : config(checked_config), retargeter(to_core(checked_config)) {}
 
-Sessions& sessions() {
-  static Sessions table;
-  return table;
-}
+constinit Sessions sessions;
 
 hrt_session_config default_session_config() {
   const RetargeterConfig core;
@@ -106,7 +103,7 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
     hrt_session_config checked;
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
-    const std::uint64_t handle = sessions().insert(std::make_unique<Session>(checked));
+    const std::uint64_t handle = sessions.insert(std::make_unique<Session>(checked));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SESSIONS_MAX, " sessions; destroy one first");
     out_session->value = handle;
@@ -116,7 +113,7 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
 
 hrt_result hrt_session_destroy(hrt_session session) noexcept {
   return guarded("hrt_session_destroy", [&]() -> hrt_result {
-    const hrt_result result = sessions().destroy(session.value);
+    const hrt_result result = sessions.destroy(session.value);
     if (result == HRT_ERROR_BUSY) return fail(result, "another thread is in a call on this session");
     if (result != HRT_OK) return fail(result, "session ", session.value, " does not exist");
     return HRT_OK;

@@ -45,10 +45,6 @@ struct ThreadError {
   ErrorText text;
 };
 
-#if defined(__ELF__)
-// The general model of a dlopened library allocates a thread's block on its first use of it.
-[[gnu::tls_model("initial-exec")]]
-#endif
 extern thread_local constinit ThreadError thread_error;
 
 /// Sets the text of hrt_last_error() to the call and `parts`, and returns `code`.

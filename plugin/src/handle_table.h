@@ -19,6 +19,8 @@ class HandleTable {
   static_assert(capacity <= 256);
 
  public:
+  constexpr HandleTable() = default;
+
   /// The object while this lives; without one, `result` tells why.
   class Lease {
    public:

@@ -26,13 +26,13 @@ struct Session {
 
 inline constexpr std::uint8_t session_kind = 0x51;
 using Sessions = HandleTable<Session, HRT_SESSIONS_MAX, session_kind>;
-Sessions& sessions();
+extern constinit Sessions sessions;
 
 /// Runs the body of an entry point on the session that the handle stands for.
 template <class Body>
 hrt_result with_session(const char* call, hrt_session handle, Body&& body) noexcept {
   return guarded(call, [&]() -> hrt_result {
-    const Sessions::Lease lease = sessions().lease(handle.value);
+    const Sessions::Lease lease = sessions.lease(handle.value);
     if (lease.result() == HRT_ERROR_BUSY)
       return fail(HRT_ERROR_BUSY, "another thread is in a call on this session");
     if (lease.result() != HRT_OK)

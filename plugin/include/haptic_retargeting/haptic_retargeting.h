@@ -7,6 +7,7 @@
 
 #include "authority.h"
 #include "base.h"
+#include "host.h"
 #include "reach.h"
 #include "session.h"
 #include "target.h"

@@ -1,0 +1,36 @@
+/*
+ * What the host lends the library: memory, and an ear for what no call can return. Both are for the whole
+ * process; set them before anything else is made.
+ */
+#ifndef HAPTIC_RETARGETING_HOST_H
+#define HAPTIC_RETARGETING_HOST_H
+
+#include "base.h"
+
+#if defined(__cplusplus)
+extern "C" {
+#endif
+
+/** Where the library's memory comes from. The functions may be called from any thread, at the same time; they
+ *  must not call this library, and must not throw. */
+typedef struct hrt_allocator {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /** Passed to both functions; never read. */
+  void* context;
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't. */
+  void* (*allocate)(void* context, size_t size, size_t alignment);
+  /** Takes back what allocate() returned. */
+  void (*release)(void* context, void* memory);
+} hrt_allocator;
+
+/** Has all memory come from `allocator` from now on; null: from the C library, as at first. The struct is
+ *  copied. Errors: WRONG_STATE while the library holds memory, so while a session exists.
+ *  [any-thread], but not while another thread is in any call of this library. */
+HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEPT;
+
+#if defined(__cplusplus)
+}
+#endif
+
+#endif

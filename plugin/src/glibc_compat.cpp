@@ -1,0 +1,49 @@
+// Built on a newer glibc, the library would ask for symbol versions that glibc 2.31 does not have. These
+// definitions, hidden in the library, stand in front of those that its parts and the C++ runtime linked into
+// it refer to.
+#include <fcntl.h>
+#include <pthread.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#if defined(__x86_64__)
+#define HRT_FIRST_GLIBC "GLIBC_2.2.5"
+#elif defined(__aarch64__)
+#define HRT_FIRST_GLIBC "GLIBC_2.17"
+#else
+#error "name the first glibc of this architecture"
+#endif
+
+extern "C" {
+
+// Since 2.32. False is always right: it only chooses atomic reference counts.
+char __libc_single_threaded = 0;
+
+// Functions since 2.33; the kernel fills the struct as glibc declares it on these architectures.
+int stat(const char* path, struct stat* out) noexcept {
+  return static_cast<int>(syscall(SYS_newfstatat, AT_FDCWD, path, out, 0));
+}
+int fstat64(int file, struct stat64* out) noexcept {
+  return static_cast<int>(syscall(SYS_fstat, file, out));
+}
+
+// In libc.so.6 since 2.34, in libpthread.so.0 before; both know them by their first version.
+int hrt_first_pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
+int hrt_first_pthread_join(pthread_t, void**);
+int hrt_first_pthread_once(pthread_once_t*, void (*)());
+__asm__(".symver hrt_first_pthread_create, pthread_create@" HRT_FIRST_GLIBC);
+__asm__(".symver hrt_first_pthread_join, pthread_join@" HRT_FIRST_GLIBC);
+__asm__(".symver hrt_first_pthread_once, pthread_once@" HRT_FIRST_GLIBC);
+
+int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
+                   void* argument) noexcept {
+  return hrt_first_pthread_create(thread, attributes, start, argument);
+}
+int pthread_join(pthread_t thread, void** out) {
+  return hrt_first_pthread_join(thread, out);
+}
+int pthread_once(pthread_once_t* once, void (*run)()) {
+  return hrt_first_pthread_once(once, run);
+}
+}

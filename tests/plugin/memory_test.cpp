@@ -1,0 +1,115 @@
+// The library's memory: all of it from the host's allocator, any of it refused.
+#include <atomic>
+#include <cstdlib>
+#include <functional>
+#include <new>
+
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+/// An allocator that counts, and that fails at the n-th request.
+class CountingAllocator {
+ public:
+  CountingAllocator() {
+    hrt_allocator allocator{};
+    allocator.struct_size = sizeof allocator;
+    allocator.context = this;
+    allocator.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
+      auto& self = *static_cast<CountingAllocator*>(context);
+      if (++self.requests == self.fail_at) return nullptr;
+      ++self.held;
+      return std::malloc(size);
+    };
+    allocator.release = [](void* context, void* memory) {
+      --static_cast<CountingAllocator*>(context)->held;
+      std::free(memory);
+    };
+    EXPECT_OK(hrt_set_allocator(&allocator));
+  }
+  ~CountingAllocator() { EXPECT_OK(hrt_set_allocator(nullptr)); }
+  CountingAllocator(const CountingAllocator&) = delete;
+  CountingAllocator& operator=(const CountingAllocator&) = delete;
+  CountingAllocator(CountingAllocator&&) = delete;
+  CountingAllocator& operator=(CountingAllocator&&) = delete;
+
+  std::atomic<long> requests{0};
+  std::atomic<long> held{0};
+  std::atomic<long> fail_at{0};
+};
+
+// A life of a session, in steps that each must succeed, or fail for want of memory and change nothing.
+hrt_result live(hrt_session* session) {
+  const hrt_session_config config = session_config();
+  if (const auto result = hrt_session_create(&config, session); result != HRT_OK) return result;
+  hrt_target real{}, virtual_target{};
+  const hrt_target_config real_config =
+      target_config(HRT_TARGET_REAL, -5.0, "a name too long for its string");
+  const hrt_target_config virtual_config = target_config(HRT_TARGET_VIRTUAL, 5.0, "another such long name");
+  if (const auto result = hrt_target_add(*session, &real_config, &real); result != HRT_OK) return result;
+  if (const auto result = hrt_target_add(*session, &virtual_config, &virtual_target); result != HRT_OK)
+    return result;
+  const hrt_target_config renamed =
+      target_config(HRT_TARGET_REAL, -5.0, "a third name, no shorter than those");
+  if (const auto result = hrt_target_set(*session, real, &renamed); result != HRT_OK) return result;
+  hrt_reach_config reach;
+  EXPECT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  reach.real_target = real;
+  reach.virtual_target = virtual_target;
+  EXPECT_OK(hrt_reach_begin(*session, &reach));
+  return HRT_OK;
+}
+
+TEST(Memory, AllComesFromTheHostsAllocatorAndGoesBack) {
+  CountingAllocator allocator;
+  hrt_session session{};
+  ASSERT_OK(live(&session));
+  EXPECT_GT(allocator.held, 0);
+  ASSERT_OK(hrt_session_destroy(session));
+  EXPECT_EQ(allocator.held, 0);
+}
+
+TEST(Memory, EveryRequestMayBeRefused) {
+  CountingAllocator allocator;
+  hrt_session session{};
+  ASSERT_OK(live(&session));
+  ASSERT_OK(hrt_session_destroy(session));
+  const long requests = allocator.requests;
+  ASSERT_GE(requests, 8);
+  for (long n = 1; n <= requests; ++n) {
+    allocator.requests = 0;
+    allocator.fail_at = n;
+    session.value = 0;
+    expect_error(live(&session), HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+    allocator.fail_at = 0;
+    if (session.value != 0) {
+      uint32_t count = 0;
+      EXPECT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
+      EXPECT_LE(count, 2u);
+      ASSERT_OK(hrt_session_destroy(session));
+    }
+    EXPECT_EQ(allocator.held, 0) << "after refusing request " << n;
+  }
+}
+
+TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  expect_error(hrt_set_allocator(nullptr), HRT_ERROR_WRONG_STATE, "holds");
+  ASSERT_OK(hrt_session_destroy(session));
+  EXPECT_OK(hrt_set_allocator(nullptr));
+}
+
+TEST(Memory, AllocatorIsChecked) {
+  hrt_allocator allocator{};
+  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_STRUCT_SIZE, "allocator");
+  allocator.struct_size = sizeof allocator;
+  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
+  allocator.allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
+  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_NULL_ARGUMENT, "release is null");
+}
+
+}  // namespace
+}  // namespace hrt::test

@@ -1,0 +1,186 @@
+// The calls tagged [real-time] allocate nothing, take no lock and make no system call, on their error paths
+// too. Memory and lock functions are replaced by ones that count; system calls are forbidden by the kernel.
+#include <dlfcn.h>
+#include <linux/filter.h>
+#include <linux/seccomp.h>
+#include <pthread.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cmath>
+#include <cstdlib>
+#include <thread>
+
+#include "fixture.h"
+
+namespace {
+
+constinit std::atomic<bool> watching{false};
+constinit std::atomic<long> allocations{0};
+constinit std::atomic<long> locks{0};
+
+void count(std::atomic<long>& counter) {
+  if (watching.load(std::memory_order_relaxed)) counter.fetch_add(1, std::memory_order_relaxed);
+}
+
+}  // namespace
+
+extern "C" {
+
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+void __libc_free(void*);
+
+void* malloc(std::size_t size) {
+  count(allocations);
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t n, std::size_t size) {
+  count(allocations);
+  return __libc_calloc(n, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  count(allocations);
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  count(allocations);
+  return __libc_memalign(alignment, size);
+}
+void free(void* memory) {
+  if (memory) count(allocations);
+  __libc_free(memory);
+}
+
+int pthread_mutex_lock(pthread_mutex_t* mutex) {
+  static const auto real =
+      reinterpret_cast<int (*)(pthread_mutex_t*)>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  count(locks);
+  return real(mutex);
+}
+int pthread_mutex_trylock(pthread_mutex_t* mutex) {
+  static const auto real =
+      reinterpret_cast<int (*)(pthread_mutex_t*)>(dlsym(RTLD_NEXT, "pthread_mutex_trylock"));
+  count(locks);
+  return real(mutex);
+}
+}
+
+namespace hrt::test {
+namespace {
+
+class RealTimeTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    hrt_reach_config_default(&reach, sizeof reach);
+    reach.real_target = add(HRT_TARGET_REAL, -5.0);
+    reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  }
+
+  /// Every real-time call, and every way in which it can fail. Returns how many did not end as they should.
+  int call_everything() const {
+    int wrong = 0;
+    const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
+    auto command = output<hrt_command>();
+    auto summary = output<hrt_reach_summary>();
+    const hrt_sample nan = direction_sample(0, std::nan("")), early = direction_sample(-1, 0.0);
+    hrt_sample both = direction_sample(0, 0.0);
+    both.flags = ~0u;
+    hrt_sample small = direction_sample(0, 0.0);
+    small.struct_size = 1;
+
+    expect(hrt_reach_update(session, &nan, &command), HRT_ERROR_WRONG_STATE);
+    expect(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE);
+    expect(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
+    expect(hrt_reach_begin(session, &reach), HRT_OK);
+    expect(hrt_reach_begin(session, &reach), HRT_ERROR_WRONG_STATE);
+    for (int i = 0; i < 1000; ++i) {
+      const hrt_sample direction = direction_sample(std::int64_t{i} * 20'000'000, 10.0 - 0.02 * i);
+      expect(hrt_reach_update(session, &direction, &command), HRT_OK);
+      if (i % 100 != 0) continue;
+      expect(hrt_reach_update(session, &early, &command), HRT_ERROR_TIME_REVERSED);
+      expect(hrt_reach_update(session, &nan, &command), HRT_ERROR_OUT_OF_RANGE);
+      expect(hrt_reach_update(session, &both, &command), HRT_ERROR_OUT_OF_RANGE);
+      expect(hrt_reach_update(session, &small, &command), HRT_ERROR_STRUCT_SIZE);
+      expect(hrt_reach_update(session, nullptr, &command), HRT_ERROR_NULL_ARGUMENT);
+      expect(hrt_reach_update(session, &direction, nullptr), HRT_ERROR_NULL_ARGUMENT);
+      expect(hrt_reach_update({42}, &direction, &command), HRT_ERROR_INVALID_HANDLE);
+    }
+    const hrt_sample hour_late = direction_sample(3'600'000'000'000, 0.0);
+    expect(hrt_reach_update(session, &hour_late, &command), HRT_OK);
+    expect(hrt_reach_end(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
+    expect(hrt_reach_end(session, &summary), HRT_OK);
+    return wrong;
+  }
+
+  hrt_reach_config reach;
+};
+
+TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
+  pthread_mutex_t mutex = PTHREAD_MUTEX_INITIALIZER;
+  watching = true;
+  const hrt_target of_the_librarys_memory = add(HRT_TARGET_REAL, 0.0);
+  watching = false;
+  ASSERT_GE(allocations, 1) << "the test does not see allocations";
+  ASSERT_OK(hrt_target_remove(session, of_the_librarys_memory));
+  watching = true;
+  pthread_mutex_lock(&mutex);
+  watching = false;
+  pthread_mutex_unlock(&mutex);
+  ASSERT_EQ(locks, 1) << "the test does not see locks";
+
+  // On a thread of its own, whose first call of the library this is.
+  int wrong = -1;
+  std::thread([&] {
+    allocations = locks = 0;
+    watching = true;
+    wrong = call_everything();
+    watching = false;
+  }).join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(locks, 0);
+}
+
+// From here on the kernel ends this process with SIGSYS at any system call but exit_group.
+bool forbid_system_calls() {
+  sock_filter filter[] = {
+      BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(seccomp_data, nr)),
+      BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_exit_group, 0, 1),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
+      BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
+  };
+  const sock_fprog program{.len = sizeof filter / sizeof *filter, .filter = filter};
+  return prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+         prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+}
+
+template <class Body>
+int status_without_system_calls(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!forbid_system_calls()) _exit(99);
+    _exit(body());
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+TEST_F(RealTimeTest, MakesNoSystemCall) {
+  const int guarded = status_without_system_calls([] { return getppid() > 0 ? 0 : 1; });
+  ASSERT_TRUE(WIFSIGNALED(guarded) && WTERMSIG(guarded) == SIGSYS) << "the test does not see system calls";
+
+  const int status = status_without_system_calls([&] { return call_everything(); });
+  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+}  // namespace
+}  // namespace hrt::test
