@@ -66,23 +66,6 @@ std::string joined(const std::vector<double>& values) {
   return text;
 }
 
-// `check` returns whether it took the text.
-template <typename Check>
-CLI::Option* add(CLI::App& app, const std::string& name, const std::string& allowed,
-                 const std::string& default_text, const std::string& help, Check check) {
-  return app
-      .add_option(
-          name,
-          [name, allowed, check](const CLI::results_t& texts) {
-            if (!check(texts.back())) throw UsageError(not_allowed(name, texts.back(), allowed));
-            return true;
-          },
-          help)
-      ->type_name(allowed)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
-      ->default_str(default_text);
-}
-
 bool takes_value(const CLI::Option* option) {
   return option->get_items_expected_max() > 0;
 }
@@ -101,9 +84,25 @@ std::string NumberRange::text() const {
          (high_allowed ? "]" : ")") + (infinity_allowed ? ", or inf" : "");
 }
 
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& allowed,
+                       const std::string& default_text, const std::string& help,
+                       const std::function<bool(const std::string&)>& take) {
+  return app
+      .add_option(
+          name,
+          [name, allowed, take](const CLI::results_t& texts) {
+            if (!take(texts.back())) throw UsageError(not_allowed(name, texts.back(), allowed));
+            return true;
+          },
+          help)
+      ->type_name(allowed)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast)
+      ->default_str(default_text);
+}
+
 CLI::Option* add_number(CLI::App& app, const std::string& name, double* value, NumberRange range,
                         const std::string& help) {
-  return add(app, name, range.text(), number(*value), help, [value, range](const std::string& text) {
+  return add_value(app, name, range.text(), number(*value), help, [value, range](const std::string& text) {
     const auto parsed = parse<double>(text);
     if (!parsed || !range.contains(*parsed)) return false;
     *value = *parsed;
@@ -113,33 +112,33 @@ CLI::Option* add_number(CLI::App& app, const std::string& name, double* value, N
 
 CLI::Option* add_integer(CLI::App& app, const std::string& name, std::uint64_t* value, std::uint64_t low,
                          std::uint64_t high, const std::string& help) {
-  return add(app, name, integer_text(low, high), std::to_string(*value), help,
-             [value, low, high](const std::string& text) {
-               const auto parsed = parse<std::uint64_t>(text);
-               if (!parsed || *parsed < low || *parsed > high) return false;
-               *value = *parsed;
-               return true;
-             });
+  return add_value(app, name, integer_text(low, high), std::to_string(*value), help,
+                   [value, low, high](const std::string& text) {
+                     const auto parsed = parse<std::uint64_t>(text);
+                     if (!parsed || *parsed < low || *parsed > high) return false;
+                     *value = *parsed;
+                     return true;
+                   });
 }
 
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>* values,
                          NumberRange range, const std::string& help) {
-  return add(app, name, "a list a,b,c or first:last:count, each " + range.text(), joined(*values), help,
-             [values, range](const std::string& text) {
-               const auto list = parse_list(text);
-               if (!list) return false;
-               for (const double value : *list)
-                 if (!range.contains(value)) return false;
-               *values = *list;
-               return true;
-             });
+  return add_value(app, name, "a list a,b,c or first:last:count, each " + range.text(), joined(*values), help,
+                   [values, range](const std::string& text) {
+                     const auto list = parse_list(text);
+                     if (!list) return false;
+                     for (const double value : *list)
+                       if (!range.contains(value)) return false;
+                     *values = *list;
+                     return true;
+                   });
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string* value,
                         const std::vector<std::string>& allowed, const std::string& help) {
   std::string words;
   for (const std::string& word : allowed) words += (words.empty() ? "" : ", ") + word;
-  return add(app, name, "one of " + words, *value, help, [value, allowed](const std::string& text) {
+  return add_value(app, name, "one of " + words, *value, help, [value, allowed](const std::string& text) {
     if (std::find(allowed.begin(), allowed.end(), text) == allowed.end()) return false;
     *value = text;
     return true;
@@ -148,7 +147,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string* val
 
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::string* value, const std::string& what,
                       const std::string& help) {
-  return add(app, name, what, *value, help, [value](const std::string& text) {
+  return add_value(app, name, what, *value, help, [value](const std::string& text) {
     *value = text;
     return !text.empty() && text.find('\0') == std::string::npos;
   });

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -40,6 +41,12 @@ inline constexpr NumberRange direction_range{-180.0, 180.0};
 inline constexpr NumberRange gap_range{-90.0, 90.0, false, false};
 inline constexpr NumberRange plate_bound_range{0.0, 90.0, false};
 inline constexpr NumberRange plate_rate_bound_range{0.0, 360.0, false, true, true};
+
+/// Adds `name VALUE`. `take` stores the text's value, or returns false if it is not `allowed`: that, and the
+/// default, are what the help and the error message say.
+CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& allowed,
+                       const std::string& default_text, const std::string& help,
+                       const std::function<bool(const std::string&)>& take);
 
 /// Adds `name VALUE` for a number of `range`; the help shows the range and `*value` as the default.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double* value, NumberRange range,

@@ -63,6 +63,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   add_table1(app);
   add_trial(app);
+  add_sweep(app);
   add_authority(app);
   try {
     app.parse(argc, argv);

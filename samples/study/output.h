@@ -24,6 +24,9 @@ std::string left(std::string_view text, std::size_t width);
 /// then renamed. Throws std::runtime_error, and leaves nothing behind, if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);
 
+/// Writes all of `content` to an open file. Returns 0, or errno.
+int write_all(int file, std::string_view content);
+
 /// Where a subcommand's result goes: a file, or standard output for an empty path. Made before the work, so
 /// that a place that can't be written is known at once.
 class Output {

@@ -84,6 +84,30 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"authority", "--gap", "1:nan:3"}, "--gap", "first:last:count"},
         BadArgument{{"authority", "--gap", "0:90:10"}, "--gap", "a number in (-90, 90)"}));
 
+const std::string part = "i/n, whole numbers with 1 <= i <= n";
+const std::string many = "1:40:100";
+
+INSTANTIATE_TEST_SUITE_P(
+    Sweep, StudyBadArgument,
+    testing::Values(
+        BadArgument{{"sweep", "--part", "0/3"}, "--part", part},
+        BadArgument{{"sweep", "--part", "4/3"}, "--part", part},
+        BadArgument{{"sweep", "--part", "1"}, "--part", part},
+        BadArgument{{"sweep", "--part", "1/3x"}, "--part", part},
+        BadArgument{{"sweep", "--part", "-1/3"}, "--part", part},
+        BadArgument{{"sweep", "--part", "1/9999999"}, "--part", part},
+        BadArgument{{"sweep", "--trials", "0"}, "--trials", "a whole number from 1"},
+        BadArgument{{"sweep", "--horizon", "3,51"}, "--horizon", from_1_to_50},
+        BadArgument{{"sweep", "--horizon", "1:2:3"}, "--horizon", from_1_to_50},
+        BadArgument{{"sweep", "--motor-variance", "1,-1"}, "--motor-variance", "a number in [0, 1e+06]"},
+        BadArgument{{"sweep", "--gap", "nan"}, "--gap", "a number in (-90, 90)"},
+        BadArgument{
+            {"sweep", "--gap", "89.99999999999999", "--virtual", "-180"}, "--gap", "a number in (-90, 90)"},
+        BadArgument{{"sweep", "--gap", many, "--virtual", many, "--plate-bound", many, "--motor-variance",
+                     many, "--sensory-variance", many},
+                    "--gap and the other lists",
+                    "at most 4294967295 combinations"}));
+
 INSTANTIATE_TEST_SUITE_P(
     Output, StudyBadArgument,
     testing::Values(
@@ -105,7 +129,7 @@ TEST(StudyArguments, AnUnknownOptionIsNamed) {
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
-  for (const std::string subcommand : {"table1", "trial", "authority"}) {
+  for (const std::string subcommand : {"table1", "trial", "sweep", "authority"}) {
     const StudyRun run = run_study({subcommand, "--help"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");
