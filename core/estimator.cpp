@@ -1,60 +1,172 @@
 #include "core/estimator.h"
 
+#include <algorithm>
 #include <cmath>
 
+#include "core/time.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
+namespace {
 
-double bearing_deg(const PlatePoint& from, const PlatePoint& to) {
-  return atan2_deg(from.right_m - to.right_m, to.away_m - from.away_m);
+constexpr double mm_per_m = 1000.0;
+constexpr double rad_per_deg = 0.017453292519943295;
+
+// People speed up and slow down within about half a second by some tens of mm/s: a random walk of the
+// speed with this density covers a minimum-jerk slide of 100 mm in 2 to 4 s.
+constexpr double speed_density_mm2_s3 = 300.0;
+// Before anything is seen: a slow slide, along the mid-line or so.
+constexpr double initial_speed_mm_s = 30.0;
+constexpr double initial_speed_sd_mm_s = 30.0;
+constexpr double initial_direction_sd_deg = 4.0;
+// w_T drifts by about this in a model step: a tenth of its prior over a reach.
+constexpr double weight_drift_sd = 0.001;
+// The direction of an exact sample.
+constexpr double exact_direction_variance_deg2 = 1e-12;
+// Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
+constexpr double initial_noise_mm2 = 0.3 * 0.3;
+constexpr double least_noise_mm2 = 0.01 * 0.01;
+// Positions beyond five standard deviations are left out.
+constexpr double outlier_innovation = 25.0;
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+  return static_cast<double>(elapsed_ns(from_ns, to_ns)) * 1e-9;
 }
 
-double distance_m(const PlatePoint& from, const PlatePoint& to) {
-  const double right_m = to.right_m - from.right_m;
-  const double away_m = to.away_m - from.away_m;
-  return std::sqrt(right_m * right_m + away_m * away_m);
+}  // namespace
+
+bool is_valid(const EstimatorConfig& config) {
+  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 && config.tracker_noise_m >= 0.0 &&
+         config.tracker_noise_m <= 0.1;
 }
 
-void Estimator::observe(const FingerSample& sample) {
-  switch (sample.observation) {
-    case Observation::none:
-      return;
-    case Observation::direction:
-      observed_direction_deg_ = sample.direction_deg;
-      if (!motion_start_ns_) motion_start_ns_ = step_start_ns_ = sample.time_ns;
-      return;
-    case Observation::position:
-      if (!motion_start_ns_) {
-        if (!rest_) rest_ = sample.position;
-        if (distance_m(*rest_, sample.position) >= least_travel_m) {
-          // After a gap nobody knows when the motion started: it starts now.
-          const bool seen_at_rest = elapsed_ns(position_ns_, sample.time_ns) < step_period_ns_;
-          motion_start_ns_ = step_start_ns_ = seen_at_rest ? position_ns_ : sample.time_ns;
-          step_base_ = seen_at_rest ? position_ : sample.position;
-        }
-      } else if (!step_base_) {
-        step_base_ = sample.position;
-      }
-      position_ = sample.position;
-      position_ns_ = sample.time_ns;
-      return;
+Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+                     const PlatePoint& start)
+    : config_(config), goal_direction_deg_(goal_direction_deg) {
+  const double noise_mm = config.tracker_noise_m * mm_per_m;
+  noise_variance_mm2_ = noise_mm > 0.0 ? noise_mm * noise_mm : initial_noise_mm2;
+  state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,
+      participant.tactile_weight;
+  covariance_.setZero();
+  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+  covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
+  covariance_(direction, direction) = initial_direction_sd_deg * initial_direction_sd_deg;
+  if (config.adapt) covariance_(weight, weight) = config.tactile_weight_sd * config.tactile_weight_sd;
+}
+
+void Estimator::rest_at(const PlatePoint& place) {
+  state_(right) = place.right_m * mm_per_m;
+  state_(away) = place.away_m * mm_per_m;
+  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+}
+
+void Estimator::move(double elapsed_s) {
+  const double sine = sin_deg(state_(direction));
+  const double cosine = cos_deg(state_(direction));
+  const double travel_mm = state_(speed) * elapsed_s;
+  // Left is positive for directions, right for positions.
+  state_(right) -= travel_mm * sine;
+  state_(away) += travel_mm * cosine;
+
+  const auto carry = [this](Index to, double by_speed, double by_direction) {
+    covariance_.row(to) += by_speed * covariance_.row(speed) + by_direction * covariance_.row(direction);
+    covariance_.col(to) += by_speed * covariance_.col(speed) + by_direction * covariance_.col(direction);
+  };
+  carry(right, -elapsed_s * sine, -travel_mm * cosine * rad_per_deg);
+  carry(away, elapsed_s * cosine, -travel_mm * sine * rad_per_deg);
+  covariance_(speed, speed) += speed_density_mm2_s3 * elapsed_s;
+}
+
+void Estimator::end_step(double plate_orientation_deg, double gain, double step_variance_deg2) {
+  const double w = state_(weight);
+  const double finger_offset_deg = state_(direction) - goal_direction_deg_;
+  const double plate_offset_deg = plate_orientation_deg - goal_direction_deg_;
+  // P_k+1 = P_k - K (w_T t + (1 - w_T) p) + noise
+  state_(direction) -= gain * (w * plate_offset_deg + (1.0 - w) * finger_offset_deg);
+  const double by_direction = 1.0 - gain * (1.0 - w);
+  const double by_weight = -gain * (plate_offset_deg - finger_offset_deg);
+  covariance_.row(direction) =
+      by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
+  covariance_.col(direction) =
+      by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
+  covariance_(direction, direction) += step_variance_deg2;
+  if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
+}
+
+void Estimator::observe_direction(double direction_deg) {
+  correct(direction, direction_deg - state_(direction), exact_direction_variance_deg2);
+  state_(direction) = direction_deg;
+}
+
+bool Estimator::observe_position(const PlatePoint& position) {
+  const double right_innovation_mm = position.right_m * mm_per_m - state_(right);
+  const double away_innovation_mm = position.away_m * mm_per_m - state_(away);
+  const double a = covariance_(right, right) + noise_variance_mm2_;
+  const double b = covariance_(right, away);
+  const double c = covariance_(away, away) + noise_variance_mm2_;
+  normalised_innovation_ =
+      (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
+       a * away_innovation_mm * away_innovation_mm) /
+      (a * c - b * b);
+  if (normalised_innovation_ > outlier_innovation && ++outliers_ <= most_outliers) return false;
+  if (outliers_ > most_outliers) {
+    // The tracker has jumped, or the finger has been moved: what was believed of the place is void.
+    covariance_.row(right).setZero();
+    covariance_.col(right).setZero();
+    covariance_.row(away).setZero();
+    covariance_.col(away).setZero();
+    covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+    state_(right) = position.right_m * mm_per_m;
+    state_(away) = position.away_m * mm_per_m;
+    outliers_ = 0;
+    return true;
   }
+  outliers_ = 0;
+  correct(right, right_innovation_mm, noise_variance_mm2_);
+  correct(away, position.away_m * mm_per_m - state_(away), noise_variance_mm2_);
+  return true;
 }
 
-void Estimator::begin_step(std::int64_t time_ns) {
-  step_start_ns_ = time_ns;
-  observed_direction_deg_.reset();
-  step_base_.reset();
+void Estimator::learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) {
+  if (config_.tracker_noise_m > 0.0 || (last_ && time_ns <= last_->time_ns)) return;
+  if (last_but_one_) {
+    const double share =
+        seconds(last_but_one_->time_ns, last_->time_ns) / seconds(last_but_one_->time_ns, time_ns);
+    const auto departure_mm2 = [&](double first_m, double middle_m, double last_m) {
+      const double departure_mm = mm_per_m * (middle_m - ((1.0 - share) * first_m + share * last_m));
+      return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
+    };
+    const double seen_mm2 =
+        0.5 * (departure_mm2(last_but_one_->point.right_m, last_->point.right_m, position.right_m) +
+               departure_mm2(last_but_one_->point.away_m, last_->point.away_m, position.away_m));
+    noise_weight_ += 1.0;
+    // A jump is no noise: it counts for nine times the variance at most.
+    noise_variance_mm2_ +=
+        (std::min(seen_mm2, 9.0 * noise_variance_mm2_) - noise_variance_mm2_) / noise_weight_;
+    noise_variance_mm2_ = std::max(noise_variance_mm2_, least_noise_mm2);
+  }
+  last_but_one_ = last_;
+  last_ = {time_ns, position};
 }
 
-std::optional<double> Estimator::direction_deg() const {
-  if (observed_direction_deg_) return observed_direction_deg_;
-  const bool enough = motion_start_ns_ && step_base_ &&
-                      elapsed_ns(step_start_ns_, position_ns_) >= step_period_ns_ / 2 &&
-                      distance_m(*step_base_, *position_) >= least_travel_m;
-  if (!enough) return std::nullopt;
-  return bearing_deg(*step_base_, *position_);
+// One scalar measurement of one component.
+void Estimator::correct(Index measured, double innovation, double noise_variance) {
+  const State column = covariance_.col(measured);
+  const State gain = column / (column(measured) + noise_variance);
+  state_ += gain * innovation;
+  covariance_ -= gain * column.transpose();
+  state_(weight) = std::clamp(state_(weight), least_tactile_weight, most_tactile_weight);
+  state_(speed) = std::max(state_(speed), 0.0);
+}
+
+FingerEstimate Estimator::estimate() const {
+  return {.position = {state_(right) / mm_per_m, state_(away) / mm_per_m},
+          .speed_m_s = state_(speed) / mm_per_m,
+          .direction_deg = state_(direction),
+          .direction_sd_deg = std::sqrt(std::max(covariance_(direction, direction), 0.0)),
+          .tactile_weight = state_(weight),
+          .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
+          .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m};
 }
 
 }  // namespace hrt

@@ -1,29 +1,23 @@
-// What is known of the finger's motion: tracked samples in, the direction of each model step out.
+// What is known of this finger and this participant: tracked samples in, motion and w_T out.
 //
-// Samples carry either directions, taken as exact (the paper's way), or positions on the plate, whose
-// displacement within a step gives its direction.
+// An extended Kalman filter whose process is the participant of paper section II-A (core/README.md has the
+// equations): position on the plate, speed, direction of motion and w_T, with their covariance. Directions
+// are taken as exact, the paper's way; positions carry the tracker's noise, which is learnt on the way.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <optional>
 
+#include "core/perception.h"
+#include "core/plate_point.h"
+
 namespace hrt {
-
-/// A place in the plane of the plate, in metres: `right_m` to the user's right, `away_m` along the
-/// mid-line away from the user.
-struct PlatePoint {
-  double right_m = 0.0;
-  double away_m = 0.0;
-};
-
-/// Direction from `from` to `to`, degrees counter-clockwise from the mid-line; 0 if they coincide.
-double bearing_deg(const PlatePoint& from, const PlatePoint& to);
-
-double distance_m(const PlatePoint& from, const PlatePoint& to);
 
 /// What a sample observed of the finger.
 enum class Observation {
-  none,       ///< nothing usable: tracking lost, finger lifted
+  none,       ///< nothing: tracking lost
+  lifted,     ///< the finger is off the plate: nothing is felt
   direction,  ///< FingerSample::direction_deg
   position,   ///< FingerSample::position
 };
@@ -38,47 +32,93 @@ struct FingerSample {
   std::optional<double> plate_orientation_deg;
 };
 
-/// Nanoseconds from `from_ns` to `to_ns`, which is not before it; whatever their signs, without overflow.
-constexpr std::uint64_t elapsed_ns(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<std::uint64_t>(to_ns) - static_cast<std::uint64_t>(from_ns);
-}
+/// What the estimator assumes before it has seen anything.
+struct EstimatorConfig {
+  /// Learn w_T; if not, participant.tactile_weight is taken as the truth.
+  bool adapt = false;
+  /// Standard deviation of w_T about participant.tactile_weight before a reach, in (0, 0.5).
+  double tactile_weight_sd = 0.05;
+  /// White noise of a tracked coordinate, metres in [0, 0.1]; 0: learn it from the samples.
+  double tracker_noise_m = 0.0;
+};
 
-/// Turns samples into one direction a model step. No heap, no lock, no exception. One thread at a time.
+/// True if every field is in its range.
+bool is_valid(const EstimatorConfig& config);
+
+/// What is known now. Standard deviations are the filter's own.
+struct FingerEstimate {
+  PlatePoint position;
+  double speed_m_s = 0.0;
+  double direction_deg = 0.0;
+  double direction_sd_deg = 0.0;
+  double tactile_weight = 0.0;
+  double tactile_weight_sd = 0.0;
+  double tracker_noise_m = 0.0;
+};
+
+/// One reach. No heap, no lock, no exception. One thread at a time.
 class Estimator {
  public:
-  /// `step_period_ns` > 0.
-  explicit Estimator(std::int64_t step_period_ns)
-      : step_period_ns_(static_cast<std::uint64_t>(step_period_ns)) {}
+  /// About to move from rest at `start` along the mid-line, told to go to `goal_direction_deg`. Requires
+  /// valid arguments.
+  Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+            const PlatePoint& start);
 
-  /// Takes a sample in; its time must not be before the last one's.
-  void observe(const FingerSample& sample);
+  /// The finger has not moved yet, and rests at `place` after all.
+  void rest_at(const PlatePoint& place);
 
-  /// When the finger began to move, and the first model step with it: the time of the first direction,
-  /// or of the last position before the finger was `least_travel_m` from where it rested. Nothing before.
-  std::optional<std::int64_t> motion_start_ns() const { return motion_start_ns_; }
+  /// The finger moves on for `elapsed_s` >= 0 within a model step.
+  void move(double elapsed_s);
 
-  /// Starts a further model step at `time_ns`: only what is observed from then on counts for direction_deg().
-  void begin_step(std::int64_t time_ns);
+  /// A model step ends: the participant feels the plate at `plate_orientation_deg`, relative to the goal
+  /// within 90 degrees, and steers. `gain` and the variance of what the step adds to the direction are
+  /// the perception filter's.
+  void end_step(double plate_orientation_deg, double gain, double step_variance_deg2);
 
-  /// The finger's direction in this step, once it can be told: from a direction sample at once, from
-  /// positions when the step is half over and the finger has moved at least `least_travel_m`.
-  std::optional<double> direction_deg() const;
+  /// Takes a direction as exact.
+  void observe_direction(double direction_deg);
 
-  /// The last observed position.
-  std::optional<PlatePoint> position() const { return position_; }
+  /// Takes a position in. False if it lies so far off that it is
+  /// left out (five standard deviations, but for no more than `most_outliers` samples in a row).
+  bool observe_position(const PlatePoint& position);
 
-  /// A displacement shorter than this tells no direction.
-  static constexpr double least_travel_m = 0.0002;
+  /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
+  /// slow motion cancels, white noise stays. To be told every position, also of a finger at rest.
+  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position);
+
+  FingerEstimate estimate() const;
+
+  /// Normalised innovation squared of the last position, chi-squared with 2 degrees of freedom if the
+  /// filter's assumptions hold.
+  double normalised_innovation() const { return normalised_innovation_; }
+
+  static constexpr int most_outliers = 5;
+  /// w_T is kept in this range.
+  static constexpr double least_tactile_weight = 0.02;
+  static constexpr double most_tactile_weight = 0.48;
 
  private:
-  std::uint64_t step_period_ns_;
-  std::optional<std::int64_t> motion_start_ns_;
-  std::optional<PlatePoint> rest_;  // first position of the reach
-  std::optional<PlatePoint> position_;
-  std::int64_t position_ns_ = 0;
-  std::optional<double> observed_direction_deg_;
-  std::int64_t step_start_ns_ = 0;
-  std::optional<PlatePoint> step_base_;  // first position of the step
+  enum Index { right, away, speed, direction, weight, size };  // mm, mm, mm/s, degrees, 1
+  using State = Eigen::Matrix<double, size, 1>;
+  using Covariance = Eigen::Matrix<double, size, size>;
+
+  void correct(Index measured, double innovation, double noise_variance);
+
+  EstimatorConfig config_;
+  double goal_direction_deg_;
+  State state_;
+  Covariance covariance_;
+  double normalised_innovation_ = 0.0;
+  int outliers_ = 0;
+
+  struct TimedPoint {
+    std::int64_t time_ns;
+    PlatePoint point;
+  };
+  std::optional<TimedPoint> last_;
+  std::optional<TimedPoint> last_but_one_;
+  double noise_variance_mm2_;
+  double noise_weight_ = 1.0;  // samples that noise_variance_mm2_ stands for
 };
 
 }  // namespace hrt

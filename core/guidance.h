@@ -1,7 +1,7 @@
 // Which direction the finger is wanted in now.
 #pragma once
 
-#include "core/estimator.h"
+#include "core/plate_point.h"
 
 namespace hrt {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/trigonometry.h"
+
 namespace hrt {
 
 bool is_valid(const Participant& participant) {
@@ -24,6 +26,12 @@ FilterGain steady_gain(const Participant& participant) {
   const double prior_variance_deg2 = 0.5 * (q + std::sqrt(q * (q + 4.0 * r)));
   const double gain = prior_variance_deg2 / (prior_variance_deg2 + r);
   return {gain, (1.0 - gain) * prior_variance_deg2};
+}
+
+double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
+  const double offset_deg = plate_orientation_deg - goal_direction_deg;
+  if (std::abs(offset_deg) <= 90.0) return plate_orientation_deg;
+  return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg) {

@@ -8,8 +8,11 @@
 
 namespace hrt {
 
-/// The longest window of steps that is looked ahead.
+/// The longest window of steps that a controller looks ahead.
 inline constexpr int max_horizon = 50;
+
+/// The most steps that a command may take to reach the finger.
+inline constexpr int max_lead = 8;
 
 /// A participant's parameters (paper section II-A). The defaults are condition 1 of Table I with the
 /// sensory variance that fits that table.
@@ -39,6 +42,10 @@ FilterGain next_gain(const Participant& participant, double variance_deg2);
 /// Where the recursion of next_gain() settles, in closed form.
 FilterGain steady_gain(const Participant& participant);
 
+/// Ridges repeat every 180 degrees: the normal that is felt when the plate stands at
+/// `plate_orientation_deg` is the one within 90 degrees of the goal (paper section III).
+double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg);
+
 /// h_k = w_T T_k + (1 - w_T) P_k: what touch and proprioception report together.
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);
 
@@ -55,6 +62,9 @@ class PerceptionFilter {
   /// One step: the plate stands at `plate_orientation_deg` (T_k) while the finger moves along
   /// `finger_direction_deg` (P_k). Returns the perceived direction theta_hat_k.
   double update(double plate_orientation_deg, double finger_direction_deg);
+
+  /// From now on touch has this share of what is felt, in (0, 0.5).
+  void set_tactile_weight(double tactile_weight) { participant_.tactile_weight = tactile_weight; }
 
   /// u_k = -(theta_hat_k - G): the change of direction that the participant now commands.
   double motor_command_deg() const { return goal_direction_deg_ - perceived_direction_deg_; }
@@ -74,7 +84,8 @@ class PerceptionFilter {
 /// know them ahead: data() is K_k .. K_k+horizon-1.
 class GainWindow {
  public:
-  /// Starts at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon.
+  /// Starts at the first step of a reach. Requires is_valid(participant), 1 <= horizon <= max_horizon +
+  /// max_lead.
   GainWindow(const Participant& participant, int horizon);
 
   /// `horizon` gains, the current step's first. Valid until advance().
@@ -89,7 +100,7 @@ class GainWindow {
   int first_ = 0;
   double last_variance_deg2_;
   // A ring that holds every gain twice, so that a window is contiguous wherever it starts.
-  std::array<double, 2 * max_horizon> gains_{};
+  std::array<double, 2 * (max_horizon + max_lead)> gains_{};
 };
 
 }  // namespace hrt

@@ -25,6 +25,9 @@ class SimulatedParticipant {
   /// theta_hat: where the person felt the finger move in the last step.
   double perceived_direction_deg() const { return filter_.perceived_direction_deg(); }
 
+  /// From now on touch has this share of what is felt, in (0, 0.5).
+  void set_tactile_weight(double tactile_weight);
+
   /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
   ParticipantStep step(double plate_orientation_deg, double noise);

@@ -1,0 +1,116 @@
+#include "core/plate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/time.h"
+
+namespace hrt {
+namespace {
+
+// Motion with an acceleration limit is integrated in steps of this.
+constexpr std::int64_t tick_ns = 4'000'000;
+constexpr std::int64_t longest_motion_ns = 2'000'000'000;
+
+}  // namespace
+
+bool is_valid(const PlateDynamics& dynamics) {
+  return dynamics.max_speed_deg_s > 0.0 && dynamics.max_acceleration_deg_s2 > 0.0 &&
+         dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 &&
+         !std::isnan(dynamics.lower_stop_deg) && dynamics.upper_stop_deg - dynamics.lower_stop_deg >= 180.0;
+}
+
+double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateDynamics& dynamics) {
+  double half_turns = std::floor((current_deg - orientation_deg) / 180.0 + 0.5);
+  if (orientation_deg + 180.0 * half_turns > dynamics.upper_stop_deg) {
+    half_turns = std::floor((dynamics.upper_stop_deg - orientation_deg) / 180.0);
+  }
+  if (orientation_deg + 180.0 * half_turns < dynamics.lower_stop_deg) {
+    half_turns = std::ceil((dynamics.lower_stop_deg - orientation_deg) / 180.0);
+  }
+  return orientation_deg + 180.0 * half_turns;
+}
+
+Plate::Plate(const PlateDynamics& dynamics, double orientation_deg)
+    : dynamics_(dynamics), orientation_deg_(orientation_deg), target_deg_(orientation_deg) {}
+
+void Plate::advance(std::int64_t time_ns) {
+  if (!timed_) {
+    timed_ = true;
+    now_ns_ = time_ns;
+  }
+  if (time_ns <= now_ns_) return;
+  if (elapsed_ns(now_ns_, time_ns) > static_cast<std::uint64_t>(longest_motion_ns)) {
+    if (pending_count_ > 0) target_deg_ = pending_[pending_count_ - 1].orientation_deg;
+    pending_count_ = 0;
+    now_ns_ = time_ns - longest_motion_ns;
+  }
+  while (now_ns_ < time_ns) {
+    int due = 0;
+    while (due < pending_count_ && pending_[due].effective_ns <= now_ns_)
+      target_deg_ = pending_[due++].orientation_deg;
+    std::move(pending_.begin() + due, pending_.begin() + pending_count_, pending_.begin());
+    pending_count_ -= due;
+    if (pending_count_ == 0 && orientation_deg_ == target_deg_) break;
+    std::int64_t until_ns = time_ns;
+    if (std::isfinite(dynamics_.max_acceleration_deg_s2))
+      until_ns = std::min(until_ns, later_ns(now_ns_, tick_ns));
+    if (pending_count_ > 0) until_ns = std::min(until_ns, pending_[0].effective_ns);
+    turn(static_cast<double>(until_ns - now_ns_) * 1e-9);
+    now_ns_ = until_ns;
+  }
+  now_ns_ = time_ns;
+}
+
+void Plate::command(double orientation_deg) {
+  if (dynamics_.latency_ns == 0) {
+    pending_count_ = 0;
+    target_deg_ = orientation_deg;
+    if (std::isinf(dynamics_.max_speed_deg_s) && std::isinf(dynamics_.max_acceleration_deg_s2)) {
+      orientation_deg_ = orientation_deg;
+    }
+    return;
+  }
+  if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : target_deg_))
+    return;
+  const int slot = std::min(pending_count_, static_cast<int>(pending_.size()) - 1);
+  pending_[slot] = {later_ns(now_ns_, dynamics_.latency_ns), orientation_deg};
+  pending_count_ = slot + 1;
+}
+
+double Plate::orientation_at_deg(std::int64_t time_ns) const {
+  if (orientation_deg_ == target_deg_ && pending_count_ == 0) return orientation_deg_;
+  Plate ahead = *this;
+  ahead.advance(time_ns);
+  return ahead.orientation_deg_;
+}
+
+// Half the time speeding up and half slowing down, or with a stretch at full speed between.
+double Plate::reach_deg(double seconds) const {
+  if (seconds <= 0.0) return 0.0;
+  const double acceleration = dynamics_.max_acceleration_deg_s2;
+  const double speed = dynamics_.max_speed_deg_s;
+  if (std::isinf(acceleration)) return speed * seconds;
+  if (acceleration * seconds <= 2.0 * speed) return 0.25 * acceleration * seconds * seconds;
+  return speed * (seconds - speed / acceleration);
+}
+
+// As fast as the target allows: never faster than it can still brake from.
+void Plate::turn(double seconds) {
+  const double to_go_deg = target_deg_ - orientation_deg_;
+  const double acceleration = dynamics_.max_acceleration_deg_s2;
+  double wanted_deg_s = std::min(dynamics_.max_speed_deg_s, std::abs(to_go_deg) / seconds);
+  if (std::isfinite(acceleration)) {
+    wanted_deg_s = std::min(wanted_deg_s, std::sqrt(2.0 * acceleration * std::abs(to_go_deg)));
+    wanted_deg_s = std::copysign(wanted_deg_s, to_go_deg);
+    speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -acceleration * seconds, acceleration * seconds);
+  } else {
+    speed_deg_s_ = std::copysign(wanted_deg_s, to_go_deg);
+  }
+  const double turned_deg = speed_deg_s_ * seconds;
+  const bool arrives = std::abs(to_go_deg - turned_deg) < 1e-9;
+  orientation_deg_ = arrives ? target_deg_ : orientation_deg_ + turned_deg;
+  if (arrives) speed_deg_s_ = 0.0;
+}
+
+}  // namespace hrt
