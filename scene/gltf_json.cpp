@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -15,9 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-// What targets need of a file, and the buffers for their addresses.
-constexpr std::array kept_sections{
-    "asset", "extensionsRequired", "extensionsUsed", "nodes", "scene", "scenes", "buffers"};
+constexpr std::array needed_sections{"asset", "extensionsRequired", "extensionsUsed", "nodes", "scene",
+                                     "scenes"};
 
 // Required extensions that leave every node where it is; none of what they add is looked at.
 constexpr std::array harmless_prefixes{"KHR_materials_",
@@ -38,48 +36,82 @@ std::uint32_t little_endian(std::string_view four_bytes) {
   return value;
 }
 
+// Reads JSON without keeping any of it, and refuses what is not JSON or would take too much memory or stack
+// once kept. (A callback given to json::parse() could do the same, in time quadratic in the length of
+// arrays.)
+class LimitCheck : public nlohmann::json_sax<json> {
+ public:
+  explicit LimitCheck(const std::string& file) : file_(file) {}
+
+  void run(std::string_view text) { json::sax_parse(text, this); }
+
+  bool null() override { return count(); }
+  bool boolean(bool) override { return count(); }
+  bool number_integer(number_integer_t) override { return count(); }
+  bool number_unsigned(number_unsigned_t) override { return count(); }
+  bool number_float(number_float_t, const string_t&) override { return count(); }
+  bool string(string_t&) override { return count(); }
+  bool binary(binary_t&) override { return count(); }
+  bool key(string_t&) override { return true; }
+  bool start_object(std::size_t) override { return descend(); }
+  bool end_object() override { return ascend(); }
+  bool start_array(std::size_t) override { return descend(); }
+  bool end_array() override { return ascend(); }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
+    throw SceneError(file_ + ": not a glTF file: " + error.what());
+  }
+
+ private:
+  bool count() {
+    if (++values_ > gltf_limits::json_values) {
+      throw SceneError(file_ + ": its JSON has more than " + std::to_string(gltf_limits::json_values) +
+                       " values");
+    }
+    return true;
+  }
+  bool descend() {
+    if (++depth_ > gltf_limits::json_depth) {
+      throw SceneError(file_ + ": its JSON is nested deeper than " + std::to_string(gltf_limits::json_depth) +
+                       " levels");
+    }
+    return count();
+  }
+  bool ascend() {
+    --depth_;
+    return true;
+  }
+
+  const std::string& file_;
+  std::size_t values_ = 0;
+  int depth_ = 0;
+};
+
 class Checker {
  public:
   explicit Checker(const std::string& file) : file_(file) {}
 
   std::string run(std::string_view text) {
-    json document = parse(text);
+    LimitCheck(file_).run(text);
+    const json document = json::parse(text);
     if (!document.is_object()) {
       fail("not a glTF file: its JSON is not an object");
     }
     check_version(document);
     check_required_extensions(document);
     check_buffers(document);
-    document.erase("buffers");
     check_nodes(document);
     check_scenes(document);
-    return document.dump();
+    json needed;
+    for (const char* section : needed_sections) {
+      if (const auto found = document.find(section); found != document.end()) {
+        needed[section] = *found;
+      }
+    }
+    return needed.dump();
   }
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw SceneError(file_ + ": " + what); }
-
-  json parse(std::string_view text) const {
-    std::size_t values = 0;
-    const auto filter = [&](int depth, json::parse_event_t event, json& parsed) {
-      if (depth > gltf_limits::json_depth) {
-        fail("its JSON is nested deeper than " + std::to_string(gltf_limits::json_depth) + " levels");
-      }
-      if (++values > gltf_limits::json_values) {
-        fail("its JSON has more than " + std::to_string(gltf_limits::json_values) + " values");
-      }
-      if (depth == 1 && event == json::parse_event_t::key) {
-        return std::find(kept_sections.begin(), kept_sections.end(), parsed.get_ref<const std::string&>()) !=
-               kept_sections.end();
-      }
-      return true;
-    };
-    try {
-      return json::parse(text, filter);
-    } catch (const json::exception& error) {
-      fail(std::string("not a glTF file: ") + error.what());
-    }
-  }
 
   // An array of objects, or nothing; anything else is refused.
   const json& objects(const json& document, const char* section) const {

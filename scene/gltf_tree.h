@@ -17,7 +17,7 @@ namespace hrt {
 /// What a file may hold. Each limit is far above any real scene and keeps a hostile file's memory bounded.
 namespace gltf_limits {
 inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
-inline constexpr std::size_t json_values = 2'000'000;
+inline constexpr std::size_t json_values = 1'000'000;
 inline constexpr int json_depth = 64;
 inline constexpr std::size_t nodes = 100'000;
 inline constexpr int node_depth = 256;

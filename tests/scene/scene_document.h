@@ -1,0 +1,110 @@
+// glTF files in memory, for tests of the scene loader.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace hrt {
+
+/// Member by member as written: nlohmann's default sorts them.
+using Json = nlohmann::ordered_json;
+
+inline Json haptic(const char* role, Json more = Json::object()) {
+  more["role"] = role;
+  return {{"haptic", std::move(more)}};
+}
+
+inline Json node(const char* name, Json extras, Json more = Json::object()) {
+  more["name"] = name;
+  if (!extras.empty()) {
+    more["extras"] = std::move(extras);
+  }
+  return more;
+}
+
+/// A file whose nodes are all roots of its only scene, unless a node is among another's children.
+inline Json document(Json nodes) {
+  std::vector<bool> is_child(nodes.size(), false);
+  for (const Json& parent : nodes) {
+    for (const Json& child : parent.value("children", Json::array())) {
+      if (child.is_number_integer() && child >= 0 && child.get<std::size_t>() < nodes.size()) {
+        is_child[child.get<std::size_t>()] = true;
+      }
+    }
+  }
+  Json roots = Json::array();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    if (!is_child[i]) {
+      roots.push_back(i);
+    }
+  }
+  return {{"asset", {{"version", "2.0"}}},
+          {"scene", 0},
+          {"scenes", Json::array({{{"nodes", std::move(roots)}}})},
+          {"nodes", std::move(nodes)}};
+}
+
+inline Json plate(Json more = Json::object()) {
+  return node("Plate", haptic("plate", {{"radius_m", 0.075}}), std::move(more));
+}
+
+/// 100 mm straight ahead of the default start.
+inline Json real(Json more = {{"translation", {0.0, 0.0, -0.05}}}) {
+  return node("Real", haptic("real"), std::move(more));
+}
+
+/// 100 mm to the left of the default start.
+inline Json virtual_on_the_left() {
+  return node("Left", haptic("virtual"), {{"translation", {-0.1, 0.0, 0.05}}});
+}
+
+inline Scene load(const std::string& bytes, const char* name = "test.gltf") {
+  return load_scene(std::as_bytes(std::span(bytes)), name);
+}
+inline Scene load(const Json& document) {
+  return load(document.dump());
+}
+
+/// Why the file is refused; empty if it is not.
+inline std::string refusal(const std::string& bytes) {
+  try {
+    load(bytes);
+    return "";
+  } catch (const SceneError& error) {
+    return error.what();
+  }
+}
+inline std::string refusal(const char* text) {
+  return refusal(std::string(text));
+}
+inline std::string refusal(const Json& document) {
+  return refusal(document.dump());
+}
+
+inline std::string little_endian(std::size_t value) {
+  std::string bytes;
+  for (int i = 0; i < 4; ++i) {
+    bytes += static_cast<char>(value >> (8 * i) & 0xff);
+  }
+  return bytes;
+}
+
+/// The same as binary glTF, with `data` as its binary chunk (in multiples of 4 bytes).
+inline std::string glb(const Json& document, const std::string& data = "") {
+  std::string json = document.dump();
+  json.resize((json.size() + 3) / 4 * 4, ' ');
+  std::string chunks = little_endian(json.size()) + "JSON" + json;
+  if (!data.empty()) {
+    chunks += little_endian(data.size()) + std::string("BIN\0", 4) + data;
+  }
+  return "glTF" + little_endian(2) + little_endian(12 + chunks.size()) + chunks;
+}
+
+}  // namespace hrt

@@ -1,0 +1,208 @@
+// Scenes whose answer is known without a computer. The default plate has a radius of 75 mm, so that reaches
+// start at z = +50 mm.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include "tests/scene/scene_document.h"
+
+namespace hrt {
+namespace {
+
+const double half_root = std::sqrt(0.5);
+const Json quarter_left = {0.0, half_root, 0.0, half_root};  // about +Y, counter-clockwise from above
+
+TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
+  const Scene scene = load(document({plate(), real(), virtual_on_the_left()}));
+  EXPECT_EQ(scene.start_m.x, 0.0);
+  EXPECT_EQ(scene.start_m.y, 0.0);
+  EXPECT_DOUBLE_EQ(scene.start_m.z, 0.05);
+  EXPECT_FALSE(scene.start_path.has_value());
+  ASSERT_EQ(scene.targets.size(), 2u);
+  EXPECT_DOUBLE_EQ(scene.targets[0].direction_deg, 0.0);
+  EXPECT_DOUBLE_EQ(scene.targets[0].distance_m, 0.1);
+  EXPECT_DOUBLE_EQ(scene.targets[1].direction_deg, 90.0);
+  EXPECT_EQ(scene.targets[1].served_by, 0u);
+}
+
+// A start 40 mm nearer to the user and 30 mm to the right of a target 120 mm up: 3-4-5, seen to the left.
+TEST(SceneGeometry, StartNodeAndHeight) {
+  const Json start = node("Start", haptic("start"), {{"translation", {0.03, 0.005, 0.02}}});
+  const Scene scene = load(document({plate(), start, real({{"translation", {0.0, 0.12, -0.02}}})}));
+  EXPECT_EQ(scene.start_path, "Start");
+  EXPECT_EQ(scene.start_m.y, 0.0);
+  EXPECT_NEAR(scene.targets[0].direction_deg, 36.86989764584402, 1e-12);
+  EXPECT_NEAR(scene.targets[0].distance_m, 0.05, 1e-15);
+  EXPECT_DOUBLE_EQ(scene.targets[0].position_m.y, 0.12);
+}
+
+// The plate at (1, 1, 1) looks along the world's -X, so its right is the world's -Z and 100 mm ahead of its
+// start, which lies at (1.05, 1, 1), is (0.95, 1, 1).
+TEST(SceneGeometry, TurnedPlate) {
+  const Scene scene = load(document({plate({{"translation", {1, 1, 1}}, {"rotation", quarter_left}}),
+                                     real({{"translation", {0.95, 1.0, 1.0}}}),
+                                     node("Right", haptic("virtual"), {{"translation", {1.05, 1.0, 0.9}}})}));
+  EXPECT_NEAR(scene.targets[0].direction_deg, 0.0, 1e-12);
+  EXPECT_NEAR(scene.targets[0].distance_m, 0.1, 1e-15);
+  EXPECT_NEAR(scene.targets[1].direction_deg, -90.0, 1e-12);
+  EXPECT_NEAR(scene.targets[1].position_m.x, 0.1, 1e-15);
+  EXPECT_DOUBLE_EQ(scene.targets[1].world_position_m.x, 1.05);
+  EXPECT_NEAR(scene.plate.pose.orientation.y, half_root, 1e-15);
+  EXPECT_NEAR(scene.plate.pose.orientation.w, half_root, 1e-15);
+}
+
+// A plate set up like a wall: half of a half turn about +X puts its normal along the world's +Z, its mid-line
+// up.
+TEST(SceneGeometry, PlateOnAWall) {
+  const Scene scene = load(document(
+      {plate({{"rotation", {half_root, 0.0, 0.0, half_root}}}), real({{"translation", {0.0, 0.05, 0.02}}})}));
+  EXPECT_NEAR(scene.targets[0].direction_deg, 0.0, 1e-12);
+  EXPECT_NEAR(scene.targets[0].distance_m, 0.1, 1e-15);
+  EXPECT_NEAR(scene.targets[0].position_m.y, 0.02, 1e-15);
+}
+
+// Group (10, 0, 0) turned a quarter left, in it a shelf 1 m along the group's -Z, which is the world's -X,
+// and on it the plate: at (9, 0, 0), looking along -X. The same with every transform as a matrix.
+TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {
+  const Json nodes = {
+      node("Group", {}, {{"translation", {10, 0, 0}}, {"rotation", quarter_left}, {"children", {1}}}),
+      node("Shelf", {}, {{"translation", {0, 0, -1}}, {"children", {2, 3}}}), plate(), real()};
+  const Json matrices = {
+      node("Group", {}, {{"matrix", {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, 10, 0, 0, 1}}, {"children", {1}}}),
+      node("Shelf", {},
+           {{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -1, 1}}, {"children", {2, 3}}}),
+      plate(), real({{"matrix", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, -0.05, 1}}})};
+  for (const Json& form : {nodes, matrices}) {
+    const Scene scene = load(document(form));
+    EXPECT_EQ(scene.plate.node_path, "Group/Shelf/Plate");
+    EXPECT_NEAR(scene.plate.pose.position_m.x, 9.0, 1e-15);
+    EXPECT_NEAR(scene.plate.pose.position_m.z, 0.0, 1e-15);
+    EXPECT_NEAR(scene.plate.pose.orientation.y, half_root, 1e-15);
+    EXPECT_NEAR(scene.targets[0].world_position_m.x, 8.95, 1e-15);
+    EXPECT_NEAR(scene.targets[0].direction_deg, 0.0, 1e-12);
+    EXPECT_NEAR(scene.targets[0].distance_m, 0.1, 1e-12);
+    EXPECT_EQ(scene.targets[0].node_path, "Group/Shelf/Real");
+  }
+}
+
+// Scale moves what is below the scaled node, and leaves the plate's radius in metres.
+TEST(SceneGeometry, ScaleMovesWhatIsBelowIt) {
+  const Json doubled = node("Group", {}, {{"scale", {3.0, 5.0, 2.0}}, {"children", {1, 2}}});
+  const Scene scene = load(document({doubled, plate(), real({{"translation", {-0.05, 0.01, 0.025}}})}));
+  EXPECT_DOUBLE_EQ(scene.plate.radius_m, 0.075);
+  EXPECT_DOUBLE_EQ(scene.start_m.z, 0.05);
+  EXPECT_DOUBLE_EQ(scene.targets[0].position_m.x, -0.15);
+  EXPECT_DOUBLE_EQ(scene.targets[0].position_m.y, 0.05);
+  EXPECT_DOUBLE_EQ(scene.targets[0].position_m.z, 0.05);
+  EXPECT_DOUBLE_EQ(scene.targets[0].direction_deg, 90.0);
+}
+
+// The plate's own scale moves nothing. A mirrored +X leaves normal and mid-line, so left stays left; a
+// mirrored -Z turns the mid-line round, and a mirrored +Y the normal, about which right and left change
+// places.
+TEST(SceneGeometry, NegativeScaleOfThePlate) {
+  const Json left = node("Left", haptic("real"), {{"translation", {-0.03, 0.0, 0.0}}});
+  const auto position = [&](const Json& scale) {
+    return load(document({plate({{"scale", scale}}), left})).targets[0].position_m;
+  };
+  EXPECT_DOUBLE_EQ(position({2.0, 3.0, 4.0}).x, -0.03);
+  EXPECT_DOUBLE_EQ(position({-1.0, 1.0, 1.0}).x, -0.03);
+  EXPECT_DOUBLE_EQ(position({1.0, 1.0, -1.0}).x, 0.03);
+  EXPECT_DOUBLE_EQ(position({1.0, -1.0, 1.0}).x, 0.03);
+  EXPECT_DOUBLE_EQ(position({-1.0, -1.0, -1.0}).x, -0.03);
+}
+
+// A quarter turn inside an uneven scale swaps the scaled axes and keeps them perpendicular; an eighth does
+// not.
+TEST(SceneGeometry, ShearedPlateIsRefused) {
+  const double sin_deg_22_5 = std::sqrt(0.5 - 0.5 * half_root);
+  const double cos_deg_22_5 = std::sqrt(0.5 + 0.5 * half_root);
+  const Json group = node("Group", {}, {{"scale", {1.0, 1.0, 3.0}}, {"children", {1}}});
+  EXPECT_EQ(refusal(document({group, plate({{"rotation", {half_root, 0.0, 0.0, half_root}}})})), "");
+  EXPECT_EQ(refusal(document({group, plate({{"rotation", {0.0, sin_deg_22_5, 0.0, cos_deg_22_5}}})})), "");
+  EXPECT_EQ(refusal(document({group, plate({{"rotation", {sin_deg_22_5, 0.0, 0.0, cos_deg_22_5}}})})),
+            "test.gltf: node \"Group/Plate\": its transform is sheared: the plate's normal (+Y) and mid-line "
+            "(-Z) are "
+            "not perpendicular");
+}
+
+TEST(SceneGeometry, DefaultSceneOfSeveral) {
+  Json file = document({plate(), real(), node("Other", haptic("plate", {{"radius_m", 1.0}}))});
+  file["scenes"] = Json::array({{{"nodes", {2}}}, {{"nodes", {0, 1}}}});
+  file["scene"] = 1;
+  EXPECT_EQ(load(file).plate.node_path, "Plate");
+  file["scene"] = 0;
+  EXPECT_EQ(load(file).plate.node_path, "Other");
+  file.erase("scene");
+  EXPECT_EQ(refusal(file), "test.gltf: has 2 scenes and no default: `scene` must tell which one to read");
+  file["scenes"].erase(0);
+  EXPECT_EQ(load(file).plate.node_path, "Plate");
+  file.erase("scenes");
+  EXPECT_EQ(refusal(file), "test.gltf: has 0 scenes and no default: `scene` must tell which one to read");
+}
+
+// Two nodes may show one mesh; roles belong to nodes.
+TEST(SceneGeometry, InstancedMeshesAreTwoTargets) {
+  const Json left = node("Left", haptic("virtual"), {{"mesh", 0}, {"translation", {-0.1, 0.0, 0.05}}});
+  Json file = document({plate(), real({{"mesh", 0}, {"translation", {0.0, 0.0, -0.05}}}), left});
+  file["meshes"] = Json::array({{{"primitives", Json::array({{{"attributes", {{"POSITION", 0}}}}})}}});
+  const Scene scene = load(file);
+  ASSERT_EQ(scene.targets.size(), 2u);
+  EXPECT_DOUBLE_EQ(scene.targets[0].direction_deg, 0.0);
+  EXPECT_DOUBLE_EQ(scene.targets[1].direction_deg, 90.0);
+}
+
+TEST(SceneGeometry, FlatPropertiesMeanTheSame) {
+  const Json flat_plate = node("Plate", {{"haptic_role", "plate"},
+                                         {"haptic_radius_m", 0.075},
+                                         {"haptic_max_speed_deg_s", 400},
+                                         {"unrelated", Json::array()}});
+  const Json flat_real =
+      node("Brass", {{"haptic_role", "real"}, {"haptic_name", "cylinder"}, {"haptic_radius_m", 1}},
+           {{"translation", {0.0, 0.0, -0.05}}});
+  const Json flat_virtual = node("Bottle", {{"haptic_role", "virtual"}, {"haptic_served_by", "cylinder"}},
+                                 {{"translation", {-0.1, 0.0, 0.05}}});
+  const Scene scene = load(document({flat_plate, flat_real, flat_virtual}));
+  EXPECT_EQ(scene.plate.max_speed_deg_s, 400.0);
+  EXPECT_EQ(scene.targets[0].name, "cylinder");
+  EXPECT_EQ(scene.targets[0].radius_m, 1.0);
+  EXPECT_EQ(scene.targets[1].name, "Bottle");
+  EXPECT_EQ(scene.targets[1].served_by, 0u);
+}
+
+TEST(SceneGeometry, NamelessNodesGoByTheirPath) {
+  Json group = {{"children", {1, 2}}};
+  Json target = {{"extras", haptic("real")}, {"translation", {0.0, 0.0, -0.05}}};
+  const Scene scene = load(document({group, plate(), target}));
+  EXPECT_EQ(scene.targets[0].name, "[0]/[2]");
+  EXPECT_EQ(scene.plate.node_path, "[0]/Plate");
+}
+
+TEST(SceneGeometry, BinaryFileFromMemoryAndFromDisk) {
+  Json file = document({plate(), real(), virtual_on_the_left()});
+  file["buffers"] = Json::array({{{"byteLength", 4}}});
+  const std::string bytes = glb(file, "abcd");
+  EXPECT_DOUBLE_EQ(load(bytes).targets[1].direction_deg, 90.0);
+
+  const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / "hrt_scene_geometry.glb";
+  std::ofstream(path, std::ios::binary) << bytes;
+  EXPECT_DOUBLE_EQ(load_scene(path).targets[1].direction_deg, 90.0);
+  std::filesystem::remove(path);
+}
+
+// Targets need neither images nor buffers: what is missing or broken there does no harm.
+TEST(SceneGeometry, ImagesAndBuffersAreNotOpened) {
+  Json file = document({plate(), real()});
+  file["buffers"] = Json::array({{{"byteLength", 1000}, {"uri", "no%20such.bin"}},
+                                 {{"byteLength", 5}, {"uri", "data:application/octet-stream;base64,%%%"}}});
+  file["bufferViews"] = Json::array({{{"buffer", 0}, {"byteOffset", 4000000000u}, {"byteLength", 1}}});
+  file["images"] = Json::array({{{"uri", "no such.png"}},
+                                {{"uri", "data:image/png;base64,AAAA"}},
+                                {{"bufferView", 0}, {"mimeType", "image/jpeg"}},
+                                Json::object()});
+  EXPECT_EQ(refusal(file), "");
+}
+
+}  // namespace
+}  // namespace hrt

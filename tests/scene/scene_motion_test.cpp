@@ -1,0 +1,110 @@
+// What must hold of every scene: moved as a whole, nothing on the plate changes; mirrored, directions change
+// sign.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/scene/scene_document.h"
+
+namespace hrt {
+namespace {
+
+class RandomScenes : public testing::Test {
+ protected:
+  double uniform(double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random_);
+  }
+
+  Json translation(double size_m) {
+    return {uniform(-size_m, size_m), uniform(-size_m, size_m), uniform(-size_m, size_m)};
+  }
+
+  Json rotation() {
+    std::normal_distribution<double> normal;
+    double q[4];
+    double squared_norm = 0.0;
+    for (double& component : q) {
+      component = normal(random_);
+      squared_norm += component * component;
+    }
+    const double norm = std::sqrt(squared_norm);
+    return {q[0] / norm, q[1] / norm, q[2] / norm, q[3] / norm};
+  }
+
+  // Node 0 is the root; the plate, a start and some targets are its children, placed at random.
+  Json nodes() {
+    Json result = {node("Root", {}, {{"children", {1, 2, 3, 4, 5}}}),
+                   plate({{"translation", translation(0.5)}, {"rotation", rotation()}})};
+    const Json at_plate = result[1]["translation"];
+    const auto near_plate = [&] {
+      Json place = translation(0.1);
+      for (std::size_t i = 0; i < 3; ++i) {
+        place[i] = place[i].get<double>() + at_plate[i].get<double>();
+      }
+      return place;
+    };
+    result.push_back(node("Real", haptic("real"), {{"translation", near_plate()}}));
+    for (const char* name : {"A", "B", "C"}) {
+      result.push_back(node(name, haptic("virtual"), {{"translation", near_plate()}}));
+    }
+    return result;
+  }
+
+  std::mt19937_64 random_{20210};
+};
+
+constexpr int trials = 200;
+
+TEST_F(RandomScenes, RigidMotionChangesNoDirection) {
+  for (int trial = 0; trial < trials; ++trial) {
+    Json file = nodes();
+    const Scene still = load(document(file));
+    file[0]["translation"] = translation(20.0);
+    file[0]["rotation"] = rotation();
+    const Scene moved = load(document(file));
+    ASSERT_EQ(moved.targets.size(), 4u);
+    for (std::size_t i = 0; i < 4; ++i) {
+      // 20 m hold 1e-15 of themselves: 4e-15 m at the least 1 mm from the start is 2e-10 degrees.
+      EXPECT_NEAR(moved.targets[i].direction_deg, still.targets[i].direction_deg, 1e-9);
+      EXPECT_NEAR(moved.targets[i].distance_m, still.targets[i].distance_m, 1e-13);
+      EXPECT_NEAR(moved.targets[i].position_m.y, still.targets[i].position_m.y, 1e-13);
+    }
+  }
+}
+
+// A mirror across the plate's own YZ plane: the targets change sides, the plate stays.
+TEST_F(RandomScenes, MirroringFlipsSigns) {
+  for (int trial = 0; trial < trials; ++trial) {
+    const Scene scene = load(document(nodes()));
+    Json mirrored = {node("Root", {}, {{"scale", {-1.0, 1.0, 1.0}}, {"children", {1, 2, 3, 4, 5}}}), plate()};
+    for (const SceneTarget& target : scene.targets) {
+      const Vec3 p = target.position_m;
+      mirrored.push_back(node(target.name.c_str(), haptic(target.served_by ? "virtual" : "real"),
+                              {{"translation", {p.x, p.y, p.z}}}));
+    }
+    const Scene seen = load(document(mirrored));
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_NEAR(seen.targets[i].direction_deg, -scene.targets[i].direction_deg, 1e-10);
+      EXPECT_NEAR(seen.targets[i].distance_m, scene.targets[i].distance_m, 1e-15);
+    }
+  }
+}
+
+// A fingertip on a target is where the scene says the target is, also once the plate has been moved: file and
+// tracker speak of the same coordinates.
+TEST_F(RandomScenes, FingertipOnATargetHasItsDirection) {
+  for (int trial = 0; trial < trials; ++trial) {
+    const Scene scene = load(document(nodes()));
+    for (const SceneTarget& target : scene.targets) {
+      FingerOnPlate finger{};
+      ASSERT_TRUE(locate_finger(surface_of(scene), scene.plate.pose, target.world_position_m, finger));
+      EXPECT_NEAR(finger.bearing.direction_deg, target.direction_deg, 1e-9);
+      EXPECT_NEAR(finger.bearing.distance_m, target.distance_m, 1e-14);
+      EXPECT_NEAR(finger.position_m.y, target.position_m.y, 1e-14);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hrt
