@@ -48,6 +48,7 @@
   X(xrConvertTimespecTimeToTimeKHR,         convert_timespec_time_to_time,           timespec)           \
   X(xrConvertTimeToTimespecTimeKHR,         convert_time_to_timespec_time,           timespec)           \
   X(xrPlacePlateHRTX,                       place_plate,                             ridged_plate)       \
+  X(xrSetSimulationSeedHRTX,                set_simulation_seed,                     ridged_plate)       \
   X(xrSetPlateOrientationHRTX,              set_plate_orientation,                   ridged_plate)       \
   X(xrGetPlateOrientationHRTX,              get_plate_orientation,                   ridged_plate)       \
   X(xrInstructReachHRTX,                    instruct_reach,                          ridged_plate)       \

@@ -70,6 +70,10 @@ typedef struct XrReachTruthHRTX {
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
 typedef XrResult (XRAPI_PTR *PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
+/* Noise comes from this seed from now on, and reaches are counted from 0 again: a run from here on with the
+** same seed, calls and times is the same bit for bit. At first the seed is 1. */
+typedef XrResult (XRAPI_PTR *PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed);
+
 /* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
 typedef XrResult (XRAPI_PTR *PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 

@@ -31,6 +31,11 @@ XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   return XR_SUCCESS;
 }
 
+XrResult set_simulation_seed(XrSession handle, std::uint64_t seed) {
+  runtime().registry.get<Session>(handle).world().set_seed(seed);
+  return XR_SUCCESS;
+}
+
 XrResult set_plate_orientation(XrSession handle, double orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,

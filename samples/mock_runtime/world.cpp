@@ -47,6 +47,11 @@ void World::place_plate(const Pose& plate, double radius_m) {
   plate_radius_m_ = radius_m;
 }
 
+void World::set_seed(std::uint64_t seed) {
+  settings_.seed = seed;
+  reaches_ = 0;
+}
+
 void World::instruct(XrHandEXT side, const ReachInstruction& instruction, double height_m, XrTime now) {
   const auto& participants = settings_.participants;
   Hand& hand = at(side);

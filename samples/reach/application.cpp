@@ -1,0 +1,136 @@
+#include "samples/reach/application.h"
+
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "samples/reach/reach.h"
+#include "samples/reach/runtime_plate.h"
+#include "samples/reach/status_line.h"
+#include "samples/reach/table.h"
+
+namespace hrt::reach {
+namespace {
+
+constexpr int losses_allowed = 3;  // of the session or the instance, in a row
+constexpr std::chrono::milliseconds runtime_limit{10'000};
+
+TargetSet load_targets(const Plugin& plugin, const Options& options) {
+  hrt_session_config config;
+  plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
+  config.tactile_weight = options.tactile_weight;
+  config.motor_variance_deg2 = options.motor_variance_deg2;
+  return load_targets(plugin, options.scene, config);
+}
+
+// What is to be reached for, in order.
+std::vector<TargetPair> choose(const TargetSet& targets, const Options& options) {
+  std::vector<TargetPair> chosen;
+  if (options.targets.empty()) chosen = targets.pairs;
+  for (const std::string& name : options.targets) {
+    const auto found = std::find_if(targets.pairs.begin(), targets.pairs.end(),
+                                    [&](const TargetPair& pair) { return pair.virtual_name == name; });
+    if (found == targets.pairs.end())
+      throw Failure(ExitCode::scene, "the scene has no virtual target named \"" + name + "\"");
+    chosen.push_back(*found);
+  }
+  if (chosen.empty()) throw Failure(ExitCode::scene, "the scene has no virtual target");
+  std::vector<TargetPair> all;
+  for (int round = 0; round < options.repeat; ++round) all.insert(all.end(), chosen.begin(), chosen.end());
+  return all;
+}
+
+// The reaches of one run, across as many sessions and instances as the runtime makes necessary.
+class Run {
+ public:
+  Run(const Options& options)
+      : options_(options),
+        plugin_(options.plugin),
+        targets_(load_targets(plugin_, options)),
+        pairs_(choose(targets_, options)),
+        table_(pairs_),
+        status_(options.verbose) {}
+
+  ~Run() { plugin_.hrt_session_destroy(targets_.session); }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
+
+  ExitCode run() {
+    int losses = 0;
+    while (next_ < pairs_.size()) {
+      const std::size_t before = next_;
+      try {
+        run_in_one_session();
+      } catch (const XrLost& lost) {
+        status_.clear();
+        losses = next_ == before ? losses + 1 : 1;
+        if (losses > losses_allowed)
+          throw Failure(ExitCode::runtime_failed,
+                        std::string("the OpenXR runtime was lost again and again: ") + lost.what());
+        std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
+      }
+    }
+    table_.print_legend(std::cout);
+    print_summary(std::cout, tally_);
+    return tally_.holdable_reached == tally_.holdable ? ExitCode::success : ExitCode::target_missed;
+  }
+
+ private:
+  // Makes instance and session and goes on with the reaches that are left.
+  void run_in_one_session() {
+    const XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
+    XrHeadlessSession session(runtime, targets_.plate_pose, runtime_limit);
+    if (!runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME))
+      throw Failure(ExitCode::plate, "the OpenXR runtime " + runtime.name() + " has no plate to turn");
+    Simulation simulation(runtime, session);
+    simulation.place_plate(targets_.plate_pose, targets_.plate_radius_m);
+    // A new session goes on with noise of its own, not with that of the reaches already made.
+    simulation.seed(options_.seed + next_);
+    RuntimePlate plate(simulation);
+    print_header_once(runtime);
+
+    Stage stage{.plugin = plugin_,
+                .targets = targets_,
+                .session = session,
+                .simulation = &simulation,
+                .plate = plate,
+                .hands = options_.hands,
+                .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
+                .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
+                .tell_user = [](const std::string& what) { std::cerr << what << "\n"; }};
+    for (; next_ < pairs_.size(); ++next_) {
+      const ReachResult result = run_reach(stage, pairs_[next_]);
+      status_.clear();
+      table_.print_row(std::cout, pairs_[next_], result);
+      tally_.add(pairs_[next_], result);
+    }
+    session.end();
+  }
+
+  void print_header_once(const XrRuntime& runtime) {
+    if (std::exchange(header_printed_, true)) return;
+    std::cout << "OpenXR runtime: " << runtime.name() << ". SIMULATION: the user is simulated, with seed "
+              << options_.seed << "; nothing here was measured on people.\n";
+    table_.print_header(std::cout);
+  }
+
+  const Options& options_;
+  Plugin plugin_;
+  TargetSet targets_;
+  std::vector<TargetPair> pairs_;
+  Table table_;
+  StatusLine status_;
+  std::size_t next_ = 0;
+  bool header_printed_ = false;
+  Tally tally_;
+};
+
+}  // namespace
+
+ExitCode run(const Options& options) {
+  return Run(options).run();
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,34 @@
+// Why hrt-reach ended.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace hrt::reach {
+
+enum class ExitCode : int {
+  success = 0,         ///< every target that can be held was reached
+  target_missed = 1,   ///< one that can be held was not
+  usage = 2,           ///< the command line
+  plugin = 3,          ///< the plugin cannot be opened, or refused what it was told
+  scene = 4,           ///< the scene cannot be loaded, or has no such target
+  no_runtime = 5,      ///< no OpenXR runtime answers
+  runtime_lacks = 6,   ///< the runtime has no hand tracking, or no headless session
+  runtime_failed = 7,  ///< the runtime failed, or was lost too often, or ended the session
+  no_hand = 8,         ///< no fingertip came to the start, or the reach did not end, in time
+  plate = 9,           ///< the plate's device failed
+  output = 10,         ///< a file cannot be written
+  internal = 70,       ///< a defect of hrt-reach, or no memory
+};
+
+/// Ends the program with one sentence on stderr and an exit code of its own.
+class Failure : public std::runtime_error {
+ public:
+  Failure(ExitCode code, const std::string& sentence) : std::runtime_error(sentence), code_(code) {}
+  ExitCode code() const { return code_; }
+
+ private:
+  ExitCode code_;
+};
+
+}  // namespace hrt::reach

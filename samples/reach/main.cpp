@@ -1,0 +1,27 @@
+#include <cstdlib>
+#include <iostream>
+
+#include "samples/reach/application.h"
+#include "samples/reach/exit_code.h"
+#include "samples/reach/options.h"
+#include "samples/reach/xr_check.h"
+
+int main(int argc, char** argv) {
+  using hrt::reach::ExitCode;
+  hrt::reach::Options options;
+  // The loader would tell of a failure in six lines of its own. Whoever wants those sets this.
+  setenv("XR_LOADER_DEBUG", "none", 0);
+  try {
+    if (const std::optional<int> code = hrt::reach::parse_command_line(argc, argv, options)) return *code;
+    return static_cast<int>(hrt::reach::run(options));
+  } catch (const hrt::reach::Failure& failure) {
+    std::cerr << "hrt-reach: " << failure.what() << "\n";
+    return static_cast<int>(failure.code());
+  } catch (const hrt::reach::XrFailure& failure) {
+    std::cerr << "hrt-reach: the OpenXR runtime failed: " << failure.what() << "\n";
+    return static_cast<int>(ExitCode::runtime_failed);
+  } catch (const std::exception& error) {
+    std::cerr << "hrt-reach: " << error.what() << "\n";
+    return static_cast<int>(ExitCode::internal);
+  }
+}

@@ -1,0 +1,94 @@
+#include "samples/reach/options.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+
+#include "samples/reach/exit_code.h"
+
+namespace hrt::reach {
+namespace {
+
+constexpr const char* description =
+    "Leads a tracked fingertip to real targets while its owner feels that it goes to virtual ones:\n"
+    "OpenXR hand tracking in, the orientation of the ridged plate out. Whatever a simulating runtime\n"
+    "(samples/mock_runtime) reports is simulation and says nothing about people.";
+
+constexpr const char* exit_codes =
+    "Exit codes:\n"
+    "  0  every target that can be held was reached, within 1.5 degrees and inside its radius\n"
+    "  1  one that can be held was missed\n"
+    "  2  the command line is wrong\n"
+    "  3  the plugin cannot be opened, or refused\n"
+    "  4  the scene cannot be loaded, or has no such target\n"
+    "  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest)\n"
+    "  6  the runtime has no headless sessions or no hand tracking\n"
+    "  7  the runtime failed, was lost too often, or ended the session\n"
+    "  8  no fingertip came to the start, or a reach did not end, in time\n"
+    "  9  the plate's device failed\n"
+    " 10  a file cannot be written\n"
+    " 70  anything else\n";
+
+// CLI11's own range lets NaN through.
+CLI::Validator between(double low, double high, const std::string& range) {
+  return CLI::Validator(
+      [=](const std::string& text) -> std::string {
+        double value = NAN;
+        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+        return "\"" + text + "\" is not " + range;
+      },
+      range);
+}
+
+std::filesystem::path default_plugin() {
+  std::error_code error;
+  const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
+  return program.parent_path().parent_path() / "lib" / "libhaptic_retargeting.so";
+}
+
+}  // namespace
+
+std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options) {
+  CLI::App app(description, "hrt-reach");
+  app.footer(exit_codes);
+  options.plugin = default_plugin();
+  std::string hand = "right";
+
+  app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
+  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
+  app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
+  app.add_option("--repeat", options.repeat, "Go through the targets so often [1]")
+      ->check(CLI::Range(1, 1'000'000));
+  app.add_option("--seed", options.seed, "Seed of a simulated user's noise [3]")
+      ->check(CLI::Validator(
+          [](const std::string& text) -> std::string {
+            const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
+            return digits ? "" : "\"" + text + "\" is not a whole number from 0";
+          },
+          "a whole number from 0"));
+  app.add_option("--hand", hand, "left, right, or either: the one that comes to the start [right]")
+      ->check(CLI::IsMember({"left", "right", "either"}));
+  app.add_option("--time-limit", options.time_limit_s, "Seconds for a reach, and for its start [30]")
+      ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+  app.add_option("--tactile-weight", options.tactile_weight,
+                 "Share of touch that the controller assumes of the user [0.15]")
+      ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
+  app.add_option("--motor-variance", options.motor_variance_deg2,
+                 "Variance of the user's motor noise that it assumes, degrees squared a step [0.5]")
+      ->check(between(0.0, 1e4, "a number from 0 to 10000"));
+  app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "hrt-reach: " << error.what() << " (--help lists the options)\n";
+    return static_cast<int>(ExitCode::usage);
+  }
+  if (hand == "left") options.hands = {Hand::left};
+  if (hand == "right") options.hands = {Hand::right};
+  if (hand == "either") options.hands = {Hand::right, Hand::left};
+  return std::nullopt;
+}
+
+}  // namespace hrt::reach

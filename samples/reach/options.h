@@ -1,0 +1,31 @@
+// The command line of hrt-reach.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/reach/xr_session.h"
+
+namespace hrt::reach {
+
+struct Options {
+  std::filesystem::path scene;
+  std::filesystem::path plugin;
+  std::vector<std::string> targets;  ///< virtual ones, in this order; empty: all, in the scene's order
+  int repeat = 1;
+  std::uint64_t seed = 3;  ///< of a simulated user's noise
+  std::vector<Hand> hands;
+  double time_limit_s = 30.0;
+  double tactile_weight = 0.15;
+  double motor_variance_deg2 = 0.5;
+  bool verbose = false;
+};
+
+/// Parses the command line. Returns the exit code if the program is to end at once: after --help, or with a
+/// sentence on stderr about what is wrong. `options` is then unspecified.
+std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options);
+
+}  // namespace hrt::reach

@@ -1,0 +1,46 @@
+// The plugin, opened like an engine would: dlopen, and its C headers for the types only.
+#pragma once
+
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <filesystem>
+
+namespace hrt::reach {
+
+// Every function of the plugin that is used here.
+#define HRT_REACH_PLUGIN_FUNCTIONS(X) \
+  X(hrt_result_string)                \
+  X(hrt_last_error)                   \
+  X(hrt_get_version)                  \
+  X(hrt_session_config_default)       \
+  X(hrt_session_create)               \
+  X(hrt_session_destroy)              \
+  X(hrt_target_config_default)        \
+  X(hrt_target_add)                   \
+  X(hrt_authority_query)              \
+  X(hrt_reach_config_default)         \
+  X(hrt_reach_begin)                  \
+  X(hrt_reach_update)                 \
+  X(hrt_reach_end)
+
+/// The opened library. Its functions have their C names: plugin.hrt_session_create(...).
+class Plugin {
+ public:
+  /// Throws Failure (ExitCode::plugin) if the library cannot be opened or is too old or too new.
+  explicit Plugin(const std::filesystem::path& library);
+  ~Plugin();
+  Plugin(const Plugin&) = delete;
+  Plugin& operator=(const Plugin&) = delete;
+
+  /// Throws Failure (ExitCode::plugin) with the plugin's own text unless `result` is HRT_OK.
+  void check(hrt_result result) const;
+
+#define HRT_DECLARE(name) decltype(&::name) name = nullptr;
+  HRT_REACH_PLUGIN_FUNCTIONS(HRT_DECLARE)
+#undef HRT_DECLARE
+
+ private:
+  void* library_;
+};
+
+}  // namespace hrt::reach

@@ -1,0 +1,201 @@
+#include "samples/reach/reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "samples/reach/exit_code.h"
+
+namespace hrt::reach {
+namespace {
+
+using Point = std::array<double, 3>;
+
+constexpr double tip_height_m = 0.008;     // of the joint, which is inside the finger, above the plate
+constexpr double lifted_height_m = 0.025;  // a fingertip higher than this does not touch the plate
+constexpr double start_radius_m = 0.015;   // a finger this near the start is there
+constexpr XrDuration settle_ns = 300'000'000;
+constexpr double rest_m = 0.004;  // a finger that has moved less in settle_ns is at rest
+
+double distance_along_plate_m(const Point& a, const Point& b) {
+  return std::hypot(a[0] - b[0], a[2] - b[2]);
+}
+
+// A reach of the plugin that is ended in any case, and a plate that is stopped if anything goes wrong.
+class ActiveReach {
+ public:
+  ActiveReach(Stage& stage, const TargetPair& pair, XrTime now) : stage_(stage), time_(now) {
+    hrt_reach_config config;
+    stage.plugin.check(stage.plugin.hrt_reach_config_default(&config, sizeof config));
+    config.real_target = pair.real_target;
+    config.virtual_target = pair.virtual_target;
+    if (const std::optional<double> orientation_deg = stage.plate.orientation_deg(now)) {
+      config.flags |= HRT_REACH_PLATE_ORIENTATION;
+      config.plate_orientation_deg = *orientation_deg;
+    }
+    stage.plugin.check(stage.plugin.hrt_reach_begin(stage.targets.session, &config));
+  }
+
+  ~ActiveReach() {
+    if (ended_) return;
+    hrt_reach_summary summary{.struct_size = sizeof summary};
+    stage_.plugin.hrt_reach_end(stage_.targets.session, &summary);
+    try {
+      stage_.plate.stop(time_);
+    } catch (const std::exception&) {
+      // It failed together with what brought us here, which is already on its way up.
+    }
+  }
+  ActiveReach(const ActiveReach&) = delete;
+  ActiveReach& operator=(const ActiveReach&) = delete;
+
+  hrt_command update(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg) {
+    time_ = time;
+    hrt_sample sample{.struct_size = sizeof sample};
+    sample.time_ns = time;
+    if (tip.tracked) {
+      sample.flags |= HRT_SAMPLE_PLATE_POSITION;
+      std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
+      if (tip.position_m[1] > lifted_height_m) sample.flags |= HRT_SAMPLE_LIFTED;
+    }
+    if (plate_orientation_deg) {
+      sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+      sample.plate_orientation_deg = *plate_orientation_deg;
+    }
+    hrt_command command{.struct_size = sizeof command};
+    stage_.plugin.check(stage_.plugin.hrt_reach_update(stage_.targets.session, &sample, &command));
+    return command;
+  }
+
+  hrt_reach_summary end() {
+    hrt_reach_summary summary{.struct_size = sizeof summary};
+    stage_.plugin.check(stage_.plugin.hrt_reach_end(stage_.targets.session, &summary));
+    ended_ = true;
+    return summary;
+  }
+
+ private:
+  Stage& stage_;
+  XrTime time_;
+  bool ended_ = false;
+};
+
+// The next frame, with the plate served.
+XrTime next_frame(Stage& stage) {
+  const XrTime time = stage.session.next_frame();
+  stage.plate.service(time);
+  return time;
+}
+
+// Waits until one of the hands rests its fingertip at the start, and tells which.
+Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
+  stage.tell_user("Put your index finger to the start, then slide it to \"" + pair.virtual_name + "\".");
+  const XrTime began = next_frame(stage);
+  std::array<XrTime, 2> there_since{};
+  for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
+    for (const Hand hand : stage.hands) {
+      const Fingertip tip = stage.session.locate(hand, time);
+      const bool there = tip.tracked && tip.position_m[1] <= lifted_height_m &&
+                         distance_along_plate_m(tip.position_m, stage.targets.start_m) <= start_radius_m;
+      XrTime& since = there_since[static_cast<std::size_t>(hand)];
+      if (!there) {
+        since = 0;
+      } else if (since == 0) {
+        since = time;
+      } else if (time - since >= settle_ns) {
+        return hand;
+      }
+    }
+  }
+  throw Failure(ExitCode::no_hand, "no index finger came to the start within " +
+                                       std::to_string(stage.time_limit_ns / 1'000'000'000) + " s");
+}
+
+// True if the finger, after at least half its way, has stayed in place for as long as settle_ns.
+bool is_at_rest(const std::vector<Moment>& moments, const Point& start_m, double distance_m) {
+  const Moment& last = moments.back();
+  if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < distance_m / 2.0) return false;
+  for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
+    if (last.time - moment->time >= settle_ns) return true;
+    if (moment->tracked && distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;
+  }
+  return false;
+}
+
+// The path's length has been gone (which a simulated participant tells), or the finger touches the real
+// target or has come to rest (which is all that can be known of a person).
+bool has_arrived(const Stage& stage, const TargetPair& pair, Hand hand, const std::vector<Moment>& moments) {
+  if (stage.simulation != nullptr) return stage.simulation->truth(hand).done;
+  const Moment& last = moments.back();
+  return (last.tracked &&
+          distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m) ||
+         is_at_rest(moments, stage.targets.start_m, pair.real_distance_m);
+}
+
+ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, const hrt_reach_summary& summary,
+                      std::vector<Moment> moments) {
+  ReachResult result{};
+  Point end_m = moments.back().position_m;
+  result.final_direction_deg = summary.final_direction_deg;
+  result.felt_direction_deg = summary.perceived_direction_deg;
+  if (stage.simulation != nullptr) {
+    const Simulation::Truth truth = stage.simulation->truth(hand);
+    result.final_direction_deg = truth.finger_direction_deg;
+    result.felt_direction_deg = truth.perceived_direction_deg;
+    result.is_truth = true;
+    end_m = truth.tip_m;
+  }
+  result.miss_deg = result.final_direction_deg - pair.real_direction_deg;
+  result.miss_m = distance_along_plate_m(end_m, pair.real_position_m);
+  result.frames = static_cast<int>(summary.samples);
+  result.dropouts = static_cast<int>(summary.dropped_samples);
+  if (summary.steps > 0)
+    result.saturated_share = static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) /
+                             static_cast<double>(summary.steps);
+  result.moments = std::move(moments);
+  return result;
+}
+
+}  // namespace
+
+ReachResult run_reach(Stage& stage, const TargetPair& pair) {
+  const Hand hand = stage.simulation != nullptr ? stage.hands.front() : await_finger_at_start(stage, pair);
+  const XrTime began = next_frame(stage);
+  ActiveReach reach(stage, pair, began);
+  if (stage.simulation != nullptr) {
+    Point start_m = stage.targets.start_m;
+    start_m[1] += tip_height_m;
+    stage.simulation->instruct(hand, start_m, pair.virtual_direction_deg, pair.real_distance_m);
+  }
+
+  std::vector<Moment> moments;
+  for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, hand, moments);
+       time = next_frame(stage)) {
+    if (time - began > stage.time_limit_ns)
+      throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end within " +
+                                           std::to_string(stage.time_limit_ns / 1'000'000'000) + " s");
+    const Fingertip tip = stage.session.locate(hand, time);
+    const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
+    const hrt_command command = reach.update(time, tip, measured_deg);
+    stage.plate.command(time, command.plate_orientation_deg);
+
+    Moment moment{.time = time,
+                  .tracked = tip.tracked,
+                  .position_m = tip.tracked       ? tip.position_m
+                                : moments.empty() ? stage.targets.start_m
+                                                  : moments.back().position_m,
+                  .finger_direction_deg = command.finger_direction_deg,
+                  .felt_direction_deg = command.perceived_direction_deg,
+                  .plate_orientation_deg = measured_deg.value_or(command.plate_orientation_deg),
+                  .distance_to_go_m = command.distance_to_go_m,
+                  .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0};
+    if (stage.simulation != nullptr)
+      moment.felt_direction_deg = stage.simulation->truth(hand).perceived_direction_deg;
+    moments.push_back(moment);
+    stage.on_frame(pair, moment);
+  }
+  return result_of(stage, pair, hand, reach.end(), std::move(moments));
+}
+
+}  // namespace hrt::reach

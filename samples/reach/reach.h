@@ -1,0 +1,57 @@
+// One reach: the user's fingertip goes from the start to the real target, the plugin is asked in every frame
+// what the plate is to do, and the plate does it.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <vector>
+
+#include "samples/reach/plate.h"
+#include "samples/reach/simulation.h"
+#include "samples/reach/targets.h"
+#include "samples/reach/xr_session.h"
+
+namespace hrt::reach {
+
+/// What is known after one frame. Positions in plate coordinates.
+struct Moment {
+  XrTime time;
+  bool tracked;                      ///< without it, `position_m` is of the last frame that was
+  std::array<double, 3> position_m;  ///< of the fingertip, as tracked
+  double finger_direction_deg;       ///< in the last step, observed or predicted
+  double felt_direction_deg;         ///< the simulation's truth, or else what the plugin's model says
+  double plate_orientation_deg;      ///< measured, or else commanded
+  double distance_to_go_m;
+  bool saturated;
+};
+
+struct ReachResult {
+  double final_direction_deg;  ///< P after the last step: the simulation's truth, or else as observed
+  double felt_direction_deg;   ///< in the last step: the simulation's truth, or else as the model predicts
+  double miss_deg;             ///< final_direction_deg less the real target's
+  double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
+  bool is_truth;               ///< all of the above are the simulation's truth
+  int frames;
+  int dropouts;            ///< frames without a tracked fingertip
+  double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate
+  std::vector<Moment> moments;
+};
+
+/// Everything that a reach goes through.
+struct Stage {
+  const Plugin& plugin;
+  const TargetSet& targets;
+  XrHeadlessSession& session;
+  Simulation* simulation;  ///< null: a person, told on the terminal
+  Plate& plate;
+  std::vector<Hand> hands;   ///< any of which may reach
+  XrDuration time_limit_ns;  ///< for coming to the start, and for the reach
+  std::function<void(const TargetPair&, const Moment&)> on_frame;
+  std::function<void(const std::string&)> tell_user;
+};
+
+/// Throws Failure, XrFailure; XrLost if the session was lost: the reach then counts for nothing. On every
+/// failure the plate is stopped.
+ReachResult run_reach(Stage& stage, const TargetPair& pair);
+
+}  // namespace hrt::reach

@@ -1,0 +1,95 @@
+#include "samples/reach/table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ostream>
+#include <string>
+#include <string_view>
+
+namespace hrt::reach {
+namespace {
+
+constexpr std::size_t widest_name = 32;
+
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char line[512];
+  std::snprintf(line, sizeof line, pattern, values...);
+  return line;
+}
+
+// Names come from a file: what a terminal would obey, or what would break the columns, does not get through.
+std::string printable(const std::string& name, std::size_t width) {
+  std::string cut;
+  for (const char c : name.substr(0, width))
+    cut += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
+  cut.resize(width, ' ');
+  return cut;
+}
+
+// Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
+double without_minus_zero(double value) {
+  return std::abs(value) < 0.05 ? 0.0 : value;
+}
+
+}  // namespace
+
+bool is_reached(const TargetPair& pair, const ReachResult& result) {
+  return std::abs(result.miss_deg) <= tolerance_deg &&
+         (pair.real_radius_m == 0.0 || result.miss_m <= pair.real_radius_m);
+}
+
+Table::Table(const std::vector<TargetPair>& pairs)
+    : virtual_width_(std::string_view("virtual").size()), real_width_(virtual_width_) {
+  for (const TargetPair& pair : pairs) {
+    virtual_width_ = std::min(widest_name, std::max(virtual_width_, pair.virtual_name.size()));
+    real_width_ = std::min(widest_name, std::max(real_width_, pair.real_name.size()));
+  }
+}
+
+void Table::print_header(std::ostream& out) const {
+  out << printable("virtual", virtual_width_) << format(" %6s  ", "deg") << printable("real", real_width_)
+      << format(" %6s  %9s %8s %8s %7s %7s %5s %6s\n", "deg", "final deg", "felt deg", "miss deg", "miss mm",
+                "frames", "lost", "bound");
+}
+
+void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
+  out << printable(pair.virtual_name, virtual_width_)
+      << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
+      << printable(pair.real_name, real_width_)
+      << format(" %+6.1f  %+9.2f %+8.2f %+8.2f %7.1f %7d %5d %5.0f%%  %s",
+                without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
+                result.felt_direction_deg, result.miss_deg, result.miss_m * 1e3, result.frames,
+                result.dropouts, result.saturated_share * 100.0,
+                is_reached(pair, result) ? "reached" : "missed");
+  if (!pair.reachable)
+    out << format(" (out of reach: gaps up to %.1f deg can be held)", pair.largest_gap_deg);
+  out << std::endl;
+}
+
+void Table::print_legend(std::ostream& out) const {
+  out << "final: direction in which the finger moves after the last step. felt: the direction that its owner "
+         "feels.\n"
+         "miss: final less the real target's direction, and how far from the real target, along the plate, "
+         "the\n"
+         "fingertip ended. lost: frames without a tracked finger. bound: steps with the plate at a limit.\n"
+         "reached: within "
+      << format("%.1f", tolerance_deg) << " deg, and inside the target's radius.\n";
+}
+
+void Tally::add(const TargetPair& pair, const ReachResult& result) {
+  ++reaches;
+  holdable += pair.reachable ? 1 : 0;
+  holdable_reached += pair.reachable && is_reached(pair, result) ? 1 : 0;
+}
+
+void print_summary(std::ostream& out, const Tally& tally) {
+  out << format("%d of %d reaches that can be held ended on the real target", tally.holdable_reached,
+                tally.holdable);
+  if (tally.holdable < tally.reaches)
+    out << format("; %d more cannot be held", tally.reaches - tally.holdable);
+  out << ".\n";
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,44 @@
+// What hrt-reach prints of its reaches.
+#pragma once
+
+#include <iosfwd>
+#include <vector>
+
+#include "samples/reach/reach.h"
+
+namespace hrt::reach {
+
+/// The paper's test of success: |P - P_R| at the end, in degrees.
+inline constexpr double tolerance_deg = 1.5;
+
+/// Within tolerance_deg of the real target's direction, and, if it has a radius, ended inside of that.
+bool is_reached(const TargetPair& pair, const ReachResult& result);
+
+/// The table of results, whose columns are as wide as the names of its targets.
+class Table {
+ public:
+  explicit Table(const std::vector<TargetPair>& pairs);
+
+  /// Column titles with units.
+  void print_header(std::ostream& out) const;
+  void print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const;
+  /// What the columns mean.
+  void print_legend(std::ostream& out) const;
+
+ private:
+  std::size_t virtual_width_ = 0;
+  std::size_t real_width_ = 0;
+};
+
+/// Counts over all rows.
+struct Tally {
+  int reaches = 0;
+  int holdable = 0;          ///< of these, the ones whose gap the plate can hold
+  int holdable_reached = 0;  ///< of these, the ones that were reached
+
+  void add(const TargetPair& pair, const ReachResult& result);
+};
+
+void print_summary(std::ostream& out, const Tally& tally);
+
+}  // namespace hrt::reach

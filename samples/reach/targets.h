@@ -1,0 +1,46 @@
+// The scene as hrt-reach needs it: the plate's place, and which real target serves which virtual one.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "samples/reach/plugin.h"
+
+namespace hrt::reach {
+
+/// A virtual target and the real one that serves it. Directions from the start, in degrees from the
+/// mid-line; positions in plate coordinates.
+struct TargetPair {
+  std::string virtual_name;
+  std::string real_name;
+  double virtual_direction_deg;
+  double real_direction_deg;
+  double real_distance_m;  ///< from the start, along the plate
+  double real_radius_m;    ///< 0 if the scene tells none
+  std::array<double, 3> virtual_position_m;
+  std::array<double, 3> real_position_m;
+  hrt_target virtual_target;
+  hrt_target real_target;
+  bool reachable;          ///< the plate can hold the finger on the real target (authority.h)
+  double largest_gap_deg;  ///< between the two directions that it can hold
+};
+
+/// A scene whose targets are registered in a session of the plugin.
+struct TargetSet {
+  XrPosef plate_pose;  ///< in the world of the scene, which is the runtime's LOCAL space
+  double plate_radius_m;
+  std::array<double, 3> start_m;  ///< in plate coordinates
+  hrt_session session;
+  std::vector<TargetPair> pairs;  ///< one a virtual target, in the scene's order
+};
+
+/// Loads the scene and makes the session from `config`, to which the scene adds the
+/// start. Throws Failure: ExitCode::scene, ExitCode::plugin.
+TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,
+                       const hrt_session_config& config);
+
+}  // namespace hrt::reach

@@ -1,0 +1,36 @@
+// Every OpenXR call goes through CHECK_XR, which names the call and its place if it fails.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace hrt::reach {
+
+/// The name of a result, such as "XR_ERROR_RUNTIME_FAILURE"; its number if it has no name here.
+std::string to_string(XrResult result);
+
+/// An OpenXR call failed.
+class XrFailure : public std::runtime_error {
+ public:
+  XrFailure(XrResult result, const std::string& what) : std::runtime_error(what), result_(result) {}
+  XrResult result() const { return result_; }
+
+ private:
+  XrResult result_;
+};
+
+/// The session, or with it the instance, is gone: both have to be made anew.
+class XrLost : public XrFailure {
+ public:
+  using XrFailure::XrFailure;
+};
+
+/// Returns `result` if it tells of success. Throws XrLost for the results that tell of a loss, pending ones
+/// among them, and XrFailure for every other error.
+XrResult check_xr(XrResult result, const char* expression, const char* file, int line);
+
+#define CHECK_XR(command) ::hrt::reach::check_xr((command), #command, __FILE__, __LINE__)
+
+}  // namespace hrt::reach

@@ -1,0 +1,41 @@
+// Runs hrt-reach as its users do: as a program, with Khronos' loader and the mock runtime.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace hrt::reach {
+
+struct Outcome {
+  int exit_code = -1;  ///< -1: it was ended by a signal, which is then named in `err`
+  std::string out;
+  std::string err;
+};
+
+/// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
+std::map<std::string, std::string> mock_environment();
+
+/// Runs hrt-reach with these arguments and this environment. A run that takes over a minute is killed.
+Outcome run_program(const std::vector<std::string>& arguments,
+                    const std::map<std::string, std::string>& environment = mock_environment());
+
+/// A row of the result table.
+struct Row {
+  std::string virtual_name;
+  double virtual_direction_deg;
+  double real_direction_deg;
+  double final_direction_deg;
+  double felt_direction_deg;
+  double miss_deg;
+  double miss_mm;
+  int frames;
+  int lost;
+  bool reached;
+};
+std::vector<Row> rows_of(const Outcome& outcome);
+
+/// An empty folder of this test's own, removed with the test's process.
+std::string scratch_folder();
+
+}  // namespace hrt::reach
