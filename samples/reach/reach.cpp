@@ -148,8 +148,9 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   }
   result.miss_deg = result.final_direction_deg - pair.real_direction_deg;
   result.miss_m = distance_along_plate_m(end_m, pair.real_position_m);
-  result.frames = static_cast<int>(summary.samples);
-  result.dropouts = static_cast<int>(summary.dropped_samples);
+  result.frames = static_cast<int>(moments.size());
+  result.dropouts = static_cast<int>(
+      std::count_if(moments.begin(), moments.end(), [](const Moment& moment) { return !moment.tracked; }));
   if (summary.steps > 0)
     result.saturated_share = static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) /
                              static_cast<double>(summary.steps);
