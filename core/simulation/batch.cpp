@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <thread>
+
+#include "core/simulation/lanes.h"
+#include "core/simulation/trial_table.h"
 
 namespace hrt {
 namespace {
@@ -33,13 +37,39 @@ std::vector<Chunk> split(std::span<const BatchJob> jobs) {
   return chunks;
 }
 
+// One trial after the other through the Retargeter, for what has no table.
+BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first,
+                            std::uint32_t last) {
+  BatchResult result;
+  for (std::uint32_t trial = first; trial < last; ++trial) {
+    const TrialOutcome outcome =
+        simulate_trial(job.condition, {.seed = seed, .condition = job.condition_id, .trial = trial});
+    ++result.trials;
+    result.hits += outcome.hit ? 1 : 0;
+    result.steps += static_cast<std::uint64_t>(job.condition.steps);
+    result.saturated_steps += static_cast<std::uint64_t>(outcome.saturated_steps);
+    result.miss.add(outcome.final_direction_deg - job.condition.real_direction_deg);
+    result.felt_error.add(outcome.perceived_direction_deg - job.condition.virtual_direction_deg);
+  }
+  return result;
+}
+
+// Which way trials go depends on the condition alone, never on how many there are: the two ways differ in
+// their last bits.
+BatchResult run_trials(const BatchJob& job, const std::optional<TrialTable>& table, std::uint64_t seed,
+                       std::uint32_t first, std::uint32_t last) {
+  return table ? table->run<PairLanes>(seed, job.condition_id, first, last)
+               : run_untabulated(job, seed, first, last);
+}
+
 }  // namespace
 
 void AngleSums::add(double angle_deg) {
   // Written so that a NaN counts as a miss of the largest size.
   const double clamped_deg =
       angle_deg >= largest_deg ? largest_deg : (angle_deg > -largest_deg ? angle_deg : -largest_deg);
-  const auto units = static_cast<std::int64_t>(std::floor(clamped_deg * units_per_deg + 0.5));
+  const auto units =
+      static_cast<std::int64_t>(clamped_deg * units_per_deg + (clamped_deg < 0.0 ? -0.5 : 0.5));
   const auto square = static_cast<std::uint64_t>(units * units);
   sum_ += units;
   squares_low_ += square;
@@ -78,24 +108,21 @@ BatchResult& BatchResult::operator+=(const BatchResult& other) {
 }
 
 BatchResult run_job(const BatchJob& job, std::uint64_t seed) {
-  BatchResult result;
-  for (std::uint32_t trial = job.first_trial; trial < job.last_trial; ++trial) {
-    const TrialOutcome outcome =
-        simulate_trial(job.condition, {.seed = seed, .condition = job.condition_id, .trial = trial});
-    ++result.trials;
-    result.hits += outcome.hit ? 1 : 0;
-    result.steps += static_cast<std::uint64_t>(job.condition.steps);
-    result.saturated_steps += static_cast<std::uint64_t>(outcome.saturated_steps);
-    result.miss.add(outcome.final_direction_deg - job.condition.real_direction_deg);
-    result.felt_error.add(outcome.perceived_direction_deg - job.condition.virtual_direction_deg);
-  }
-  return result;
+  return run_trials(job, TrialTable::tabulate(job.condition), seed, job.first_trial, job.last_trial);
 }
 
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
                                    const BatchOptions& options) {
+  // A job's table is made by the thread that comes to it first, and goes when its last chunk is done.
+  struct JobState {
+    std::once_flag tabulated;
+    std::optional<TrialTable> table;
+    std::atomic<std::size_t> chunks_left{0};
+  };
+  std::vector<JobState> states(jobs.size());
   std::vector<BatchResult> results(jobs.size());
   const std::vector<Chunk> chunks = split(jobs);
+  for (const Chunk& chunk : chunks) ++states[chunk.job].chunks_left;
   std::uint64_t total = 0;
   for (const BatchJob& job : jobs) total += job.last_trial - job.first_trial;
 
@@ -107,10 +134,11 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
       const std::size_t taken = next_chunk.fetch_add(1);
       if (taken >= chunks.size()) return;
       const auto [index, first, last] = chunks[taken];
-      BatchJob part = jobs[index];
-      part.first_trial = first;
-      part.last_trial = last;
-      const BatchResult result = run_job(part, seed);
+      const BatchJob& job = jobs[index];
+      JobState& state = states[index];
+      std::call_once(state.tabulated, [&] { state.table = TrialTable::tabulate(job.condition); });
+      const BatchResult result = run_trials(job, state.table, seed, first, last);
+      if (--state.chunks_left == 0) state.table.reset();
       {
         const std::lock_guard lock(results_mutex);
         results[index] += result;

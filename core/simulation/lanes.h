@@ -46,8 +46,16 @@ struct PairLanes {
 
   static Reals all(double x) { return Reals{x, x}; }
   static Words all(std::uint64_t x) { return Words{x, x}; }
-  static Reals load(const double* from) { return Reals{from[0], from[1]}; }
-  static Words load(const std::uint64_t* from) { return Words{from[0], from[1]}; }
+  static Reals load(const double* from) {
+    Reals x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+  }
+  static Words load(const std::uint64_t* from) {
+    Words x;
+    std::memcpy(&x, from, sizeof x);
+    return x;
+  }
   static void store(double* to, Reals x) { std::memcpy(to, &x, sizeof x); }
   static void store(std::uint64_t* to, Words x) { std::memcpy(to, &x, sizeof x); }
   static Reals as_reals(Words x) { return reinterpret_cast<Reals>(x); }

@@ -6,16 +6,6 @@
 
 namespace hrt {
 
-PhiloxKeys::PhiloxKeys(std::uint64_t seed) {
-  auto first = static_cast<std::uint32_t>(seed);
-  auto second = static_cast<std::uint32_t>(seed >> 32);
-  for (Round& round : rounds_) {
-    round = {first, second};
-    first += 0x9E3779B9u;
-    second += 0xBB67AE85u;
-  }
-}
-
 double standard_normal(const RandomCounter& counter) {
   const r123::Philox4x32 generator;
   const r123::Philox4x32::ctr_type block{{counter.step / 4, counter.trial, counter.condition, 0}};

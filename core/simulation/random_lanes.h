@@ -11,14 +11,24 @@
 namespace hrt {
 
 /// The ten round keys of Philox 4x32-10 for one seed.
+template <class Lanes>
 class PhiloxKeys {
  public:
-  explicit PhiloxKeys(std::uint64_t seed);
-
   struct Round {
-    std::uint64_t first;
-    std::uint64_t second;
+    typename Lanes::Words first;
+    typename Lanes::Words second;
   };
+
+  explicit PhiloxKeys(std::uint64_t seed) {
+    auto first = static_cast<std::uint32_t>(seed);
+    auto second = static_cast<std::uint32_t>(seed >> 32);
+    for (Round& round : rounds_) {
+      round = {Lanes::all(std::uint64_t{first}), Lanes::all(std::uint64_t{second})};
+      first += 0x9E3779B9u;
+      second += 0xBB67AE85u;
+    }
+  }
+
   const std::array<Round, 10>& rounds() const { return rounds_; }
 
  private:
@@ -35,17 +45,20 @@ struct RandomBlock {
 /// Philox 4x32-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2, 3", SC11) of the
 /// counter words 0 to 3, each below 2^32.
 template <class Lanes>
-RandomBlock<Lanes> philox(const PhiloxKeys& keys, typename Lanes::Words word0, typename Lanes::Words word1,
-                          typename Lanes::Words word2, typename Lanes::Words word3) {
+[[gnu::always_inline]] inline RandomBlock<Lanes> philox(const PhiloxKeys<Lanes>& keys,
+                                                        typename Lanes::Words word0,
+                                                        typename Lanes::Words word1,
+                                                        typename Lanes::Words word2,
+                                                        typename Lanes::Words word3) {
   using Words = typename Lanes::Words;
   const Words multiplier0 = Lanes::all(std::uint64_t{0xD2511F53});
   const Words multiplier1 = Lanes::all(std::uint64_t{0xCD9E8D57});
   // Only the low half of each word counts; what lies above is not cleared until the end.
-  for (const PhiloxKeys::Round& round : keys.rounds()) {
+  for (const typename PhiloxKeys<Lanes>::Round& round : keys.rounds()) {
     const Words product0 = Lanes::multiply_low(word0, multiplier0);
     const Words product1 = Lanes::multiply_low(word2, multiplier1);
-    word0 = (product1 >> 32) ^ word1 ^ Lanes::all(round.first);
-    word2 = (product0 >> 32) ^ word3 ^ Lanes::all(round.second);
+    word0 = (product1 >> 32) ^ word1 ^ round.first;
+    word2 = (product0 >> 32) ^ word3 ^ round.second;
     word1 = product1;
     word3 = product0;
   }
@@ -92,7 +105,8 @@ inline constexpr std::array<double, 8> logarithm_series = {
 };
 
 template <class Lanes>
-typename Lanes::Reals polynomial(typename Lanes::Reals x, const std::array<double, 8>& coefficients) {
+[[gnu::always_inline]] inline typename Lanes::Reals polynomial(typename Lanes::Reals x,
+                                                               const std::array<double, 8>& coefficients) {
   typename Lanes::Reals value = Lanes::all(coefficients[7]);
   for (int i = 6; i >= 0; --i) value = value * x + Lanes::all(coefficients[i]);
   return value;
@@ -100,7 +114,7 @@ typename Lanes::Reals polynomial(typename Lanes::Reals x, const std::array<doubl
 
 // -2 ln(x) for normal x in (0, 1].
 template <class Lanes>
-typename Lanes::Reals minus_two_logarithm(typename Lanes::Reals x) {
+[[gnu::always_inline]] inline typename Lanes::Reals minus_two_logarithm(typename Lanes::Reals x) {
   using Reals = typename Lanes::Reals;
   using Words = typename Lanes::Words;
   // x = 2^exponent m, m in [sqrt(1/2), sqrt(2)): the exponent field counts from sqrt(1/2) once its bits
@@ -123,7 +137,7 @@ typename Lanes::Reals minus_two_logarithm(typename Lanes::Reals x) {
 /// Two draws from N(0, 1) out of 64 random bits (Box and Muller): 40 bits for the radius, so that the tails
 /// are true to 7.5, and 24 for the angle.
 template <class Lanes>
-NormalPair<Lanes> normal_pair(typename Lanes::Words bits) {
+[[gnu::always_inline]] inline NormalPair<Lanes> normal_pair(typename Lanes::Words bits) {
   using Reals = typename Lanes::Reals;
   using Words = typename Lanes::Words;
   const Words one = Lanes::all(std::uint64_t{0x3ff0000000000000});

@@ -15,15 +15,15 @@ namespace {
 
 // The known answers that Random123 is distributed with (kat_vectors, philox4x32 of 10 rounds).
 TEST(SimulationRandom, PhiloxKnownAnswers) {
-  const auto zeros = philox<ScalarLanes>(PhiloxKeys(0), 0, 0, 0, 0);
+  const auto zeros = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0), 0, 0, 0, 0);
   EXPECT_EQ(zeros.first, 0xe169c58d'6627e8d5u);
   EXPECT_EQ(zeros.second, 0x9b00dbd8'bc57ac4cu);
   const std::uint64_t most = 0xffffffff;
-  const auto ones = philox<ScalarLanes>(PhiloxKeys(~std::uint64_t{0}), most, most, most, most);
+  const auto ones = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(~std::uint64_t{0}), most, most, most, most);
   EXPECT_EQ(ones.first, 0x41c83b0e'408f276du);
   EXPECT_EQ(ones.second, 0x6d5451fd'a20bc7c6u);
-  const auto pi =
-      philox<ScalarLanes>(PhiloxKeys(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3, 0x13198a2e, 0x03707344);
+  const auto pi = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3,
+                                      0x13198a2e, 0x03707344);
   EXPECT_EQ(pi.first, 0x94fdcceb'd16cfe09u);
   EXPECT_EQ(pi.second, 0x24126ea1'5001e420u);
 }
@@ -62,7 +62,7 @@ TEST(SimulationRandom, RadiusReachesSevenAndAHalf) {
 }
 
 TEST(SimulationRandom, LanesDoNotMatter) {
-  const PhiloxKeys keys(0x0123456789abcdef);
+  const PhiloxKeys<PairLanes> keys(0x0123456789abcdef);
   for (std::uint32_t trial = 0; trial < 5000; trial += 2) {
     std::array<std::uint64_t, 2> trials{trial, trial + 1};
     const auto block =

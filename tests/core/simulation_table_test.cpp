@@ -1,0 +1,124 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/simulation/batch.h"
+#include "core/simulation/lanes.h"
+#include "core/simulation/random.h"
+#include "core/simulation/trial_table.h"
+
+namespace hrt {
+namespace {
+
+// Conditions of all kinds, with controllers that know the participant and with some that do not.
+Condition random_condition(std::mt19937_64& generator) {
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * (static_cast<double>(generator() >> 11) * 0x1p-53);
+  };
+  Condition condition;
+  condition.participant = {
+      .tactile_weight = uniform(0.02, 0.49),
+      .motor_variance_deg2 = uniform(0.05, 3.0),
+      .sensory_variance_deg2 = uniform(0.02, 2.0),
+      .initial_variance_deg2 = uniform(0.0, 1.0),
+  };
+  condition.controller.participant = condition.participant;
+  if (generator() % 2) {
+    condition.controller.participant = {
+        .tactile_weight = uniform(0.02, 0.49),
+        .motor_variance_deg2 = uniform(0.05, 3.0),
+        .sensory_variance_deg2 = uniform(0.02, 2.0),
+    };
+  }
+  condition.controller.mpc = {
+      .horizon = static_cast<int>(uniform(1.0, 50.99)),
+      .perceived_weight = std::exp(uniform(-3.0, 3.0)),
+      .actual_weight = std::exp(uniform(-3.0, 3.0)),
+      .plate_bound_deg = uniform(20.0, 90.0),
+  };
+  condition.virtual_direction_deg = uniform(-20.0, 20.0);
+  condition.real_direction_deg = condition.virtual_direction_deg + uniform(-15.0, 15.0);
+  condition.steps = static_cast<int>(uniform(1.0, 60.0));
+  return condition;
+}
+
+TEST(TrialTable, TrajectoriesAgreeWithTheRetargeter) {
+  std::mt19937_64 generator(3);
+  int tabulated = 0;
+  for (std::uint32_t i = 0; i < 150; ++i) {
+    const Condition condition = random_condition(generator);
+    const auto table = TrialTable::tabulate(condition);
+    if (!table) continue;
+    ++tabulated;
+    for (std::uint32_t trial = 0; trial < 5; ++trial) {
+      std::vector<TrialStep> steps;
+      const TrialOutcome outcome = simulate_trial(condition, {6, i, trial}, &steps);
+      double offset_deg = -condition.virtual_direction_deg;
+      for (const TrialStep& step : steps) {
+        ASSERT_NEAR(condition.virtual_direction_deg + offset_deg, step.finger_direction_deg, 1e-9)
+            << i << " step " << step.step;
+        offset_deg = table->next_offset_deg(step.step, offset_deg) +
+                     table->noise_sd_deg(step.step) *
+                         standard_normal({6, i, trial, static_cast<std::uint32_t>(step.step)});
+      }
+      ASSERT_NEAR(condition.virtual_direction_deg + offset_deg, outcome.final_direction_deg, 1e-9) << i;
+    }
+  }
+  EXPECT_GT(tabulated, 140);
+}
+
+TEST(TrialTable, CountsAgreeWithTheRetargeter) {
+  std::mt19937_64 generator(4);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const Condition condition = random_condition(generator);
+    const auto table = TrialTable::tabulate(condition);
+    if (!table) continue;
+    const BatchResult result = table->run<PairLanes>(6, i, 100, 300);
+    std::uint64_t hits = 0;
+    std::uint64_t saturated = 0;
+    for (std::uint32_t trial = 100; trial < 300; ++trial) {
+      const TrialOutcome outcome = simulate_trial(condition, {6, i, trial});
+      hits += outcome.hit;
+      saturated += static_cast<std::uint64_t>(outcome.saturated_steps);
+    }
+    EXPECT_EQ(result.hits, hits) << i;
+    EXPECT_EQ(result.saturated_steps, saturated) << i;
+    EXPECT_EQ(result.trials, 200u);
+  }
+}
+
+TEST(TrialTable, LanesDoNotMatter) {
+  std::mt19937_64 generator(8);
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const auto table = TrialTable::tabulate(random_condition(generator));
+    if (!table) continue;
+    EXPECT_EQ(table->run<PairLanes>(6, i, 3, 1000), table->run<ScalarLanes>(6, i, 3, 1000)) << i;
+  }
+}
+
+TEST(TrialTable, ServesAFixedPlate) {
+  Condition condition;
+  condition.controller.mode = ControlMode::fixed_plate;
+  condition.controller.fixed_plate_orientation_deg = 30.0;
+  const auto table = TrialTable::tabulate(condition);
+  ASSERT_TRUE(table);
+  // p + 5 - 5/6 (0.15 * 30 + 0.85 (p + 5) - 5) at p = 2, relative to 5.
+  EXPECT_NEAR(table->next_offset_deg(0, 2.0), 2.0 - 5.0 / 6.0 * (4.5 + 0.85 * 7.0 - 5.0), 1e-12);
+  EXPECT_NEAR(table->noise_sd_deg(0), std::sqrt(0.5 + 1.0 / 12.0), 1e-15);
+}
+
+TEST(TrialTable, NoneWhereTheDirectionDoesNotDecide) {
+  EXPECT_TRUE(TrialTable::tabulate({}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.participant = {.motor_variance_deg2 = 0.0}}}));
+  EXPECT_FALSE(TrialTable::tabulate({.participant = {.motor_variance_deg2 = 1e9}}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.mpc = {.plate_rate_bound_deg = 40.0}}}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.guidance = GuidanceMode::line_of_sight}}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.estimator = {.adapt = true}}}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.plate = {.latency_ns = 100'000'000}}}));
+}
+
+}  // namespace
+}  // namespace hrt
