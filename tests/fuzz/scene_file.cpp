@@ -1,0 +1,53 @@
+// Any bytes as a scene file: either a scene that keeps load_scene()'s promises, or one clear line.
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <span>
+#include <string>
+
+#include "scene/scene.h"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) {
+    std::abort();
+  }
+}
+
+void check_scene(const hrt::Scene& scene) {
+  require(hrt::is_valid(scene.plate.pose));
+  require(scene.plate.radius_m > 0.0);
+  require(hrt::length(scene.start_m) <= scene.plate.radius_m);
+  for (const hrt::SceneTarget& target : scene.targets) {
+    require(!target.name.empty() && !target.node_path.empty());
+    require(std::abs(target.direction_deg) <= 180.0);
+    require(target.distance_m >= hrt::least_distance_m && std::isfinite(target.distance_m));
+    require(std::isfinite(target.position_m.y));
+    require(target.served_by.has_value() == (target.kind == hrt::TargetKind::virtual_object));
+    if (target.served_by) {
+      require(scene.targets.at(*target.served_by).kind == hrt::TargetKind::real_object);
+    }
+    hrt::FingerOnPlate finger{};
+    require(hrt::locate_finger(hrt::surface_of(scene), scene.plate.pose, target.world_position_m, finger));
+  }
+}
+
+void check_message(const std::string& message) {
+  require(message.starts_with("file: ") && message.size() > 6 && message.size() < 2000);
+  for (const char c : message) {
+    require(static_cast<unsigned char>(c) >= 0x20);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    check_scene(hrt::load_scene(std::as_bytes(std::span(data, size)), "file"));
+  } catch (const hrt::SceneError& error) {
+    check_message(error.what());
+  }
+  return 0;
+}
