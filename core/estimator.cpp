@@ -104,10 +104,11 @@ bool Estimator::observe_position(const PlatePoint& position) {
   const double a = covariance_(right, right) + noise_variance_mm2_;
   const double b = covariance_(right, away);
   const double c = covariance_(away, away) + noise_variance_mm2_;
+  innovation_determinant_mm4_ = a * c - b * b;
   normalised_innovation_ =
       (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
        a * away_innovation_mm * away_innovation_mm) /
-      (a * c - b * b);
+      innovation_determinant_mm4_;
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= most_outliers) return false;
   if (outliers_ > most_outliers) {
     // The tracker has jumped, or the finger has been moved: what was believed of the place is void.

@@ -92,6 +92,9 @@ class Estimator {
   /// filter's assumptions hold.
   double normalised_innovation() const { return normalised_innovation_; }
 
+  /// Determinant of that innovation's covariance, mm^4.
+  double innovation_determinant_mm4() const { return innovation_determinant_mm4_; }
+
   static constexpr int most_outliers = 5;
   /// w_T is kept in this range.
   static constexpr double least_tactile_weight = 0.02;
@@ -109,6 +112,7 @@ class Estimator {
   State state_;
   Covariance covariance_;
   double normalised_innovation_ = 0.0;
+  double innovation_determinant_mm4_ = 0.0;
   int outliers_ = 0;
 
   struct TimedPoint {

@@ -16,9 +16,6 @@ double travelled(SpeedProfile profile, double time) {
   return profile == SpeedProfile::constant ? s : s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
 }
 
-// Random numbers of the tracker follow those of the participant's steps.
-constexpr std::uint32_t first_tracker_draw = 1U << 20;
-
 }  // namespace
 
 TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const TrialId& id) {
@@ -67,7 +64,7 @@ TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const T
     if (step == steps) break;
     if (time_s > 0.0) move_to(time_s);
     plate.advance(to_ns(time_s));
-    const std::uint32_t draw = first_tracker_draw + 2 * sample;
+    const std::uint32_t draw = tracker_draws + 2 * sample;
     const PlateCommand& command =
         retargeter.update({.time_ns = to_ns(time_s),
                            .observation = Observation::position,

@@ -33,6 +33,9 @@ struct TrialId {
   std::uint32_t trial;
 };
 
+/// Steps of trials draw below this, a tracker's noise from here on.
+inline constexpr std::uint32_t tracker_draws = 1U << 20;
+
 /// What happened in step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
 struct TrialStep {
   int step;                        ///< k

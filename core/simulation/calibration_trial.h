@@ -1,0 +1,27 @@
+// Simulated slides over a plate that stands still, as a calibration records them.
+#pragma once
+
+#include "core/calibration.h"
+#include "core/perception.h"
+#include "core/simulation/trial.h"
+
+namespace hrt {
+
+/// Who slides, and how they are tracked.
+struct CalibrationCondition {
+  Participant participant;
+  double bias_deg = 0.0;            ///< the person takes the goal to lie this much further left
+  double goal_direction_deg = 0.0;  ///< where they are told to go
+  double distance_m = 0.1;          ///< of the path, > 0
+  double duration_s = 3.0;          ///< of the path, > 0
+  double step_period_s = 0.1;       ///< of the participant's steps, > 0
+  double rest_s = 0.5;              ///< tracked at rest before the path, >= 0
+  double tracker_noise_m = 0.0012;  ///< >= 0
+  double tracker_rate_hz = 90.0;    ///< > 0
+};
+
+/// One slide with the plate at `plate_orientation_deg`. Any thread.
+CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
+                                            double plate_orientation_deg, const TrialId& id);
+
+}  // namespace hrt
