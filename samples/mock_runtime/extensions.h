@@ -8,7 +8,7 @@
 
 namespace hrt::mock {
 
-enum class Extension { core, headless, hand_tracking, timespec, ridged_plate, count };
+enum class Extension { core, headless, hand_tracking, timespec, automation, ridged_plate, count };
 
 struct ExtensionInfo {
   const char* name;
@@ -21,6 +21,7 @@ inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::c
     {XR_MND_HEADLESS_EXTENSION_NAME, XR_MND_headless_SPEC_VERSION},
     {XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_EXT_hand_tracking_SPEC_VERSION},
     {XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME, XR_KHR_convert_timespec_time_SPEC_VERSION},
+    {XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_EXT_conformance_automation_SPEC_VERSION},
     {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
 }};
 

@@ -42,6 +42,37 @@
   X(xrBeginFrame,                           begin_frame,                             core)               \
   X(xrEndFrame,                             end_frame,                               core)               \
   X(xrLocateViews,                          locate_views,                            core)               \
+  X(xrStringToPath,                         string_to_path,                          core)               \
+  X(xrPathToString,                         path_to_string,                          core)               \
+  X(xrEnumerateSwapchainFormats,            enumerate_swapchain_formats,             core)               \
+  X(xrCreateSwapchain,                      create_swapchain,                        core)               \
+  X(xrDestroySwapchain,                     destroy_swapchain,                       core)               \
+  X(xrEnumerateSwapchainImages,             enumerate_swapchain_images,              core)               \
+  X(xrAcquireSwapchainImage,                acquire_swapchain_image,                 core)               \
+  X(xrWaitSwapchainImage,                   wait_swapchain_image,                    core)               \
+  X(xrReleaseSwapchainImage,                release_swapchain_image,                 core)               \
+  X(xrCreateActionSet,                      create_action_set,                       core)               \
+  X(xrDestroyActionSet,                     destroy_action_set,                      core)               \
+  X(xrCreateAction,                         create_action,                           core)               \
+  X(xrDestroyAction,                        destroy_action,                          core)               \
+  X(xrSuggestInteractionProfileBindings,    suggest_interaction_profile_bindings,    core)               \
+  X(xrAttachSessionActionSets,              attach_session_action_sets,              core)               \
+  X(xrCreateActionSpace,                    create_action_space,                     core)               \
+  X(xrSyncActions,                          sync_actions,                            core)               \
+  X(xrGetActionStateBoolean,                get_action_state_boolean,                core)               \
+  X(xrGetActionStateFloat,                  get_action_state_float,                  core)               \
+  X(xrGetActionStateVector2f,               get_action_state_vector2f,               core)               \
+  X(xrGetActionStatePose,                   get_action_state_pose,                   core)               \
+  X(xrGetCurrentInteractionProfile,         get_current_interaction_profile,         core)               \
+  X(xrEnumerateBoundSourcesForAction,       enumerate_bound_sources_for_action,      core)               \
+  X(xrGetInputSourceLocalizedName,          get_input_source_localized_name,         core)               \
+  X(xrApplyHapticFeedback,                  apply_haptic_feedback,                   core)               \
+  X(xrStopHapticFeedback,                   stop_haptic_feedback,                    core)               \
+  X(xrSetInputDeviceActiveEXT,              set_input_device_active,                 automation)         \
+  X(xrSetInputDeviceStateBoolEXT,           set_input_device_state_bool,             automation)         \
+  X(xrSetInputDeviceStateFloatEXT,          set_input_device_state_float,            automation)         \
+  X(xrSetInputDeviceStateVector2fEXT,       set_input_device_state_vector2f,         automation)         \
+  X(xrSetInputDeviceLocationEXT,            set_input_device_location,               automation)         \
   X(xrCreateHandTrackerEXT,                 create_hand_tracker,                     hand_tracking)      \
   X(xrDestroyHandTrackerEXT,                destroy_hand_tracker,                    hand_tracking)      \
   X(xrLocateHandJointsEXT,                  locate_hand_joints,                      hand_tracking)      \

@@ -59,9 +59,12 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
     require_pointer(velocities->jointVelocities, "jointVelocities");
   }
 
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
   const auto hand = tracker.session().world().hand(tracker.hand, info->time);
   const auto base_in_world = base.in_world(info->time);
-  const bool active = hand && base_in_world;
+  const bool active = focused && hand && base_in_world;
   locations->isActive = active ? XR_TRUE : XR_FALSE;
   if (!active) {
     for (std::uint32_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {

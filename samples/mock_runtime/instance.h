@@ -5,8 +5,10 @@
 #include <bitset>
 #include <deque>
 
+#include "samples/mock_runtime/actions.h"
 #include "samples/mock_runtime/clock.h"
 #include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/paths.h"
 #include "samples/mock_runtime/runtime.h"
 
 namespace hrt::mock {
@@ -33,7 +35,9 @@ class Instance : public Object {
   }
 
   Clock clock;
-  std::deque<XrEventDataBuffer> events;  // oldest first
+  std::deque<XrEventDataBuffer> events;  ///< oldest first
+  PathTable paths;
+  SuggestedBindings suggestions;
 
  private:
   std::bitset<static_cast<std::size_t>(Extension::count)> extensions_;

@@ -35,6 +35,7 @@ class Session : public Object {
   bool running = false;
   bool exit_requested = false;
   FrameLoop frames;
+  Input input{*this};
 
  private:
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;

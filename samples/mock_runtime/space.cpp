@@ -33,12 +33,15 @@ void require_reference_space(XrReferenceSpaceType type) {
 }  // namespace
 
 std::optional<Pose> Space::in_world(XrTime) const {
-  if (reference == XR_REFERENCE_SPACE_TYPE_STAGE) return offset;
+  if (const auto* action = std::get_if<ActionOrigin>(&origin)) {
+    const auto pose = session().input.pose(action->action, action->subaction);
+    return pose ? std::optional(*pose * offset) : std::nullopt;
+  }
+  if (std::get<XrReferenceSpaceType>(origin) == XR_REFERENCE_SPACE_TYPE_STAGE) return offset;
   return local_space_in_world() * offset;  // VIEW too: the user looks straight ahead
 }
 
 std::optional<Pose> locate(const Space& space, const Space& base, XrTime time) {
-  if (&space == &base) return Pose{};
   const auto of = space.in_world(time);
   const auto in = base.in_world(time);
   if (!of || !in) return std::nullopt;
@@ -58,7 +61,26 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
   require_pointer(space, "space");
   require_reference_space(info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, info->referenceSpaceType, pose));
+  *space = handle_of<XrSpace>(
+      runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), pose));
+  return XR_SUCCESS;
+}
+
+XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
+  require_pointer(space, "space");
+  const auto& action = runtime().registry.get<Action>(info->action);
+  require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
+          "not a pose action");
+  if (info->subactionPath != XR_NULL_PATH) {
+    session.instance().paths.text(info->subactionPath);
+    require(action.has_subaction(info->subactionPath), XR_ERROR_PATH_UNSUPPORTED,
+            "the action has no such subaction path");
+  }
+  const Pose pose = checked_pose(info->poseInActionSpace);
+  const Space::ActionOrigin origin{action.id(), info->subactionPath};
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), pose));
   return XR_SUCCESS;
 }
 

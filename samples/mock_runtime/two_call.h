@@ -21,8 +21,7 @@ void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count
   if (capacity == 0) return;
   require(capacity >= needed, XR_ERROR_SIZE_INSUFFICIENT, "the buffer is too small");
   std::size_t i = 0;
-  for (const auto& value : source)
-    copy(elements[i++], value);
+  for (const auto& value : source) copy(elements[i++], value);
 }
 
 template <typename Source, typename Element>

@@ -1,0 +1,57 @@
+// Path atoms, and the input sources of the core interaction profiles.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+namespace hrt::mock {
+
+/// True for a name that may be a component of a path: a-z, 0-9, '-', '_' and '.', not periods alone.
+bool is_path_component(std::string_view name);
+
+/// The strings of an instance that have become paths.
+class PathTable {
+ public:
+  /// The atom of a string. Throws XR_ERROR_PATH_FORMAT_INVALID.
+  XrPath intern(std::string_view text);
+
+  /// Throws XR_ERROR_PATH_INVALID for XR_NULL_PATH and what is no atom of this instance.
+  const std::string& text(XrPath path) const;
+
+ private:
+  std::vector<std::string> texts_;  // of path 1, 2, ...
+  std::unordered_map<std::string, XrPath> atoms_;
+};
+
+/// The top level user paths that actions can be bound to.
+const std::vector<std::string>& top_level_paths();
+
+/// "/user/hand/left" of "/user/hand/left/input/select/click"; empty if there is none.
+std::string_view top_level_of(std::string_view path);
+
+enum class SourceKind { boolean, scalar, pose, haptic };
+
+/// One input or output of an interaction profile: "/user/hand/left/input/select/click".
+struct Source {
+  std::string path;
+  SourceKind kind;
+};
+
+/// The sources of an interaction profile, or null if there is no such profile.
+const std::vector<Source>* find_profile(std::string_view profile);
+
+/// What an action of a type is driven by if it is bound to `path`, a source or the parent of sources: one
+/// source, or x and y of a vector. Empty if the path is no binding path of the profile, and
+/// nothing inside it if it is one that can't drive such an action.
+std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
+                                                   XrActionType type);
+
+/// The source of this path in any profile.
+const Source* find_source(std::string_view path);
+
+}  // namespace hrt::mock
