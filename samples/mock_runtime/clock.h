@@ -16,6 +16,7 @@ class Clock {
   explicit Clock(Kind kind) : kind_(kind) {}
 
   Kind kind() const { return kind_; }
+  void set_kind(Kind kind) { kind_ = kind; }
   XrTime now() const;
 
   /// Lets a manual clock stand at `time`, if that is later than it does.

@@ -15,15 +15,36 @@ struct Entry;
 template <FunctionId id, typename... Args, XrResult (*implementation)(Args...)>
 struct Entry<id, implementation> {
   static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
-    const std::lock_guard lock(runtime().mutex);
+    Runtime& the = runtime();
+    const std::lock_guard lock(the.mutex);
+    CallRecord record{.function = name_of(id)};
     try {
-      return implementation(args...);
+      if (const auto fault = the.faults.next(id)) throw Error{*fault, "the script orders this error"};
+      the.fire_due_events();
+      record.result = implementation(args...);
     } catch (const Error& error) {
-      return error.result;
+      record.result = error.result;
+      record.why = error.why;
     } catch (const std::bad_alloc&) {
-      return XR_ERROR_OUT_OF_MEMORY;
+      record.result = XR_ERROR_OUT_OF_MEMORY;
     } catch (...) {
-      return XR_ERROR_RUNTIME_FAILURE;
+      record.result = XR_ERROR_RUNTIME_FAILURE;
+    }
+    const XrResult result = record.result;
+    // A loader asks for every function there is, which would drown what the application does; and a log
+    // that logs its own reading grows between the two calls of the two-call idiom.
+    if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
+      log(the, std::move(record));
+    return result;
+  }
+
+ private:
+  static void log(Runtime& the, CallRecord record) noexcept {
+    try {
+      record.time = the.now();
+      the.log.append(std::move(record));
+    } catch (const std::bad_alloc&) {
+      // The call stands; its record is lost.
     }
   }
 };

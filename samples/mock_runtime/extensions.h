@@ -8,7 +8,16 @@
 
 namespace hrt::mock {
 
-enum class Extension { core, headless, hand_tracking, timespec, automation, ridged_plate, count };
+enum class Extension {
+  core,
+  headless,
+  hand_tracking,
+  timespec,
+  automation,
+  ridged_plate,
+  mock_control,
+  count
+};
 
 struct ExtensionInfo {
   const char* name;
@@ -23,6 +32,7 @@ inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::c
     {XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME, XR_KHR_convert_timespec_time_SPEC_VERSION},
     {XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_EXT_conformance_automation_SPEC_VERSION},
     {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
+    {XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_HRTX_mock_control_SPEC_VERSION},
 }};
 
 }  // namespace hrt::mock

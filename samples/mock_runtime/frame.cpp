@@ -6,8 +6,6 @@
 namespace hrt::mock {
 namespace {
 
-constexpr XrDuration frame_period = 11'111'111;  // 90 Hz
-
 Session& running_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
@@ -35,7 +33,10 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
   wait_until(handle, running_session(handle).frames.next_start);
 
+  ++running_session(handle).frame_number;
+  runtime().fire_due_events();
   Session& session = running_session(handle);
+  const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;
   // A grid of intervals, of which a late application misses some.

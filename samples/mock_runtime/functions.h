@@ -9,6 +9,7 @@
 
 #include <type_traits>
 
+#include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 // clang-format off
@@ -78,6 +79,9 @@
   X(xrLocateHandJointsEXT,                  locate_hand_joints,                      hand_tracking)      \
   X(xrConvertTimespecTimeToTimeKHR,         convert_timespec_time_to_time,           timespec)           \
   X(xrConvertTimeToTimespecTimeKHR,         convert_time_to_timespec_time,           timespec)           \
+  X(xrApplyScriptHRTX,                      apply_script,                            mock_control)       \
+  X(xrAdvanceTimeHRTX,                      advance_time,                            mock_control)       \
+  X(xrGetCallLogHRTX,                       get_call_log,                            mock_control)       \
   X(xrPlacePlateHRTX,                       place_plate,                             ridged_plate)       \
   X(xrSetSimulationSeedHRTX,                set_simulation_seed,                     ridged_plate)       \
   X(xrSetPlateOrientationHRTX,              set_plate_orientation,                   ridged_plate)       \

@@ -82,13 +82,20 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
             XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT,
         to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
     if (velocities == nullptr) continue;
+    const Velocities kind = tracker.session().world().velocities();
+    velocities->jointVelocities[i] = {};
+    if (kind == Velocities::none) continue;
+    XrHandJointVelocityEXT& velocity = velocities->jointVelocities[i];
+    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+    if (kind == Velocities::zero) continue;
     const Eigen::Vector3d linear =
         hand->index_tip_velocity_m_per_s +
         hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m);
-    velocities->jointVelocities[i] = {
-        XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT,
-        to_xr(Eigen::Vector3d(from_world.orientation * linear)),
-        to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s))};
+    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
+    if (kind == Velocities::full)
+      velocity.angularVelocity =
+          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
   }
   return XR_SUCCESS;
 }

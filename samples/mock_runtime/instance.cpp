@@ -19,11 +19,6 @@ bool is_text(const char (&array)[size]) {
 
 }  // namespace
 
-Runtime& runtime() {
-  static Runtime the_runtime;
-  return the_runtime;
-}
-
 void Instance::enable(const char* name) {
   require_pointer(name, "an extension name");
   for (std::size_t i = 1; i < extensions.size(); ++i) {
@@ -63,7 +58,8 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
           "applications for OpenXR 1.0 and 1.1 can be run");
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
   require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "there can be one instance at a time");
-  auto& instance = runtime().registry.create<Instance, Object>(nullptr, Clock::Kind::manual);
+  if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
+  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
   try {
     for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
       instance.enable(info->enabledExtensionNames[i]);

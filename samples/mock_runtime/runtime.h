@@ -4,7 +4,9 @@
 #include <condition_variable>
 #include <mutex>
 
+#include "samples/mock_runtime/call_log.h"
 #include "samples/mock_runtime/object.h"
+#include "samples/mock_runtime/script.h"
 
 namespace hrt::mock {
 
@@ -17,6 +19,15 @@ struct Runtime {
   std::condition_variable_any frame_begun;
   Registry registry;
   Instance* instance = nullptr;
+  CallLog log;
+  Script script;
+  Faults faults;             ///< those of the script, and the calls counted so far
+  std::string script_error;  ///< why the script of the environment could not be read; empty if it could
+
+  void apply(Script new_script);
+  /// Lets everything happen that the script has for now.
+  void fire_due_events();
+  XrTime now() const;  ///< 0 without an instance
 };
 
 Runtime& runtime();

@@ -2,6 +2,8 @@
 // participant under ideal conditions.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -17,11 +19,15 @@ struct ParticipantSettings {
   std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
 };
 
+/// What XrHandJointVelocitiesEXT says: nothing valid, valid zeros, valid linear ones only, or all.
+enum class Velocities { none, zero, linear, full };
+
 /// The hand tracker.
 struct TrackerSettings {
   double noise_m = 0.0;         ///< standard deviation of each coordinate, white, >= 0
   std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
   std::int64_t period_ns = 0;   ///< time between samples; 0: a new sample at every time that is asked for
+  Velocities velocities = Velocities::full;
 };
 
 /// The servo that turns the plate.
@@ -30,11 +36,24 @@ struct ServoSettings {
   std::int64_t latency_ns = 0;                                       ///< from a command to its effect, >= 0
 };
 
+/// Where an index fingertip is at a time.
+struct Keyframe {
+  std::int64_t time_ns;            ///< since the session was created
+  Eigen::Vector3d index_tip_m;     ///< in LOCAL space
+  Eigen::Quaterniond orientation;  ///< of the wrist, in LOCAL space
+};
+
+struct HandSettings {
+  bool tracked = false;
+  std::vector<Keyframe> path;  ///< in the order of time; empty: at rest
+};
+
 struct WorldSettings {
   std::uint64_t seed = 1;
   std::vector<ParticipantSettings> participants = {{}};  ///< reach n is made by number n modulo their count
   TrackerSettings tracker;
   ServoSettings servo;
+  std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
 };
 
 }  // namespace hrt::mock

@@ -1,5 +1,7 @@
 #include "samples/mock_runtime/world.h"
 
+#include <algorithm>
+
 #include "core/simulation/random.h"
 #include "core/trigonometry.h"
 
@@ -38,8 +40,14 @@ Pose local_space_in_world() {
   return {Eigen::Quaterniond::Identity(), {0.0, eye_height_m, 0.0}};
 }
 
-World::World(const WorldSettings& settings) : settings_(settings), servo_(settings.servo) {
-  at(XR_HAND_RIGHT_EXT).tracked = true;
+Eigen::Quaterniond resting_hand_orientation() {
+  return hand_orientation(0.0);
+}
+
+World::World(const WorldSettings& settings, XrTime start)
+    : settings_(settings), servo_(settings.servo), start_(start), now_(start) {
+  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
+    at(side).tracked = settings_of(side).tracked;
 }
 
 void World::place_plate(const Pose& plate, double radius_m) {
@@ -73,6 +81,10 @@ Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
   return {tip_m.x(), hand.height_m, tip_m.y()};
 }
 
+void World::freeze(XrHandEXT side, bool frozen) {
+  at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt;
+}
+
 void World::advance(XrTime now) {
   now_ = now;
   for (Hand& hand : hands_)
@@ -81,11 +93,37 @@ void World::advance(XrTime now) {
 
 std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   const Hand& hand = at(side);
-  if (!hand.tracked) return std::nullopt;
-  XrTime sampled = time - settings_.tracker.latency_ns;
+  if (!hand.tracked || hand.lost) return std::nullopt;
+  XrTime sampled = hand.frozen_at.value_or(time) - settings_.tracker.latency_ns;
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
-  HandState state = hand.reach ? sliding_hand(hand, side, sampled) : resting_hand(side);
-  state.index_tip_m += tracker_noise_m(side, sampled);
+  HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
+  state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
+  if (hand.frozen_at)
+    state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
+  return state;
+}
+
+HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
+  const std::vector<Keyframe>& path = settings_of(side).path;
+  if (path.empty()) return resting_hand(side);
+  const auto in_world = [](const Eigen::Vector3d& tip_m, const Eigen::Quaterniond& orientation) {
+    return HandState{local_space_in_world() * tip_m, orientation, Eigen::Vector3d::Zero(),
+                     Eigen::Vector3d::Zero()};
+  };
+  const auto after =
+      std::upper_bound(path.begin(), path.end(), time - start_,
+                       [](XrDuration t, const Keyframe& keyframe) { return t < keyframe.time_ns; });
+  if (after == path.begin()) return in_world(path.front().index_tip_m, path.front().orientation);
+  if (after == path.end()) return in_world(path.back().index_tip_m, path.back().orientation);
+  const Keyframe& from = *std::prev(after);
+  const Keyframe& to = *after;
+  const double duration_s = static_cast<double>(to.time_ns - from.time_ns) * 1e-9;
+  const double share = static_cast<double>(time - start_ - from.time_ns) * 1e-9 / duration_s;
+  HandState state = in_world(from.index_tip_m + share * (to.index_tip_m - from.index_tip_m),
+                             from.orientation.slerp(share, to.orientation));
+  state.index_tip_velocity_m_per_s = (to.index_tip_m - from.index_tip_m) / duration_s;
+  const Eigen::AngleAxisd turn_between(to.orientation * from.orientation.conjugate());
+  state.angular_velocity_rad_per_s = turn_between.axis() * (turn_between.angle() / duration_s);
   return state;
 }
 

@@ -17,6 +17,9 @@ namespace hrt::mock {
 /// Where LOCAL space, and the head of the seated user, is.
 Pose local_space_in_world();
 
+/// The orientation of a wrist whose hand points straight ahead, down onto a plate.
+Eigen::Quaterniond resting_hand_orientation();
+
 /// A hand at a moment.
 struct HandState {
   Eigen::Vector3d index_tip_m;
@@ -27,7 +30,8 @@ struct HandState {
 
 class World {
  public:
-  explicit World(const WorldSettings& settings);
+  /// A world that begins at `start`.
+  World(const WorldSettings& settings, XrTime start);
 
   /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
   void place_plate(const Pose& plate, double radius_m);
@@ -48,6 +52,13 @@ class World {
   /// Where the index tip joint of a hand with a reach is now, in plate coordinates.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
+  /// What goes wrong with a hand, from now on.
+  void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
+  void freeze(XrHandEXT hand, bool frozen);
+  void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
+
+  Velocities velocities() const { return settings_.tracker.velocities; }
+
   /// Lets time pass up to `now`. Commands given before now have been given before.
   void advance(XrTime now);
 
@@ -58,12 +69,19 @@ class World {
  private:
   struct Hand {
     bool tracked = false;
+    bool lost = false;
+    std::optional<XrTime> frozen_at;
+    Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();
     std::optional<Reach> reach;
     double height_m = 0.0;
   };
 
   Hand& at(XrHandEXT hand) { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
   const Hand& at(XrHandEXT hand) const { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
+  const HandSettings& settings_of(XrHandEXT side) const {
+    return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
+  }
+  HandState hand_on_path(XrHandEXT side, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
 
@@ -73,7 +91,8 @@ class World {
   double plate_radius_m_ = 0.0;
   std::array<Hand, 2> hands_;
   std::uint32_t reaches_ = 0;
-  XrTime now_ = 0;
+  XrTime start_;
+  XrTime now_;
 };
 
 }  // namespace hrt::mock

@@ -1,0 +1,40 @@
+// What the application has called, and what came of it.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <cstdio>
+#include <deque>
+#include <memory>
+#include <string>
+
+namespace hrt::mock {
+
+struct CallRecord {
+  XrTime time;
+  const char* function;
+  XrResult result;
+  std::string why;  ///< it was refused
+};
+
+class CallLog {
+ public:
+  /// Also writes to the end of the file that HRT_MOCK_CALL_LOG names, if it does.
+  CallLog();
+
+  void append(CallRecord record);
+  /// The latest 100,000, oldest first.
+  const std::deque<CallRecord>& records() const { return records_; }
+
+ private:
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+  std::deque<CallRecord> records_;
+  std::unique_ptr<std::FILE, CloseFile> file_;
+};
+
+/// "XR_SUCCESS"; a number for what has no name.
+std::string result_name(XrResult result);
+
+}  // namespace hrt::mock

@@ -1,0 +1,41 @@
+// Errors on order: the n-th call of a function returns a chosen one.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "samples/mock_runtime/functions.h"
+
+namespace hrt::mock {
+
+struct CallFault {
+  FunctionId function;
+  std::uint64_t call;   ///< the first call that fails, counted from 1
+  std::uint64_t count;  ///< how many in a row do
+  XrResult result;
+};
+
+class Faults {
+ public:
+  Faults() = default;
+  explicit Faults(std::vector<CallFault> faults) : faults_(std::move(faults)) {}
+
+  /// Counts a call. The error that it is to return, if it is.
+  std::optional<XrResult> next(FunctionId function);
+
+ private:
+  std::vector<CallFault> faults_;
+  std::array<std::uint64_t, static_cast<std::size_t>(FunctionId::count)> calls_{};
+};
+
+const char* name_of(FunctionId function);
+std::optional<FunctionId> find_function(std::string_view name);
+
+/// The errors that the specification lets a function return, in 1.0 and the extensions that are here.
+std::vector<XrResult> legal_errors(FunctionId function);
+
+}  // namespace hrt::mock
