@@ -1,5 +1,4 @@
 // XR_HRTX_ridged_plate: the participant of the paper, as an application sees it.
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -17,9 +16,7 @@ class MockPlate : public MockRuntime {
     MockRuntime::SetUp();
     begin_session();
     plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
-    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
-                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
-    ASSERT_XR(XR_SUCCESS, functions->create_hand_tracker(session, &info, &hand));
+    hand = create_hand_tracker();
   }
 
   void place_plate() {
@@ -41,13 +38,9 @@ class MockPlate : public MockRuntime {
   }
 
   XrVector3f index_tip(XrTime time) {
-    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
-                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
-    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, plate_space, time};
-    EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(hand, &info, &locations));
-    EXPECT_TRUE(locations.isActive);
-    return joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+    const Hand located = locate_hand(hand, plate_space, time);
+    EXPECT_TRUE(located.active);
+    return located.index_tip();
   }
 
   // In front of the user, turned a quarter to the left.

@@ -34,9 +34,12 @@ XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
 }
 
 const std::vector<const char*>& all_extensions() {
-  static const std::vector<const char*> names{
-      XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-      XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME};
+  static const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME,
+                                              XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                              XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME,
+                                              XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME,
+                                              XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
+                                              XR_HRTX_MOCK_CONTROL_EXTENSION_NAME};
   return names;
 }
 
@@ -46,6 +49,15 @@ Functions::Functions(XrInstance instance)
       locate_hand_joints(fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")),
       to_time(fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR")),
       to_timespec(fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR")),
+      set_device_active(fetch<PFN_xrSetInputDeviceActiveEXT>(instance, "xrSetInputDeviceActiveEXT")),
+      set_device_bool(fetch<PFN_xrSetInputDeviceStateBoolEXT>(instance, "xrSetInputDeviceStateBoolEXT")),
+      set_device_float(fetch<PFN_xrSetInputDeviceStateFloatEXT>(instance, "xrSetInputDeviceStateFloatEXT")),
+      set_device_vector(
+          fetch<PFN_xrSetInputDeviceStateVector2fEXT>(instance, "xrSetInputDeviceStateVector2fEXT")),
+      set_device_location(fetch<PFN_xrSetInputDeviceLocationEXT>(instance, "xrSetInputDeviceLocationEXT")),
+      apply_script(fetch<PFN_xrApplyScriptHRTX>(instance, "xrApplyScriptHRTX")),
+      advance_time(fetch<PFN_xrAdvanceTimeHRTX>(instance, "xrAdvanceTimeHRTX")),
+      get_call_log(fetch<PFN_xrGetCallLogHRTX>(instance, "xrGetCallLogHRTX")),
       place_plate(fetch<PFN_xrPlacePlateHRTX>(instance, "xrPlacePlateHRTX")),
       set_plate_orientation(fetch<PFN_xrSetPlateOrientationHRTX>(instance, "xrSetPlateOrientationHRTX")),
       get_plate_orientation(fetch<PFN_xrGetPlateOrientationHRTX>(instance, "xrGetPlateOrientationHRTX")),
@@ -94,6 +106,40 @@ std::vector<XrSessionState> MockRuntime::all_states() {
   std::vector<XrSessionState> states;
   while (const auto state = next_state()) states.push_back(*state);
   return states;
+}
+
+XrPath MockRuntime::path(const char* text) {
+  XrPath atom = XR_NULL_PATH;
+  EXPECT_XR(XR_SUCCESS, xrStringToPath(instance, text, &atom));
+  return atom;
+}
+
+std::vector<XrCallRecordHRTX> MockRuntime::call_log() {
+  std::uint32_t count = 0;
+  EXPECT_XR(XR_SUCCESS, functions->get_call_log(instance, 0, &count, nullptr));
+  std::vector<XrCallRecordHRTX> records(count, {XR_TYPE_CALL_RECORD_HRTX});
+  EXPECT_XR(XR_SUCCESS, functions->get_call_log(instance, count, &count, records.data()));
+  return records;
+}
+
+XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT hand) {
+  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, hand,
+                                        XR_HAND_JOINT_SET_DEFAULT_EXT};
+  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+  EXPECT_XR(XR_SUCCESS, functions->create_hand_tracker(session, &info, &tracker));
+  return tracker;
+}
+
+MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
+  Hand hand;
+  XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
+                                      hand.velocities.data()};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,
+                                    XR_HAND_JOINT_COUNT_EXT, hand.joints.data()};
+  const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, space, time};
+  EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
+  hand.active = locations.isActive == XR_TRUE;
+  return hand;
 }
 
 XrSpace MockRuntime::create_space(XrReferenceSpaceType type, const XrPosef& pose) {

@@ -8,10 +8,12 @@
 
 #include <openxr/openxr_platform.h>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 namespace hrt::mock {
@@ -47,6 +49,14 @@ struct Functions {
   PFN_xrLocateHandJointsEXT locate_hand_joints;
   PFN_xrConvertTimespecTimeToTimeKHR to_time;
   PFN_xrConvertTimeToTimespecTimeKHR to_timespec;
+  PFN_xrSetInputDeviceActiveEXT set_device_active;
+  PFN_xrSetInputDeviceStateBoolEXT set_device_bool;
+  PFN_xrSetInputDeviceStateFloatEXT set_device_float;
+  PFN_xrSetInputDeviceStateVector2fEXT set_device_vector;
+  PFN_xrSetInputDeviceLocationEXT set_device_location;
+  PFN_xrApplyScriptHRTX apply_script;
+  PFN_xrAdvanceTimeHRTX advance_time;
+  PFN_xrGetCallLogHRTX get_call_log;
   PFN_xrPlacePlateHRTX place_plate;
   PFN_xrSetPlateOrientationHRTX set_plate_orientation;
   PFN_xrGetPlateOrientationHRTX get_plate_orientation;
@@ -67,6 +77,19 @@ class MockRuntime : public ::testing::Test {
   /// The next session state that is told, or nothing.
   std::optional<XrSessionState> next_state();
   std::vector<XrSessionState> all_states();
+
+  XrPath path(const char* text);
+  std::vector<XrCallRecordHRTX> call_log();
+
+  /// All joints of a hand in a space, with velocities.
+  struct Hand {
+    bool active = false;
+    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+    std::array<XrHandJointVelocityEXT, XR_HAND_JOINT_COUNT_EXT> velocities{};
+    const XrVector3f& index_tip() const { return joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position; }
+  };
+  XrHandTrackerEXT create_hand_tracker(XrHandEXT hand = XR_HAND_RIGHT_EXT);
+  Hand locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time);
 
   XrSpace create_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose);
   /// One frame of the loop. Returns the predicted display time.
