@@ -2,9 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+
+#include "core/simulation/random.h"
 
 namespace hrt {
 namespace {
@@ -87,6 +91,46 @@ TEST(Batch, CountsWhatTrialsGive) {
   EXPECT_EQ(result.saturated_steps, saturated);
   EXPECT_NEAR(result.mean_miss_deg(), miss_sum_deg / 70.0, 1e-6);
   EXPECT_NEAR(result.rms_felt_error_deg(), std::sqrt(felt_squares_deg2 / 70.0), 1e-6);
+}
+
+class Hash {  // FNV-1a of 64-bit words
+ public:
+  void add(std::uint64_t word) { value_ = (value_ ^ word) * 0x100000001b3; }
+  void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 0xcbf29ce484222325;
+};
+
+// The same bits from every compiler, at every level of optimisation, on every host.
+TEST(Batch, BitsAreTheSameEverywhere) {
+  Hash draws;
+  for (std::uint32_t trial = 0; trial < 1000; ++trial) {
+    for (std::uint32_t step = 0; step < 30; ++step)
+      draws.add(standard_normal({.seed = 2024, .condition = 1, .trial = trial, .step = step}));
+  }
+  EXPECT_EQ(draws.value(), 2482131143362508185u);
+
+  std::vector<BatchJob> jobs = mixed_jobs();
+  jobs.push_back({.condition = {.controller = {.mpc = {.horizon = 20, .plate_rate_bound_deg = 40.0}}},
+                  .condition_id = 3,
+                  .first_trial = 0,
+                  .last_trial = 500});
+  jobs.push_back({.condition = {.controller = {.mode = ControlMode::fixed_plate}},
+                  .condition_id = 4,
+                  .first_trial = 0,
+                  .last_trial = 500});
+  Hash results;
+  for (const BatchResult& result : run_batch(jobs, 2024)) {
+    if (result.trials == 0) continue;
+    results.add(result.hits);
+    results.add(result.saturated_steps);
+    results.add(result.mean_miss_deg());
+    results.add(result.rms_miss_deg());
+    results.add(result.rms_felt_error_deg());
+  }
+  EXPECT_EQ(results.value(), 10484040329789634031u);
 }
 
 TEST(Batch, ReportsProgressToTheEnd) {
