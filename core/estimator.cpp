@@ -21,6 +21,8 @@ constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
 // w_T drifts by about this in a model step: a tenth of its prior over a reach.
 constexpr double weight_drift_sd = 0.001;
+// sigma_u^2 is known to about this before a reach.
+constexpr double motor_variance_prior_sd_deg2 = 0.5;
 // The direction of an exact sample.
 constexpr double exact_direction_variance_deg2 = 1e-12;
 // Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
@@ -42,7 +44,10 @@ bool is_valid(const EstimatorConfig& config) {
 
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                      const PlatePoint& start)
-    : config_(config), goal_direction_deg_(goal_direction_deg) {
+    : config_(config),
+      goal_direction_deg_(goal_direction_deg),
+      motor_variance_deg2_(participant.motor_variance_deg2),
+      motor_variance_information_(1.0 / (motor_variance_prior_sd_deg2 * motor_variance_prior_sd_deg2)) {
   const double noise_mm = config.tracker_noise_m * mm_per_m;
   noise_variance_mm2_ = noise_mm > 0.0 ? noise_mm * noise_mm : initial_noise_mm2;
   state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,
@@ -78,6 +83,7 @@ void Estimator::move(double elapsed_s) {
 }
 
 void Estimator::end_step(double plate_orientation_deg, double gain, double step_variance_deg2) {
+  learn_motor_variance();
   const double w = state_(weight);
   const double finger_offset_deg = state_(direction) - goal_direction_deg_;
   const double plate_offset_deg = plate_orientation_deg - goal_direction_deg_;
@@ -91,6 +97,20 @@ void Estimator::end_step(double plate_orientation_deg, double gain, double step_
       by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
   covariance_(direction, direction) += step_variance_deg2;
   if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
+  step_direction_deg_ = state_(direction);
+  step_variance_deg2_ = covariance_(direction, direction);
+}
+
+// The samples of a step amount to one measurement of its direction. By how much they moved it (delta) and
+// narrowed it (from V by D) gives the derivative of their log-likelihood by V, and so by sigma_u^2, which V
+// contains: (delta^2 - D) / 2 V^2, with the information D^2 / 2 V^4.
+void Estimator::learn_motor_variance() {
+  if (step_variance_deg2_ <= 0.0) return;
+  const double delta = state_(direction) - step_direction_deg_;
+  const double narrowed = step_variance_deg2_ - covariance_(direction, direction);
+  const double square = step_variance_deg2_ * step_variance_deg2_;
+  motor_variance_score_ += 0.5 * (delta * delta - narrowed) / square;
+  motor_variance_information_ += 0.5 * narrowed * narrowed / (square * square);
 }
 
 void Estimator::observe_direction(double direction_deg) {
@@ -167,7 +187,11 @@ FingerEstimate Estimator::estimate() const {
           .direction_sd_deg = std::sqrt(std::max(covariance_(direction, direction), 0.0)),
           .tactile_weight = state_(weight),
           .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
-          .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m};
+          .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m,
+          .motor_variance_deg2 =
+              std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
+                         least_motor_variance_deg2, most_motor_variance_deg2),
+          .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};
 }
 
 }  // namespace hrt

@@ -54,6 +54,10 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;
+  /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about 0.5 where the
+  /// reach can't tell.
+  double motor_variance_deg2 = 0.0;
+  double motor_variance_sd_deg2 = 0.0;
 };
 
 /// One reach. No heap, no lock, no exception. One thread at a time.
@@ -96,6 +100,9 @@ class Estimator {
   double innovation_determinant_mm4() const { return innovation_determinant_mm4_; }
 
   static constexpr int most_outliers = 5;
+  /// sigma_u^2 as learnt is kept in this range.
+  static constexpr double least_motor_variance_deg2 = 0.05;
+  static constexpr double most_motor_variance_deg2 = 5.0;
   /// w_T is kept in this range.
   static constexpr double least_tactile_weight = 0.02;
   static constexpr double most_tactile_weight = 0.48;
@@ -105,6 +112,7 @@ class Estimator {
   using State = Eigen::Matrix<double, size, 1>;
   using Covariance = Eigen::Matrix<double, size, size>;
 
+  void learn_motor_variance();
   void correct(Index measured, double innovation, double noise_variance);
 
   EstimatorConfig config_;
@@ -114,6 +122,13 @@ class Estimator {
   double normalised_innovation_ = 0.0;
   double innovation_determinant_mm4_ = 0.0;
   int outliers_ = 0;
+
+  // What the current step began with, to see by how much its samples correct it.
+  double step_direction_deg_ = 0.0;
+  double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
+  double motor_variance_deg2_;       // as assumed
+  double motor_variance_score_ = 0.0;
+  double motor_variance_information_;
 
   struct TimedPoint {
     std::int64_t time_ns;

@@ -123,6 +123,18 @@ TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
   EXPECT_NEAR(estimator.estimate().position.right_m, 0.05, 0.001);
 }
 
+// One exact step with V = 0.5 that is off by 1.5: the samples narrow all of V, so the score is
+// (2.25 - 0.5) / (2 * 0.25) = 3.5 and the information 1 / (2 * 0.25) = 2, next to the prior's 4.
+TEST(Estimator, LearnsTheMotorVarianceByHand) {
+  Estimator estimator({}, Participant{}, 0.0, {});
+  estimator.observe_direction(0.0);
+  estimator.end_step(0.0, 0.5, 0.5);
+  estimator.observe_direction(1.5);
+  estimator.end_step(0.0, 0.5, 0.5);
+  EXPECT_NEAR(estimator.estimate().motor_variance_deg2, 0.5 + 3.5 / 6.0, 1e-6);
+  EXPECT_NEAR(estimator.estimate().motor_variance_sd_deg2, 1.0 / std::sqrt(6.0), 1e-6);
+}
+
 // The filter must be as sure as it is right: over reaches of participants drawn from what it assumes, the
 // mean of the normalised innovations and errors lies in its chi-squared interval.
 TEST(Estimator, IsConsistent) {

@@ -37,8 +37,7 @@ void draw(Random& random, int horizon, bool has_rate_bound, Gains gains, RandomP
   if (has_rate_bound)
     drawn.config.plate_rate_bound_deg =
         random() % 2 ? 0.5 * drawn.config.plate_bound_deg : uniform(random, 0.5, 60.0);
-  for (double& gain : drawn.gains)
-    gain = gains == Gains::any ? uniform(random, 0.01, 1.0) : 0.0;
+  for (double& gain : drawn.gains) gain = gains == Gains::any ? uniform(random, 0.01, 1.0) : 0.0;
   if (gains == Gains::of_filter) {
     const Participant participant{.motor_variance_deg2 = std::exp(uniform(random, -3.0, 2.0)),
                                   .sensory_variance_deg2 = std::exp(uniform(random, -3.0, 2.0)),
@@ -74,8 +73,7 @@ TEST_P(MpcExact, MeetsTheOptimalityConditionsAndTheReference) {
     MpcDiagnostics diagnostics;
     const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem, &diagnostics);
     LongVector plate(c.horizon);
-    for (int k = 0; k < c.horizon; ++k)
-      plate[k] = diagnostics.plate_offset_deg[k];
+    for (int k = 0; k < c.horizon; ++k) plate[k] = diagnostics.plate_offset_deg[k];
     EXPECT_EQ(command.plate_offset_deg, diagnostics.plate_offset_deg[0]);
 
     const DenseProblem dense = dense_problem(drawn.config, drawn.problem);

@@ -90,6 +90,24 @@ TEST(TrackedTrial, DegradesButDoesNotFailWhereAssumptionsDoNotHold) {
   EXPECT_GE(reach_all(jerk, 0.12, 0.25).near, 396);
 }
 
+// Carried from reach to reach, the motor variance that is assumed comes to
+// be the person's own, where the tracker is good enough to show it.
+TEST(TrackedTrial, MotorVarianceIsLearntAcrossReaches) {
+  for (const double truth : {0.3, 1.0, 1.5}) {
+    TrackedCondition condition = adaptive();
+    condition.participant.motor_variance_deg2 = truth;
+    condition.tracker_noise_m = 0.0001;
+    double mean = 0.0;
+    for (std::uint32_t reach = 0; reach < 60; ++reach) {
+      const TrackedOutcome outcome =
+          simulate_tracked_trial(condition, {.seed = 4, .condition = 0, .trial = reach});
+      condition.controller.participant.motor_variance_deg2 = outcome.summary.estimate.motor_variance_deg2;
+      if (reach >= 30) mean += outcome.summary.estimate.motor_variance_deg2 / 30.0;
+    }
+    EXPECT_NEAR(mean, truth, 0.2 * truth) << truth;
+  }
+}
+
 // With exact directions and no plate dynamics, not knowing w_T costs at most a point or so: 1,000 trials
 // have a standard error of 0.8 points, and common random numbers make the difference smaller.
 TEST(TrackedTrial, ExactDirectionsTellTheWeightWithinAReach) {
