@@ -8,6 +8,7 @@ namespace hrt {
 namespace {
 
 const std::filesystem::path sample_scenes = HRT_SAMPLE_SCENES;
+const std::filesystem::path scene_files = HRT_SCENE_FILES;
 
 TEST(DeskScene, HoldsWhatItsMakerPutThere) {
   const Scene scene = load_scene(sample_scenes / "desk.gltf");
@@ -56,6 +57,35 @@ TEST(Table1Scene, HoldsTheSixPairsOfThePaper) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_NEAR(found[i].first, real_and_virtual_deg[i].first, 1e-8);
     EXPECT_NEAR(found[i].second, real_and_virtual_deg[i].second, 1e-8);
+  }
+}
+
+// What Blender writes for files/make_with_blender.py, in single precision: 1e-8 m at 0.1 m are 1e-5 degrees.
+// The rig stands at (1.2, 2, 0.7) in Blender's axes, which is (1.2, 0.7, -2) in glTF's, turned by 30 degrees.
+TEST(BlenderScene, FlatAndNestedPropertiesOfARealExport) {
+  const Scene scene = load_scene(scene_files / "blender.gltf");
+  EXPECT_EQ(scene.plate.node_path, "Desk/Rig/Plate");
+  EXPECT_EQ(scene.plate.radius_m, 0.075);
+  EXPECT_EQ(scene.plate.max_speed_deg_s, 400.0);
+  EXPECT_NEAR(scene.plate.pose.position_m.x, 1.2, 1e-6);
+  EXPECT_NEAR(scene.plate.pose.position_m.y, 0.7, 1e-6);
+  EXPECT_NEAR(scene.plate.pose.position_m.z, -2.0, 1e-6);
+  EXPECT_NEAR(scene.plate.pose.orientation.y, 0.25881904510252076, 1e-7);  // sin 15
+  ASSERT_EQ(scene.targets.size(), 3u);
+  const SceneTarget& bottle = scene.targets[0];
+  const SceneTarget& cylinder = scene.targets[1];
+  const SceneTarget& mirrored = scene.targets[2];
+  EXPECT_EQ(bottle.name, "Bottle");
+  EXPECT_EQ(bottle.served_by, 1u);
+  EXPECT_EQ(bottle.radius_m, 0.005);
+  EXPECT_NEAR(bottle.direction_deg, 10.0, 1e-3);
+  EXPECT_EQ(cylinder.name, "cylinder");
+  EXPECT_EQ(cylinder.kind, TargetKind::real_object);
+  EXPECT_NEAR(cylinder.direction_deg, 0.0, 1e-3);
+  EXPECT_NEAR(mirrored.direction_deg, -8.0, 1e-3);
+  EXPECT_NEAR(mirrored.position_m.y, 0.01, 1e-7);
+  for (const SceneTarget& target : scene.targets) {
+    EXPECT_NEAR(target.distance_m, 0.1, 1e-7);
   }
 }
 
