@@ -28,9 +28,10 @@ inline constexpr std::size_t haptic_nodes = 1000;
 /// A node that carries a haptic role.
 struct HapticNode {
   std::string name;  ///< of the node itself; may be empty
-  std::string path;  ///< names from the root, joined with '/'; a nameless node is its index in brackets
-  Vec3 origin_m;     ///< in the world
-  Axes axes;  ///< what the node's world transform makes of its axes: not unit, not always perpendicular
+  std::string path;  ///< names from the root, joined with '/'; a nameless node is its index in brackets,
+                     ///< control characters are '?'
+  Vec3 origin_m;  ///< in the world
+  Axes axes;      ///< what the node's world transform makes of its axes: not unit, not always perpendicular
   HapticProperties properties;
 };
 

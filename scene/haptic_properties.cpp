@@ -13,6 +13,7 @@
 namespace hrt {
 namespace {
 
+constexpr std::size_t longest_text = 255;
 constexpr double largest_radius_m = 10.0;
 constexpr double largest_speed_deg_s = 1e5;
 constexpr const char* nested_key = "haptic";
@@ -111,8 +112,12 @@ class Reader {
       fail(property.label + " is not a string");
     }
     const std::string value = property.value->get<std::string>();
-    if (value.empty()) {
-      fail(property.label + " is empty");
+    if (value.empty() || value.size() > longest_text) {
+      fail(property.label + " has " + std::to_string(value.size()) + " bytes; allowed are 1 to " +
+           std::to_string(longest_text));
+    }
+    if (value != printable(value)) {
+      fail(property.label + " is " + in_quotes(value) + ", with a control character in it");
     }
     return value;
   }

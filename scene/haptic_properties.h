@@ -12,10 +12,10 @@ enum class HapticRole { plate, real, virtual_target, start };
 /// As the file tells, in its ranges. A property that the role does not take is absent.
 struct HapticProperties {
   HapticRole role;
-  std::optional<std::string> name;        ///< not empty
+  std::optional<std::string> name;        ///< 1 to 255 bytes, no control characters
   std::optional<double> radius_m;         ///< > 0, at most 10
   std::optional<double> max_speed_deg_s;  ///< > 0, at most 1e5
-  std::optional<std::string> served_by;   ///< not empty
+  std::optional<std::string> served_by;   ///< as name
 };
 
 /// True if `extras` holds haptic properties: nested under `haptic`, or flat as `haptic_role` and so on.

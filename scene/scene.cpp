@@ -111,7 +111,8 @@ class SceneBuilder {
   }
 
   void add_target(const HapticNode& node) {
-    const std::string& name = node.properties.name.value_or(node.name.empty() ? node.path : node.name);
+    const std::string& name =
+        node.properties.name.value_or(node.name.empty() ? node.path : printable(node.name));
     const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
     if (!is_new) {
       fail(node, "its name " + in_quotes(name) + " is also that of " +

@@ -1,15 +1,22 @@
 #include "scene/scene_error.h"
 
+#include <algorithm>
+
 namespace hrt {
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::replace_if(
+      result.begin(), result.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; },
+      '?');
+  return result;
+}
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 80;
   std::string result = "\"";
-  for (const char c : text.substr(0, longest)) {
-    const bool is_control = static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    result += is_control ? '?' : c;
-  }
-  return result + (text.size() > longest ? "...\"" : "\"");
+  result += printable(text.substr(0, longest));
+  return result += text.size() > longest ? "...\"" : "\"";
 }
 
 std::string in_brackets(std::size_t index) {

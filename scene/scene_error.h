@@ -14,7 +14,10 @@ class SceneError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `text` in double quotes for a message: control characters as '?', cut after 80 bytes.
+/// `text` with control characters as '?'.
+std::string printable(std::string_view text);
+
+/// `text` in double quotes for a message: printable, cut after 80 bytes.
 std::string in_quotes(std::string_view text);
 
 /// An index as `[7]`: the name of what has none.

@@ -11,6 +11,7 @@ void add_table1(CLI::App& app);
 void add_trial(CLI::App& app);
 void add_sweep(CLI::App& app);
 void add_authority(CLI::App& app);
+void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
 
 }  // namespace hrt::study

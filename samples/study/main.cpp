@@ -65,6 +65,7 @@ int main(int argc, char** argv) {
   add_trial(app);
   add_sweep(app);
   add_authority(app);
+  add_scene(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

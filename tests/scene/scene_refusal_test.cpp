@@ -215,7 +215,7 @@ TEST(SceneRefusal, Properties) {
             "role, name, "
             "radius_m");
   EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", ""),
-            "test.gltf: node \"Real\": extras.haptic.name is empty");
+            "test.gltf: node \"Real\": extras.haptic.name has 0 bytes; allowed are 1 to 255");
   EXPECT_EQ(refusal_with("/nodes/1/name", 5),
             "test.gltf: node [1]: name is not a string of at most 255 bytes");
   EXPECT_EQ(refusal_with("/nodes/1/name", std::string(256, 'x')),
@@ -352,6 +352,17 @@ TEST(SceneRefusal, TooMuchOfEverything) {
     nodes.push_back(real());
   }
   EXPECT_EQ(refusal(document(nodes)), "test.gltf: more than 1000 nodes have a haptic role");
+}
+
+TEST(SceneRefusal, NamesThatAreNoText) {
+  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", std::string(256, 'x')),
+            "test.gltf: node \"Real\": extras.haptic.name has 256 bytes; allowed are 1 to 255");
+  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", std::string("a\0b", 3)),
+            "test.gltf: node \"Real\": extras.haptic.name is \"a?b\", with a control character in it");
+  // Blender lets a node have any name.
+  const Scene scene = load(with("/nodes/1/name", "a\nb"));
+  EXPECT_EQ(scene.targets[0].name, "a?b");
+  EXPECT_EQ(scene.targets[0].node_path, "a?b");
 }
 
 TEST(SceneRefusal, MessagesHoldNoControlCharacters) {
