@@ -116,7 +116,11 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     derivative = PiecewiseLinear(simplified(cost));
   }
 
-  for (Node& node : plate) node.x += problem.real_offset_deg;
+  for (Node& node : plate) {
+    node.x += problem.real_offset_deg;
+    // Of two nodes that all but coincide, the one that stays may be a rounding error short of the bound.
+    if (std::abs(node.value) > (1.0 - 1e-10) * bound_deg) node.value = std::copysign(bound_deg, node.value);
+  }
   const auto at_bound = [&](const Node& node) { return std::abs(node.value) == bound_deg; };
   const double infinity = std::numeric_limits<double>::infinity();
   ControlLaw law{PiecewiseLinear(plate), -infinity, infinity};
