@@ -25,6 +25,8 @@ const char* hrt_result_string(hrt_result result) noexcept {
     HRT_CASE(HRT_ERROR_NOT_FOUND);
     HRT_CASE(HRT_ERROR_BUFFER_TOO_SMALL);
     HRT_CASE(HRT_ERROR_NAME_TAKEN);
+    HRT_CASE(HRT_ERROR_SYSTEM);
+    HRT_CASE(HRT_ERROR_BAD_FORMAT);
     HRT_CASE(HRT_ERROR_INTERNAL);
     default:
       return "unknown result";

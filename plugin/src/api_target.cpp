@@ -56,25 +56,24 @@ hrt_result check_name(char (&name)[HRT_NAME_SIZE]) {
   return HRT_OK;
 }
 
-hrt_result read_target_config(const PlatePoint& start, const hrt_target_config* given,
+hrt_result read_target_config(const hrt_session_config& session_config, const hrt_target_config* given,
                               hrt_target_config* config) {
   *config = default_target_config;
   HRT_RETURN_IF_FAILED(read_struct("config", given, config));
   HRT_RETURN_IF_FAILED(check_range<unsigned>("role", config->role, HRT_TARGET_REAL, HRT_TARGET_VIRTUAL));
   HRT_RETURN_IF_FAILED(
-      check_range<unsigned>("place", config->place, HRT_PLACE_DIRECTION, HRT_PLACE_PLATE_POSITION));
+      check_range<unsigned>("place", config->place, HRT_PLACE_DIRECTION, HRT_PLACE_WORLD_POSITION));
   HRT_RETURN_IF_FAILED(check_zero("reserved", config->reserved));
   if (config->place == HRT_PLACE_DIRECTION) {
     HRT_RETURN_IF_FAILED(check_range("direction_deg", config->direction_deg, -180.0, 180.0));
     HRT_RETURN_IF_FAILED(
-        check_range("distance_m", config->distance_m, least_target_distance_m, largest_coordinate_m));
+        check_range("distance_m", config->distance_m, least_distance_m, largest_coordinate_m));
   } else {
     HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
-    const double distance_m = view_from(start, *config).distance_m;
-    if (distance_m < least_target_distance_m)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", distance_m,
-                  " m from the start in the plane of the plate; at least ", least_target_distance_m,
-                  " is needed");
+    const Bearing bearing = view(session_config, *config);
+    if (bearing.at_start)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
+                  " m from the start in the plane of the plate; at least ", least_distance_m, " is needed");
   }
   return check_name(config->name);
 }
@@ -94,16 +93,20 @@ hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
   return with_session("hrt_target_add", session, [&](Session& s) -> hrt_result {
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
     hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(start_of(s.config), config, &checked));
-    return s.targets.add(checked, &out_target->value);
+    HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
+    HRT_RETURN_IF_FAILED(s.targets.add(checked, &out_target->value));
+    s.record({.call = TargetChanged{TargetChanged::Change::added, out_target->value, checked}});
+    return HRT_OK;
   });
 }
 
 hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_target_config* config) noexcept {
   return with_session("hrt_target_set", session, [&](Session& s) -> hrt_result {
     hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(start_of(s.config), config, &checked));
-    return s.targets.set(target.value, checked);
+    HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
+    HRT_RETURN_IF_FAILED(s.targets.set(target.value, checked));
+    s.record({.call = TargetChanged{TargetChanged::Change::set, target.value, checked}});
+    return HRT_OK;
   });
 }
 
@@ -118,8 +121,11 @@ hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_con
 }
 
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
-  return with_session("hrt_target_remove", session,
-                      [&](Session& s) { return s.targets.remove(target.value); });
+  return with_session("hrt_target_remove", session, [&](Session& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.targets.remove(target.value));
+    s.record({.call = TargetChanged{TargetChanged::Change::removed, target.value, {}}});
+    return HRT_OK;
+  });
 }
 
 hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* out_target) noexcept {

@@ -84,6 +84,15 @@ inline hrt_result check_zero(const char* field, std::uint32_t value) {
   return fail(HRT_ERROR_OUT_OF_RANGE, field, " is ", value, "; it must be 0");
 }
 
+inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
+  if ((flags & ~known) == 0) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);
+}
+
+inline hrt_result check_plate_orientation(double orientation_deg) {
+  return check_range("plate_orientation_deg", orientation_deg, -360.0, 360.0);
+}
+
 inline constexpr double largest_coordinate_m = 1000.0;
 
 inline hrt_result check_position(const char* field, const double (&position_m)[3]) {

@@ -2,47 +2,19 @@
 // real-time calls report errors too.
 #pragma once
 
-#include <charconv>
-#include <cstdint>
-#include <cstring>
 #include <exception>
 #include <new>
 #include <string_view>
-#include <type_traits>
+#include <system_error>
 
 #include "haptic_retargeting/base.h"
+#include "plugin/src/text.h"
 
 namespace hrt::plugin {
 
-/// One line, cut off at the end of its buffer.
-class ErrorText {
- public:
-  void clear() { text_[length_ = 0] = '\0'; }
-  const char* c_str() const { return text_; }
-
-  void append(std::string_view part) {
-    const std::size_t room = sizeof text_ - 1 - length_;
-    const std::size_t taken = part.size() < room ? part.size() : room;
-    std::memcpy(text_ + length_, part.data(), taken);
-    text_[length_ += taken] = '\0';
-  }
-
-  template <class Number>
-  requires std::is_arithmetic_v<Number>
-  void append(Number number) {
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-    if (error == std::errc()) append({digits, static_cast<std::size_t>(end - digits)});
-  }
-
- private:
-  char text_[240] = "";
-  std::size_t length_ = 0;
-};
-
 struct ThreadError {
   const char* call = "";  // the entry point that this thread is in
-  ErrorText text;
+  Text<240> text;
 };
 
 extern thread_local constinit ThreadError thread_error;
@@ -51,9 +23,8 @@ extern thread_local constinit ThreadError thread_error;
 template <class... Parts>
 hrt_result fail(hrt_result code, const Parts&... parts) {
   thread_error.text.clear();
-  thread_error.text.append(std::string_view(thread_error.call));
-  thread_error.text.append(std::string_view(": "));
-  (thread_error.text.append(parts), ...);
+  thread_error.text << thread_error.call << ": ";
+  (thread_error.text << ... << parts);
   return code;
 }
 
@@ -65,8 +36,10 @@ hrt_result guarded(const char* call, Body&& body) noexcept {
     return body();
   } catch (const std::bad_alloc&) {
     return fail(HRT_ERROR_OUT_OF_MEMORY, "out of memory");
+  } catch (const std::system_error& error) {
+    return fail(HRT_ERROR_SYSTEM, error.what());
   } catch (const std::exception& error) {
-    return fail(HRT_ERROR_INTERNAL, std::string_view(error.what()));
+    return fail(HRT_ERROR_INTERNAL, error.what());
   } catch (...) {
     return fail(HRT_ERROR_INTERNAL, "an exception of unknown type");
   }

@@ -2,26 +2,57 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/retargeter.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "plugin/src/handle_table.h"
+#include "plugin/src/recorder.h"
+#include "plugin/src/session_config.h"
 #include "plugin/src/targets.h"
 
 namespace hrt::plugin {
 
-struct Session {
+/// One user and one plate. Every call that fails changes nothing. begin(), update() and end() are real-time.
+class Session {
+ public:
   explicit Session(const hrt_session_config& checked_config);
 
-  hrt_session_config config;
-  Retargeter retargeter;
-  Targets targets;
+  const hrt_session_config& config() const { return config_; }
+  /// Between reaches.
+  hrt_result set_config(const hrt_session_config& checked_config);
 
-  bool reaching = false;
-  bool reachable = false;  // the pair of the reach
-  bool sampled = false;    // the reach has had a sample
-  std::int64_t last_time_ns = 0;
-  double plate_orientation_deg = 0.0;  // last commanded
+  /// Where the last command left the plate.
+  double plate_orientation_deg() const { return plate_orientation_deg_; }
+
+  hrt_result begin(const Reach& reach);
+  /// `sample` has been read, not checked.
+  hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result end(hrt_reach_summary* summary);
+  hrt_result check_no_reach() const;
+  hrt_result check_reach() const;
+
+  Targets targets;
+  std::unique_ptr<Recorder> recorder;  ///< null: nothing is recorded
+
+  /// Takes note of a call that has ended.
+  void record(const Record& record) const {
+    if (recorder) recorder->push(record);
+  }
+
+ private:
+  hrt_result try_begin(const Reach& reach);
+  hrt_result try_update(const hrt_sample& sample, hrt_command* command);
+  hrt_result try_end(hrt_reach_summary* summary);
+  hrt_command command(std::uint32_t finger_flags) const;
+  void carry(const FingerEstimate& estimate);
+
+  hrt_session_config config_;
+  Retargeter retargeter_;
+  bool reaching_ = false;
+  bool sampled_ = false;  // the reach has had a sample
+  std::int64_t last_time_ns_ = 0;
+  double plate_orientation_deg_ = 0.0;
 };
 
 inline constexpr std::uint8_t session_kind = 0x51;
@@ -40,10 +71,5 @@ hrt_result with_session(const char* call, hrt_session handle, Body&& body) noexc
     return body(*lease);
   });
 }
-
-hrt_session_config default_session_config();
-
-/// Where a session's reaches start, in the plane of the plate.
-PlatePoint start_of(const hrt_session_config& config);
 
 }  // namespace hrt::plugin

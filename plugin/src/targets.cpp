@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "plugin/src/error.h"
+#include "plugin/src/session_config.h"
 
 namespace hrt::plugin {
 namespace {
@@ -71,10 +72,14 @@ std::uint64_t Targets::find(std::string_view name) const {
   return found == by_name_.end() ? 0 : found->second;
 }
 
-TargetView view_from(const PlatePoint& start, const hrt_target_config& target) {
-  if (target.place == HRT_PLACE_DIRECTION) return {target.direction_deg, target.distance_m};
-  const PlatePoint place{.right_m = target.position_m[0], .away_m = -target.position_m[2]};
-  return {bearing_deg(start, place), distance_m(start, place)};
+Bearing view(const hrt_session_config& config, const hrt_target_config& target) {
+  if (target.place == HRT_PLACE_DIRECTION)
+    return {.direction_deg = target.direction_deg, .distance_m = target.distance_m, .at_start = false};
+  const auto& p = target.position_m;
+  FingerOnPlate place{};
+  locate_finger(surface_of(config), target.place == HRT_PLACE_WORLD_POSITION ? plate_pose_of(config) : Pose{},
+                {p[0], p[1], p[2]}, place);
+  return place.bearing;
 }
 
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,

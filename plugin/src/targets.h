@@ -6,19 +6,10 @@
 #include <string>
 #include <string_view>
 
-#include "core/estimator.h"
 #include "haptic_retargeting/target.h"
+#include "scene/plate_coordinates.h"
 
 namespace hrt::plugin {
-
-/// A target nearer to the start than this has no direction.
-inline constexpr double least_target_distance_m = 0.001;
-
-/// A target seen from where reaches start.
-struct TargetView {
-  double direction_deg;
-  double distance_m;
-};
 
 /// Targets by id. Ids come from one counter for the whole process: they are never given out twice, and
 /// a greater one was added later.
@@ -40,7 +31,8 @@ class Targets {
   std::map<std::string, std::uint64_t, std::less<>> by_name_;
 };
 
-TargetView view_from(const PlatePoint& start, const hrt_target_config& target);
+/// A target in the plane of the plate, seen from where the session's reaches start.
+Bearing view(const hrt_session_config& config, const hrt_target_config& target);
 
 /// Finds a target of the wanted role (0: of either), or fails naming `argument`.
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,

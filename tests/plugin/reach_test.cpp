@@ -75,6 +75,52 @@ TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
   EXPECT_NEAR(command.distance_to_go_m, std::hypot(0.1 * std::sin(rad), 0.1 * std::cos(rad) - 0.028), 1e-4);
 }
 
+// The plate lies in the world at (1, 2, 3), turned by 90 degrees to the left about the world's up axis, so
+// that its mid-line, -z, is the world's -x. Going from (1, 2, 3) along -x is going straight ahead.
+TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
+  double on_plate_deg[21];
+  begin_reach();
+  for (int i = 0; i <= 20; ++i)
+    on_plate_deg[i] = update(position_sample(i * step_ns / 10, 0.0, -0.05 + 0.001 * i)).plate_orientation_deg;
+
+  hrt_session_config config = session_config();
+  const double half = std::sqrt(0.5);
+  config.plate_position_m[0] = 1.0;
+  config.plate_position_m[1] = 2.0;
+  config.plate_position_m[2] = 3.0;
+  config.plate_rotation[1] = half;
+  config.plate_rotation[3] = half;
+  create(config);
+  begin_reach();
+  for (int i = 0; i <= 20; ++i) {
+    hrt_sample sample = position_sample(i * step_ns / 10, 1.0 + 0.05 - 0.001 * i, -3.0);
+    sample.finger_position_m[1] = 2.0;
+    sample.flags = HRT_SAMPLE_WORLD_POSITION;
+    EXPECT_NEAR(update(sample).plate_orientation_deg, on_plate_deg[i], 1e-9);
+  }
+  EXPECT_NE(on_plate_deg[20], 0.0);
+}
+
+// Finger and plate carried along together: on the plate nothing moves.
+TEST_F(ReachTest, PlateMayMoveWithTheFinger) {
+  begin_reach();
+  for (int i = 0; i <= 20; ++i) {
+    hrt_sample sample = position_sample(i * step_ns / 10, 0.01 * i, -0.05);
+    sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+    sample.plate_position_m[0] = 0.01 * i;
+    sample.plate_rotation[3] = 1.0;
+    EXPECT_EQ(update(sample).step, -1);
+  }
+}
+
+TEST_F(ReachTest, HighAndFarFingersAreFlagged) {
+  begin_reach();
+  hrt_sample sample = position_sample(0, 0.0, -0.05);
+  sample.finger_position_m[1] = 0.02;
+  EXPECT_NE(update(sample).flags & HRT_COMMAND_LIFTED, 0u);
+  EXPECT_NE(update(position_sample(1, 0.08, 0.0)).flags & HRT_COMMAND_OFF_PLATE, 0u);
+}
+
 TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   begin_reach();
   const hrt_command first = update(direction_sample(0, 0.0));
@@ -95,12 +141,14 @@ TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   EXPECT_EQ(summary.predicted_steps, 4);
 }
 
-TEST_F(ReachTest, LiftedFingerIsADropoutWhateverItsPosition) {
+TEST_F(ReachTest, LiftedFingerTellsNothingWhateverItsDirection) {
   begin_reach();
   hrt_sample lifted = direction_sample(0, 10.0);
   lifted.flags |= HRT_SAMPLE_LIFTED;
-  EXPECT_EQ(update(lifted).step, -1);
-  EXPECT_EQ(end().dropped_samples, 1);
+  const hrt_command command = update(lifted);
+  EXPECT_EQ(command.step, -1);
+  EXPECT_NE(command.flags & HRT_COMMAND_LIFTED, 0u);
+  EXPECT_EQ(end().steps, 0);
 }
 
 TEST_F(ReachTest, FixedPlateStaysWhereItIsTold) {
@@ -121,6 +169,99 @@ TEST_F(ReachTest, UnreachablePairIsSaid) {
   // The short way round from 0: ridges at 99.5 feel like ridges at -80.5.
   EXPECT_NEAR(command.plate_orientation_deg, 15.0 + 84.5 - 180.0, 1e-9);
   EXPECT_EQ(end().saturated_steps, 1);
+}
+
+TEST_F(ReachTest, RateBoundLimitsTheTurnOfAStep) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 100.0;
+  create(config);
+  begin_reach();
+  const hrt_command command = update(direction_sample(0, 0.0));
+  EXPECT_NEAR(command.plate_orientation_deg, 10.0, 1e-9);
+  EXPECT_NE(command.flags & HRT_COMMAND_RATE_LIMITED, 0u);
+  end();
+}
+
+TEST_F(ReachTest, PlateIsWhereTheLastReachLeftItUnlessSaid) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 100.0;
+  create(config);
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  ASSERT_OK(begin(real, virtual_target));
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9);
+  end();
+  ASSERT_OK(begin(real, virtual_target));
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 20.0, 1e-9);
+  end();
+  hrt_reach_config reach;
+  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  reach.real_target = real;
+  reach.virtual_target = virtual_target;
+  reach.flags = HRT_REACH_PLATE_ORIENTATION;
+  reach.plate_orientation_deg = -40.0;
+  ASSERT_OK(hrt_reach_begin(session, &reach));
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, -30.0, 1e-9);
+}
+
+TEST_F(ReachTest, MeasuredPlateOrientationCounts) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 100.0;
+  create(config);
+  begin_reach();
+  hrt_sample sample = direction_sample(0, 0.0);
+  sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+  sample.plate_orientation_deg = 25.0;
+  EXPECT_NEAR(update(sample).plate_orientation_deg, 35.0, 1e-9);
+}
+
+// A participant whose w_T is not the one assumed: learnt within a reach, it leads to the real target;
+// carried, it is what the next reach starts from.
+TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
+  hrt_session_config config = session_config();
+  config.adaptation = HRT_ADAPTATION_CARRIED;
+  create(config);
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  const auto reach = [&] {
+    hrt_reach_config reach_config;
+    EXPECT_OK(hrt_reach_config_default(&reach_config, sizeof reach_config));
+    reach_config.real_target = real;
+    reach_config.virtual_target = virtual_target;
+    EXPECT_OK(hrt_reach_begin(session, &reach_config));
+    SimulatedParticipant participant({.tactile_weight = 0.22}, 5.0);
+    for (int step = 0; step < 30; ++step) {
+      const hrt_command command =
+          update(direction_sample(step * step_ns, participant.finger_direction_deg()));
+      participant.step(command.plate_orientation_deg, 0.0);
+    }
+    return end();
+  };
+  const hrt_reach_summary first = reach();
+  EXPECT_NEAR(first.tactile_weight, 0.22, 0.02);
+  EXPECT_GT(first.tactile_weight_sd, 0.0);
+  EXPECT_LT(first.tactile_weight_sd, 0.05);
+  EXPECT_NEAR(first.final_miss_deg, 0.0, 0.5);
+  auto learnt = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &learnt));
+  EXPECT_EQ(learnt.tactile_weight, first.tactile_weight);
+  EXPECT_EQ(learnt.tactile_weight_sd, std::max(first.tactile_weight_sd, 0.01));
+
+  config.adaptation = HRT_ADAPTATION_OFF;
+  create(config);
+  begin_reach();
+  EXPECT_EQ(end().tactile_weight, 0.15);
+}
+
+TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
+  hrt_session_config config = session_config();
+  config.plate_lower_stop_deg = -90.0;
+  config.plate_upper_stop_deg = 90.0;
+  create(config);
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, 20.0), add(HRT_TARGET_VIRTUAL, 32.0)));
+  for (int i = 0; i < 30; ++i) {
+    const double plate_deg = update(direction_sample(i * step_ns, 32.0 - 0.4 * i)).plate_orientation_deg;
+    EXPECT_GE(plate_deg, -90.0);
+    EXPECT_LE(plate_deg, 90.0);
+  }
 }
 
 TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
@@ -180,7 +321,11 @@ TEST_F(ReachTest, BadSamplesAreRefusedAndChangeNothing) {
   }
   hrt_sample sample = direction_sample(1, 0.0);
   sample.flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION;
-  refused(sample, HRT_ERROR_OUT_OF_RANGE, "both");
+  refused(sample, HRT_ERROR_OUT_OF_RANGE, "flags is 3; allowed: one of");
+  sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  refused(sample, HRT_ERROR_OUT_OF_RANGE, "plate_rotation is (0, 0, 0, 0)");
+  sample.plate_position_m[1] = std::nan("");
+  refused(sample, HRT_ERROR_OUT_OF_RANGE, "plate_position_m");
   sample.flags = 1u << 31;
   refused(sample, HRT_ERROR_OUT_OF_RANGE, "flags");
   sample = direction_sample(1, 0.0);
@@ -207,7 +352,8 @@ TEST_F(ReachTest, FieldsThatFlagsDoNotNameAreNotRead) {
 
 TEST_F(ReachTest, BadPairsAreRefused) {
   const hrt_target real = add(HRT_TARGET_REAL, -50.0), virtual_target = add(HRT_TARGET_VIRTUAL, 45.0);
-  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE, "95 degrees apart");
+  expect_error(begin(real, virtual_target), HRT_ERROR_OUT_OF_RANGE,
+               "real target is at -50 degrees, the virtual at 45");
   expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");
   expect_error(begin({0}, virtual_target), HRT_ERROR_INVALID_HANDLE, "real_target");
   expect_error(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "config is null");

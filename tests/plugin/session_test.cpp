@@ -85,6 +85,14 @@ TEST(SessionConfig, EveryFieldIsChecked) {
       {"perceived_weight", &hrt_session_config::perceived_weight, 0.0, 2e6},
       {"actual_weight", &hrt_session_config::actual_weight, -1e-300, 2e6},
       {"plate_bound_deg", &hrt_session_config::plate_bound_deg, 0.0, 90.0001},
+      {"plate_max_speed_deg_s", &hrt_session_config::plate_max_speed_deg_s, -1.0, 2e6},
+      {"plate_max_acceleration_deg_s2", &hrt_session_config::plate_max_acceleration_deg_s2, -1.0, 2e8},
+      {"plate_lower_stop_deg", &hrt_session_config::plate_lower_stop_deg, -3601.0, 3601.0},
+      {"plate_upper_stop_deg", &hrt_session_config::plate_upper_stop_deg, -3601.0, 3601.0},
+      {"tactile_weight_sd", &hrt_session_config::tactile_weight_sd, 0.0, 0.5},
+      {"tracker_noise_m", &hrt_session_config::tracker_noise_m, -1e-9, 0.2},
+      {"plate_radius_m", &hrt_session_config::plate_radius_m, 0.0, 1001.0},
+      {"lift_height_m", &hrt_session_config::lift_height_m, 0.0, 1001.0},
       {"fixed_plate_orientation_deg", &hrt_session_config::fixed_plate_orientation_deg, -181.0, 181.0},
       {"tactile_weight", &hrt_session_config::tactile_weight, 0.0, 0.5},
       {"motor_variance_deg2", &hrt_session_config::motor_variance_deg2, -1.0, 1e5},
@@ -116,7 +124,15 @@ TEST(SessionConfig, WholeNumbersAreChecked) {
   refused([](hrt_session_config& c) { c.step_period_ns = -1; }, "step_period_ns is -1");
   refused([](hrt_session_config& c) { c.control = 2; }, "control");
   refused([](hrt_session_config& c) { c.guidance = 2; }, "guidance");
+  refused([](hrt_session_config& c) { c.adaptation = 3; }, "adaptation");
+  refused([](hrt_session_config& c) { c.reserved = 1; }, "reserved");
+  refused([](hrt_session_config& c) { c.plate_latency_ns = -1; }, "plate_latency_ns");
+  refused([](hrt_session_config& c) { c.plate_latency_ns = 800'000'001; }, "plate_latency_ns");
+  refused([](hrt_session_config& c) { c.plate_upper_stop_deg = 179.0; }, "at least 180 above");
   refused([](hrt_session_config& c) { c.start_position_m[1] = 1001.0; }, "start_position_m");
+  refused([](hrt_session_config& c) { c.plate_position_m[0] = std::nan(""); }, "plate_position_m");
+  refused([](hrt_session_config& c) { c.plate_rotation[3] = 0.9; }, "plate_rotation");
+  refused([](hrt_session_config& c) { c.plate_rotation[0] = std::nan(""); }, "plate_rotation");
 }
 
 TEST(SessionConfig, StructSizeIsChecked) {

@@ -122,7 +122,7 @@ TEST_F(TargetTest, EveryFieldIsChecked) {
   refused([](hrt_target_config& c) { c.role = 0; }, "role is 0; allowed: 1 to 2");
   refused([](hrt_target_config& c) { c.place = 9; }, "place is 9");
   refused([](hrt_target_config& c) { c.reserved = 1; }, "reserved");
-  refused([](hrt_target_config& c) { c.direction_deg = std::nan(""); }, "direction_deg is nan");
+  refused([](hrt_target_config& c) { c.direction_deg = std::nan(""); }, "direction_deg is NaN");
   refused([](hrt_target_config& c) { c.direction_deg = 180.5; }, "direction_deg is 180.5");
   refused([](hrt_target_config& c) { c.distance_m = 0.0; }, "distance_m");
   refused(
@@ -186,6 +186,23 @@ TEST_F(AuthorityTest, TakesDirectionsFromTheStart) {
   EXPECT_NEAR(authority.gap_deg, 45.0, 1e-12);
   EXPECT_EQ(authority.reachable, 0u);
   EXPECT_NEAR(authority.settling_direction_deg, -84.5 * 0.15 / 0.85, 1e-12);
+}
+
+// The plate's mid-line is the world's -x (see reach_test.cpp), and its start 5 cm back at x = 0.05: a target
+// at x = -0.05, z = -0.1 is 0.1 ahead and 0.1 to the right.
+TEST_F(AuthorityTest, TakesTargetsInTheWorldToThePlate) {
+  hrt_session_config config = session_config();
+  config.plate_rotation[1] = config.plate_rotation[3] = std::sqrt(0.5);
+  create(config);
+  hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
+  target.place = HRT_PLACE_WORLD_POSITION;
+  target.position_m[0] = -0.05;
+  target.position_m[2] = -0.1;
+  hrt_target real{};
+  ASSERT_OK(hrt_target_add(session, &target, &real));
+  auto authority = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, real, add(HRT_TARGET_VIRTUAL, 0.0), &authority));
+  EXPECT_NEAR(authority.gap_deg, 45.0, 1e-9);
 }
 
 TEST_F(AuthorityTest, GapGoesTheShortWayRound) {

@@ -81,6 +81,10 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
 #define HRT_ERROR_NAME_TAKEN (-12)
+/** The operating system refused: a file, a thread. */
+#define HRT_ERROR_SYSTEM (-13)
+/** A text is not what it should be; hrt_last_error() tells where. */
+#define HRT_ERROR_BAD_FORMAT (-14)
 /** A defect in this library; please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
 

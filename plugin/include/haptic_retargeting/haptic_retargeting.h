@@ -8,7 +8,9 @@
 #include "authority.h"
 #include "base.h"
 #include "host.h"
+#include "profile.h"
 #include "reach.h"
+#include "recording.h"
 #include "session.h"
 #include "target.h"
 

@@ -29,6 +29,19 @@ typedef struct hrt_allocator {
  *  [any-thread], but not while another thread is in any call of this library. */
 HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEPT;
 
+/** hrt_log_callback: how bad it is. */
+#define HRT_LOG_WARNING 1
+#define HRT_LOG_ERROR 2
+
+/** Hears what no call can return, such as that a recording's disk is full. `text` is one line, valid during
+ *  the call. Called from a thread of the library's own, never from within a call of the host's; must not call
+ *  this library, and must not throw. */
+typedef void (*hrt_log_callback)(void* context, uint32_t level, const char* text);
+
+/** Has `callback` called with `context` from now on; null: nobody, as at first. Errors and thread rule: as
+ *  hrt_set_allocator(). */
+HRT_API hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) HRT_NOEXCEPT;
+
 #if defined(__cplusplus)
 }
 #endif

@@ -28,12 +28,18 @@ typedef struct hrt_reach_config {
   double plate_orientation_deg;
 } hrt_reach_config;
 
-/** hrt_sample::flags: which fields hold something. With none of the first two, the sample is a dropout: the
- *  plate is held, and the model predicts until the finger is seen again. Both at once are an error. */
+/** hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION
+ *  the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More
+ *  than one of these is an error. */
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, measured by the device */
-#define HRT_SAMPLE_LIFTED UINT32_C(8) /**< the finger is off the plate, and so feels nothing: a dropout */
+#define HRT_SAMPLE_LIFTED \
+  UINT32_C(8) /**< the finger is off the plate, and so feels nothing: the model waits */
+#define HRT_SAMPLE_WORLD_POSITION UINT32_C(16) /**< finger_position_m, in the engine's world */
+/** plate_position_m and plate_rotation: the plate has moved in the world; else it is where the session's
+ *  configuration has it. Goes with WORLD_POSITION. */
+#define HRT_SAMPLE_PLATE_POSE UINT32_C(32)
 
 /** One sample of the tracked finger. Set it to zero, then `struct_size` and what is known. Fields that
  *  `flags` does not name are not read, whatever is in them. */
@@ -49,14 +55,19 @@ typedef struct hrt_sample {
   double finger_position_m[3];
   /** Where the plate stands, -360 to 360. */
   double plate_orientation_deg;
+  /** The plate in the world, as in hrt_session_config. */
+  double plate_position_m[3];
+  double plate_rotation[4];
 } hrt_sample;
 
 /** hrt_command::flags. */
 #define HRT_COMMAND_HELD UINT32_C(1)         /**< between steps: nothing new was decided in this call */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< the last step had no direction and was predicted */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound holds the command */
-#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's rate holds the command */
+#define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed holds the command */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the real direction cannot be held: see authority.h */
+#define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger is above the plate: the model waits */
+#define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 
 /** What the plate is to do now, and why. Set `struct_size` before the call. */
 typedef struct hrt_command {
@@ -65,8 +76,8 @@ typedef struct hrt_command {
   uint32_t flags;
   /** The model step, from 0; -1 before the finger moves. */
   int64_t step;
-  /** Turn the plate here. Ridges repeat every 180 degrees: any orientation that differs by that is felt the
-   *  same. */
+  /** Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the same this is the
+   *  nearest that the plate's stops allow. */
   double plate_orientation_deg;
   /** The finger's direction in the last step, observed or predicted. */
   double finger_direction_deg;
@@ -86,13 +97,13 @@ typedef struct hrt_command {
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Samples taken in, and of these the dropouts. */
+  /** Samples taken in, and of these the dropouts and what was left out as an outlier. */
   int64_t samples;
   int64_t dropped_samples;
-  /** Model steps in which the controller acted, and steps that were predicted for want of a direction. */
+  /** Model steps with samples, and steps without, which were predicted. */
   int64_t steps;
   int64_t predicted_steps;
-  /** Of the steps acted in, those whose command the plate's bound or its rate held. */
+  /** Of the steps with samples, those whose command the plate's bound or its speed held. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
   /** The finger's direction in the last step, and that less the real target's. */
@@ -106,6 +117,8 @@ typedef struct hrt_reach_summary {
   /** What the controller assumed at the end; see hrt_command. */
   double tactile_weight;
   double tactile_weight_sd;
+  /** White noise of each coordinate of the tracked positions, standard deviation, as learnt or configured. */
+  double tracker_noise_m;
 } hrt_reach_summary;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
@@ -115,10 +128,10 @@ HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32
  *  [real-time] */
 HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
-/** Takes one sample in and tells what the plate is to do now. Samples may come at any rate. The controller
- *  acts once in a step period; in between the command is held. Steps that pass without a direction are
- *  predicted, at most 64 in one call. Errors: WRONG_STATE without a reach, OUT_OF_RANGE naming the
- *  field, TIME_REVERSED. [real-time] */
+/** Takes one sample in and tells what the plate is to do now. Samples may come at any rate. Directions
+ *  move the controller once in a step period, positions at each sample, as they tell ever more of the step;
+ * in between the command is held. Steps that pass without samples are predicted, at most 64 in one call.
+ * Errors: WRONG_STATE without a reach, OUT_OF_RANGE naming the field, TIME_REVERSED. [real-time] */
 HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                     hrt_command* out_command) HRT_NOEXCEPT;
 

@@ -30,6 +30,13 @@ typedef struct hrt_session {
  *  the path remains. Takes effect when positions are streamed. */
 #define HRT_GUIDANCE_LINE_OF_SIGHT 1
 
+/** Whether the user's share of touch is learnt. */
+#define HRT_ADAPTATION_OFF 0   /**< no: tactile_weight is taken as known */
+#define HRT_ADAPTATION_REACH 1 /**< within each reach, from tactile_weight and its deviation */
+/** As REACH; and what a reach has learnt becomes the configuration's tactile_weight and tactile_weight_sd,
+ * the latter no less than 0.01, as people change. */
+#define HRT_ADAPTATION_CARRIED 2
+
 /** Everything that a session is made from. hrt_session_config_default() fills every field. */
 typedef struct hrt_session_config {
   uint32_t struct_size;
@@ -41,25 +48,52 @@ typedef struct hrt_session_config {
   uint32_t control;
   /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION. */
   uint32_t guidance;
+  /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF. */
+  uint32_t adaptation;
+  uint32_t reserved;
   /** Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1. */
   double perceived_weight;
   /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
   double actual_weight;
   /** The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5. */
   double plate_bound_deg;
+  /** The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0. */
+  double plate_max_speed_deg_s;
+  /** Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit. Default 0. */
+  double plate_max_acceleration_deg_s2;
+  /** The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods. Default 0. */
+  int64_t plate_latency_ns;
+  /** The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0: it turns freely.
+   *  Default 0 and 0. */
+  double plate_lower_stop_deg;
+  double plate_upper_stop_deg;
   /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0. */
   double fixed_plate_orientation_deg;
   /** Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15. */
   double tactile_weight;
+  /** Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default 0.05. */
+  double tactile_weight_sd;
   /** Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5. */
   double motor_variance_deg2;
   /** Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1. */
   double sensory_variance_deg2;
   /** Variance of the user's perceived direction before the first step, 0 to 1e4. Default 0. */
   double initial_variance_deg2;
+  /** White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0: learn it from the
+   *  samples. Default 0. */
+  double tracker_noise_m;
   /** Where reaches start, in plate coordinates; target directions are measured from here, in the plane of
    *  the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
   double start_position_m[3];
+  /** Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default 0.075. */
+  double plate_radius_m;
+  /** Higher than this above the plate a position is lifted, 0.0001 to 1000. Default 0.015. */
+  double lift_height_m;
+  /** The plate's centre in the engine's world, each within 1000. Default (0, 0, 0). */
+  double plate_position_m[3];
+  /** How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate
+   *  coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1). */
+  double plate_rotation[4];
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

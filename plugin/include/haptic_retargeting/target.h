@@ -28,6 +28,8 @@ typedef struct hrt_target {
 /** How a target's place is given. */
 #define HRT_PLACE_DIRECTION 1      /**< by `direction_deg` and `distance_m` */
 #define HRT_PLACE_PLATE_POSITION 2 /**< by `position_m` in plate coordinates */
+/** By `position_m` in the engine's world; see hrt_session_config::plate_position_m. */
+#define HRT_PLACE_WORLD_POSITION 3
 
 /** A target. hrt_target_config_default() fills every field. Fields that `place` does not name are not
  *  read. */
@@ -42,8 +44,8 @@ typedef struct hrt_target_config {
   double direction_deg;
   /** Distance from the start along the plate, 0.001 to 1000. Default 0.1. */
   double distance_m;
-  /** Place in plate coordinates, each within 1000, at least 1 mm from the start in the plane of the plate;
-   *  the height y is kept and not used. Default (0, 0, 0). */
+  /** Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start in the plane
+   * of the plate; the height y is kept and not used. Default (0, 0, 0). */
   double position_m[3];
   /** UTF-8, ended by a zero; unique within the session unless empty. Default empty. */
   char name[HRT_NAME_SIZE];

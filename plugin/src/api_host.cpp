@@ -1,5 +1,5 @@
-// All of the library's memory, that of the containers and of nlohmann-json included: the operators below
-// serve this library alone, which exports neither them nor the C++ runtime it is linked with.
+// What the host lends. All of the library's memory, that of the containers and of nlohmann-json included: the
+// operators below serve this library alone, which exports neither them nor the C++ runtime it is linked with.
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
@@ -7,6 +7,7 @@
 
 #include "haptic_retargeting/host.h"
 #include "plugin/src/checked.h"
+#include "plugin/src/host.h"
 
 namespace hrt::plugin {
 namespace {
@@ -52,9 +53,27 @@ void release(void* memory) noexcept {
   allocator.release(allocator.context, memory);
 }
 
+struct Log {
+  hrt_log_callback callback;
+  void* context;
+};
+constinit Log host_log{};
+
+hrt_result check_nothing_held() {
+  const std::int64_t held = blocks_held.load();
+  if (held == 0) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
+              " blocks of memory; destroy its sessions first");
+}
+
 constexpr std::size_t plain = alignof(std::max_align_t);
 
 }  // namespace
+
+void log(std::uint32_t level, const char* text) {
+  if (host_log.callback) host_log.callback(host_log.context, level, text);
+}
+
 }  // namespace hrt::plugin
 
 using namespace hrt::plugin;
@@ -112,10 +131,16 @@ hrt_result hrt_set_allocator(const hrt_allocator* given) noexcept {
       if (!checked.allocate) return fail(HRT_ERROR_NULL_ARGUMENT, "allocator: allocate is null");
       if (!checked.release) return fail(HRT_ERROR_NULL_ARGUMENT, "allocator: release is null");
     }
-    if (const std::int64_t held = blocks_held.load(); held != 0)
-      return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
-                  " blocks of memory; destroy its sessions first");
+    HRT_RETURN_IF_FAILED(check_nothing_held());
     allocator = checked;
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) noexcept {
+  return guarded("hrt_set_log_callback", [&]() -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_nothing_held());
+    host_log = {callback, context};
     return HRT_OK;
   });
 }

@@ -1,0 +1,98 @@
+#include <cerrno>
+#include <cstdio>
+#include <string>
+#include <system_error>
+
+#include "plugin/src/checked.h"
+#include "plugin/src/replay.h"
+#include "plugin/src/session.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+
+hrt_recording_status to_abi(const RecorderStatus& status) {
+  return {
+      .struct_size = sizeof(hrt_recording_status),
+      .system_error = status.system_error,
+      .rows_written = status.written,
+      .rows_lost = status.lost,
+  };
+}
+
+hrt_result check_recording(const Session& session) {
+  return session.recorder ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+}
+
+std::string read_file(const char* path) {
+  const auto close = [](std::FILE* file) { std::fclose(file); };
+  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path, "r"), close);
+  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  std::string text;
+  char block[65536];
+  while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) {
+    text.append(block, n);
+    if (text.size() > largest_file) throw std::system_error(EFBIG, std::generic_category(), path);
+  }
+  if (std::ferror(file.get())) throw std::system_error(errno, std::generic_category(), path);
+  return text;
+}
+
+}  // namespace
+}  // namespace hrt::plugin
+
+using namespace hrt::plugin;
+
+hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
+  return with_session("hrt_recording_start", session, [&](Session& s) -> hrt_result {
+    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    HRT_RETURN_IF_FAILED(s.check_no_reach());
+    if (s.recorder)
+      return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
+    s.recorder = std::make_unique<Recorder>(path, s.config(), s.targets.all());
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_recording_get_status(hrt_session session, hrt_recording_status* out_status) noexcept {
+  return with_session("hrt_recording_get_status", session, [&](Session& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_recording(s));
+    HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
+    write_struct(to_abi(s.recorder->status()), out_status);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) noexcept {
+  return with_session("hrt_recording_stop", session, [&](Session& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_recording(s));
+    HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
+    const hrt_recording_status status = to_abi(s.recorder->stop());
+    s.recorder.reset();
+    write_struct(status, out_status);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_replay_text(const char* text, uint64_t length, hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_replay_text", [&]() -> hrt_result {
+    if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
+    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    hrt_replay_report report{};
+    HRT_RETURN_IF_FAILED(replay({text, static_cast<std::size_t>(length)}, &report));
+    write_struct(report, out_report);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_replay_file", [&]() -> hrt_result {
+    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    hrt_replay_report report{};
+    HRT_RETURN_IF_FAILED(replay(read_file(path), &report));
+    write_struct(report, out_report);
+    return HRT_OK;
+  });
+}

@@ -1,0 +1,13 @@
+// What the host lends the library.
+#pragma once
+
+#include <cstdint>
+
+#include "haptic_retargeting/host.h"
+
+namespace hrt::plugin {
+
+/// Tells the host's log callback, if there is one.
+void log(std::uint32_t level, const char* text);
+
+}  // namespace hrt::plugin

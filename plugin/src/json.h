@@ -1,0 +1,29 @@
+// Configurations and profiles as JSON, in full precision.
+#pragma once
+
+#include <string_view>
+
+#include "haptic_retargeting/session.h"
+#include "haptic_retargeting/target.h"
+#include "plugin/src/text.h"
+
+namespace hrt::plugin {
+
+using JsonText = Text<2048>;
+
+/// Every field of a configuration, in one line.
+void write_config(const hrt_session_config& config, JsonText& out);
+
+/// A target, in one line.
+void write_target(const hrt_target_config& target, JsonText& out);
+
+/// Reads what write_config() wrote; every field must be there, and no other. Checked.
+hrt_result read_config(std::string_view text, hrt_session_config* out);
+
+/// What is known of a participant, in one line.
+void write_profile(const hrt_session_config& config, JsonText& out);
+
+/// Takes a profile into a configuration; fields that it lacks stay. Checked.
+hrt_result read_profile(std::string_view text, hrt_session_config* config);
+
+}  // namespace hrt::plugin

@@ -1,0 +1,123 @@
+#include "plugin/src/recorder.h"
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <system_error>
+
+#include "plugin/src/host.h"
+
+namespace hrt::plugin {
+
+static_assert(std::is_trivially_copyable_v<Record>, "push() must not allocate");
+
+namespace {
+
+void append(const Record& record, std::FILE* file) {
+  RecordText line;
+  write_record(record, line);
+  std::fwrite(line.c_str(), 1, line.view().size(), file);
+}
+
+}  // namespace
+
+Recorder::Recorder(const char* path, const hrt_session_config& config,
+                   const std::map<std::uint64_t, hrt_target_config>& targets)
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::fopen(path, "w")) {
+  if (!file_) throw std::system_error(errno, std::generic_category(), path);
+  std::fwrite(recording_header().data(), 1, recording_header().size(), file_.get());
+  append({.call = ConfigSet{config}}, file_.get());
+  for (const auto& [id, target] : targets)
+    append({.call = TargetChanged{TargetChanged::Change::added, id, target}}, file_.get());
+  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()))
+    throw std::system_error(errno, std::generic_category(), path);
+  writer_ = std::thread([this] { write_all(); });
+}
+
+Recorder::~Recorder() {
+  stop();
+}
+
+void Recorder::push(const Record& record) noexcept {
+  const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
+  const std::uint64_t lost = lost_.load(std::memory_order_relaxed);
+  if (pushed - taken_.load(std::memory_order_acquire) == capacity) {
+    lost_.store(lost + 1, std::memory_order_relaxed);
+    return;
+  }
+  Entry& entry = ring_[pushed % capacity];
+  entry.record = record;
+  entry.lost_before = lost - lost_told_;
+  lost_told_ = lost;
+  pushed_.store(pushed + 1, std::memory_order_release);
+}
+
+RecorderStatus Recorder::stop() {
+  if (writer_.joinable()) {
+    stopping_.store(true, std::memory_order_release);
+    writer_.join();
+  }
+  return status();
+}
+
+RecorderStatus Recorder::status() const {
+  const std::uint64_t written = written_.load();
+  const int error = system_error_.load();
+  // After a failed write nothing more arrives, whether or not it found room.
+  const std::uint64_t refused = error == 0 ? 0 : pushed_.load() - written;
+  return {.written = written, .lost = lost_.load() + refused, .system_error = error};
+}
+
+void Recorder::write_all() {
+  while (!stopping_.load(std::memory_order_acquire)) {
+    drain();
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  drain();
+  write_lost(lost_.load() - lost_told_);
+  write(end_comment);
+  write("\n");
+  drain();
+}
+
+// Writes what the ring holds, and hands it to the operating system.
+void Recorder::drain() {
+  RecordText line;
+  const std::uint64_t pushed = pushed_.load(std::memory_order_acquire);
+  for (std::uint64_t taken = taken_.load(std::memory_order_relaxed); taken != pushed; ++taken) {
+    const Entry& entry = ring_[taken % capacity];
+    write_lost(entry.lost_before);
+    line.clear();
+    write_record(entry.record, line);
+    write(line.view());
+    ++in_flight_;
+    taken_.store(taken + 1, std::memory_order_release);
+  }
+  if (system_error_.load() != 0) return;
+  if (std::fflush(file_.get()) != 0) return give_up(errno);
+  written_.fetch_add(in_flight_);
+  in_flight_ = 0;
+}
+
+void Recorder::write(std::string_view text) {
+  if (system_error_.load() != 0) return;
+  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) give_up(errno);
+}
+
+void Recorder::write_lost(std::uint64_t count) {
+  if (count == 0) return;
+  Text<128> line;
+  line << lost_comment << count << " calls here: the disk was too slow";
+  log(HRT_LOG_WARNING, line.c_str());
+  line << "\n";
+  write(line.view());
+}
+
+void Recorder::give_up(int error) {
+  system_error_.store(error == 0 ? EIO : error);
+  Text<240> text;
+  text << "the recording ends here, control goes on: " << std::strerror(error);
+  log(HRT_LOG_ERROR, text.c_str());
+}
+
+}  // namespace hrt::plugin

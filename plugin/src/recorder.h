@@ -1,0 +1,73 @@
+// Records to a file as it happens, without holding up the thread that calls.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "plugin/src/recording_format.h"
+
+namespace hrt::plugin {
+
+/// How a recording does.
+struct RecorderStatus {
+  std::uint64_t written = 0;  ///< records that have gone to the operating system
+  std::uint64_t lost = 0;     ///< records that a slow or broken disk left no room for
+  int system_error = 0;       ///< errno of the first failed write; 0: none
+};
+
+/// A file, and a thread that writes to it what a ring hands over. One thread at a time calls; push() is
+/// real-time.
+class Recorder {
+ public:
+  /// Creates or replaces the file and writes what the session is before anything happens. Throws
+  /// std::system_error, std::bad_alloc.
+  Recorder(const char* path, const hrt_session_config& config,
+           const std::map<std::uint64_t, hrt_target_config>& targets);
+  /// Writes what is left, and waits for the disk to take it.
+  ~Recorder();
+  Recorder(const Recorder&) = delete;
+  Recorder& operator=(const Recorder&) = delete;
+  Recorder(Recorder&&) = delete;
+  Recorder& operator=(Recorder&&) = delete;
+
+  void push(const Record& record) noexcept;
+
+  /// Ends the recording as the destructor does, and tells how it went.
+  RecorderStatus stop();
+  RecorderStatus status() const;
+
+ private:
+  struct Entry {
+    Record record;
+    std::uint64_t lost_before;  // records lost between the last entry and this one
+  };
+  static constexpr std::size_t capacity = 8192;  // a power of two; 80 s at 100 Hz
+
+  void write_all();
+  void drain();
+  void write(std::string_view text);
+  void write_lost(std::uint64_t count);
+  void give_up(int error);
+
+  struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::unique_ptr<Entry[]> ring_;
+  std::atomic<std::uint64_t> pushed_{0};  // written by the caller's thread
+  std::atomic<std::uint64_t> taken_{0};   // written by the writer's
+  std::atomic<std::uint64_t> lost_{0};
+  std::atomic<std::uint64_t> written_{0};
+  std::atomic<int> system_error_{0};
+  std::atomic<bool> stopping_{false};
+  std::uint64_t lost_told_ = 0;  // of lost_, what entries tell; of the caller's thread
+  std::uint64_t in_flight_ = 0;  // written but not flushed; of the writer's
+  std::unique_ptr<std::FILE, CloseFile> file_;
+  std::thread writer_;
+};
+
+}  // namespace hrt::plugin

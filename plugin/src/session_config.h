@@ -1,0 +1,49 @@
+// A session's configuration: its defaults and ranges, and what the core makes of it.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "core/retargeter.h"
+#include "haptic_retargeting/session.h"
+#include "scene/plate_coordinates.h"
+
+namespace hrt::plugin {
+
+/// A field that is a number with a range.
+struct NumberField {
+  const char* name;
+  double hrt_session_config::*value;
+  double low;
+  double high;
+  bool of_participant;  ///< part of a profile
+};
+std::span<const NumberField> number_fields();
+
+/// A field that is a place or a rotation.
+struct VectorField {
+  const char* name;
+  std::size_t offset;
+  std::size_t size;
+};
+std::span<const VectorField> vector_fields();
+
+hrt_session_config default_session_config();
+
+/// Fails naming the first field that is out of its range.
+hrt_result check_session_config(const hrt_session_config& config);
+
+/// Reads what a caller gave, of any version, and checks it.
+hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
+
+/// Of a checked configuration.
+RetargeterConfig to_core(const hrt_session_config& checked_config);
+PlateSurface surface_of(const hrt_session_config& checked_config);
+Pose plate_pose_of(const hrt_session_config& checked_config);
+
+Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]);
+
+/// Fails unless the pose is one, naming the fields plate_position_m and plate_rotation.
+hrt_result check_plate_pose(const double (&position_m)[3], const double (&rotation)[4]);
+
+}  // namespace hrt::plugin
