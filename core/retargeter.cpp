@@ -61,6 +61,7 @@ void Retargeter::begin(const Reach& reach) {
               .distance_to_go_m = reach.real_distance_m};
   plate_.command(command_.plate_orientation_deg);
   summary_ = {};
+  position_ns_.reset();
   started_ = paused_ = acted_ = sampled_ = false;
 }
 
@@ -139,7 +140,8 @@ void Retargeter::advance(std::int64_t time_ns) {
     now_ns_ = until_ns;
   };
   if (paused_) {
-    step_start_ns_ = later_ns(step_start_ns_, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns)));
+    step_start_ns_ =
+        static_cast<std::int64_t>(static_cast<std::uint64_t>(step_start_ns_) + elapsed_ns(now_ns_, time_ns));
     move_to(time_ns);
     return;
   }
@@ -184,6 +186,11 @@ void Retargeter::count_step(ReachSummary& summary) const {
 }
 
 void Retargeter::observe_position(const FingerSample& sample) {
+  if (position_ns_ == sample.time_ns) {  // the tracker has sent it twice
+    ++summary_.dropped_samples;
+    return;
+  }
+  position_ns_ = sample.time_ns;
   estimator_.learn_tracker_noise(sample.time_ns, sample.position);
   if (!started_) {
     const bool moves = onset_.observe(sample.time_ns, sample.position, estimator_.estimate().tracker_noise_m);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/authority.h"
 #include "core/estimator.h"
@@ -76,7 +77,7 @@ struct ReachSummary {
   std::int64_t saturated_steps = 0;     ///< of steps, those whose command the plate bound held
   std::int64_t rate_limited_steps = 0;  ///< of steps, those whose command the rate bound held
   std::int64_t samples = 0;
-  std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers
+  std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates
   double final_direction_deg = 0.0;      ///< P of the last step
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
@@ -136,7 +137,8 @@ class Retargeter {
   PlateCommand command_;
   ReachSummary summary_;
   std::int64_t step_start_ns_ = 0;
-  std::int64_t now_ns_ = 0;  // of the estimator
+  std::int64_t now_ns_ = 0;                  // of the estimator
+  std::optional<std::int64_t> position_ns_;  // of the last position
   bool started_ = false;
   bool paused_ = false;   // the finger rests or is lifted: no step goes by
   bool acted_ = false;    // in the current step

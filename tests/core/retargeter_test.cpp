@@ -166,6 +166,49 @@ TEST(Retargeter, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
   EXPECT_EQ(summary.steps + summary.predicted_steps, last.step + 1);
 }
 
+// The steps wait for a finger that is lifted or rests, to the end of time if need be.
+TEST(Retargeter, AFingerThatFeelsNothingStopsTheSteps) {
+  Retargeter retargeter{RetargeterConfig{}};
+  retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10});
+  const auto sample = [](std::int64_t time_ns, Observation observation) {
+    return FingerSample{.time_ns = time_ns, .observation = observation, .direction_deg = 2.0};
+  };
+  constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
+  retargeter.update(sample(start_ns, Observation::direction));
+  retargeter.update(sample(start_ns + 50 * ms, Observation::lifted));
+  const PlateCommand& command =
+      retargeter.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
+  EXPECT_EQ(command.step, 0);
+  EXPECT_TRUE(command.held);
+
+  Retargeter resting{RetargeterConfig{}};
+  resting.begin({.real_direction_deg = 5, .virtual_direction_deg = -5});
+  for (int i = 0; i < 50; ++i) {
+    resting.update(
+        {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.0003 * i}});
+  }
+  for (int i = 50; i < 400; ++i) {
+    resting.update({.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.015}});
+  }
+  EXPECT_TRUE(resting.command().held);
+  EXPECT_LT(resting.command().step, 12);
+}
+
+TEST(Retargeter, ASampleSentTwiceCountsOnce) {
+  const auto run = [](int times) {
+    Retargeter retargeter{RetargeterConfig{}};
+    retargeter.begin({.real_direction_deg = 5, .virtual_direction_deg = -5});
+    for (int i = 0; i < 100; ++i) {
+      for (int repeat = 0; repeat < times; ++repeat) {
+        retargeter.update(
+            {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.0003 * i}});
+      }
+    }
+    return retargeter.command().plate_orientation_deg;
+  };
+  EXPECT_EQ(run(1), run(3));
+}
+
 TEST(Retargeter, ThePlateStaysUntilTheFingerMoves) {
   Retargeter retargeter{RetargeterConfig{}};
   retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
