@@ -6,64 +6,6 @@
 namespace hrt {
 namespace {
 
-// Sweeps of the plate-bound solver that a problem may take before the general one takes over. Problems of
-// a closed loop take one or two.
-constexpr int max_box_sweeps = 8;
-
-// The exact optimum without a rate bound, if it is found: a backward sweep for the cost to go under the
-// bounds assumed active, a forward one that clamps each step's optimum, until what was clamped is what
-// was assumed.
-bool solve_box(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution) {
-  struct CostToGo {  // s x^2 + 2 r x plus a constant
-    double s;
-    double r;
-  };
-  std::array<CostToGo, max_horizon + 1> to_go;
-  auto& active = working_set.pin;
-  const double q_perceived = problem.perceived_weight;
-  const double q_actual = problem.actual_weight;
-  const double pw = problem.proprioceptive_weight;
-  const double bound = problem.bound_deg;
-  const double slack = 1e-14 * bound;
-  bool settled = false;
-  for (int sweep = 0; sweep < max_box_sweeps && !settled; ++sweep) {
-    to_go[problem.horizon] = {0.0, 0.0};
-    for (int i = problem.horizon - 1; i >= 0; --i) {
-      const auto [s, r] = to_go[i + 1];
-      const double k = problem.gains[i];
-      if (active[i] == 0) {
-        const double share = q_perceived / (q_perceived + s);
-        to_go[i] = {q_actual + share * s, share * r};
-      } else {
-        const double pull = k * pw;
-        const double push = k * (pw * problem.real_offset_deg + active[i] * bound);
-        to_go[i] = {q_actual + q_perceived * pull * pull + (1.0 - pull) * (1.0 - pull) * s,
-                    q_perceived * pull * push + (1.0 - pull) * (r - s * push)};
-      }
-    }
-    settled = true;
-    double x = problem.miss_deg;
-    for (int i = 0; i < problem.horizon; ++i) {
-      const auto [s, r] = to_go[i + 1];
-      const double k = problem.gains[i];
-      const double felt_by_finger = pw * (x + problem.real_offset_deg);
-      const double wanted = (s * x + r) / (q_perceived + s) / k - felt_by_finger;
-      std::int8_t now = 0;
-      if (wanted > bound + (active[i] > 0 ? -slack : slack)) now = 1;
-      if (wanted < -bound - (active[i] < 0 ? -slack : slack)) now = -1;
-      settled = settled && now == active[i];
-      active[i] = now;
-      const double u = now ? now * bound : wanted;
-      const double e = k * (u + felt_by_finger);
-      solution.plate_deg[i] = u;
-      solution.error_deg[i] = e;
-      solution.miss_deg[i] = x;
-      x -= e;
-    }
-  }
-  return settled;
-}
-
 ActiveBound active_bound(const WorkingSet& set, int i) {
   if (set.pin[i]) return set.pin[i] > 0 ? ActiveBound::upper : ActiveBound::lower;
   if (set.link[i]) return set.link[i] > 0 ? ActiveBound::rate_up : ActiveBound::rate_down;
@@ -79,7 +21,8 @@ bool is_valid(const MpcConfig& config) {
          config.plate_rate_bound_deg > 0.0;
 }
 
-Mpc::Mpc(const MpcConfig& config) : config_(config) {}
+Mpc::Mpc(const MpcConfig& config)
+    : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
 
 Mpc::Command Mpc::solve(const MpcProblem& problem, MpcDiagnostics* diagnostics) {
   const double w = problem.tactile_weight;
@@ -124,12 +67,14 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcDiagnostics* diagnostics) 
         .proprioceptive_weight = 1.0 - w,
         .bound_deg = w * bound_deg,
         .rate_deg = w * rate_deg,
-        .last_plate_deg = w * last_plate_deg,
+        .last_plate_deg = has_rate_bound ? w * last_plate_deg : 0.0,
         .gains = problem.gains + forced,
     };
     WindowSolution solution;
-    if (has_rate_bound || !solve_box(window, working_set_, solution))
+    if (has_rate_bound)
       solve_active_set(window, working_set_, solution);
+    else
+      plate_bound_solver_.solve(window, diagnostics ? config_.horizon : 1, working_set_, solution);
     // Rounding must not carry a command past a bound, nor keep it from standing exactly on one.
     while (i < config_.horizon) {
       const ActiveBound active = active_bound(working_set_, i - forced);

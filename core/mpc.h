@@ -14,6 +14,7 @@
 #include <limits>
 
 #include "core/mpc_active_set.h"
+#include "core/mpc_plate_bound.h"
 #include "core/perception.h"
 
 namespace hrt {
@@ -76,6 +77,7 @@ class Mpc {
 
  private:
   MpcConfig config_;
+  PlateBoundSolver plate_bound_solver_;
   WorkingSet working_set_;  // of the last problem
 };
 
