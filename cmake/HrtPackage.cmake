@@ -1,0 +1,54 @@
+# What is installed and packaged: the shared library (component runtime), and its headers, CMake package and
+# pkg-config file (component development).
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+install(TARGETS haptic_retargeting EXPORT HapticRetargetingTargets
+  RUNTIME COMPONENT runtime
+  LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
+  ARCHIVE COMPONENT development)
+install(DIRECTORY plugin/include/ TYPE INCLUDE COMPONENT development FILES_MATCHING PATTERN "*.h")
+
+set(HRT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/HapticRetargeting)
+install(EXPORT HapticRetargetingTargets NAMESPACE HapticRetargeting:: DESTINATION ${HRT_CMAKE_DIR}
+        COMPONENT development)
+configure_package_config_file(cmake/HapticRetargetingConfig.cmake.in HapticRetargetingConfig.cmake
+  INSTALL_DESTINATION ${HRT_CMAKE_DIR} NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(HapticRetargetingConfigVersion.cmake COMPATIBILITY SameMajorVersion)
+install(FILES
+  ${PROJECT_BINARY_DIR}/HapticRetargetingConfig.cmake
+  ${PROJECT_BINARY_DIR}/HapticRetargetingConfigVersion.cmake
+  DESTINATION ${HRT_CMAKE_DIR} COMPONENT development)
+
+# ${pcfiledir}: the file stays true wherever the tree is moved to.
+file(RELATIVE_PATH HRT_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
+string(REGEX REPLACE "/$" "" HRT_PC_PREFIX "${HRT_PC_PREFIX}")
+configure_file(cmake/haptic_retargeting.pc.in haptic_retargeting.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/haptic_retargeting.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
+
+install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT runtime)
+install(FILES plugin/README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+
+if(NOT PROJECT_IS_TOP_LEVEL)
+  return()
+endif()
+set(CPACK_PACKAGE_NAME haptic-retargeting)
+set(CPACK_PACKAGE_VENDOR "the haptic retargeting authors")
+set(CPACK_PACKAGE_CONTACT "the haptic retargeting authors <haptic-retargeting@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_GENERATOR DEB TGZ)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL runtime development)
+set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)  # one archive holds both
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION libs)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libhaptic-retargeting${PROJECT_VERSION_MAJOR})
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libc6 (>= 2.31), libgcc-s1")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhaptic-retargeting-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
+    "libhaptic-retargeting${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION})")
+include(CPack)
