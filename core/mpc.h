@@ -41,7 +41,8 @@ struct MpcProblem {
   /// t_k-1: where the plate stands now, finite. Read only with a rate bound. If it is farther out of the
   /// plate bound than one step can turn, the plate returns at full rate and the bound gives way until then.
   double plate_offset_deg;
-  /// K_k .. K_k+N-1, each in (0, 1]; must point at `horizon` values.
+  /// K_k .. K_k+N-1, each in [0, 1]; must point at `horizon` values. Where a gain is 0 the plate has no
+  /// effect, and any orientation within the bounds is an optimum.
   const double* gains;
 };
 

@@ -22,6 +22,9 @@ struct Constraint {
   std::int8_t sign;  // 0: no constraint
 };
 
+// Stands in for a smaller gain: nothing the plate does is felt, but divisions by it stay finite.
+constexpr double smallest_gain = 1e-12;
+
 class DualActiveSet {
  public:
   DualActiveSet(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution)
@@ -59,6 +62,8 @@ class DualActiveSet {
   static double& value(Multipliers& multipliers, const Constraint& c) {
     return (c.is_link ? multipliers.link : multipliers.pin)[c.i];
   }
+
+  double gain(int i) const { return std::max(problem_.gains[i], smallest_gain); }
 
   const WindowProblem& problem_;
   WorkingSet& set_;
@@ -106,7 +111,7 @@ void DualActiveSet::sweep_backwards() {
   double m = 0.0, v = 0.0, f = 0.0;
   double level_deg = 0.0;  // u_i - z
   for (int i = n - 1; i >= 0; --i) {
-    const double k = problem_.gains[i];
+    const double k = gain(i);
     const double a = k * pw;  // e = a x + k u + a p_R
     const bool leads = !set_.link[i];
     const bool followed = i + 1 < n && set_.link[i + 1];
@@ -146,8 +151,7 @@ void DualActiveSet::sweep_forwards() {
   for (int i = 0; i < problem_.horizon; ++i) {
     if (!fixed_[i])
       u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * problem_.rate_deg : law_gain_[i] * x + law_constant_[i];
-    const double e =
-        problem_.gains[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
+    const double e = gain(i) * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
     solution_.error_deg[i] = e;
     solution_.miss_deg[i] = x;
     x -= e;
@@ -161,7 +165,7 @@ void DualActiveSet::find_multipliers() {
   const int n = problem_.horizon;
   double slope = 0.0;  // half the derivative of the cost to go by x_i+1
   for (int i = n - 1; i >= 0; --i) {
-    const double k = problem_.gains[i];
+    const double k = gain(i);
     const double a = k * problem_.proprioceptive_weight;
     const double weighted_error = problem_.perceived_weight * solution_.error_deg[i];
     gradient_[i] = k * (weighted_error - slope);
@@ -194,7 +198,7 @@ void DualActiveSet::make_dual_feasible() {
     solve_held();
     dropped = false;
     for (int i = 0; i < problem_.horizon; ++i) {
-      const double slack = multiplier_tolerance_ * problem_.gains[i];
+      const double slack = multiplier_tolerance_ * gain(i);
       if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
       if (set_.link[i] * target_.link[i] < -slack) set_.link[i] = 0, dropped = true;
     }
@@ -206,7 +210,7 @@ Constraint DualActiveSet::most_violated() const {
   Constraint most{false, 0, 0};
   double largest_deg = plate_tolerance_deg_;
   const auto consider = [&](double excess_deg, bool is_link, int i, double sign) {
-    const double effect_deg = excess_deg * problem_.gains[i];
+    const double effect_deg = excess_deg * gain(i);
     if (effect_deg <= largest_deg) return;
     largest_deg = effect_deg;
     most = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
@@ -270,7 +274,7 @@ bool DualActiveSet::add(Constraint constraint) {
       if (c.sign == 0) return;
       const double from = c.sign * value(current_, c);
       const double to = c.sign * value(target_, c);
-      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * problem_.gains[c.i])) return;
+      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * gain(c.i))) return;
       const double at = std::max(0.0, from) / (from - to);
       if (at < step) step = at, blocking = c;
     };

@@ -123,7 +123,7 @@ void PlateBoundSolver::write(const WindowProblem& problem, const CostsToGo& afte
       e = k * (solution.plate_deg[i] + felt_by_finger);
     } else {
       e = (s * x + r) / (problem.perceived_weight + s);
-      solution.plate_deg[i] = e / k - felt_by_finger;
+      solution.plate_deg[i] = k > 0.0 ? e / k - felt_by_finger : 0.0;
     }
     solution.error_deg[i] = e;
     solution.miss_deg[i] = x;

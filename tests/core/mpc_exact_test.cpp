@@ -1,60 +1,14 @@
 // The controller against judges that share nothing with it (mpc_reference.h), on random problems.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <random>
 #include <string>
 
 #include "core/mpc.h"
+#include "tests/core/mpc_random_problem.h"
 #include "tests/core/mpc_reference.h"
 
 namespace hrt {
 namespace {
-
-using Random = std::mt19937_64;
-
-double uniform(Random& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
-}
-
-struct RandomProblem {
-  MpcConfig config;
-  std::array<double, max_horizon> gains;
-  MpcProblem problem;
-};
-
-enum class Gains { any, of_filter };
-
-// Every quantity over its whole range, with values that meet each other exactly now and then.
-void draw(Random& random, int horizon, bool has_rate_bound, Gains gains, RandomProblem& drawn) {
-  drawn.config = {
-      .horizon = horizon,
-      .perceived_weight = std::exp(uniform(random, -3.0, 3.0)),
-      .actual_weight = random() % 8 == 0 ? 0.0 : std::exp(uniform(random, -3.0, 3.0)),
-      .plate_bound_deg = random() % 2 ? 90.0 : std::ceil(uniform(random, 0.0, 90.0)),
-  };
-  if (has_rate_bound)
-    drawn.config.plate_rate_bound_deg =
-        random() % 2 ? 0.5 * drawn.config.plate_bound_deg : uniform(random, 0.5, 60.0);
-  for (double& gain : drawn.gains) gain = gains == Gains::any ? uniform(random, 0.01, 1.0) : 0.0;
-  if (gains == Gains::of_filter) {
-    const Participant participant{.motor_variance_deg2 = std::exp(uniform(random, -3.0, 2.0)),
-                                  .sensory_variance_deg2 = std::exp(uniform(random, -3.0, 2.0)),
-                                  .initial_variance_deg2 = uniform(random, 0.0, 2.0)};
-    const GainWindow window(participant, horizon);
-    std::copy_n(window.data(), horizon, drawn.gains.begin());
-  }
-  const double w = uniform(random, 0.02, 0.49);
-  const double largest_gap = drawn.config.plate_bound_deg * w / (1.0 - w);
-  drawn.problem = {
-      .finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * largest_gap,
-      .real_offset_deg = random() % 4 == 0 ? largest_gap : uniform(random, -1.5, 1.5) * largest_gap,
-      .tactile_weight = w,
-      .plate_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -1.0, 1.0) * drawn.config.plate_bound_deg,
-      .gains = drawn.gains.data(),
-  };
-}
 
 struct Case {
   int horizon;
@@ -68,8 +22,7 @@ TEST_P(MpcExact, MeetsTheOptimalityConditionsAndTheReference) {
   const Case& c = GetParam();
   Random random(static_cast<unsigned>(c.horizon));
   for (int i = 0; i < c.problems; ++i) {
-    RandomProblem drawn;
-    draw(random, c.horizon, c.has_rate_bound, i % 2 ? Gains::any : Gains::of_filter, drawn);
+    const RandomProblem drawn(random, c.horizon, c.has_rate_bound);
     MpcDiagnostics diagnostics;
     const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem, &diagnostics);
     LongVector plate(c.horizon);

@@ -10,8 +10,7 @@ namespace {
 
 LongMatrix select_rows(const LongMatrix& matrix, const std::vector<int>& indices) {
   LongMatrix selected(indices.size(), matrix.cols());
-  for (std::size_t i = 0; i < indices.size(); ++i)
-    selected.row(i) = matrix.row(indices[i]);
+  for (std::size_t i = 0; i < indices.size(); ++i) selected.row(i) = matrix.row(indices[i]);
   return selected;
 }
 
@@ -23,8 +22,7 @@ long double least_nonnegative_residual(const LongMatrix& columns, const LongVect
   const long double tolerance = 1e-17L * (1.0L + target.norm()) * (1.0L + columns.norm());
   for (Eigen::Index round = 0; round < 10 * n + 10; ++round) {
     LongVector descent = -columns.transpose() * (columns * y + target);
-    for (const int i : positive)
-      descent[i] = 0.0L;
+    for (const int i : positive) descent[i] = 0.0L;
     Eigen::Index entering = 0;
     if (n == 0 || descent.maxCoeff(&entering) <= tolerance) break;
     positive.push_back(static_cast<int>(entering));

@@ -1,0 +1,74 @@
+#include "tests/core/heap_guard.h"
+
+#include <cerrno>
+#include <cstddef>
+
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HRT_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define HRT_SANITIZED
+#endif
+
+namespace {
+thread_local std::int64_t allocations = 0;
+}  // namespace
+
+namespace hrt {
+std::int64_t heap_allocations() {
+  return allocations;
+}
+}  // namespace hrt
+
+#ifdef HRT_SANITIZED
+
+// The sanitizers have replaced malloc themselves, and call back instead.
+#include <sanitizer/allocator_interface.h>
+
+namespace {
+const int installed = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
+}  // namespace
+
+#else
+
+// In place of the C library's functions, which operator new and Eigen end up in, for the whole program. They
+// hand on to what the GNU C library calls its own.
+#define HRT_REPLACES extern "C" __attribute__((visibility("default")))
+
+extern "C" {
+void* __libc_malloc(std::size_t);
+void* __libc_calloc(std::size_t, std::size_t);
+void* __libc_realloc(void*, std::size_t);
+void* __libc_memalign(std::size_t, std::size_t);
+}
+
+HRT_REPLACES void* malloc(std::size_t size) noexcept {
+  ++allocations;
+  return __libc_malloc(size);
+}
+
+HRT_REPLACES void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+
+HRT_REPLACES void* realloc(void* memory, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+
+HRT_REPLACES void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+
+HRT_REPLACES int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  ++allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory ? 0 : ENOMEM;
+}
+
+#endif
