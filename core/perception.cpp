@@ -30,7 +30,8 @@ FilterGain steady_gain(const Participant& participant) {
 
 double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
   const double offset_deg = plate_orientation_deg - goal_direction_deg;
-  if (std::abs(offset_deg) <= 90.0) return plate_orientation_deg;
+  // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.
+  if (std::abs(offset_deg) <= 90.0 + 1e-9) return plate_orientation_deg;
   return goal_direction_deg + wrap_deg(offset_deg, 180.0);
 }
 

@@ -52,6 +52,21 @@ TEST(Perception, WindowHoldsTheGainsAhead) {
   }
 }
 
+TEST(Perception, RidgesRepeatEveryHalfTurn) {
+  EXPECT_EQ(ridge_normal_deg(30.0, 10.0), 30.0);
+  EXPECT_DOUBLE_EQ(ridge_normal_deg(120.0, 10.0), -60.0);
+  EXPECT_DOUBLE_EQ(ridge_normal_deg(-171.0, 10.0), 9.0);
+}
+
+// goal + 90 - goal is not 90 for every goal.
+TEST(Perception, AnOrientationOnTheBoundStaysThere) {
+  for (int i = -600; i <= 600; ++i) {
+    const double goal_deg = i / 7.0;
+    EXPECT_EQ(ridge_normal_deg(goal_deg + 90.0, goal_deg), goal_deg + 90.0);
+    EXPECT_EQ(ridge_normal_deg(goal_deg - 90.0, goal_deg), goal_deg - 90.0);
+  }
+}
+
 TEST(Perception, InvalidParametersAreRecognised) {
   EXPECT_TRUE(is_valid(Participant{}));
   EXPECT_FALSE(is_valid(Participant{.tactile_weight = 0.0}));
