@@ -67,7 +67,9 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
 
     const std::optional<ControlLaw> law =
         controller.mode == ControlMode::fixed_plate
-            ? constant_law(controller.fixed_plate_orientation_deg - condition.virtual_direction_deg)
+            ? constant_law(
+                  ridge_normal_deg(controller.fixed_plate_orientation_deg, condition.virtual_direction_deg) -
+                  condition.virtual_direction_deg)
             : control_law(controller.mpc, {.finger_offset_deg = 0.0,
                                            .real_offset_deg = table.real_offset_deg_,
                                            .tactile_weight = controller.participant.tactile_weight,

@@ -37,9 +37,9 @@ Condition random_condition(std::mt19937_64& generator) {
       .horizon = static_cast<int>(uniform(1.0, 50.99)),
       .perceived_weight = std::exp(uniform(-3.0, 3.0)),
       .actual_weight = std::exp(uniform(-3.0, 3.0)),
-      .plate_bound_deg = uniform(20.0, 90.0),
+      .plate_bound_deg = generator() % 4 == 0 ? 90.0 : uniform(20.0, 90.0),
   };
-  condition.virtual_direction_deg = uniform(-20.0, 20.0);
+  condition.virtual_direction_deg = uniform(-60.0, 60.0);
   condition.real_direction_deg = condition.virtual_direction_deg + uniform(-15.0, 15.0);
   condition.steps = static_cast<int>(uniform(1.0, 60.0));
   return condition;
@@ -108,6 +108,21 @@ TEST(TrialTable, ServesAFixedPlate) {
   // p + 5 - 5/6 (0.15 * 30 + 0.85 (p + 5) - 5) at p = 2, relative to 5.
   EXPECT_NEAR(table->next_offset_deg(0, 2.0), 2.0 - 5.0 / 6.0 * (4.5 + 0.85 * 7.0 - 5.0), 1e-12);
   EXPECT_NEAR(table->noise_sd_deg(0), std::sqrt(0.5 + 1.0 / 12.0), 1e-15);
+}
+
+// Ridges repeat every 180 degrees: at 120 they feel as at -60.
+TEST(TrialTable, FixedPlateBeyondAQuarterTurnFeelsLikeTheOtherSide) {
+  Condition condition;
+  condition.controller.mode = ControlMode::fixed_plate;
+  condition.controller.fixed_plate_orientation_deg = -60.0;
+  const auto near = TrialTable::tabulate(condition);
+  condition.controller.fixed_plate_orientation_deg = 120.0;
+  const auto far = TrialTable::tabulate(condition);
+  ASSERT_TRUE(near && far);
+  EXPECT_NEAR(far->next_offset_deg(3, 2.0), near->next_offset_deg(3, 2.0), 1e-12);
+  const TrialOutcome outcome = simulate_trial(condition, {1, 2, 3});
+  const BatchResult result = far->run<PairLanes>(1, 2, 3, 4);
+  EXPECT_NEAR(result.mean_miss_deg(), outcome.final_direction_deg - condition.real_direction_deg, 1e-6);
 }
 
 TEST(TrialTable, NoneWhereTheDirectionDoesNotDecide) {
