@@ -15,7 +15,9 @@
 // are where t meets the bound and where y meets a breakpoint of D_i+1.
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/mpc.h"
