@@ -44,7 +44,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   frames.next_start += frame_period * ((now - frames.next_start) / frame_period + 1);
   frames.waited = true;
   frames.last_display = std::max(frames.last_display + 1, frames.next_start);
-  state->predictedDisplayTime = frames.last_display;
+  state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
   state->predictedDisplayPeriod = frame_period;
   state->shouldRender = XR_FALSE;
   return XR_SUCCESS;

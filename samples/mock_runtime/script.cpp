@@ -203,9 +203,9 @@ ScriptEvent read_event(Members& members) {
     refuse(members.where(), "must have either a frame or a time_ms");
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
-  const std::string what =
-      members.choice("do", {"lose_tracking", "regain_tracking", "freeze", "unfreeze", "jump", "session_state",
-                            "lose_session", "lose_instance", "instance_loss_pending"});
+  const std::string what = members.choice(
+      "do", {"lose_tracking", "regain_tracking", "freeze", "unfreeze", "jump", "session_state",
+             "repeat_session_state", "lose_session", "lose_instance", "instance_loss_pending"});
   if (what == "lose_tracking") event.what = HandEvent{HandFault::lose_tracking, read_side(members)};
   if (what == "regain_tracking") event.what = HandEvent{HandFault::regain_tracking, read_side(members)};
   if (what == "freeze") event.what = HandEvent{HandFault::freeze, read_side(members)};
@@ -215,6 +215,7 @@ ScriptEvent read_event(Members& members) {
     event.what = HandEvent{HandFault::jump, read_side(members), Eigen::Vector3d(by[0], by[1], by[2]) * 1e-3};
   }
   if (what == "session_state") event.what = read_state(members);
+  if (what == "repeat_session_state") event.what = RepeatState{};
   if (what == "lose_session") event.what = LoseSession{};
   if (what == "lose_instance") event.what = LoseInstance{};
   if (what == "instance_loss_pending") event.what = InstanceLossPending{};
@@ -250,6 +251,7 @@ Script parse_script(std::string_view text) {
     script.clock = Clock::Kind::real_time;
   if (members.has("frame_rate_hz"))
     script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
+  script.frame_times = members.boolean("frame_times", script.frame_times);
   script.world.seed = members.count("seed", script.world.seed, 0);
   if (members.has("participants")) {
     script.world.participants.clear();

@@ -22,6 +22,7 @@ struct HandEvent {
 struct StateEvent {
   XrSessionState state;
 };
+struct RepeatState {};
 struct LoseSession {};
 struct LoseInstance {};
 struct InstanceLossPending {};
@@ -30,12 +31,13 @@ struct InstanceLossPending {};
 struct ScriptEvent {
   std::int64_t frame;    ///< in the xrWaitFrame of this number, from 1; or, if 0,
   std::int64_t time_ns;  ///< this long after the session was created
-  std::variant<HandEvent, StateEvent, LoseSession, LoseInstance, InstanceLossPending> what;
+  std::variant<HandEvent, StateEvent, RepeatState, LoseSession, LoseInstance, InstanceLossPending> what;
 };
 
 struct Script {
   Clock::Kind clock = Clock::Kind::manual;
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
+  bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;

@@ -22,9 +22,13 @@ World& Session::world() {
 void Session::enter(XrSessionState state) {
   if (state == state_) return;
   state_ = state;
+  tell_state();
+}
+
+void Session::tell_state() {
   XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
   event.session = handle_of<XrSession>(*this);
-  event.state = state;
+  event.state = state_;
   event.time = instance().clock.now();
   instance().push_event(event);
 }
@@ -57,6 +61,7 @@ void Session::fire_due_events() {
 
 void Session::happen(const ScriptEvent& event) {
   if (const auto* state = std::get_if<StateEvent>(&event.what)) go_to(state->state);
+  if (std::holds_alternative<RepeatState>(event.what)) tell_state();
   if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
   if (std::holds_alternative<InstanceLossPending>(event.what))
@@ -101,6 +106,8 @@ XrResult destroy_session(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
   // No event may name a session that no longer exists.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
+    if (event.type == XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED)
+      return reinterpret_cast<const XrEventDataInteractionProfileChanged&>(event).session == handle;
     return event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED &&
            reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;
   });

@@ -45,6 +45,7 @@ class Session : public Object {
 
  private:
   void happen(const ScriptEvent& event);
+  void tell_state();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;

@@ -35,6 +35,13 @@ class MockScript : public MockRuntime {
     return truth;
   }
 
+  XrTime frame_time() {
+    XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};
+    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
+    EXPECT_TRUE(XR_SUCCEEDED(xrBeginFrame(session, nullptr)));
+    return state.predictedDisplayTime;
+  }
+
   XrResult wait() {
     XrFrameState state{XR_TYPE_FRAME_STATE};
     const XrResult waited = xrWaitFrame(session, nullptr, &state);
@@ -155,6 +162,15 @@ TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
   // The runtime, not the application, wanted this end: the session becomes ready again.
   ASSERT_XR(XR_SUCCESS, xrEndSession(session));
   EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
+}
+
+// What runtimes should not do and some do, an application can be tested with.
+TEST_F(MockScript, StateIsToldAgainAndFramesHaveNoTimesOnOrderOnly) {
+  begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
+  EXPECT_EQ(frame_time(), 0);
+  EXPECT_TRUE(all_states().empty());
+  EXPECT_EQ(frame_time(), 0);
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_FOCUSED}));
 }
 
 // "XR_ERROR_SESSION_LOST [...] the session was lost": all functions of it, but destroying.

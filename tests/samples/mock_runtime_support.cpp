@@ -8,8 +8,10 @@
 namespace hrt::mock {
 namespace {
 
-// Before the first call of any test: the loader reads it whenever an instance is made.
-const bool runtime_is_chosen = setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
+// Before the first call of any test: the loader reads it whenever an instance is made. What the environment
+// of a developer says otherwise does not count.
+const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT_MOCK_CALL_LOG") == 0 &&
+                               setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1) == 0;
 
 }  // namespace
 
