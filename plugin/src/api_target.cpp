@@ -17,65 +17,11 @@ constexpr hrt_target_config default_target_config{
     .name = "",
 };
 
-// UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, nothing above U+10FFFF.
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t at) {
-      return static_cast<unsigned char>(at < text.size() ? text[at] : 0);
-    };
-    const unsigned char lead = byte(i);
-    const int tail = lead < 0x80   ? 0
-                     : lead < 0xc2 ? -1
-                     : lead < 0xe0 ? 1
-                     : lead < 0xf0 ? 2
-                     : lead < 0xf5 ? 3
-                                   : -1;
-    if (tail < 0) return false;
-    for (int k = 1; k <= tail; ++k) {
-      if ((byte(i + k) & 0xc0) != 0x80) return false;
-    }
-    const unsigned char second = byte(i + 1);
-    if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
-        (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f))
-      return false;
-    i += static_cast<std::size_t>(tail) + 1;
-  }
-  return true;
-}
-
-hrt_result check_name(char (&name)[HRT_NAME_SIZE]) {
-  const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
-  if (!end) return fail(HRT_ERROR_OUT_OF_RANGE, "name is not ended by a zero within ", sizeof name, " bytes");
-  const auto length = static_cast<std::size_t>(end - name);
-  std::memset(name + length, 0, sizeof name - length);
-  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, "name is not UTF-8");
-  for (std::size_t i = 0; i < length; ++i) {
-    if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "name has a control character at byte ", i);
-  }
-  return HRT_OK;
-}
-
 hrt_result read_target_config(const hrt_session_config& session_config, const hrt_target_config* given,
                               hrt_target_config* config) {
   *config = default_target_config;
   HRT_RETURN_IF_FAILED(read_struct("config", given, config));
-  HRT_RETURN_IF_FAILED(check_range<unsigned>("role", config->role, HRT_TARGET_REAL, HRT_TARGET_VIRTUAL));
-  HRT_RETURN_IF_FAILED(
-      check_range<unsigned>("place", config->place, HRT_PLACE_DIRECTION, HRT_PLACE_WORLD_POSITION));
-  HRT_RETURN_IF_FAILED(check_zero("reserved", config->reserved));
-  if (config->place == HRT_PLACE_DIRECTION) {
-    HRT_RETURN_IF_FAILED(check_range("direction_deg", config->direction_deg, -180.0, 180.0));
-    HRT_RETURN_IF_FAILED(
-        check_range("distance_m", config->distance_m, least_distance_m, largest_coordinate_m));
-  } else {
-    HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
-    const Bearing bearing = view(session_config, *config);
-    if (bearing.at_start)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
-                  " m from the start in the plane of the plate; at least ", least_distance_m, " is needed");
-  }
-  return check_name(config->name);
+  return check_target_config(session_config, config);
 }
 
 }  // namespace

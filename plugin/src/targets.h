@@ -31,6 +31,9 @@ class Targets {
   std::map<std::string, std::uint64_t, std::less<>> by_name_;
 };
 
+/// Fails naming the first field that is out of its range. Clears what follows the name's zero.
+hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config);
+
 /// A target in the plane of the plate, seen from where the session's reaches start.
 Bearing view(const hrt_session_config& config, const hrt_target_config& target);
 

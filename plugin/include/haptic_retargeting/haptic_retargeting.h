@@ -11,6 +11,7 @@
 #include "profile.h"
 #include "reach.h"
 #include "recording.h"
+#include "scene.h"
 #include "session.h"
 #include "target.h"
 

@@ -1,0 +1,127 @@
+// Scenes through the C ABI: samples/scenes/desk.gltf, whose numbers scene/ derives and tests.
+#include <cstring>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fixture.h"
+#include "scene/scene.h"
+
+namespace hrt::test {
+namespace {
+
+class SceneAbiTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+  }
+  void TearDown() override {
+    EXPECT_OK(hrt_scene_destroy(scene));
+    SessionTest::TearDown();
+  }
+
+  std::vector<hrt_target> register_all() {
+    auto info = output<hrt_scene_info>();
+    EXPECT_OK(hrt_scene_get_info(scene, &info));
+    std::vector<hrt_target> ids(info.target_count);
+    EXPECT_OK(hrt_scene_register(scene, session, info.target_count, ids.data()));
+    return ids;
+  }
+
+  hrt_scene scene{};
+};
+
+TEST_F(SceneAbiTest, TellsWhatTheSceneHolds) {
+  const Scene expected = load_scene(std::filesystem::path(HRT_DESK_SCENE));
+  auto info = output<hrt_scene_info>();
+  ASSERT_OK(hrt_scene_get_info(scene, &info));
+  ASSERT_EQ(info.target_count, expected.targets.size());
+  ASSERT_GE(info.target_count, 4u);
+  EXPECT_EQ(info.plate_radius_m, expected.plate.radius_m);
+  EXPECT_EQ(info.plate_position_m[1], expected.plate.pose.position_m.y);
+  EXPECT_EQ(info.start_position_m[2], expected.start_m.z);
+  for (uint32_t i = 0; i < info.target_count; ++i) {
+    auto target = output<hrt_scene_target>();
+    ASSERT_OK(hrt_scene_get_target(scene, i, &target));
+    EXPECT_EQ(target.name, expected.targets[i].name);
+    EXPECT_EQ(target.direction_deg, expected.targets[i].direction_deg);
+    EXPECT_EQ(target.role == HRT_TARGET_VIRTUAL, target.served_by >= 0);
+  }
+  auto target = output<hrt_scene_target>();
+  expect_error(hrt_scene_get_target(scene, info.target_count, &target), HRT_ERROR_OUT_OF_RANGE, "index is");
+}
+
+TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
+  const std::vector<hrt_target> ids = register_all();
+  auto config = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &config));
+  auto info = output<hrt_scene_info>();
+  ASSERT_OK(hrt_scene_get_info(scene, &info));
+  EXPECT_EQ(std::memcmp(config.plate_rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
+  EXPECT_EQ(config.plate_radius_m, info.plate_radius_m);
+  for (uint32_t i = 0; i < ids.size(); ++i) {
+    auto target = output<hrt_scene_target>();
+    ASSERT_OK(hrt_scene_get_target(scene, i, &target));
+    hrt_target found{};
+    ASSERT_OK(hrt_target_find(session, target.name, &found));
+    EXPECT_EQ(found.value, ids[i].value);
+    if (target.role != HRT_TARGET_VIRTUAL) continue;
+    auto real = output<hrt_scene_target>();
+    ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
+    auto authority = output<hrt_authority>();
+    ASSERT_OK(
+        hrt_authority_query(session, ids[static_cast<std::size_t>(target.served_by)], ids[i], &authority));
+    EXPECT_NEAR(authority.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
+  }
+}
+
+TEST_F(SceneAbiTest, RegistersAllOrNothing) {
+  auto last = output<hrt_scene_target>();
+  auto info = output<hrt_scene_info>();
+  ASSERT_OK(hrt_scene_get_info(scene, &info));
+  ASSERT_OK(hrt_scene_get_target(scene, info.target_count - 1, &last));
+  add(HRT_TARGET_REAL, 0.0, last.name);
+  auto before = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &before));
+  expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_NAME_TAKEN, last.name);
+  hrt_target small[1];
+  expect_error(hrt_scene_register(scene, session, 1, small), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 1");
+  uint32_t count = 0;
+  ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
+  EXPECT_EQ(count, 1u);
+  auto after = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &after));
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+TEST_F(SceneAbiTest, LoadsFromMemory) {
+  std::ifstream file(HRT_DESK_SCENE, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << file.rdbuf();
+  const std::string text = bytes.str();
+  hrt_scene loaded{};
+  ASSERT_OK(hrt_scene_load_memory(text.data(), text.size(), "desk", &loaded));
+  EXPECT_NE(loaded.value, scene.value);
+  ASSERT_OK(hrt_scene_destroy(loaded));
+  expect_error(hrt_scene_destroy(loaded), HRT_ERROR_INVALID_HANDLE, "does not exist");
+  expect_error(hrt_scene_load_memory(text.data(), text.size() / 2, "half a desk", &loaded),
+               HRT_ERROR_BAD_FORMAT, "half a desk");
+}
+
+TEST_F(SceneAbiTest, BadArgumentsAreRefused) {
+  hrt_scene loaded{7};
+  expect_error(hrt_scene_load_file("/no/such/file.gltf", &loaded), HRT_ERROR_BAD_FORMAT,
+               "/no/such/file.gltf");
+  expect_error(hrt_scene_load_file(nullptr, &loaded), HRT_ERROR_NULL_ARGUMENT, "path");
+  expect_error(hrt_scene_load_memory(nullptr, 1, "x", &loaded), HRT_ERROR_NULL_ARGUMENT, "bytes");
+  EXPECT_EQ(loaded.value, 7u);
+  expect_error(hrt_scene_register(scene, {scene.value}, 0, nullptr), HRT_ERROR_INVALID_HANDLE, "session");
+  expect_error(hrt_scene_register({session.value}, session, 0, nullptr), HRT_ERROR_INVALID_HANDLE, "scene");
+  begin_reach();
+  expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_WRONG_STATE, "under way");
+}
+
+}  // namespace
+}  // namespace hrt::test
