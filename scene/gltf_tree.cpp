@@ -3,11 +3,9 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <utility>
 
 #include "scene/gltf_json.h"
@@ -191,20 +189,20 @@ std::vector<HapticNode> read_haptic_nodes(std::span<const std::byte> bytes, std:
 }
 
 std::vector<HapticNode> read_haptic_nodes(const std::filesystem::path& path) {
-  const std::string file = path.filename().string();
+  const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw SceneError(path.string() + ": no such file");
+    throw SceneError(file + ": no such file");
   }
   // A device or a pipe may have no end.
   if (!std::filesystem::is_regular_file(status)) {
-    throw SceneError(path.string() + ": not a regular file");
+    throw SceneError(file + ": not a regular file");
   }
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
   if (error || !stream) {
-    throw SceneError(path.string() + ": cannot be read");
+    throw SceneError(file + ": cannot be read");
   }
   std::string head(glb_head_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
-#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -128,9 +127,8 @@ class Reader {
     }
     const double value = property.value->get<double>();
     if (!(value > 0.0 && value <= largest)) {
-      std::ostringstream message;
-      message << property.label << " is " << value << "; allowed is more than 0, up to " << largest;
-      fail(message.str());
+      fail(property.label + " is " + number_text(value) + "; allowed is more than 0, up to " +
+           number_text(largest));
     }
     return value;
   }

@@ -1,7 +1,6 @@
 #include "scene/scene.h"
 
 #include <map>
-#include <sstream>
 
 #include "scene/gltf_tree.h"
 
@@ -103,10 +102,8 @@ class SceneBuilder {
     scene_.start_path = node->path;
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
-      std::ostringstream message;
-      message << "the start lies off the plate, " << from_centre_m
-              << " m from its centre; the plate's radius_m is " << scene_.plate.radius_m;
-      fail(*node, message.str());
+      fail(*node, "the start lies off the plate, " + number_text(from_centre_m) +
+                      " m from its centre; the plate's radius_m is " + number_text(scene_.plate.radius_m));
     }
   }
 
@@ -180,7 +177,7 @@ PlateSurface surface_of(const Scene& scene) {
 }
 
 Scene load_scene(const std::filesystem::path& file) {
-  return SceneBuilder(read_haptic_nodes(file), file.filename().string()).build();
+  return SceneBuilder(read_haptic_nodes(file), printable(file.string())).build();
 }
 
 Scene load_scene(std::span<const std::byte> bytes, std::string_view name) {

@@ -1,6 +1,8 @@
 #include "scene/scene_error.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 
 namespace hrt {
 
@@ -14,9 +16,21 @@ std::string printable(std::string_view text) {
 
 std::string in_quotes(std::string_view text) {
   constexpr std::size_t longest = 80;
+  std::size_t end = std::min(longest, text.size());
+  // Not within a UTF-8 character, whose further bytes are 10xxxxxx.
+  while (end > 0 && end < text.size() && (static_cast<unsigned char>(text[end]) & 0xc0) == 0x80) {
+    --end;
+  }
   std::string result = "\"";
-  result += printable(text.substr(0, longest));
-  return result += text.size() > longest ? "...\"" : "\"";
+  result += printable(text.substr(0, end));
+  return result += end < text.size() ? "...\"" : "\"";
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> digits{};
+  const auto written =
+      std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6);
+  return {digits.data(), written.ptr};
 }
 
 std::string in_brackets(std::size_t index) {

@@ -17,8 +17,11 @@ class SceneError : public std::runtime_error {
 /// `text` with control characters as '?'.
 std::string printable(std::string_view text);
 
-/// `text` in double quotes for a message: printable, cut after 80 bytes.
+/// `text` in double quotes for a message: printable, cut after at most 80 bytes.
 std::string in_quotes(std::string_view text);
+
+/// A number for a message, to six digits, whatever the locale.
+std::string number_text(double value);
 
 /// An index as `[7]`: the name of what has none.
 std::string in_brackets(std::size_t index);

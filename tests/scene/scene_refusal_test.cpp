@@ -2,10 +2,6 @@
 // property.
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <fstream>
-#include <functional>
-
 #include "tests/scene/scene_document.h"
 
 namespace hrt {
@@ -363,6 +359,17 @@ TEST(SceneRefusal, NamesThatAreNoText) {
   const Scene scene = load(with("/nodes/1/name", "a\nb"));
   EXPECT_EQ(scene.targets[0].name, "a?b");
   EXPECT_EQ(scene.targets[0].node_path, "a?b");
+}
+
+// Two bytes each: 80 bytes hold 40, and with an "a" before them 39 and no half.
+TEST(SceneRefusal, LongTextIsCutBetweenCharacters) {
+  std::string text;
+  for (int i = 0; i < 50; ++i) {
+    text += "\u00fc";
+  }
+  EXPECT_EQ(in_quotes(text), std::string(1, '"').append(text, 0, 80).append("...\""));
+  EXPECT_EQ(in_quotes("a" + text), std::string("\"a").append(text, 0, 78).append("...\""));
+  EXPECT_EQ(in_quotes(text.substr(0, 80)), std::string(1, '"').append(text, 0, 80).append("\""));
 }
 
 TEST(SceneRefusal, MessagesHoldNoControlCharacters) {
