@@ -25,7 +25,10 @@ std::int64_t heap_allocations() {
 #ifdef HRT_SANITIZED
 
 // The sanitizers have replaced malloc themselves, and call back instead.
-#include <sanitizer/allocator_interface.h>
+// (Declared in sanitizer/allocator_interface.h, which gcc does not ship.)
+extern "C" int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void*,
+                                                                             std::size_t),
+                                                         void (*free_hook)(const volatile void*));
 
 namespace {
 const int installed = __sanitizer_install_malloc_and_free_hooks(
