@@ -12,6 +12,29 @@ ActiveBound active_bound(const WorkingSet& set, int i) {
   return ActiveBound::none;
 }
 
+WindowProblem window_of(const MpcConfig& config, const MpcProblem& problem) {
+  const double w = problem.tactile_weight;
+  return {
+      .horizon = config.horizon,
+      .perceived_weight = config.perceived_weight,
+      .actual_weight = config.actual_weight,
+      .miss_deg = problem.finger_offset_deg - problem.real_offset_deg,
+      .real_offset_deg = problem.real_offset_deg,
+      .proprioceptive_weight = 1.0 - w,
+      .bound_deg = w * config.plate_bound_deg,
+      .rate_deg = w * config.plate_rate_bound_deg,
+      .last_plate_deg = 0.0,
+      .gains = problem.gains,
+  };
+}
+
+// t of u. Rounding must not carry it past the plate bound, nor keep it from standing exactly on it.
+double plate_offset_deg(const MpcConfig& config, const MpcProblem& problem, int pin, double felt_plate_deg) {
+  if (pin != 0) return pin * config.plate_bound_deg;
+  return std::clamp(felt_plate_deg * (1.0 / problem.tactile_weight), -config.plate_bound_deg,
+                    config.plate_bound_deg);
+}
+
 }  // namespace
 
 bool is_valid(const MpcConfig& config) {
@@ -25,6 +48,17 @@ Mpc::Mpc(const MpcConfig& config)
     : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
 
 Mpc::Command Mpc::solve(const MpcProblem& problem, MpcDiagnostics* diagnostics) {
+  if (std::isinf(config_.plate_rate_bound_deg) && !diagnostics) {
+    WindowSolution solution;
+    plate_bound_solver_.solve(window_of(config_, problem), 1, working_set_, solution);
+    return {plate_offset_deg(config_, problem, working_set_.pin[0], solution.plate_deg[0]),
+            active_bound(working_set_, 0)};
+  }
+  return solve_step_by_step(problem, diagnostics);
+}
+
+// With the whole window's solution, or a plate that may have to come back into its bound first.
+Mpc::Command Mpc::solve_step_by_step(const MpcProblem& problem, MpcDiagnostics* diagnostics) {
   const double w = problem.tactile_weight;
   const double bound_deg = config_.plate_bound_deg;
   const double rate_deg = config_.plate_rate_bound_deg;
@@ -58,34 +92,24 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcDiagnostics* diagnostics) 
   }
 
   if (const int forced = i; forced < config_.horizon) {
-    const WindowProblem window{
-        .horizon = config_.horizon - forced,
-        .perceived_weight = config_.perceived_weight,
-        .actual_weight = config_.actual_weight,
-        .miss_deg = finger_deg - problem.real_offset_deg,
-        .real_offset_deg = problem.real_offset_deg,
-        .proprioceptive_weight = 1.0 - w,
-        .bound_deg = w * bound_deg,
-        .rate_deg = w * rate_deg,
-        .last_plate_deg = has_rate_bound ? w * last_plate_deg : 0.0,
-        .gains = problem.gains + forced,
-    };
+    WindowProblem window = window_of(config_, problem);
+    window.horizon -= forced;
+    window.miss_deg = finger_deg - problem.real_offset_deg;
+    window.last_plate_deg = has_rate_bound ? w * last_plate_deg : 0.0;
+    window.gains += forced;
     WindowSolution solution;
     if (has_rate_bound)
       solve_active_set(window, working_set_, solution);
     else
       plate_bound_solver_.solve(window, diagnostics ? config_.horizon : 1, working_set_, solution);
-    // Rounding must not carry a command past a bound, nor keep it from standing exactly on one.
     while (i < config_.horizon) {
-      const ActiveBound active = active_bound(working_set_, i - forced);
-      double plate_deg = solution.plate_deg[i - forced] / w;
-      if (has_rate_bound) {
-        if (active == ActiveBound::rate_up) plate_deg = last_plate_deg + rate_deg;
-        if (active == ActiveBound::rate_down) plate_deg = last_plate_deg - rate_deg;
+      const int step = i - forced;
+      const ActiveBound active = active_bound(working_set_, step);
+      double plate_deg = plate_offset_deg(config_, problem, working_set_.pin[step], solution.plate_deg[step]);
+      if (active == ActiveBound::rate_up) plate_deg = last_plate_deg + rate_deg;
+      if (active == ActiveBound::rate_down) plate_deg = last_plate_deg - rate_deg;
+      if (has_rate_bound && working_set_.pin[step] == 0)
         plate_deg = std::clamp(plate_deg, last_plate_deg - rate_deg, last_plate_deg + rate_deg);
-      }
-      if (active == ActiveBound::upper) plate_deg = bound_deg;
-      if (active == ActiveBound::lower) plate_deg = -bound_deg;
       take(std::clamp(plate_deg, -bound_deg, bound_deg), active);
       if (!diagnostics) break;
     }

@@ -77,6 +77,8 @@ class Mpc {
   const MpcConfig& config() const { return config_; }
 
  private:
+  Command solve_step_by_step(const MpcProblem& problem, MpcDiagnostics* diagnostics);
+
   MpcConfig config_;
   PlateBoundSolver plate_bound_solver_;
   WorkingSet working_set_;  // of the last problem

@@ -45,18 +45,21 @@ void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, const Worki
   const double q_perceived = problem.perceived_weight;
   const double q_actual = problem.actual_weight;
   const double felt_at_real_deg = problem.proprioceptive_weight * problem.real_offset_deg;
+  if (from < 1) return;
+  auto [s, r] = after[from];
   for (int i = from; i > 0; --i) {
-    const auto [s, r] = after[i];
     if (working_set.pin[i] == 0) {
       const double share = q_perceived / (q_perceived + s);
-      after[i - 1] = {q_actual + share * s, share * r};
+      r = share * r;
+      s = q_actual + share * s;
     } else {
       const double a = problem.gains[i] * problem.proprioceptive_weight;  // e = a x + d
       const double d = problem.gains[i] * (felt_at_real_deg + working_set.pin[i] * problem.bound_deg);
       const double b = 1.0 - a;
-      after[i - 1] = {(q_actual + q_perceived * a * a) + b * b * s,
-                      (q_perceived * a * d + b * r) - b * d * s};
+      r = (q_perceived * a * d + b * r) - b * d * s;
+      s = (q_actual + q_perceived * a * a) + b * b * s;
     }
+    after[i - 1] = {s, r};
   }
 }
 
@@ -95,7 +98,7 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, const CostsTo
         pin = 0;
         last_changed = i;
       }
-      e = (s * x + r) / total;
+      e = (s * x + r) * (1.0 / total);  // the division does not wait for x
     }
     const double without_plate = a * x + k * felt_at_real_deg;  // e if u = 0
     if (std::abs(e - without_plate) > k * (bound_deg + slack_deg)) {
@@ -116,15 +119,16 @@ void PlateBoundSolver::write(const WindowProblem& problem, const CostsToGo& afte
   for (int i = 0; i < steps; ++i) {
     const auto [s, r] = i < held_steps_ ? after[i] : free_cost_to_go(problem.horizon - 1 - i);
     const double k = problem.gains[i];
-    const double felt_by_finger = problem.proprioceptive_weight * (x + problem.real_offset_deg);
-    double e;
+    double u = 0.0;
     if (working_set.pin[i]) {
-      solution.plate_deg[i] = working_set.pin[i] * problem.bound_deg;
-      e = k * (solution.plate_deg[i] + felt_by_finger);
-    } else {
-      e = (s * x + r) / (problem.perceived_weight + s);
-      solution.plate_deg[i] = k > 0.0 ? e / k - felt_by_finger : 0.0;
+      u = working_set.pin[i] * problem.bound_deg;
+    } else if (k > 0.0) {
+      const double inverse = 1.0 / ((problem.perceived_weight + s) * k);
+      u = (s * inverse - problem.proprioceptive_weight) * x +
+          (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
     }
+    const double e = k * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
+    solution.plate_deg[i] = u;
     solution.error_deg[i] = e;
     solution.miss_deg[i] = x;
     x -= e;
