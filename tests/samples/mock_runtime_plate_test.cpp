@@ -1,4 +1,5 @@
 // XR_HRTX_ridged_plate: the participant of the paper, as an application sees it.
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
@@ -90,6 +91,28 @@ TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
   }
   // The end of a reach has a variance of about 0.6 degrees squared.
   EXPECT_NEAR(sum_deg / reaches, -5.0 / 0.85, 4.0 * std::sqrt(0.6 / reaches));
+}
+
+// On every compiler and build: a recording made on one host must replay on another.
+TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
+      "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})"));
+  begin_session();
+  plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+  hand = create_hand_tracker();
+  place_plate();
+  instruct(5.0);
+  std::uint64_t hash = 0xCBF29CE484222325;  // FNV-1a
+  while (!truth().isDone) {
+    const XrTime time = frame();
+    const XrVector3f tip = index_tip(time);
+    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, static_cast<double>(time % 60)));
+    std::array<unsigned char, sizeof(tip)> bytes{};
+    std::memcpy(bytes.data(), &tip, sizeof(tip));
+    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001B3;
+  }
+  EXPECT_EQ(hash, 1643045907662805376U);
 }
 
 TEST_F(MockPlate, OneReachWithOneSeedGivesTheSameBytes) {

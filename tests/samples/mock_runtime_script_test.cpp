@@ -88,6 +88,18 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
 }
 
+TEST_F(MockScript, ScriptOfTheReadmeIsValid) {
+  std::ostringstream readme;
+  readme << std::ifstream(HRT_MOCK_README).rdbuf();
+  const std::string text = readme.str();
+  const std::string fence = "```json\n";
+  const std::size_t begin = text.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = text.find("```", begin + fence.size());
+  const std::string script = text.substr(begin + fence.size(), end - begin - fence.size());
+  EXPECT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
+}
+
 TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
   begin_with(
       R"({"calls": [{"function": "xrLocateSpace", "call": 3, "count": 2, "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
