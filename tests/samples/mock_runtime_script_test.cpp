@@ -274,7 +274,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   const XrTime start = 1'000'000'000;
   ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, -50.0));
   const auto at = [&](XrDuration after_ms) {
-    double orientation = NAN;
+    double orientation = 0.0;
     EXPECT_XR(XR_SUCCESS,
               functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
     return orientation;
