@@ -165,7 +165,7 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed) {
 }
 
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help) {
-  return add_integer(app, "--trials", trials, 1, 1'000'000'000, help);
+  return add_integer(app, "--trials", trials, 1, 100'000'000, help);
 }
 
 std::string not_allowed(const std::string& name, std::string_view text, const std::string& what) {

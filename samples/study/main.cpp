@@ -32,7 +32,8 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error,
   }
   for (const CLI::App* subcommand : app.get_subcommands())
     for (const CLI::Option* option : subcommand->get_options())
-      if (message.starts_with(option->get_name() + ": 1 required"))
+      if (message.starts_with(option->get_name() + ": 1 required") ||
+          message == option->get_name() + " is required")
         return option->get_name() + ": the value is missing; it must be " + option->get_type_name();
   return message + " (see --help)";
 }
@@ -64,6 +65,7 @@ int main(int argc, char** argv) {
   add_table1(app);
   add_trial(app);
   add_sweep(app);
+  add_report(app);
   add_authority(app);
   add_scene(app);
   try {

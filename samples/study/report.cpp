@@ -1,0 +1,112 @@
+// hrt-study report: the paper's figures from the model, and a page that shows them all.
+#include <unistd.h>
+
+#include <fstream>
+#include <memory>
+#include <sstream>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands.h"
+#include "samples/study/figures.h"
+#include "samples/study/gnuplot.h"
+#include "samples/study/output.h"
+#include "samples/study/page.h"
+
+namespace hrt::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  Table1Options table;
+  std::string out;
+};
+
+/// A folder inside the report's in which everything is made before any of it gets its name.
+class Workshop {
+ public:
+  Workshop(const std::string& argument, const std::string& out) : out_(out), was_made_(!fs::exists(out)) {
+    std::error_code error;
+    fs::create_directories(out_, error);
+    folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
+    if (!error) fs::create_directory(folder_, error);
+    if (error)
+      throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
+  }
+  ~Workshop() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    if (was_made_) fs::remove(out_, ignored);  // only if nothing came of it
+  }
+  Workshop(const Workshop&) = delete;
+  Workshop& operator=(const Workshop&) = delete;
+
+  const fs::path& folder() const { return folder_; }
+
+  void publish(const std::string& name) const { fs::rename(folder_ / name, out_ / name); }
+
+ private:
+  fs::path out_;
+  fs::path folder_;
+  bool was_made_;
+};
+
+std::string read(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file || text.view().empty()) throw std::runtime_error("gnuplot did not write " + path.string());
+  return text.str();
+}
+
+void run(const Options& options) {
+  const Workshop workshop("--out", options.out);
+  run_gnuplot("", workshop.folder());  // missing: said before the work, not after it
+
+  const Table1 table = simulate_table1(options.table);
+  std::vector<Figure> figures = path_figures(options.table.seed);
+  figures.push_back(table1_figure(table));
+  figures.push_back(authority_figure(table));
+  figures.push_back(frontier_figure({.trials = std::max<std::uint64_t>(1, options.table.trials / 2),
+                                     .seed = options.table.seed,
+                                     .threads = options.table.threads}));
+  std::string script;
+  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
+  run_gnuplot(script, workshop.folder());
+
+  std::vector<std::string> drawings;
+  for (const Figure& figure : figures) drawings.push_back(read(workshop.folder() / (figure.name + ".svg")));
+  const std::string page = "report.html";
+  replace_file(workshop.folder() / page, html_page(table, figures, drawings));
+  for (const Figure& figure : figures)
+    for (const char* ending : {".svg", ".png"}) workshop.publish(figure.name + ending);
+  workshop.publish(page);
+  Output("--out", "")
+      .write("Wrote " + std::to_string(2 * figures.size()) + " pictures and the page " +
+             (fs::path(options.out) / page).string() + "\n");
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  CLI::App* command = app.add_subcommand(
+      "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.");
+  command->footer(
+      "Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which holds all\n"
+      "pictures itself. Needs gnuplot. Files of these names are replaced.\n"
+      "\n"
+      "Examples:\n"
+      "  hrt-study report --out report\n"
+      "  hrt-study report --out quick --trials 1000");
+  const auto options = std::make_shared<Options>();
+  add_path(*command, "--out", &options->out, "a folder that can be written",
+           "Folder for the files; made if missing.")
+      ->required();
+  add_trials(*command, &options->table.trials,
+             "Trials of each cell of Table I; half as many for each point of the frontier.");
+  add_seed(*command, &options->table.seed);
+  add_threads(*command, &options->table.threads);
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace hrt::study
