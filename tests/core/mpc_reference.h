@@ -7,6 +7,9 @@
 
 #include "core/mpc.h"
 
+// Widening double to long double is the point here.
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
+
 namespace hrt {
 
 using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
