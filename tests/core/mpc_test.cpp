@@ -169,5 +169,45 @@ TEST(Mpc, NoGridPointBeatsTheOptimum) {
   }
 }
 
+TEST(Mpc, NoGridPointWithinTheRateBoundBeatsTheOptimum) {
+  for (const double rate : {5.0, 20.0, 60.0}) {
+    const MpcConfig config{.horizon = 3, .plate_rate_bound_deg = rate};
+    for (const double w : {0.05, 0.15, 0.3}) {
+      for (const double finger : {-12.0, 0.0, 6.0}) {
+        for (const double real : {-12.0, 0.0, 5.0}) {
+          for (const double plate : {-84.5, -10.0, 70.0}) {
+            const MpcProblem problem{finger, real, w, plate, gains.data()};
+            MpcDiagnostics diagnostics;
+            Mpc(config).solve(problem, &diagnostics);
+            const std::vector<double> optimum(diagnostics.plate_offset_deg.begin(),
+                                              diagnostics.plate_offset_deg.begin() + 3);
+            double last = plate;
+            for (const double offset : optimum) {
+              EXPECT_LE(std::abs(offset - last), rate + 1e-9);
+              EXPECT_LE(std::abs(offset), 84.5 + 1e-9);
+              last = offset;
+            }
+            const double best = window_cost(config, problem, optimum);
+            const auto turn = [&](double from, int share) {
+              return std::clamp(from + rate * share / 8.0, -84.5, 84.5);
+            };
+            for (int a = -8; a <= 8; ++a) {
+              for (int b = -8; b <= 8; ++b) {
+                for (int c = -8; c <= 8; ++c) {
+                  const double first = turn(plate, a);
+                  const double second = turn(first, b);
+                  const double cost = window_cost(config, problem, {first, second, turn(second, c)});
+                  ASSERT_GE(cost, best - 1e-9 * (1.0 + best))
+                      << rate << ' ' << w << ' ' << finger << ' ' << real;
+                }
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace hrt
