@@ -1,7 +1,9 @@
 #include "plugin/src/json.h"
 
-#include <cstring>
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "plugin/src/checked.h"
 #include "plugin/src/session_config.h"
@@ -13,6 +15,7 @@ using Json = nlohmann::json;
 
 constexpr std::string_view profile_format = "haptic retargeting profile";
 constexpr std::size_t largest_text = 65536;
+constexpr std::size_t most_fields = 64;
 
 void write_string(std::string_view text, JsonText& out) {
   out << "\"";
@@ -32,66 +35,137 @@ const double* vector_of(const hrt_session_config& config, const VectorField& fie
   return reinterpret_cast<const double*>(reinterpret_cast<const char*>(&config) + field.offset);
 }
 
-// An object, or an error.
-hrt_result parse_object(std::string_view text, Json* out) {
+// A field of a flat object: a number, a string, or an array of numbers.
+struct Field {
+  std::string key;
+  bool is_array = false;
+  bool is_text = false;
+  bool is_whole = false;
+  std::int64_t whole = 0;
+  std::vector<double> numbers;
+  std::string text;
+};
+
+// Takes a flat object in, field by field. The library's own tree of values is not used: its destructors
+// allocate, and so end the process when memory runs out.
+class FlatObjectReader : public nlohmann::json_sax<Json> {
+ public:
+  std::vector<Field> fields;
+
+  bool start_object(std::size_t) override { return ++depth_ == 1; }
+  bool end_object() override { return true; }
+  bool key(string_t& name) override {
+    fields.push_back({.key = name});
+    return fields.size() <= most_fields;
+  }
+  bool start_array(std::size_t) override {
+    if (depth_ == 0 || fields.empty() || in_array_) return false;
+    in_array_ = fields.back().is_array = true;
+    return true;
+  }
+  bool end_array() override {
+    in_array_ = false;
+    return true;
+  }
+  bool number_integer(number_integer_t value) override {
+    return number(static_cast<double>(value), true, value);
+  }
+  bool number_unsigned(number_unsigned_t value) override {
+    return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
+  }
+  bool number_float(number_float_t value, const string_t&) override { return number(value, false, 0); }
+  bool string(string_t& value) override {
+    if (depth_ == 0 || fields.empty() || in_array_) return false;
+    fields.back().is_text = true;
+    fields.back().text = value;
+    return true;
+  }
+  bool null() override { return false; }
+  bool boolean(bool) override { return false; }
+  bool binary(binary_t&) override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool number(double value, bool is_whole, std::int64_t whole) {
+    if (depth_ == 0 || fields.empty()) return false;
+    Field& field = fields.back();
+    field.numbers.push_back(value);
+    field.is_whole = is_whole && !in_array_;
+    field.whole = whole;
+    return true;
+  }
+
+  int depth_ = 0;
+  bool in_array_ = false;
+};
+
+hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
   if (text.size() > largest_text)
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", largest_text);
-  bool nested_too_deep = false;
-  const auto callback = [&](int depth, Json::parse_event_t, Json&) {
-    nested_too_deep |= depth > 4;
-    return !nested_too_deep;
-  };
-  Json parsed = Json::parse(text, callback, false);
-  if (nested_too_deep || !parsed.is_object())
-    return fail(HRT_ERROR_BAD_FORMAT, "the text is not a JSON object");
-  *out = std::move(parsed);
+  FlatObjectReader reader;
+  if (!Json::sax_parse(text, &reader))
+    return fail(HRT_ERROR_BAD_FORMAT,
+                "the text is not a JSON object of numbers, arrays of numbers and strings");
+  for (const Field& field : reader.fields) {
+    const auto same = [&](const Field& other) { return other.key == field.key; };
+    if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is there twice");
+  }
+  *out = std::move(reader.fields);
   return HRT_OK;
 }
 
-hrt_result read_number(const std::string& key, const Json& value, double* out) {
-  if (!value.is_number()) return fail(HRT_ERROR_BAD_FORMAT, key, " is not a number");
-  *out = value.get<double>();
+hrt_result read_number(const Field& field, double* out) {
+  if (field.is_array || field.is_text) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a number");
+  *out = field.numbers[0];
   return HRT_OK;
 }
 
-hrt_result read_integer(const std::string& key, const Json& value, std::int64_t* out) {
-  if (!value.is_number_integer() || (value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX))
-    return fail(HRT_ERROR_BAD_FORMAT, key, " is not a whole number");
-  *out = value.get<std::int64_t>();
+hrt_result read_integer(const Field& field, std::int64_t* out) {
+  if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a whole number");
+  *out = field.whole;
   return HRT_OK;
 }
 
-hrt_result read_unsigned(const std::string& key, const Json& value, std::uint32_t* out) {
+hrt_result read_unsigned(const Field& field, std::uint32_t* out) {
   std::int64_t number = 0;
-  HRT_RETURN_IF_FAILED(read_integer(key, value, &number));
-  HRT_RETURN_IF_FAILED(check_range<std::int64_t>(key.c_str(), number, 0, UINT32_MAX));
+  HRT_RETURN_IF_FAILED(read_integer(field, &number));
+  HRT_RETURN_IF_FAILED(check_range<std::int64_t>(field.key.c_str(), number, 0, UINT32_MAX));
   *out = static_cast<std::uint32_t>(number);
   return HRT_OK;
 }
 
-hrt_result read_array(const std::string& key, const Json& value, std::size_t size, double* out) {
-  if (!value.is_array() || value.size() != size)
-    return fail(HRT_ERROR_BAD_FORMAT, key, " is not an array of ", size, " numbers");
-  for (std::size_t i = 0; i < size; ++i) HRT_RETURN_IF_FAILED(read_number(key, value[i], out + i));
+hrt_result read_array(const Field& field, std::size_t size, double* out) {
+  if (!field.is_array || field.numbers.size() != size)
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an array of ", size, " numbers");
+  std::copy(field.numbers.begin(), field.numbers.end(), out);
   return HRT_OK;
 }
 
-hrt_result read_field(const std::string& key, const Json& value, hrt_session_config* config) {
-  if (key == "horizon") return read_unsigned(key, value, &config->horizon);
-  if (key == "step_period_ns") return read_integer(key, value, &config->step_period_ns);
-  if (key == "control") return read_unsigned(key, value, &config->control);
-  if (key == "guidance") return read_unsigned(key, value, &config->guidance);
-  if (key == "adaptation") return read_unsigned(key, value, &config->adaptation);
-  if (key == "plate_latency_ns") return read_integer(key, value, &config->plate_latency_ns);
-  for (const NumberField& field : number_fields()) {
-    if (key == field.name) return read_number(key, value, &(config->*field.value));
+hrt_result read_field(const Field& field, hrt_session_config* config) {
+  const std::string& key = field.key;
+  if (key == "horizon") return read_unsigned(field, &config->horizon);
+  if (key == "step_period_ns") return read_integer(field, &config->step_period_ns);
+  if (key == "control") return read_unsigned(field, &config->control);
+  if (key == "guidance") return read_unsigned(field, &config->guidance);
+  if (key == "adaptation") return read_unsigned(field, &config->adaptation);
+  if (key == "plate_latency_ns") return read_integer(field, &config->plate_latency_ns);
+  for (const NumberField& number : number_fields()) {
+    if (key == number.name) return read_number(field, &(config->*number.value));
   }
-  for (const VectorField& field : vector_fields()) {
-    if (key == field.name)
-      return read_array(key, value, field.size,
-                        reinterpret_cast<double*>(reinterpret_cast<char*>(config) + field.offset));
+  for (const VectorField& vector : vector_fields()) {
+    if (key == vector.name)
+      return read_array(field, vector.size,
+                        reinterpret_cast<double*>(reinterpret_cast<char*>(config) + vector.offset));
   }
   return fail(HRT_ERROR_BAD_FORMAT, "\"", key, "\" is not a field of a configuration");
+}
+
+bool is_of_participant(const std::string& key) {
+  return std::any_of(number_fields().begin(), number_fields().end(),
+                     [&](const NumberField& number) { return number.of_participant && key == number.name; });
 }
 
 }  // namespace
@@ -119,15 +193,15 @@ void write_target(const hrt_target_config& target, JsonText& out) {
 }
 
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
-  Json object;
-  HRT_RETURN_IF_FAILED(parse_object(text, &object));
+  std::vector<Field> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   constexpr std::size_t whole_number_fields = 6;
-  const std::size_t fields = whole_number_fields + number_fields().size() + vector_fields().size();
-  if (object.size() != fields)
-    return fail(HRT_ERROR_BAD_FORMAT, "the configuration has ", object.size(), " fields; ", fields,
+  const std::size_t needed = whole_number_fields + number_fields().size() + vector_fields().size();
+  if (fields.size() != needed)
+    return fail(HRT_ERROR_BAD_FORMAT, "the configuration has ", fields.size(), " fields; ", needed,
                 " are needed");
   hrt_session_config config = default_session_config();
-  for (const auto& [key, value] : object.items()) HRT_RETURN_IF_FAILED(read_field(key, value, &config));
+  for (const Field& field : fields) HRT_RETURN_IF_FAILED(read_field(field, &config));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   *out = config;
   return HRT_OK;
@@ -142,20 +216,23 @@ void write_profile(const hrt_session_config& config, JsonText& out) {
 }
 
 hrt_result read_profile(std::string_view text, hrt_session_config* config) {
-  Json object;
-  HRT_RETURN_IF_FAILED(parse_object(text, &object));
-  if (object.value("format", Json()) != profile_format)
-    return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
-  if (object.value("version", Json()) != 1) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
-  object.erase("format");
-  object.erase("version");
+  std::vector<Field> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config read = *config;
-  for (const auto& [key, value] : object.items()) {
-    const auto is_it = [&](const NumberField& field) { return field.of_participant && key == field.name; };
-    if (std::none_of(number_fields().begin(), number_fields().end(), is_it))
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", key, "\" is not a field of a profile");
-    HRT_RETURN_IF_FAILED(read_field(key, value, &read));
+  bool has_format = false, has_version = false;
+  for (const Field& field : fields) {
+    if (field.key == "format") {
+      has_format = field.text == profile_format;
+    } else if (field.key == "version") {
+      has_version = field.is_whole && field.whole == 1;
+    } else if (is_of_participant(field.key)) {
+      HRT_RETURN_IF_FAILED(read_field(field, &read));
+    } else {
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a profile");
+    }
   }
+  if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
+  if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
   HRT_RETURN_IF_FAILED(check_session_config(read));
   *config = read;
   return HRT_OK;

@@ -1,8 +1,8 @@
 // The library's memory: all of it from the host's allocator, any of it refused.
 #include <atomic>
 #include <cstdlib>
-#include <functional>
-#include <new>
+#include <fstream>
+#include <string>
 
 #include "fixture.h"
 
@@ -91,6 +91,79 @@ TEST(Memory, EveryRequestMayBeRefused) {
     }
     EXPECT_EQ(allocator.held, 0) << "after refusing request " << n;
   }
+}
+
+// Refuses each request of an operation in turn: every time a clean error, and nothing held that was not
+// before.
+template <class Operation>
+void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
+  allocator.requests = 0;
+  ASSERT_OK(operation());
+  const long requests = allocator.requests, held = allocator.held;
+  ASSERT_GT(requests, 0);
+  for (long n = 1; n <= requests; ++n) {
+    allocator.requests = 0;
+    allocator.fail_at = n;
+    ASSERT_EQ(operation(), HRT_ERROR_OUT_OF_MEMORY) << "refusing request " << n << " of " << requests;
+    allocator.fail_at = 0;
+    ASSERT_EQ(allocator.held, held) << "after refusing request " << n << " of " << requests;
+  }
+}
+
+TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
+  CountingAllocator allocator;
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  const std::string profile = R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})";
+  refuse_each_request(allocator, [&] { return hrt_profile_load(session, profile.data(), profile.size()); });
+  ASSERT_OK(hrt_session_destroy(session));
+}
+
+TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
+  CountingAllocator allocator;
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  auto status = output<hrt_recording_status>();
+  refuse_each_request(allocator, [&] {
+    const hrt_result result = hrt_recording_start(session, "/dev/null");
+    if (result == HRT_OK) {
+      EXPECT_OK(hrt_recording_stop(session, &status));
+    }
+    return result;
+  });
+  ASSERT_OK(hrt_session_destroy(session));
+  auto report = output<hrt_replay_report>();
+  std::ifstream file(HRT_GOLDEN_RECORDING);
+  std::string text, line;
+  for (int i = 0; i < 12 && std::getline(file, line); ++i) text += line + "\n";
+  refuse_each_request(allocator, [&] { return hrt_replay_text(text.data(), text.size(), &report); });
+  EXPECT_GT(report.rows, 0u);
+}
+
+TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {
+  CountingAllocator allocator;
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],"nodes":[
+    {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":0.1}}},
+    {"name":"cylinder","translation":[0,0,-0.05],"extras":{"haptic":{"role":"real","name":"cylinder"}}},
+    {"name":"cup","translation":[-0.01,0,-0.05],
+     "extras":{"haptic":{"role":"virtual","name":"cup","served_by":"cylinder"}}}]})";
+  hrt_scene scene{};
+  ASSERT_OK(hrt_scene_load_memory(gltf.data(), gltf.size(), "memory", &scene));
+  hrt_target ids[2];
+  refuse_each_request(allocator, [&] {
+    const hrt_result result = hrt_scene_register(scene, session, 2, ids);
+    if (result == HRT_OK) {
+      for (const hrt_target id : ids) EXPECT_OK(hrt_target_remove(session, id));
+    }
+    return result;
+  });
+  ASSERT_OK(hrt_scene_destroy(scene));
+  ASSERT_OK(hrt_session_destroy(session));
 }
 
 TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {

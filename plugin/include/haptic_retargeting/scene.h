@@ -53,8 +53,9 @@ typedef struct hrt_scene_target {
   char name[HRT_NAME_SIZE];
 } hrt_scene_target;
 
-/** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property, LIMIT_REACHED,
- *  OUT_OF_MEMORY. [any-thread] */
+/** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property, LIMIT_REACHED. If
+ *  memory runs out while a file is read, the process may end: the JSON library underneath allocates when it
+ *  cleans up. [any-thread] */
 HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** The same from memory, which is not used after the call. `name` stands for the file in error texts.
