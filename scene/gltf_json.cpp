@@ -115,10 +115,9 @@ class Checker {
 
   // An array of objects, or nothing; anything else is refused.
   const json& objects(const json& document, const char* section) const {
-    static const json none = json::array();
     const auto found = document.find(section);
     if (found == document.end()) {
-      return none;
+      return none_;
     }
     if (!found->is_array() ||
         !std::all_of(found->begin(), found->end(), [](const json& o) { return o.is_object(); })) {
@@ -332,6 +331,7 @@ class Checker {
 
   static constexpr std::size_t no_parent = static_cast<std::size_t>(-1);
   const std::string& file_;
+  const json none_ = json::array();  // not static: memory goes back to the plugin's host with the loader
   std::vector<std::size_t> parent_of_;
 };
 
