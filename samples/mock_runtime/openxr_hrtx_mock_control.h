@@ -32,27 +32,27 @@ extern "C" {
 
 /* One call of the application. */
 typedef struct XrCallRecordHRTX {
-    XrStructureType type; /* XR_TYPE_CALL_RECORD_HRTX */
-    void* XR_MAY_ALIAS next;
-    XrTime time; /* of the runtime's clock when the call returned; 0 without an instance */
-    XrResult result;
-    char function[XR_MAX_CALL_NAME_SIZE_HRTX];  /* "xrCreateSession" */
-    char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* why it was refused; empty otherwise */
+  XrStructureType type; /* XR_TYPE_CALL_RECORD_HRTX */
+  void* XR_MAY_ALIAS next;
+  XrTime time; /* of the runtime's clock when the call returned; 0 without an instance */
+  XrResult result;
+  char function[XR_MAX_CALL_NAME_SIZE_HRTX]; /* "xrCreateSession" */
+  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* why it was refused; empty otherwise */
 } XrCallRecordHRTX;
 
 /* Replaces the script, from the next session on; calls are counted anew from here.
 ** XR_ERROR_CALL_ORDER_INVALID while there is a session. XR_ERROR_VALIDATION_FAILURE for a script that is
 ** not valid: the call log says what is wrong in it and what is allowed; the script before stays. */
-typedef XrResult (XRAPI_PTR *PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);
+typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);
 
 /* Lets a manual clock go on by `duration` >= 0, at most an hour, with all that happens meanwhile.
 ** XR_ERROR_CALL_ORDER_INVALID with the real-time clock. */
-typedef XrResult (XRAPI_PTR *PFN_xrAdvanceTimeHRTX)(XrInstance instance, XrDuration duration);
+typedef XrResult(XRAPI_PTR* PFN_xrAdvanceTimeHRTX)(XrInstance instance, XrDuration duration);
 
 /* The calls so far, oldest first, in the two-call idiom; xrGetInstanceProcAddr and this function are left
 ** out. The log holds the latest 100,000. */
-typedef XrResult (XRAPI_PTR *PFN_xrGetCallLogHRTX)(XrInstance instance, uint32_t capacity, uint32_t* count,
-                                                   XrCallRecordHRTX* records);
+typedef XrResult(XRAPI_PTR* PFN_xrGetCallLogHRTX)(XrInstance instance, uint32_t capacity, uint32_t* count,
+                                                  XrCallRecordHRTX* records);
 
 #ifdef __cplusplus
 }

@@ -39,57 +39,61 @@ extern "C" {
 
 /* Where the plate is. */
 typedef struct XrPlatePlacementHRTX {
-    XrStructureType type; /* XR_TYPE_PLATE_PLACEMENT_HRTX */
-    const void* XR_MAY_ALIAS next;
-    XrSpace space;
-    XrPosef pose;  /* of the plate frame in `space`, as `space` is located now */
-    double radius; /* metres, in (0, 10] */
+  XrStructureType type; /* XR_TYPE_PLATE_PLACEMENT_HRTX */
+  const void* XR_MAY_ALIAS next;
+  XrSpace space;
+  XrPosef pose;  /* of the plate frame in `space`, as `space` is located now */
+  double radius; /* metres, in (0, 10] */
 } XrPlatePlacementHRTX;
 
 /* What the participant is told to do. */
 typedef struct XrReachInstructionHRTX {
-    XrStructureType type; /* XR_TYPE_REACH_INSTRUCTION_HRTX */
-    const void* XR_MAY_ALIAS next;
-    XrHandEXT hand;
-    XrVector3f start;     /* of the index tip joint, in plate coordinates, metres; it slides at this height */
-    double goalDirection; /* degrees, in [-180, 180]: where the participant believes to go (the virtual target) */
-    double pathLength;    /* metres, in (0, 10] */
+  XrStructureType type; /* XR_TYPE_REACH_INSTRUCTION_HRTX */
+  const void* XR_MAY_ALIAS next;
+  XrHandEXT hand;
+  XrVector3f start; /* of the index tip joint, in plate coordinates, metres; it slides at this height */
+  double
+      goalDirection; /* degrees, in [-180, 180]: where the participant believes to go (the virtual target) */
+  double pathLength; /* metres, in (0, 10] */
 } XrReachInstructionHRTX;
 
 /* What only a simulation can know of a reach. */
 typedef struct XrReachTruthHRTX {
-    XrStructureType type; /* XR_TYPE_REACH_TRUTH_HRTX */
-    void* XR_MAY_ALIAS next;
-    double trueDirection;      /* degrees: the direction that the finger has taken after the last step */
-    double perceivedDirection; /* degrees: the direction that the participant felt in the last step */
-    XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
-    uint32_t stepCount;        /* steps of the participant's model so far */
-    XrBool32 isDone;           /* the path's whole length has been gone */
+  XrStructureType type; /* XR_TYPE_REACH_TRUTH_HRTX */
+  void* XR_MAY_ALIAS next;
+  double trueDirection;      /* degrees: the direction that the finger has taken after the last step */
+  double perceivedDirection; /* degrees: the direction that the participant felt in the last step */
+  XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
+  uint32_t stepCount;        /* steps of the participant's model so far */
+  XrBool32 isDone;           /* the path's whole length has been gone */
 } XrReachTruthHRTX;
 
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
-typedef XrResult (XRAPI_PTR *PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
+typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
 /* Noise comes from this seed from now on, and reaches are counted from 0 again: a run from here on with the
 ** same seed, calls and times is the same bit for bit. At first the seed is 1. */
-typedef XrResult (XRAPI_PTR *PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed);
+typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed);
 
 /* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
-typedef XrResult (XRAPI_PTR *PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
+typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 
 /* Where the servo has the plate at `time`; for a time to come, if it gets no further target.
 ** XR_ERROR_TIME_INVALID if `time` is not positive. */
-typedef XrResult (XRAPI_PTR *PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time, double* orientation);
+typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time,
+                                                           double* orientation);
 
 /* The participant puts the fingertip to the start and slides from now on, at a constant speed, 100 mm in
 ** 3 s unless a script says otherwise. One step of the participant's model takes 100 ms: during step k the
 ** finger moves along P_k; at its end the participant feels the plate as it stands then and chooses P_k+1.
 ** P_0 is the mid-line. An instruction to a hand replaces the one before.
 ** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
-typedef XrResult (XRAPI_PTR *PFN_xrInstructReachHRTX)(XrSession session, const XrReachInstructionHRTX* instruction);
+typedef XrResult(XRAPI_PTR* PFN_xrInstructReachHRTX)(XrSession session,
+                                                     const XrReachInstructionHRTX* instruction);
 
 /* The truth about the hand's latest reach, now. XR_ERROR_CALL_ORDER_INVALID if there has been none. */
-typedef XrResult (XRAPI_PTR *PFN_xrGetReachTruthHRTX)(XrSession session, XrHandEXT hand, XrReachTruthHRTX* truth);
+typedef XrResult(XRAPI_PTR* PFN_xrGetReachTruthHRTX)(XrSession session, XrHandEXT hand,
+                                                     XrReachTruthHRTX* truth);
 
 #ifdef __cplusplus
 }
