@@ -39,7 +39,7 @@ class Text {
   }
 
  private:
-  char text_[capacity] = "";
+  char text_[capacity]{};
   std::size_t length_ = 0;
 };
 
