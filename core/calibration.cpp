@@ -228,6 +228,13 @@ Interval profile_interval(const std::array<double, n>& values, const std::array<
   if (low > 0 && likelihood[low] >= floor) interval.lower = crossing(low, low - 1);
   if (high + 1 < n && likelihood[high] >= floor) interval.upper = crossing(high, high + 1);
   interval.known = low > 0 && high + 1 < n;
+  if (interval.known && low == high) {
+    // The peak is narrower than the grid: its ends are those of the parabola.
+    const double curvature = likelihood[best] - 0.5 * (likelihood[best - 1] + likelihood[best + 1]);
+    const double half = std::sqrt(0.5 * likelihood_drop / curvature);
+    interval.lower = interval.value * std::pow(ratio, -half);
+    interval.upper = interval.value * std::pow(ratio, half);
+  }
   return interval;
 }
 

@@ -110,6 +110,19 @@ TEST(Calibration, VariancesAreFoundOrSaidToBeUnknown) {
   EXPECT_FALSE(blunt.sensory_variance_deg2.known);
 }
 
+// An exact tracker leaves a likelihood narrower than the grid that it is searched on.
+TEST(Calibration, IntervalsHoldTheirValueUnderAnExactTracker) {
+  CalibrationCondition condition;
+  condition.tracker_noise_m = 0.0;
+  const Calibration exact = calibrated(simulate(condition, 4));
+  for (const Interval& interval : {exact.motor_variance_deg2, exact.sensory_variance_deg2}) {
+    EXPECT_TRUE(interval.known);
+    EXPECT_LT(interval.lower, interval.value);
+    EXPECT_GT(interval.upper, interval.value);
+    EXPECT_LT(interval.upper, 3.0 * interval.lower);
+  }
+}
+
 TEST(Calibration, RefusesWhatCannotTell) {
   const CalibrationCondition condition;
   EXPECT_NE(refused({}).find("at least 10 are needed"), std::string::npos);
