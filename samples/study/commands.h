@@ -13,5 +13,7 @@ void add_sweep(CLI::App& app);
 void add_authority(CLI::App& app);
 void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
+void add_participants(CLI::App& app);
+void add_calibrate(CLI::App& app);
 
 }  // namespace hrt::study

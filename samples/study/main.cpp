@@ -66,6 +66,8 @@ int main(int argc, char** argv) {
   add_trial(app);
   add_sweep(app);
   add_report(app);
+  add_participants(app);
+  add_calibrate(app);
   add_authority(app);
   add_scene(app);
   try {

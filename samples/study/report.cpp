@@ -1,9 +1,5 @@
 // hrt-study report: the paper's figures from the model, and a page that shows them all.
-#include <unistd.h>
-
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands.h"
@@ -11,6 +7,7 @@
 #include "samples/study/gnuplot.h"
 #include "samples/study/output.h"
 #include "samples/study/page.h"
+#include "samples/study/workshop.h"
 
 namespace hrt::study {
 namespace {
@@ -21,43 +18,6 @@ struct Options {
   Table1Options table;
   std::string out;
 };
-
-/// A folder inside the report's in which everything is made before any of it gets its name.
-class Workshop {
- public:
-  Workshop(const std::string& argument, const std::string& out) : out_(out), was_made_(!fs::exists(out)) {
-    std::error_code error;
-    fs::create_directories(out_, error);
-    folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
-    if (!error) fs::create_directory(folder_, error);
-    if (error)
-      throw UsageError(not_allowed(argument, out, "a folder that can be written (" + error.message() + ")"));
-  }
-  ~Workshop() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-    if (was_made_) fs::remove(out_, ignored);  // only if nothing came of it
-  }
-  Workshop(const Workshop&) = delete;
-  Workshop& operator=(const Workshop&) = delete;
-
-  const fs::path& folder() const { return folder_; }
-
-  void publish(const std::string& name) const { fs::rename(folder_ / name, out_ / name); }
-
- private:
-  fs::path out_;
-  fs::path folder_;
-  bool was_made_;
-};
-
-std::string read(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file || text.view().empty()) throw std::runtime_error("gnuplot did not write " + path.string());
-  return text.str();
-}
 
 void run(const Options& options) {
   const Workshop workshop("--out", options.out);
@@ -75,7 +35,7 @@ void run(const Options& options) {
   run_gnuplot(script, workshop.folder());
 
   std::vector<std::string> drawings;
-  for (const Figure& figure : figures) drawings.push_back(read(workshop.folder() / (figure.name + ".svg")));
+  for (const Figure& figure : figures) drawings.push_back(workshop.read(figure.name + ".svg"));
   const std::string page = "report.html";
   replace_file(workshop.folder() / page, html_page(table, figures, drawings));
   for (const Figure& figure : figures)

@@ -1,0 +1,36 @@
+// Calibration data: slides over a plate at rest as CSV, a row a tracked position, and simulated people who
+// made them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/calibration.h"
+#include "core/simulation/calibration_trial.h"
+
+namespace hrt::study {
+
+/// The columns of calibration data, in the order in which they are written.
+inline constexpr const char* calibration_header = "trial,time_s,right_m,away_m,plate_orientation_deg";
+
+/// A simulated person's session: `trials_per_angle` slides at each plate angle, in random order.
+struct Session {
+  CalibrationCondition condition;
+  std::vector<double> plate_angles_deg{-60.0, -30.0, 0.0, 30.0, 60.0};
+  std::uint64_t trials_per_angle = 10;
+  std::uint64_t seed = 1;
+  std::uint32_t person = 0;  ///< people of one seed differ by this
+};
+
+std::vector<CalibrationTrial> simulate_session(const Session& session);
+
+/// The session as CSV, under comments that say what is true of the simulated person.
+std::string session_csv(const Session& session);
+
+/// Reads calibration data; `name` is what errors call the file. Comments (#), empty lines, CRLF and columns
+/// of other names are passed over. Throws UsageError naming line, column and what is allowed.
+std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text);
+
+}  // namespace hrt::study
