@@ -15,5 +15,6 @@ void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
 void add_participants(CLI::App& app);
 void add_calibrate(CLI::App& app);
+void add_robustness(CLI::App& app);
 
 }  // namespace hrt::study

@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
   add_report(app);
   add_participants(app);
   add_calibrate(app);
+  add_robustness(app);
   add_authority(app);
   add_scene(app);
   try {

@@ -28,4 +28,8 @@ double percent_within(double tolerance, double variance);
 /// The median; `values` not empty.
 double median(std::vector<double> values);
 
+/// The value that `share`, in [0, 1], of `values` do not exceed, on the line between the two nearest;
+/// `values` not empty.
+double quantile(std::vector<double> values, double share);
+
 }  // namespace hrt::study
