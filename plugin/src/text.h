@@ -18,6 +18,7 @@ class Text {
   std::string_view view() const { return {text_, length_}; }
 
   Text& operator<<(std::string_view part) {
+    if (part.empty()) return *this;  // whose data may be null
     const std::size_t room = capacity - 1 - length_;
     const std::size_t taken = part.size() < room ? part.size() : room;
     std::memcpy(text_ + length_, part.data(), taken);

@@ -1,0 +1,192 @@
+// Calls in any order with any arguments: each returns a result that has a name, a failed one leaves its
+// output as it was, and a command is finite.
+#include <fuzzer/FuzzedDataProvider.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+
+#include "haptic_retargeting/haptic_retargeting.h"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+void check(hrt_result result) {
+  require(result <= HRT_OK && std::strcmp(hrt_result_string(result), "unknown result") != 0);
+}
+
+/// Calls with arguments out of the fuzzer's bytes; often ones that fit together.
+class Caller {
+ public:
+  explicit Caller(FuzzedDataProvider& bytes) : bytes_(bytes) {}
+  ~Caller() {
+    for (const hrt_session session : sessions_) hrt_session_destroy(session);
+  }
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+  Caller(Caller&&) = delete;
+  Caller& operator=(Caller&&) = delete;
+
+  void call() {
+    switch (bytes_.ConsumeIntegralInRange(0, 13)) {
+      case 0:
+        return create();
+      case 1:
+        return check(hrt_session_destroy(session()));
+      case 2:
+        return set_config();
+      case 3:
+        return add_target();
+      case 4:
+        return check(hrt_target_remove(session(), target()));
+      case 5:
+        return list();
+      case 6:
+        return authority();
+      case 7:
+        return begin();
+      case 8:
+        return end();
+      default:
+        return update();
+    }
+  }
+
+ private:
+  hrt_session session() {
+    return bytes_.ConsumeBool() ? sessions_[bytes_.ConsumeIntegralInRange<size_t>(0, sessions_.size() - 1)]
+                                : hrt_session{bytes_.ConsumeIntegral<uint64_t>()};
+  }
+
+  hrt_target target() {
+    return bytes_.ConsumeIntegralInRange(0, 7)
+               ? targets_[bytes_.ConsumeIntegralInRange<size_t>(0, targets_.size() - 1)]
+               : hrt_target{bytes_.ConsumeIntegral<uint64_t>()};
+  }
+
+  // A default with a few bytes changed.
+  template <class Struct>
+  void disturb(Struct& value) {
+    for (int n = bytes_.ConsumeIntegralInRange(0, 3); n > 0; --n) {
+      const auto at = bytes_.ConsumeIntegralInRange<size_t>(0, sizeof value / 8 - 1);
+      const double number = bytes_.ConsumeBool() ? bytes_.ConsumeFloatingPointInRange(-100.0, 100.0)
+                                                 : bytes_.ConsumeFloatingPoint<double>();
+      std::memcpy(reinterpret_cast<char*>(&value) + 8 * at, &number, sizeof number);
+    }
+    // A size that exceeds the object would have the library read beyond it, as the contract allows.
+    uint32_t size;
+    std::memcpy(&size, &value, sizeof size);
+    if (size > sizeof value) size = static_cast<uint32_t>(sizeof value);
+    std::memcpy(&value, &size, sizeof size);
+  }
+
+  void create() {
+    hrt_session_config config;
+    require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
+    disturb(config);
+    hrt_session created{};
+    const hrt_result result = hrt_session_create(&config, &created);
+    check(result);
+    require((result == HRT_OK) == (created.value != 0));
+    if (result != HRT_OK) return;
+    hrt_session& slot = sessions_[bytes_.ConsumeIntegralInRange<size_t>(0, sessions_.size() - 1)];
+    hrt_session_destroy(slot);
+    slot = created;
+  }
+
+  void set_config() {
+    hrt_session_config config;
+    require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
+    disturb(config);
+    check(hrt_session_set_config(session(), &config));
+  }
+
+  void add_target() {
+    hrt_target_config config;
+    require(hrt_target_config_default(&config, sizeof config) == HRT_OK);
+    config.role = bytes_.ConsumeIntegralInRange(0u, 3u);
+    config.place = bytes_.ConsumeIntegralInRange(0u, 4u);
+    config.direction_deg = bytes_.ConsumeFloatingPointInRange(-200.0, 200.0);
+    disturb(config);
+    hrt_target& slot = targets_[bytes_.ConsumeIntegralInRange<size_t>(0, targets_.size() - 1)];
+    const hrt_target before = slot;
+    const hrt_result result = hrt_target_add(session(), &config, &slot);
+    check(result);
+    require(result == HRT_OK || slot.value == before.value);
+  }
+
+  void list() {
+    hrt_target out[8];
+    uint32_t count = 0;
+    check(hrt_target_list(session(), bytes_.ConsumeIntegralInRange(0u, 3u),
+                          bytes_.ConsumeIntegralInRange(0u, 8u), out, &count));
+  }
+
+  void authority() {
+    hrt_authority out{};
+    out.struct_size = sizeof out;
+    const hrt_result result = bytes_.ConsumeBool() ? hrt_authority_query(session(), target(), target(), &out)
+                                                   : hrt_authority_query_best(session(), target(), &out);
+    check(result);
+    if (result == HRT_OK) require(std::isfinite(out.plate_orientation_deg) && std::isfinite(out.margin_deg));
+  }
+
+  void begin() {
+    hrt_reach_config config;
+    require(hrt_reach_config_default(&config, sizeof config) == HRT_OK);
+    config.real_target = target();
+    config.virtual_target = target();
+    if (bytes_.ConsumeBool()) disturb(config);
+    check(hrt_reach_begin(session(), &config));
+  }
+
+  void update() {
+    hrt_sample sample{};
+    sample.struct_size = sizeof sample;
+    sample.flags = bytes_.ConsumeBool() ? bytes_.ConsumeIntegralInRange(0u, 64u) : HRT_SAMPLE_PLATE_POSITION;
+    time_ns_ += bytes_.ConsumeIntegralInRange(0, 1 << 28);
+    sample.time_ns = bytes_.ConsumeIntegralInRange(0, 15) ? time_ns_ : bytes_.ConsumeIntegral<int64_t>();
+    sample.finger_direction_deg = bytes_.ConsumeFloatingPointInRange(-181.0, 181.0);
+    sample.finger_position_m[0] = bytes_.ConsumeFloatingPointInRange(-0.1, 0.1);
+    sample.finger_position_m[2] = bytes_.ConsumeFloatingPointInRange(-0.1, 0.1);
+    sample.plate_rotation[3] = 1.0;
+    disturb(sample);
+    hrt_command command{};
+    command.struct_size = sizeof command;
+    command.step = 77;
+    const hrt_result result = hrt_reach_update(session(), &sample, &command);
+    check(result);
+    if (result == HRT_OK)
+      require(std::isfinite(command.plate_orientation_deg) &&
+              std::isfinite(command.perceived_direction_deg) && std::isfinite(command.distance_to_go_m));
+    else
+      require(command.step == 77);
+  }
+
+  void end() {
+    hrt_reach_summary summary{};
+    summary.struct_size = sizeof summary;
+    const hrt_result result = hrt_reach_end(session(), &summary);
+    check(result);
+    if (result == HRT_OK) require(std::isfinite(summary.final_miss_deg) && summary.samples >= 0);
+  }
+
+  FuzzedDataProvider& bytes_;
+  std::array<hrt_session, 2> sessions_{};
+  std::array<hrt_target, 4> targets_{};
+  int64_t time_ns_ = 0;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  FuzzedDataProvider bytes(data, size);
+  Caller caller(bytes);
+  for (int calls = 0; calls < 1000 && bytes.remaining_bytes() > 0; ++calls) caller.call();
+  return 0;
+}

@@ -1,0 +1,55 @@
+// Profiles and recordings from outside: any bytes. What is accepted comes out again as it went in, and
+// replays to the same hash twice.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "haptic_retargeting/haptic_retargeting.h"
+
+namespace {
+
+void require(bool condition) {
+  if (!condition) std::abort();
+}
+
+hrt_session new_session() {
+  hrt_session_config config;
+  hrt_session session{};
+  require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
+  require(hrt_session_create(&config, &session) == HRT_OK);
+  return session;
+}
+
+std::string saved(hrt_session session) {
+  char text[4096];
+  uint64_t length = 0;
+  require(hrt_profile_save(session, sizeof text, text, &length) == HRT_OK);
+  return {text, length};
+}
+
+void try_profile(const char* text, std::size_t size) {
+  const hrt_session session = new_session();
+  if (hrt_profile_load(session, text, size) == HRT_OK) {
+    const std::string once = saved(session);
+    require(hrt_profile_load(session, once.data(), once.size()) == HRT_OK);
+    require(saved(session) == once);
+  }
+  require(hrt_session_destroy(session) == HRT_OK);
+}
+
+void try_recording(const char* text, std::size_t size) {
+  hrt_replay_report first{}, second{};
+  first.struct_size = second.struct_size = sizeof first;
+  const hrt_result result = hrt_replay_text(text, size, &first);
+  require(hrt_replay_text(text, size, &second) == result);
+  require(first.hash == second.hash && first.rows == second.rows);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+  const auto* text = reinterpret_cast<const char*>(data);
+  if (size == 0) return 0;
+  text[0] == '{' ? try_profile(text, size) : try_recording(text, size);
+  return 0;
+}
