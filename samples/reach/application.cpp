@@ -3,11 +3,15 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
+#include "samples/reach/followed_plate.h"
 #include "samples/reach/reach.h"
 #include "samples/reach/runtime_plate.h"
+#include "samples/reach/serial_plate.h"
+#include "samples/reach/simulated_servo.h"
 #include "samples/reach/status_line.h"
 #include "samples/reach/table.h"
 
@@ -40,6 +44,22 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
   std::vector<TargetPair> all;
   for (int round = 0; round < options.repeat; ++round) all.insert(all.end(), chosen.begin(), chosen.end());
   return all;
+}
+
+std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
+                                  const std::string& runtime_name) {
+  switch (choice.kind) {
+    case PlateChoice::Kind::servo:
+      return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
+    case PlateChoice::Kind::serial:
+      return std::make_unique<SerialPlate>(choice.serial_device);
+    case PlateChoice::Kind::runtime:
+      break;
+  }
+  if (simulation == nullptr)
+    throw Failure(ExitCode::plate,
+                  "the OpenXR runtime " + runtime_name + " has no plate to turn; --plate names another one");
+  return std::make_unique<RuntimePlate>(*simulation);
 }
 
 // The reaches of one run, across as many sessions and instances as the runtime makes necessary.
@@ -82,20 +102,24 @@ class Run {
   void run_in_one_session() {
     const XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
     XrHeadlessSession session(runtime, targets_.plate_pose, runtime_limit);
-    if (!runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME))
-      throw Failure(ExitCode::plate, "the OpenXR runtime " + runtime.name() + " has no plate to turn");
-    Simulation simulation(runtime, session);
-    simulation.place_plate(targets_.plate_pose, targets_.plate_radius_m);
-    // A new session goes on with noise of its own, not with that of the reaches already made.
-    simulation.seed(options_.seed + next_);
-    RuntimePlate plate(simulation);
-    print_header_once(runtime);
+    std::optional<Simulation> simulation;
+    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) {
+      simulation.emplace(runtime, session);
+      simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
+      // A new session goes on with noise of its own, not with that of the reaches already made.
+      simulation->seed(options_.seed + next_);
+    }
+    std::unique_ptr<Plate> plate =
+        make_plate(options_.plate, simulation ? &*simulation : nullptr, runtime.name());
+    if (simulation && options_.plate.kind != PlateChoice::Kind::runtime)
+      plate = std::make_unique<FollowedPlate>(std::move(plate), *simulation);
+    print_header_once(runtime, simulation.has_value());
 
     Stage stage{.plugin = plugin_,
                 .targets = targets_,
                 .session = session,
-                .simulation = &simulation,
-                .plate = plate,
+                .simulation = simulation ? &*simulation : nullptr,
+                .plate = *plate,
                 .hands = options_.hands,
                 .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
                 .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
@@ -109,10 +133,14 @@ class Run {
     session.end();
   }
 
-  void print_header_once(const XrRuntime& runtime) {
+  void print_header_once(const XrRuntime& runtime, bool is_simulated) {
     if (std::exchange(header_printed_, true)) return;
-    std::cout << "OpenXR runtime: " << runtime.name() << ". SIMULATION: the user is simulated, with seed "
-              << options_.seed << "; nothing here was measured on people.\n";
+    std::cout << "OpenXR runtime: " << runtime.name() << ". ";
+    if (is_simulated)
+      std::cout << "SIMULATION: the user is simulated, with seed " << options_.seed
+                << "; nothing here was measured on people.\n";
+    else
+      std::cout << "Directions are as tracked, and what is felt is what the plugin's model says.\n";
     table_.print_header(std::cout);
   }
 

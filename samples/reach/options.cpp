@@ -40,6 +40,27 @@ CLI::Validator between(double low, double high, const std::string& range) {
       range);
 }
 
+// "runtime", "servo", "servo:SPEED" or "serial:DEVICE"; nothing if it is none of them.
+std::optional<PlateChoice> parse_plate(const std::string& text) {
+  PlateChoice choice;
+  const std::size_t colon = text.find(':');
+  const std::string kind = text.substr(0, colon);
+  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  if (kind == "runtime" && colon == std::string::npos) return choice;
+  if (kind == "servo") {
+    choice.kind = PlateChoice::Kind::servo;
+    if (colon == std::string::npos) return choice;
+    double& speed = choice.servo_speed_deg_per_s;
+    if (CLI::detail::lexical_cast(rest, speed) && speed >= 1.0 && speed <= 1e6) return choice;
+  }
+  if (kind == "serial" && !rest.empty()) {
+    choice.kind = PlateChoice::Kind::serial;
+    choice.serial_device = rest;
+    return choice;
+  }
+  return std::nullopt;
+}
+
 std::filesystem::path default_plugin() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
@@ -53,6 +74,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.footer(exit_codes);
   options.plugin = default_plugin();
   std::string hand = "right";
+  std::string plate = "runtime";
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
@@ -68,6 +90,16 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
           "a whole number from 0"));
   app.add_option("--hand", hand, "left, right, or either: the one that comes to the start [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
+  app.add_option(
+         "--plate", plate,
+         "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
+         "program simulates, degrees a second, [400]), or serial:DEVICE (plate_protocol.md) [runtime]")
+      ->check(CLI::Validator(
+          [](const std::string& text) -> std::string {
+            if (parse_plate(text)) return "";
+            return "\"" + text + "\" is not runtime, servo, servo:SPEED (1 to 1000000) or serial:DEVICE";
+          },
+          "PLATE"));
   app.add_option("--time-limit", options.time_limit_s, "Seconds for a reach, and for its start [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option("--tactile-weight", options.tactile_weight,
@@ -85,6 +117,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
     std::cerr << "hrt-reach: " << error.what() << " (--help lists the options)\n";
     return static_cast<int>(ExitCode::usage);
   }
+  options.plate = *parse_plate(plate);
   if (hand == "left") options.hands = {Hand::left};
   if (hand == "right") options.hands = {Hand::right};
   if (hand == "either") options.hands = {Hand::right, Hand::left};

@@ -11,6 +11,13 @@
 
 namespace hrt::reach {
 
+/// Which plate turns.
+struct PlateChoice {
+  enum class Kind { runtime, servo, serial } kind = Kind::runtime;
+  double servo_speed_deg_per_s = 400.0;
+  std::filesystem::path serial_device;
+};
+
 struct Options {
   std::filesystem::path scene;
   std::filesystem::path plugin;
@@ -18,6 +25,7 @@ struct Options {
   int repeat = 1;
   std::uint64_t seed = 3;  ///< of a simulated user's noise
   std::vector<Hand> hands;
+  PlateChoice plate;
   double time_limit_s = 30.0;
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;

@@ -1,0 +1,32 @@
+// Whatever plate turns, a simulated user feels it.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "samples/reach/plate.h"
+#include "samples/reach/simulation.h"
+
+namespace hrt::reach {
+
+/// Passes everything on to `plate`, and in every frame tells the simulation where that stands.
+class FollowedPlate : public Plate {
+ public:
+  FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
+      : plate_(std::move(plate)), simulation_(simulation) {}
+
+  void service(XrTime time) override {
+    plate_->service(time);
+    if (const std::optional<double> orientation_deg = plate_->orientation_deg(time))
+      simulation_.set_plate_orientation(*orientation_deg);
+  }
+  void command(XrTime time, double orientation_deg) override { plate_->command(time, orientation_deg); }
+  std::optional<double> orientation_deg(XrTime time) override { return plate_->orientation_deg(time); }
+  void stop(XrTime time) override { plate_->stop(time); }
+
+ private:
+  std::unique_ptr<Plate> plate_;
+  Simulation& simulation_;
+};
+
+}  // namespace hrt::reach

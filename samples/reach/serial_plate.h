@@ -1,0 +1,63 @@
+// A plate on a serial line (plate_protocol.md).
+#pragma once
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include "samples/reach/plate.h"
+#include "samples/reach/plate_line.h"
+
+namespace hrt::reach {
+
+/// The orientation within [least_deg, most_deg] that is felt like `orientation_deg` (ridges repeat every 180
+/// degrees) and is nearest to `from_deg`; if there is none, the limit that is nearest to one.
+double orientation_within(double least_deg, double most_deg, double orientation_deg, double from_deg);
+
+class SerialPlate : public Plate {
+ public:
+  /// Opens the line and greets the plate, for which it has two seconds. Throws Failure (ExitCode::plate).
+  explicit SerialPlate(const std::filesystem::path& device);
+  /// Stops the plate, if it still hears.
+  ~SerialPlate() override;
+  SerialPlate(const SerialPlate&) = delete;
+  SerialPlate& operator=(const SerialPlate&) = delete;
+
+  void service(XrTime time) override;
+  void command(XrTime time, double orientation_deg) override;
+  std::optional<double> orientation_deg(XrTime time) override;
+  void stop(XrTime time) override;
+
+  const PlateGreeting& limits() const { return limits_; }
+  /// Lines that arrived and were not in the protocol.
+  int ignored_lines() const { return ignored_lines_; }
+  /// How often the plate stopped because it had not heard from us in time.
+  int missed_heartbeats() const { return missed_heartbeats_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void open_line();
+  void greet();
+  void listen();
+  void take(const PlateMessage& message);
+  void say(std::string_view body);
+  void flush();
+  void beat_if_due();
+  [[noreturn]] void fail(const std::string& what);
+
+  std::filesystem::path device_;
+  int line_ = -1;
+  LineReader reader_;
+  std::string unsent_;
+  PlateGreeting limits_{};
+  bool greeted_ = false;
+  std::optional<double> orientation_deg_;
+  Clock::time_point heard_;
+  Clock::time_point said_;
+  std::string last_set_;
+  int ignored_lines_ = 0;
+  int missed_heartbeats_ = 0;
+};
+
+}  // namespace hrt::reach

@@ -1,0 +1,27 @@
+// A servo that exists in this program only: it turns at a constant speed towards the last command.
+#pragma once
+
+#include "samples/reach/plate.h"
+
+namespace hrt::reach {
+
+class SimulatedServo : public Plate {
+ public:
+  /// Stands at 0; turns at `speed_deg_per_s` > 0.
+  explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
+
+  void service(XrTime time) override { turn_until(time); }
+  void command(XrTime time, double orientation_deg) override;
+  std::optional<double> orientation_deg(XrTime time) override;
+  void stop(XrTime time) override;
+
+ private:
+  void turn_until(XrTime time);
+
+  double speed_deg_per_s_;
+  XrTime time_ = 0;
+  double orientation_deg_ = 0.0;
+  double goal_deg_ = 0.0;
+};
+
+}  // namespace hrt::reach
