@@ -1,6 +1,7 @@
 #include "samples/reach/application.h"
 
 #include <algorithm>
+#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "samples/reach/serial_plate.h"
 #include "samples/reach/simulated_servo.h"
 #include "samples/reach/status_line.h"
+#include "samples/reach/svg_plot.h"
 #include "samples/reach/table.h"
 
 namespace hrt::reach {
@@ -25,6 +27,10 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config;
   plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
   config.tactile_weight = options.tactile_weight;
+  config.adaptation = options.adaptive ? HRT_ADAPTATION_REACH : HRT_ADAPTATION_OFF;
+  config.guidance = options.adaptive ? HRT_GUIDANCE_LINE_OF_SIGHT : HRT_GUIDANCE_FIXED_DIRECTION;
+  if (options.plate.kind == PlateChoice::Kind::servo)
+    config.plate_max_speed_deg_s = options.plate.servo_speed_deg_per_s;
   config.motor_variance_deg2 = options.motor_variance_deg2;
   return load_targets(plugin, options.scene, config);
 }
@@ -71,7 +77,10 @@ class Run {
         targets_(load_targets(plugin_, options)),
         pairs_(choose(targets_, options)),
         table_(pairs_),
-        status_(options.verbose) {}
+        status_(options.verbose) {
+    open_plot();
+    start_recording();
+  }
 
   ~Run() { plugin_.hrt_session_destroy(targets_.session); }
   Run(const Run&) = delete;
@@ -92,6 +101,8 @@ class Run {
         std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
       }
     }
+    stop_recording();
+    write_plot();
     table_.print_legend(std::cout);
     print_summary(std::cout, tally_);
     return tally_.holdable_reached == tally_.holdable ? ExitCode::success : ExitCode::target_missed;
@@ -103,7 +114,7 @@ class Run {
     const XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
     XrHeadlessSession session(runtime, targets_.plate_pose, runtime_limit);
     std::optional<Simulation> simulation;
-    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) {
+    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
       simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
       // A new session goes on with noise of its own, not with that of the reaches already made.
@@ -113,7 +124,8 @@ class Run {
         make_plate(options_.plate, simulation ? &*simulation : nullptr, runtime.name());
     if (simulation && options_.plate.kind != PlateChoice::Kind::runtime)
       plate = std::make_unique<FollowedPlate>(std::move(plate), *simulation);
-    print_header_once(runtime, simulation.has_value());
+    is_simulated_ = simulation.has_value();
+    print_header_once(runtime);
 
     Stage stage{.plugin = plugin_,
                 .targets = targets_,
@@ -129,18 +141,48 @@ class Run {
       status_.clear();
       table_.print_row(std::cout, pairs_[next_], result);
       tally_.add(pairs_[next_], result);
+      if (plot_.is_open() && plotted_.size() <= most_plotted) plotted_.push_back({pairs_[next_], result});
     }
     session.end();
   }
 
-  void print_header_once(const XrRuntime& runtime, bool is_simulated) {
+  // Whose numbers these are.
+  std::string origin() const {
+    if (!is_simulated_) return "Directions are as tracked; what is felt is what the plugin's model says.";
+    return "SIMULATION: the user is simulated, with seed " + std::to_string(options_.seed) +
+           "; nothing here was measured on people.";
+  }
+
+  void start_recording() {
+    if (options_.record.empty()) return;
+    if (plugin_.hrt_recording_start(targets_.session, options_.record.c_str()) != HRT_OK)
+      throw Failure(ExitCode::output, plugin_.hrt_last_error());
+  }
+
+  void stop_recording() {
+    if (options_.record.empty()) return;
+    hrt_recording_status status{.struct_size = sizeof status};
+    plugin_.check(plugin_.hrt_recording_stop(targets_.session, &status));
+    if (status.rows_lost > 0 || status.system_error != 0)
+      throw Failure(ExitCode::output, options_.record.string() + " is not complete: " +
+                                          std::to_string(status.rows_lost) + " rows could not be written");
+  }
+
+  void open_plot() {
+    if (options_.plot.empty()) return;
+    plot_.open(options_.plot);
+    if (!plot_) throw Failure(ExitCode::output, options_.plot.string() + " cannot be written");
+  }
+
+  void write_plot() {
+    if (!plot_.is_open()) return;
+    plot_ << svg_of(plotted_, targets_, origin()) << std::flush;
+    if (!plot_) throw Failure(ExitCode::output, options_.plot.string() + " cannot be written");
+  }
+
+  void print_header_once(const XrRuntime& runtime) {
     if (std::exchange(header_printed_, true)) return;
-    std::cout << "OpenXR runtime: " << runtime.name() << ". ";
-    if (is_simulated)
-      std::cout << "SIMULATION: the user is simulated, with seed " << options_.seed
-                << "; nothing here was measured on people.\n";
-    else
-      std::cout << "Directions are as tracked, and what is felt is what the plugin's model says.\n";
+    std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
     table_.print_header(std::cout);
   }
 
@@ -152,6 +194,9 @@ class Run {
   StatusLine status_;
   std::size_t next_ = 0;
   bool header_printed_ = false;
+  bool is_simulated_ = false;
+  std::ofstream plot_;
+  std::vector<PlottedReach> plotted_;
   Tally tally_;
 };
 

@@ -75,6 +75,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   options.plugin = default_plugin();
   std::string hand = "right";
   std::string plate = "runtime";
+  std::string controller = "adaptive";
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
@@ -102,12 +103,22 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
           "PLATE"));
   app.add_option("--time-limit", options.time_limit_s, "Seconds for a reach, and for its start [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+  app.add_option(
+         "--controller", controller,
+         "adaptive: learns the user's share of touch and aims by line of sight; or paper: takes it as\n"
+         "known and aims in a fixed direction [adaptive]")
+      ->check(CLI::IsMember({"adaptive", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
                  "Share of touch that the controller assumes of the user [0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
                  "Variance of the user's motor noise that it assumes, degrees squared a step [0.5]")
       ->check(between(0.0, 1e4, "a number from 0 to 10000"));
+  app.add_option("--record", options.record,
+                 "Record all that the plugin is told and says into this CSV file");
+  app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");
+  app.add_flag("--person", options.person,
+               "Take the user for a person, who is asked on the terminal, even if the runtime simulates one");
   app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
   try {
     app.parse(argc, argv);
@@ -118,6 +129,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
     return static_cast<int>(ExitCode::usage);
   }
   options.plate = *parse_plate(plate);
+  options.adaptive = controller == "adaptive";
   if (hand == "left") options.hands = {Hand::left};
   if (hand == "right") options.hands = {Hand::right};
   if (hand == "either") options.hands = {Hand::right, Hand::left};

@@ -27,8 +27,12 @@ struct Options {
   std::vector<Hand> hands;
   PlateChoice plate;
   double time_limit_s = 30.0;
+  bool adaptive = true;  ///< else the paper's controller
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;
+  std::filesystem::path record;  ///< empty: none
+  std::filesystem::path plot;    ///< empty: none
+  bool person = false;
   bool verbose = false;
 };
 

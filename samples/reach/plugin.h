@@ -21,7 +21,9 @@ namespace hrt::reach {
   X(hrt_reach_config_default)         \
   X(hrt_reach_begin)                  \
   X(hrt_reach_update)                 \
-  X(hrt_reach_end)
+  X(hrt_reach_end)                    \
+  X(hrt_recording_start)              \
+  X(hrt_recording_stop)
 
 /// The opened library. Its functions have their C names: plugin.hrt_session_create(...).
 class Plugin {

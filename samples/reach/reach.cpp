@@ -57,7 +57,6 @@ class ActiveReach {
     if (tip.tracked) {
       sample.flags |= HRT_SAMPLE_PLATE_POSITION;
       std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
-      if (tip.position_m[1] > lifted_height_m) sample.flags |= HRT_SAMPLE_LIFTED;
     }
     if (plate_orientation_deg) {
       sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;

@@ -10,8 +10,9 @@ class RuntimePlate : public Plate {
  public:
   explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
 
-  void command(XrTime, double orientation_deg) override {
-    simulation_.set_plate_orientation(orientation_deg);
+  void command(XrTime time, double orientation_deg) override {
+    const double from_deg = simulation_.plate_orientation_deg(time);
+    simulation_.set_plate_orientation(orientation_within(-360.0, 360.0, orientation_deg, from_deg));
   }
   std::optional<double> orientation_deg(XrTime time) override {
     return simulation_.plate_orientation_deg(time);

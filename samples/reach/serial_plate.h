@@ -10,10 +10,6 @@
 
 namespace hrt::reach {
 
-/// The orientation within [least_deg, most_deg] that is felt like `orientation_deg` (ridges repeat every 180
-/// degrees) and is nearest to `from_deg`; if there is none, the limit that is nearest to one.
-double orientation_within(double least_deg, double most_deg, double orientation_deg, double from_deg);
-
 class SerialPlate : public Plate {
  public:
   /// Opens the line and greets the plate, for which it has two seconds. Throws Failure (ExitCode::plate).

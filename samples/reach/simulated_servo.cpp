@@ -1,6 +1,7 @@
 #include "samples/reach/simulated_servo.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrt::reach {
 
@@ -13,12 +14,12 @@ void SimulatedServo::turn_until(XrTime time) {
 
 void SimulatedServo::command(XrTime time, double orientation_deg) {
   turn_until(time);
-  goal_deg_ = orientation_deg;
+  goal_deg_ = orientation_deg_ + std::remainder(orientation_deg - orientation_deg_, 180.0);
 }
 
 std::optional<double> SimulatedServo::orientation_deg(XrTime time) {
   turn_until(time);
-  return orientation_deg_;
+  return std::remainder(orientation_deg_, 180.0);
 }
 
 void SimulatedServo::stop(XrTime time) {

@@ -1,4 +1,5 @@
-// A servo that exists in this program only: it turns at a constant speed towards the last command.
+// A servo that exists in this program only: it turns at a constant speed, as far round as it likes, towards
+// the nearest orientation that is felt like the last command.
 #pragma once
 
 #include "samples/reach/plate.h"
@@ -7,7 +8,7 @@ namespace hrt::reach {
 
 class SimulatedServo : public Plate {
  public:
-  /// Stands at 0; turns at `speed_deg_per_s` > 0.
+  /// Stands at 0 and tells where it stands within 90 degrees; turns at `speed_deg_per_s` > 0.
   explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
 
   void service(XrTime time) override { turn_until(time); }

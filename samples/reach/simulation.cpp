@@ -24,11 +24,11 @@ void Simulation::place_plate(const XrPosef& pose, double radius_m) {
   placement.space = space_;
   placement.pose = pose;
   placement.radius = radius_m;
-  CHECK_XR(place_plate_(session_, &placement));
+  CHECK_XR_NAMED("xrPlacePlateHRTX", place_plate_(session_, &placement));
 }
 
 void Simulation::seed(std::uint64_t seed) {
-  CHECK_XR(set_seed_(session_, seed));
+  CHECK_XR_NAMED("xrSetSimulationSeedHRTX", set_seed_(session_, seed));
 }
 
 void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
@@ -39,12 +39,12 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
                        static_cast<float>(start_m[2])};
   instruction.goalDirection = goal_direction_deg;
   instruction.pathLength = path_length_m;
-  CHECK_XR(instruct_reach_(session_, &instruction));
+  CHECK_XR_NAMED("xrInstructReachHRTX", instruct_reach_(session_, &instruction));
 }
 
 Simulation::Truth Simulation::truth(Hand hand) const {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
-  CHECK_XR(get_reach_truth_(session_, to_xr(hand), &truth));
+  CHECK_XR_NAMED("xrGetReachTruthHRTX", get_reach_truth_(session_, to_xr(hand), &truth));
   return {truth.trueDirection,
           truth.perceivedDirection,
           {truth.indexTip.x, truth.indexTip.y, truth.indexTip.z},
@@ -52,12 +52,12 @@ Simulation::Truth Simulation::truth(Hand hand) const {
 }
 
 void Simulation::set_plate_orientation(double orientation_deg) {
-  CHECK_XR(set_plate_orientation_(session_, orientation_deg));
+  CHECK_XR_NAMED("xrSetPlateOrientationHRTX", set_plate_orientation_(session_, orientation_deg));
 }
 
 double Simulation::plate_orientation_deg(XrTime time) const {
   double orientation_deg = 0.0;
-  CHECK_XR(get_plate_orientation_(session_, time, &orientation_deg));
+  CHECK_XR_NAMED("xrGetPlateOrientationHRTX", get_plate_orientation_(session_, time, &orientation_deg));
   return orientation_deg;
 }
 

@@ -35,9 +35,12 @@ double without_minus_zero(double value) {
 
 }  // namespace
 
+bool is_inside(const TargetPair& pair, const ReachResult& result) {
+  return pair.real_radius_m == 0.0 || result.miss_m <= pair.real_radius_m;
+}
+
 bool is_reached(const TargetPair& pair, const ReachResult& result) {
-  return std::abs(result.miss_deg) <= tolerance_deg &&
-         (pair.real_radius_m == 0.0 || result.miss_m <= pair.real_radius_m);
+  return std::abs(result.miss_deg) <= tolerance_deg && is_inside(pair, result);
 }
 
 Table::Table(const std::vector<TargetPair>& pairs)
@@ -82,11 +85,12 @@ void Tally::add(const TargetPair& pair, const ReachResult& result) {
   ++reaches;
   holdable += pair.reachable ? 1 : 0;
   holdable_reached += pair.reachable && is_reached(pair, result) ? 1 : 0;
+  holdable_inside += pair.reachable && is_inside(pair, result) ? 1 : 0;
 }
 
 void print_summary(std::ostream& out, const Tally& tally) {
-  out << format("%d of %d reaches that can be held ended on the real target", tally.holdable_reached,
-                tally.holdable);
+  out << format("%d of %d reaches that can be held were reached; %d of %d ended inside the target's radius",
+                tally.holdable_reached, tally.holdable, tally.holdable_inside, tally.holdable);
   if (tally.holdable < tally.reaches)
     out << format("; %d more cannot be held", tally.reaches - tally.holdable);
   out << ".\n";

@@ -11,6 +11,9 @@ namespace hrt::reach {
 /// The paper's test of success: |P - P_R| at the end, in degrees.
 inline constexpr double tolerance_deg = 1.5;
 
+/// Ended inside of the real target's radius, if it has one.
+bool is_inside(const TargetPair& pair, const ReachResult& result);
+
 /// Within tolerance_deg of the real target's direction, and, if it has a radius, ended inside of that.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
@@ -35,6 +38,7 @@ struct Tally {
   int reaches = 0;
   int holdable = 0;          ///< of these, the ones whose gap the plate can hold
   int holdable_reached = 0;  ///< of these, the ones that were reached
+  int holdable_inside = 0;   ///< of the holdable ones, those that ended inside the target's radius
 
   void add(const TargetPair& pair, const ReachResult& result);
 };

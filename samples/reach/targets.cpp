@@ -54,6 +54,9 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
   with_scene.start_position_m[0] = scene.start_m.x;
   with_scene.start_position_m[1] = scene.start_m.y;
   with_scene.start_position_m[2] = scene.start_m.z;
+  with_scene.plate_radius_m = scene.plate.radius_m;
+  if (with_scene.plate_max_speed_deg_s == 0.0)
+    with_scene.plate_max_speed_deg_s = scene.plate.max_speed_deg_s.value_or(0.0);
   plugin.check(plugin.hrt_session_create(&with_scene, &set.session));
 
   std::vector<hrt_target> ids;

@@ -25,7 +25,7 @@ std::vector<std::string> available_extensions() {
   std::uint32_t count = 0;
   const XrResult first = xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr);
   if (means_no_runtime(first)) fail_without_runtime(first);
-  CHECK_XR(first);
+  CHECK_XR_NAMED("xrEnumerateInstanceExtensionProperties", first);
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   CHECK_XR(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
   std::vector<std::string> names;
@@ -80,7 +80,7 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
   info.enabledExtensionNames = names.data();
   const XrResult result = xrCreateInstance(&info, &instance_);
   if (means_no_runtime(result)) fail_without_runtime(result);
-  CHECK_XR(result);
+  CHECK_XR_NAMED("xrCreateInstance", result);
 }
 
 void XrRuntime::find_system() {
@@ -98,7 +98,7 @@ void XrRuntime::find_system() {
     throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ +
                                                " has no head-mounted display to track hands with (" +
                                                to_string(result) + ")");
-  CHECK_XR(result);
+  CHECK_XR_NAMED("xrGetSystem", result);
 
   XrSystemHandTrackingPropertiesEXT hand_tracking{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
   XrSystemProperties system_properties{XR_TYPE_SYSTEM_PROPERTIES, &hand_tracking};

@@ -69,7 +69,8 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
     XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT};
     tracker_info.hand = hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
     tracker_info.handJointSet = XR_HAND_JOINT_SET_DEFAULT_EXT;
-    CHECK_XR(create_hand_tracker_(session_, &tracker_info, &trackers_[static_cast<std::size_t>(hand)]));
+    CHECK_XR_NAMED("xrCreateHandTrackerEXT",
+                   create_hand_tracker_(session_, &tracker_info, &trackers_[static_cast<std::size_t>(hand)]));
   }
 }
 
@@ -105,7 +106,7 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   const XrResult waited = xrWaitFrame(session_, nullptr, &frame);
   if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
   const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
-  if (has_loop) CHECK_XR(waited);
+  if (has_loop) CHECK_XR_NAMED("xrWaitFrame", waited);
   if (!has_loop || frame.predictedDisplayTime <= 0) {
     frames_have_times_ = false;
     return time_now();
@@ -124,7 +125,7 @@ XrTime XrHeadlessSession::time_now() const {
   timespec now{};
   clock_gettime(CLOCK_MONOTONIC, &now);
   XrTime time = 0;
-  CHECK_XR(convert_timespec_(runtime_.instance(), &now, &time));
+  CHECK_XR_NAMED("xrConvertTimespecTimeToTimeKHR", convert_timespec_(runtime_.instance(), &now, &time));
   return time;
 }
 
@@ -186,7 +187,8 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT};
   locate_info.baseSpace = plate_space_;
   locate_info.time = time;
-  CHECK_XR(locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
+  CHECK_XR_NAMED("xrLocateHandJointsEXT",
+                 locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
   const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
   if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
   const XrVector3f& position = tip.pose.position;

@@ -1,5 +1,6 @@
 #include "tests/samples/reach_program.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,13 +19,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-std::string read(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
 std::vector<char*> pointers(std::vector<std::string>& strings) {
   std::vector<char*> result;
   for (std::string& string : strings) result.push_back(string.data());
@@ -32,12 +26,14 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
   return result;
 }
 
-// Never returns.
-void become_program(std::vector<std::string> arguments, std::vector<std::string> environment,
-                    const std::string& out_file, const std::string& err_file) {
-  if (freopen(out_file.c_str(), "w", stdout) == nullptr || freopen(err_file.c_str(), "w", stderr) == nullptr)
-    _exit(126);
-  execve(arguments[0].c_str(), pointers(arguments).data(), pointers(environment).data());
+// In the child of a process that may have threads: only calls that are safe in signal handlers. Never
+// returns.
+void become_program(char* const* arguments, char* const* environment, const char* out_file,
+                    const char* err_file) {
+  const int flags = O_WRONLY | O_CREAT | O_TRUNC;
+  const int out = open(out_file, flags, 0600), err = open(err_file, flags, 0600);
+  if (dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) _exit(126);
+  execve(arguments[0], arguments, environment);
   _exit(127);
 }
 
@@ -63,6 +59,11 @@ std::string scratch_folder() {
   return own.string();
 }
 
+std::string read_file(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
 std::map<std::string, std::string> mock_environment() {
   return {{"XR_RUNTIME_JSON", HRT_MOCK_MANIFEST}};
 }
@@ -77,9 +78,12 @@ Outcome run_program(const std::vector<std::string>& arguments,
     if (const char* value = std::getenv(passed_on))
       environment_strings.push_back(std::string(passed_on) + "=" + value);
 
-  const std::string folder = scratch_folder();
+  const std::string folder = scratch_folder(), out_file = folder + "/out", err_file = folder + "/err";
+  const std::vector<char*> argument_pointers = pointers(argument_strings);
+  const std::vector<char*> environment_pointers = pointers(environment_strings);
   const pid_t child = fork();
-  if (child == 0) become_program(argument_strings, environment_strings, folder + "/out", folder + "/err");
+  if (child == 0)
+    become_program(argument_pointers.data(), environment_pointers.data(), out_file.c_str(), err_file.c_str());
 
   int status = 0;
   const auto give_up = std::chrono::steady_clock::now() + 60s;
@@ -87,9 +91,18 @@ Outcome run_program(const std::vector<std::string>& arguments,
     if (std::chrono::steady_clock::now() > give_up) kill(child, SIGKILL);
     std::this_thread::sleep_for(2ms);
   }
-  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read(folder + "/out"), read(folder + "/err")};
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder + "/out"),
+                  read_file(folder + "/err")};
   if (WIFSIGNALED(status)) outcome.err += "\nended by signal " + std::to_string(WTERMSIG(status));
   return outcome;
+}
+
+Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments) {
+  const std::string file = scratch_folder() + "/script.json";
+  std::ofstream(file) << script;
+  auto environment = mock_environment();
+  environment["HRT_MOCK_SCRIPT"] = file;
+  return run_program(arguments, environment);
 }
 
 std::vector<Row> rows_of(const Outcome& outcome) {

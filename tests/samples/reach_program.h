@@ -20,6 +20,12 @@ std::map<std::string, std::string> mock_environment();
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment = mock_environment());
 
+/// The same with this script (samples/mock_runtime/README.md) for the mock runtime.
+Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
+
+/// The whole file; empty if there is none.
+std::string read_file(const std::string& file);
+
 /// A row of the result table.
 struct Row {
   std::string virtual_name;

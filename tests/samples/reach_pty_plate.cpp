@@ -37,6 +37,9 @@ PtyPlate::PtyPlate(Behaviour behaviour) : behaviour_(std::move(behaviour)) {
   cfmakeraw(&raw);
   if (openpty(&master_, &slave_, name, &raw, nullptr) != 0) throw std::runtime_error("no pseudo-terminal");
   fcntl(master_, F_SETFL, O_NONBLOCK);
+  // A program that the test starts must not keep the line up.
+  fcntl(master_, F_SETFD, FD_CLOEXEC);
+  fcntl(slave_, F_SETFD, FD_CLOEXEC);
   device_ = name;
   thread_ = std::thread([this] { live(); });
 }

@@ -17,6 +17,16 @@ TEST(SimulatedServo, TurnsAtItsSpeedAndStaysAtItsGoal) {
   EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second + second / 2), 0.0);
 }
 
+// From 50, -80 is felt like 100, which is nearer; and 100 is told as -80.
+TEST(SimulatedServo, TakesTheShortWayRound) {
+  SimulatedServo servo(100.0);
+  servo.command(1 * second, 50.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second), 50.0);
+  servo.command(2 * second, -80.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second + second / 4), 75.0);
+  EXPECT_DOUBLE_EQ(*servo.orientation_deg(3 * second), -80.0);
+}
+
 TEST(SimulatedServo, StopsWhereItIs) {
   SimulatedServo servo(100.0);
   servo.command(1 * second, 50.0);
