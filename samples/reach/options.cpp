@@ -1,7 +1,6 @@
 #include "samples/reach/options.h"
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <map>
 
 #include "samples/reach/exit_code.h"
@@ -33,7 +32,7 @@ constexpr const char* exit_codes =
 CLI::Validator between(double low, double high, const std::string& range) {
   return CLI::Validator(
       [=](const std::string& text) -> std::string {
-        double value = NAN;
+        double value = 0.0;
         if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
         return "\"" + text + "\" is not " + range;
       },

@@ -15,8 +15,13 @@ namespace hrt::reach {
   X(hrt_session_config_default)       \
   X(hrt_session_create)               \
   X(hrt_session_destroy)              \
-  X(hrt_target_config_default)        \
-  X(hrt_target_add)                   \
+  X(hrt_session_get_config)           \
+  X(hrt_session_set_config)           \
+  X(hrt_scene_load_file)              \
+  X(hrt_scene_get_info)               \
+  X(hrt_scene_get_target)             \
+  X(hrt_scene_register)               \
+  X(hrt_scene_destroy)                \
   X(hrt_authority_query)              \
   X(hrt_reach_config_default)         \
   X(hrt_reach_begin)                  \

@@ -3,6 +3,10 @@
 namespace hrt::reach {
 namespace {
 
+std::array<double, 3> to_array(const XrVector3f& v) {
+  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+}
+
 XrHandEXT to_xr(Hand hand) {
   return hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
 }
@@ -45,10 +49,7 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
 Simulation::Truth Simulation::truth(Hand hand) const {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   CHECK_XR_NAMED("xrGetReachTruthHRTX", get_reach_truth_(session_, to_xr(hand), &truth));
-  return {truth.trueDirection,
-          truth.perceivedDirection,
-          {truth.indexTip.x, truth.indexTip.y, truth.indexTip.z},
-          truth.isDone == XR_TRUE};
+  return {truth.trueDirection, truth.perceivedDirection, to_array(truth.indexTip), truth.isDone == XR_TRUE};
 }
 
 void Simulation::set_plate_orientation(double orientation_deg) {

@@ -192,7 +192,9 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
   if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
   const XrVector3f& position = tip.pose.position;
-  return {true, {position.x, position.y, position.z}};
+  return {
+      true,
+      {static_cast<double>(position.x), static_cast<double>(position.y), static_cast<double>(position.z)}};
 }
 
 void XrHeadlessSession::end() {
