@@ -30,7 +30,7 @@ TEST(Trigonometry, ExactAngles) {
 TEST(Trigonometry, AgreesWithLongDoubleEverywhere) {
   for (int i = -40000; i <= 40000; ++i) {
     const double angle_deg = i * 0.0173;
-    const long double angle = angle_deg * (pi / 180.0L);
+    const long double angle = static_cast<long double>(angle_deg) * (pi / 180.0L);
     ASSERT_NEAR(sin_deg(angle_deg), static_cast<double>(std::sin(angle)), 2.3e-16) << angle_deg;
     ASSERT_NEAR(cos_deg(angle_deg), static_cast<double>(std::cos(angle)), 2.3e-16) << angle_deg;
     const double y = 0.037 * static_cast<double>(std::sin(angle));
