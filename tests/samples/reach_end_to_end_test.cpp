@@ -49,14 +49,14 @@ TEST(ReachEndToEnd, GivesTheSameBytesForTheSameSeed) {
 }
 
 // Condition 1 of the paper's Table I, all six pairs. The reconstructed model gives 92.8 % (over
-// 20,000 trials a cell), the paper 93.0 %. With 1200 reaches the standard error is 0.75 %; four of them.
+// 20,000 trials a cell), the paper 93.0 %. With 300 reaches the standard error is 1.5 %; four of them.
 TEST(ReachEndToEnd, HitsAsOftenAsThePaperSays) {
-  const Outcome outcome = run_program({table1, "--repeat", "200", "--controller", "paper"});
+  const Outcome outcome = run_program({table1, "--repeat", "50", "--controller", "paper"});
   const std::vector<Row> rows = rows_of(outcome);
-  ASSERT_EQ(rows.size(), 1200U) << outcome.err;
+  ASSERT_EQ(rows.size(), 300U) << outcome.err;
   const auto hits =
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.miss_deg) <= 1.5; });
-  EXPECT_NEAR(static_cast<double>(hits) / 1200.0, 0.928, 0.03);
+  EXPECT_NEAR(static_cast<double>(hits) / 300.0, 0.928, 0.06);
   EXPECT_EQ(outcome.exit_code, 1);  // one miss is enough
 }
 

@@ -53,7 +53,7 @@ PtyPlate::~PtyPlate() {
 
 void PtyPlate::unplug() {
   unplugged_ = true;
-  eventually([this] { return master_ < 0; });
+  eventually([this] { return gone_.load(); });
 }
 
 void PtyPlate::send(const std::string& body) {
@@ -95,7 +95,7 @@ void PtyPlate::live() {
   while (!ending_) {
     if (unplugged_) {
       close(master_);
-      master_ = -1;
+      gone_ = true;
       return;
     }
     pollfd readable{master_, POLLIN, 0};
