@@ -72,7 +72,8 @@ Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment) {
   std::vector<std::string> argument_strings = {HRT_REACH_PROGRAM};
   argument_strings.insert(argument_strings.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> environment_strings;
+  std::vector<std::string> environment_strings = {
+      "LSAN_OPTIONS=print_suppressions=0:suppressions=" HRT_LEAK_SUPPRESSIONS};
   for (const auto& [name, value] : environment) environment_strings.push_back(name + "=" + value);
   for (const char* passed_on : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS", "HOME"})
     if (const char* value = std::getenv(passed_on))
