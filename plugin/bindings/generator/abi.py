@@ -1,0 +1,263 @@
+"""The C interface as a model, read from its headers: constants, structs, functions, and their comments.
+
+The C preprocessor and pycparser read the declarations; comments are taken from the text of the headers, above
+or behind what they describe.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import tempfile
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from pycparser import c_ast, c_parser
+
+SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
+
+
+class HeaderError(Exception):
+    """A header has something that the model has no place for."""
+
+
+@dataclass(frozen=True)
+class Type:
+    """`name` is a key of SIZES, "size_t", "void", or the name of a struct or a callback."""
+
+    name: str
+    pointer: bool = False
+    const: bool = False  # what is pointed to
+    callback: bool = False
+
+
+@dataclass(frozen=True)
+class Constant:
+    name: str
+    value: int
+    unsigned: bool
+    doc: str
+    group: str  # what heads the group that begins with this one
+
+
+@dataclass(frozen=True)
+class Field:
+    name: str
+    type: Type
+    length: int  # of a fixed array; 0: a single value
+    doc: str
+
+
+@dataclass(frozen=True)
+class Place:
+    offset: int
+    size: int  # of all elements
+
+
+@dataclass(frozen=True)
+class Struct:
+    name: str
+    fields: tuple[Field, ...]
+    doc: str
+
+    @property
+    def is_handle(self) -> bool:
+        return [f.name for f in self.fields] == ["value"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    name: str
+    type: Type
+    array: bool  # many elements, or none: a neighbour is its `capacity`, `count` or `length`
+
+
+@dataclass(frozen=True)
+class Function:
+    name: str
+    result: Type
+    parameters: tuple[Parameter, ...]
+    doc: str
+
+
+@dataclass
+class Abi:
+    constants: list[Constant] = field(default_factory=list)
+    structs: list[Struct] = field(default_factory=list)
+    callbacks: list[Function] = field(default_factory=list)
+    functions: list[Function] = field(default_factory=list)
+
+    def layout(self, struct: Struct, pointer_size: int) -> tuple[list[Place], int]:
+        """Where each field is, and the size of all."""
+        places: list[Place] = []
+        end = 0
+        for f in struct.fields:
+            size, alignment = self._size(f.type, pointer_size)
+            offset = -(-end // alignment) * alignment
+            places.append(Place(offset, size * max(f.length, 1)))
+            end = offset + places[-1].size
+        return places, -(-end // self._alignment(struct, pointer_size)) * self._alignment(struct, pointer_size)
+
+    def _alignment(self, struct: Struct, pointer_size: int) -> int:
+        return max(self._size(f.type, pointer_size)[1] for f in struct.fields)
+
+    def _size(self, type_: Type, pointer_size: int) -> tuple[int, int]:
+        if type_.pointer or type_.callback or type_.name == "size_t":
+            return pointer_size, pointer_size
+        if type_.name in SIZES:
+            return SIZES[type_.name], SIZES[type_.name]
+        inner = next(s for s in self.structs if s.name == type_.name)
+        return self.layout(inner, pointer_size)[1], self._alignment(inner, pointer_size)
+
+
+def read(include: Path) -> Abi:
+    """The interface that `include`/haptic_retargeting/*.h declare."""
+    headers = sorted((include / "haptic_retargeting").glob("*.h"))
+    if not headers:
+        raise HeaderError(f"no headers in {include}/haptic_retargeting")
+    texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
+    macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
+    macros = [name for name in macros if name not in ("HRT_API", "HRT_NOEXCEPT")]
+    tree = c_parser.CParser().parse(_preprocess(include, macros))
+
+    abi = Abi()
+    for node in tree.ext:
+        if "haptic_retargeting" in str(node.coord.file):
+            _take(node, texts[str(node.coord.file)], abi)
+    values = {e.name: e.value for node in tree.ext if _is_values(node) for e in node.type.values.enumerators}
+    for text in texts.values():
+        for name in macros:
+            at = re.search(rf"^#define {name}\b", text, re.M)
+            if at:
+                value, unsigned = _evaluate(values[name + "_value"])
+                abi.constants.append(Constant(name, value, unsigned, *_constant_doc(text, at.start())))
+    return abi
+
+
+# What the headers need of the C library, in types whose size says what they are.
+_STDINT = """
+typedef int int32_t; typedef unsigned int uint32_t;
+typedef long long int64_t; typedef unsigned long long uint64_t;
+#define UINT32_C(x) x##u
+#define INT64_C(x) x##ll
+"""
+_STDDEF = "typedef unsigned long size_t;\n#define NULL 0\n"
+
+
+def _preprocess(include: Path, macros: list[str]) -> str:
+    """All headers, and an enumerator NAME_value for each macro, so that the parser sees what it stands for."""
+    with tempfile.TemporaryDirectory() as folder:
+        (Path(folder) / "stdint.h").write_text(_STDINT)
+        (Path(folder) / "stddef.h").write_text(_STDDEF)
+        source = "".join(f"#include <{p.parent.name}/{p.name}>\n" for p in sorted(include.glob("*/*.h")))
+        source += "enum { " + ", ".join(f"{name}_value = {name}" for name in macros) + " };\n"
+        command = ["cpp", "-nostdinc", "-D__attribute__(x)=", "-I", folder, "-I", str(include), "-"]
+        done = subprocess.run(command, input=source, text=True, capture_output=True, check=False)
+    if done.returncode != 0:
+        raise HeaderError(done.stderr)
+    return done.stdout
+
+
+def _is_values(node: c_ast.Node) -> bool:
+    return isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.Enum)
+
+
+def _evaluate(node: c_ast.Node) -> tuple[int, bool]:
+    if isinstance(node, c_ast.Constant) and "int" in node.type:
+        return int(node.value.rstrip("uUlL"), 0), "u" in node.value.lower()
+    if isinstance(node, c_ast.UnaryOp) and node.op == "-":
+        value, unsigned = _evaluate(node.expr)
+        return -value, unsigned
+    raise HeaderError(f"{node.coord}: a constant is an integer, or minus one")
+
+
+def _take(node: c_ast.Node, text: str, abi: Abi) -> None:
+    if isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.FuncDecl):
+        abi.functions.append(_function(node.name, node.type, _doc(text, rf"\b{node.name}\(")))
+        return
+    if not isinstance(node, c_ast.Typedef):
+        raise HeaderError(f"{node.coord}: neither a typedef nor a function")
+    doc = _doc(text, rf"\btypedef [^;{{]*\b{node.name}\b")
+    if isinstance(node.type, c_ast.PtrDecl) and isinstance(node.type.type, c_ast.FuncDecl):
+        abi.callbacks.append(_function(node.name, node.type.type, doc))
+    elif isinstance(node.type, c_ast.TypeDecl) and isinstance(node.type.type, c_ast.Struct):
+        abi.structs.append(_struct(node.name, node.type.type, text, doc, abi))
+    elif node.name != "hrt_result":
+        raise HeaderError(f"{node.coord}: {node.name} is neither a struct nor a callback")
+
+
+def _struct(name: str, node: c_ast.Struct, text: str, doc: str, abi: Abi) -> Struct:
+    body = text[text.index(f"typedef struct {name} {{") :]
+    fields = []
+    for decl in node.decls:
+        field_doc = _doc(body, rf"\b{decl.name}\b[^;]*;")
+        type_, length = decl.type, 0
+        if isinstance(type_, c_ast.ArrayDecl):
+            type_, length = type_.type, _evaluate(type_.dim)[0]
+        if isinstance(type_, c_ast.PtrDecl) and isinstance(type_.type, c_ast.FuncDecl):
+            abi.callbacks.append(_function(f"{name}_{decl.name}", type_.type, field_doc))
+            fields.append(Field(decl.name, Type(f"{name}_{decl.name}", callback=True), 0, field_doc))
+        else:
+            fields.append(Field(decl.name, _type(type_), length, field_doc))
+    return Struct(name, tuple(fields), doc)
+
+
+def _function(name: str, node: c_ast.FuncDecl, doc: str) -> Function:
+    declared = [p for p in node.args.params if not (isinstance(p.type, c_ast.TypeDecl) and p.name is None)]
+    types = [_type(p.type) for p in declared]
+    names = [p.name for p in declared]
+    parameters = []
+    for i, (parameter, type_) in enumerate(zip(names, types)):
+        before, after = names[i - 1] if i > 0 else "", names[i + 1] if i + 1 < len(names) else ""
+        counted = before == "capacity" or after in ("length", "count") or after.endswith("_count") and type_.const
+        parameters.append(Parameter(parameter, type_, type_.pointer and counted))
+    return Function(name, _type(node.type), tuple(parameters), doc)
+
+
+def _type(node: c_ast.Node) -> Type:
+    if isinstance(node, c_ast.PtrDecl):
+        if not isinstance(node.type, c_ast.TypeDecl):
+            raise HeaderError(f"{node.coord}: a pointer to a pointer or function")
+        return Type(_type(node.type).name, pointer=True, const="const" in node.type.quals)
+    if isinstance(node, c_ast.TypeDecl) and isinstance(node.type, c_ast.IdentifierType):
+        name = " ".join(node.type.names)
+        if name == "hrt_result":
+            return Type("int32_t")
+        return Type(name, callback=name.endswith("_callback"))
+    raise HeaderError(f"{node.coord}: a type that bindings have no name for")
+
+
+_COMMENT = re.compile(r"/\*.*?\*/", re.S)
+_DIRECTIVE = re.compile(r"^#(?:\\\n|.)*$", re.M)
+_COMMENT_BEFORE = re.compile(r"/\*\*(?!<)((?:[^*]|\*(?!/))*)\*/\s*$")
+_COMMENT_BEHIND = re.compile(r"[^\n]*?(?:\\\n[^\n]*?)?/\*\*<((?:[^*]|\*(?!/))*)\*/")
+
+
+def _doc(text: str, pattern: str) -> str:
+    """The comment before the first declaration with `pattern`."""
+    code = text
+    for other in (_COMMENT, _DIRECTIVE):
+        code = other.sub(lambda found: " " * len(found.group()), code)
+    match = re.search(pattern, code)
+    if match is None:
+        raise HeaderError(f"nothing in the header looks like {pattern}")
+    declaration_at = max(code.rfind(end, 0, match.start()) for end in ";{}") + 1
+    first_token_at = match.start() - len(code[declaration_at : match.start()].lstrip())
+    comment = _COMMENT_BEFORE.search(text[:first_token_at])
+    return _plain(comment.group(1)) if comment else ""
+
+
+def _constant_doc(text: str, at: int) -> tuple[str, str]:
+    """What is said of the constant defined at `at`, and of the group that it begins."""
+    before = _COMMENT_BEFORE.search(text[:at])
+    behind = _COMMENT_BEHIND.match(text[at:])
+    if behind:
+        return _plain(behind.group(1)), _plain(before.group(1)) if before else ""
+    if not before:
+        return "", ""
+    earlier = _COMMENT_BEFORE.search(text[: before.start()])
+    return _plain(before.group(1)), _plain(earlier.group(1)) if earlier else ""
+
+
+def _plain(comment: str) -> str:
+    return " ".join(re.sub(r"^\s*\*? ?", "", line).strip() for line in comment.strip().splitlines())

@@ -1,0 +1,30 @@
+"""A C source that compiles only if the model is what the compiler sees."""
+
+from __future__ import annotations
+
+from abi import Abi, Parameter, Type
+
+
+def render(abi: Abi, pointer_size: int) -> str:
+    lines = ["#include <haptic_retargeting/haptic_retargeting.h>",
+             f"_Static_assert(sizeof(void*) == {pointer_size}, \"size of a pointer\");"]
+    lines += [f'_Static_assert({c.name} == {c.value}{"u" if c.unsigned else ""}, "{c.name}");' for c in abi.constants]
+    for struct in abi.structs:
+        places, size = abi.layout(struct, pointer_size)
+        lines.append(f'_Static_assert(sizeof({struct.name}) == {size}, "size of {struct.name}");')
+        for field, place in zip(struct.fields, places):
+            lines.append(f'_Static_assert(offsetof({struct.name}, {field.name}) == {place.offset}, '
+                         f'"offset of {struct.name}::{field.name}");')
+    # Declared again: an error unless the types are the same.
+    for function in abi.functions:
+        parameters = ", ".join(_parameter(p) for p in function.parameters) or "void"
+        lines.append(f"HRT_API {_name(function.result)} {function.name}({parameters});")
+    return "\n".join(lines) + "\n"
+
+
+def _parameter(parameter: Parameter) -> str:
+    return f"{_name(parameter.type)} {parameter.name}"
+
+
+def _name(type_: Type) -> str:
+    return ("const " if type_.const else "") + type_.name + ("*" if type_.pointer else "")

@@ -1,0 +1,686 @@
+# Written by plugin/bindings/generate from the C headers.
+"""The C interface as ctypes sees it. Names and meanings are those of the C headers."""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import (
+    CDLL, CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32,
+    c_uint64, c_void_p,
+)
+from typing import TYPE_CHECKING
+
+
+HRT_VERSION_MAJOR = 0
+"""Version of these headers; hrt_get_version() tells that of the library."""
+HRT_VERSION_MINOR = 1
+HRT_VERSION_PATCH = 0
+HRT_OK = 0
+HRT_ERROR_NULL_ARGUMENT = -1
+"""A pointer that must not be null was null."""
+HRT_ERROR_INVALID_HANDLE = -2
+"""The handle or id is null, was never given out, is of another session, or of something destroyed."""
+HRT_ERROR_STRUCT_SIZE = -3
+"""`struct_size` is below the first version's, or bytes beyond what this library knows are not zero."""
+HRT_ERROR_OUT_OF_RANGE = -4
+"""A value is outside its documented range, not a number, or infinite."""
+HRT_ERROR_WRONG_STATE = -5
+"""Not now: for example an update without a reach, or a new configuration during one."""
+HRT_ERROR_BUSY = -6
+"""Another thread is in a call on this session."""
+HRT_ERROR_TIME_REVERSED = -7
+"""The sample's time is before that of the sample before it."""
+HRT_ERROR_OUT_OF_MEMORY = -8
+HRT_ERROR_LIMIT_REACHED = -9
+"""There are as many of these as there can be."""
+HRT_ERROR_NOT_FOUND = -10
+"""Nothing has this name."""
+HRT_ERROR_BUFFER_TOO_SMALL = -11
+"""The caller's buffer cannot hold the answer."""
+HRT_ERROR_NAME_TAKEN = -12
+"""Another target of this session has this name."""
+HRT_ERROR_SYSTEM = -13
+"""The operating system refused: a file, a thread."""
+HRT_ERROR_BAD_FORMAT = -14
+"""A text is not what it should be; hrt_last_error() tells where."""
+HRT_ERROR_INTERNAL = -99
+"""A defect in this library; please report it with the text of hrt_last_error()."""
+HRT_LOG_WARNING = 1
+"""hrt_log_callback: how bad it is."""
+HRT_LOG_ERROR = 2
+
+# hrt_reach_config::flags.
+HRT_REACH_PLATE_ORIENTATION = 1
+"""`plate_orientation_deg` is given; without this the plate is where the session's last command left it (at
+first 0)."""
+
+# hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION
+# the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More than
+# one of these is an error.
+HRT_SAMPLE_DIRECTION = 1
+"""finger_direction_deg"""
+HRT_SAMPLE_PLATE_POSITION = 2
+"""finger_position_m, in plate coordinates"""
+HRT_SAMPLE_PLATE_ORIENTATION = 4
+"""plate_orientation_deg, measured by the device"""
+HRT_SAMPLE_LIFTED = 8
+"""the finger is off the plate, and so feels nothing: the model waits"""
+HRT_SAMPLE_WORLD_POSITION = 16
+"""finger_position_m, in the engine's world"""
+HRT_SAMPLE_PLATE_POSE = 32
+"""plate_position_m and plate_rotation: the plate has moved in the world; else it is where the session's
+configuration has it. Goes with WORLD_POSITION."""
+
+# hrt_command::flags.
+HRT_COMMAND_HELD = 1
+"""between steps: nothing new was decided in this call"""
+HRT_COMMAND_PREDICTED = 2
+"""the last step had no direction and was predicted"""
+HRT_COMMAND_SATURATED = 4
+"""the plate's bound holds the command"""
+HRT_COMMAND_RATE_LIMITED = 8
+"""the plate's speed holds the command"""
+HRT_COMMAND_UNREACHABLE = 16
+"""the real direction cannot be held: see authority.h"""
+HRT_COMMAND_LIFTED = 32
+"""the finger is above the plate: the model waits"""
+HRT_COMMAND_OFF_PLATE = 64
+"""the finger is beyond the plate's edge"""
+HRT_SCENES_MAX = 64
+"""Scenes that can be loaded at the same time in a process."""
+HRT_SESSIONS_MAX = 64
+"""Sessions that can exist at the same time in a process."""
+
+# What decides the plate's orientation.
+HRT_CONTROL_MPC = 0
+"""the model-predictive controller"""
+HRT_CONTROL_FIXED_PLATE = 1
+"""none, as a baseline: the plate stays where it is told to"""
+
+# Where the finger is wanted.
+HRT_GUIDANCE_FIXED_DIRECTION = 0
+"""in the real target's direction from the start"""
+HRT_GUIDANCE_LINE_OF_SIGHT = 1
+"""In the direction from where the finger is to where the real target is, held once less than a fifth of
+the path remains. Takes effect when positions are streamed."""
+
+# Whether the user's share of touch is learnt.
+HRT_ADAPTATION_OFF = 0
+"""no: tactile_weight is taken as known"""
+HRT_ADAPTATION_REACH = 1
+"""within each reach, from tactile_weight and its deviation"""
+HRT_ADAPTATION_CARRIED = 2
+"""As REACH; and what a reach has learnt becomes the configuration's tactile_weight and tactile_weight_sd,
+the latter no less than 0.01, as people change."""
+HRT_TARGETS_MAX = 1000000
+"""Targets that a session can hold."""
+HRT_NAME_SIZE = 64
+"""Bytes of a name, with its terminating zero."""
+HRT_TARGET_REAL = 1
+"""What a target is."""
+HRT_TARGET_VIRTUAL = 2
+
+# How a target's place is given.
+HRT_PLACE_DIRECTION = 1
+"""by `direction_deg` and `distance_m`"""
+HRT_PLACE_PLATE_POSITION = 2
+"""by `position_m` in plate coordinates"""
+HRT_PLACE_WORLD_POSITION = 3
+"""By `position_m` in the engine's world; see hrt_session_config::plate_position_m."""
+
+
+hrt_allocator_allocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
+"""Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't."""
+hrt_allocator_release = CFUNCTYPE(None, c_void_p, c_void_p)
+"""Takes back what allocate() returned."""
+hrt_log_callback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
+"""Hears what no call can return, such as that a recording's disk is full. `text` is one line, valid during
+the call. Called from a thread of the library's own, never from within a call of the host's; must not
+call this library, and must not throw."""
+
+
+class hrt_session(Structure):
+    """A session's handle. Zero is never a session. A handle of a destroyed session is never valid again."""
+
+    if TYPE_CHECKING:
+        value: int
+
+    _fields_ = (
+        ("value", c_uint64),
+    )
+
+
+class hrt_session_config(Structure):
+    """Everything that a session is made from. hrt_session_config_default() fills every field."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        horizon: int
+        """Steps that the controller looks ahead, 1 to 50. Default 3."""
+        step_period_ns: int
+        """Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default 100 ms."""
+        control: int
+        """HRT_CONTROL_*. Default HRT_CONTROL_MPC."""
+        guidance: int
+        """HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION."""
+        adaptation: int
+        """HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF."""
+        reserved: int
+        perceived_weight: float
+        """Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1."""
+        actual_weight: float
+        """Weight of the actual error in the controller's cost, 0 to 1e6. Default 1."""
+        plate_bound_deg: float
+        """The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5."""
+        plate_max_speed_deg_s: float
+        """The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0."""
+        plate_max_acceleration_deg_s2: float
+        """Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit. Default 0."""
+        plate_latency_ns: int
+        """The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods. Default 0."""
+        plate_lower_stop_deg: float
+        """The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0: it turns
+        freely. Default 0 and 0."""
+        plate_upper_stop_deg: float
+        fixed_plate_orientation_deg: float
+        """Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0."""
+        tactile_weight: float
+        """Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15."""
+        tactile_weight_sd: float
+        """Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default 0.05."""
+        motor_variance_deg2: float
+        """Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5."""
+        sensory_variance_deg2: float
+        """Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1."""
+        initial_variance_deg2: float
+        """Variance of the user's perceived direction before the first step, 0 to 1e4. Default 0."""
+        tracker_noise_m: float
+        """White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0: learn it
+        from the samples. Default 0."""
+        start_position_m: ctypes.Array[c_double]
+        """Where reaches start, in plate coordinates; target directions are measured from here, in the
+        plane of the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the
+        user."""
+        plate_radius_m: float
+        """Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default 0.075."""
+        lift_height_m: float
+        """Higher than this above the plate a position is lifted, 0.0001 to 1000. Default 0.015."""
+        plate_position_m: ctypes.Array[c_double]
+        """The plate's centre in the engine's world, each within 1000. Default (0, 0, 0)."""
+        plate_rotation: ctypes.Array[c_double]
+        """How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate
+        coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1)."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("horizon", c_uint32),
+        ("step_period_ns", c_int64),
+        ("control", c_uint32),
+        ("guidance", c_uint32),
+        ("adaptation", c_uint32),
+        ("reserved", c_uint32),
+        ("perceived_weight", c_double),
+        ("actual_weight", c_double),
+        ("plate_bound_deg", c_double),
+        ("plate_max_speed_deg_s", c_double),
+        ("plate_max_acceleration_deg_s2", c_double),
+        ("plate_latency_ns", c_int64),
+        ("plate_lower_stop_deg", c_double),
+        ("plate_upper_stop_deg", c_double),
+        ("fixed_plate_orientation_deg", c_double),
+        ("tactile_weight", c_double),
+        ("tactile_weight_sd", c_double),
+        ("motor_variance_deg2", c_double),
+        ("sensory_variance_deg2", c_double),
+        ("initial_variance_deg2", c_double),
+        ("tracker_noise_m", c_double),
+        ("start_position_m", c_double * 3),
+        ("plate_radius_m", c_double),
+        ("lift_height_m", c_double),
+        ("plate_position_m", c_double * 3),
+        ("plate_rotation", c_double * 4),
+    )
+
+
+class hrt_target(Structure):
+    """A target's id within its session. Zero is never a target. The id of a removed target is never valid
+    again, in no session."""
+
+    if TYPE_CHECKING:
+        value: int
+
+    _fields_ = (
+        ("value", c_uint64),
+    )
+
+
+class hrt_target_config(Structure):
+    """A target. hrt_target_config_default() fills every field. Fields that `place` does not name are not
+    read."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        role: int
+        """HRT_TARGET_*. Default HRT_TARGET_REAL."""
+        place: int
+        """HRT_PLACE_*. Default HRT_PLACE_DIRECTION."""
+        reserved: int
+        direction_deg: float
+        """Direction from the start, -180 to 180. Default 0."""
+        distance_m: float
+        """Distance from the start along the plate, 0.001 to 1000. Default 0.1."""
+        position_m: ctypes.Array[c_double]
+        """Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start in
+        the plane of the plate; the height y is kept and not used. Default (0, 0, 0)."""
+        name: bytes
+        """UTF-8, ended by a zero; unique within the session unless empty. Default empty."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("role", c_uint32),
+        ("place", c_uint32),
+        ("reserved", c_uint32),
+        ("direction_deg", c_double),
+        ("distance_m", c_double),
+        ("position_m", c_double * 3),
+        ("name", c_char * 64),
+    )
+
+
+class hrt_authority(Structure):
+    """What can be held for one pair. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reachable: int
+        """1 if the finger can be held on the real target's direction, else 0."""
+        real_target: hrt_target
+        virtual_target: hrt_target
+        gap_deg: float
+        """Virtual less real direction, in [-180, 180)."""
+        largest_gap_deg: float
+        """The largest gap, either way, that can be held with the session's tactile weight and plate bound."""
+        margin_deg: float
+        """largest_gap_deg less the size of the gap; negative if out of reach."""
+        plate_orientation_deg: float
+        """Where the plate must stand to hold it; on its bound if out of reach."""
+        settling_direction_deg: float
+        """Where the finger settles: the real target's direction if it can be held."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reachable", c_uint32),
+        ("real_target", hrt_target),
+        ("virtual_target", hrt_target),
+        ("gap_deg", c_double),
+        ("largest_gap_deg", c_double),
+        ("margin_deg", c_double),
+        ("plate_orientation_deg", c_double),
+        ("settling_direction_deg", c_double),
+    )
+
+
+class hrt_allocator(Structure):
+    """Where the library's memory comes from. The functions may be called from any thread, at the same
+    time; they must not call this library, and must not throw."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reserved: int
+        context: int | None
+        """Passed to both functions; never read."""
+        allocate: object
+        """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
+        can't."""
+        release: object
+        """Takes back what allocate() returned."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("context", c_void_p),
+        ("allocate", hrt_allocator_allocate),
+        ("release", hrt_allocator_release),
+    )
+
+
+class hrt_reach_config(Structure):
+    """What a reach is. hrt_reach_config_default() fills every field."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        flags: int
+        """HRT_REACH_*. Default 0."""
+        real_target: hrt_target
+        """Its direction and the virtual target's are less than 90 degrees apart. Default null: to be set."""
+        virtual_target: hrt_target
+        plate_orientation_deg: float
+        """Where the plate stands before the reach, -360 to 360. Default 0."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("real_target", hrt_target),
+        ("virtual_target", hrt_target),
+        ("plate_orientation_deg", c_double),
+    )
+
+
+class hrt_sample(Structure):
+    """One sample of the tracked finger. Set it to zero, then `struct_size` and what is known. Fields that
+    `flags` does not name are not read, whatever is in them."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        flags: int
+        """HRT_SAMPLE_*."""
+        time_ns: int
+        """The caller's monotonic clock; any origin. Not before the last sample's; the same time again is
+        taken."""
+        finger_direction_deg: float
+        """The direction in which the finger moves, -180 to 180; taken as exact."""
+        finger_position_m: ctypes.Array[c_double]
+        """The fingertip, each within 1000."""
+        plate_orientation_deg: float
+        """Where the plate stands, -360 to 360."""
+        plate_position_m: ctypes.Array[c_double]
+        """The plate in the world, as in hrt_session_config."""
+        plate_rotation: ctypes.Array[c_double]
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("time_ns", c_int64),
+        ("finger_direction_deg", c_double),
+        ("finger_position_m", c_double * 3),
+        ("plate_orientation_deg", c_double),
+        ("plate_position_m", c_double * 3),
+        ("plate_rotation", c_double * 4),
+    )
+
+
+class hrt_command(Structure):
+    """What the plate is to do now, and why. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        flags: int
+        """HRT_COMMAND_*."""
+        step: int
+        """The model step, from 0; -1 before the finger moves."""
+        plate_orientation_deg: float
+        """Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the same
+        this is the nearest that the plate's stops allow."""
+        finger_direction_deg: float
+        """The finger's direction in the last step, observed or predicted."""
+        perceived_direction_deg: float
+        """The direction that the user feels, as the model predicts it under this command."""
+        aimed_direction_deg: float
+        """Where the finger is wanted; see hrt_session_config::guidance."""
+        distance_to_go_m: float
+        """Along the plate to the real target; from the start until a position is streamed."""
+        tactile_weight: float
+        """The share of touch that the controller assumes."""
+        tactile_weight_sd: float
+        """Its standard deviation; 0: it is taken as known."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("step", c_int64),
+        ("plate_orientation_deg", c_double),
+        ("finger_direction_deg", c_double),
+        ("perceived_direction_deg", c_double),
+        ("aimed_direction_deg", c_double),
+        ("distance_to_go_m", c_double),
+        ("tactile_weight", c_double),
+        ("tactile_weight_sd", c_double),
+    )
+
+
+class hrt_reach_summary(Structure):
+    """What became of a reach. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reserved: int
+        samples: int
+        """Samples taken in, and of these the dropouts and what was left out as an outlier."""
+        dropped_samples: int
+        steps: int
+        """Model steps with samples, and steps without, which were predicted."""
+        predicted_steps: int
+        saturated_steps: int
+        """Of the steps with samples, those whose command the plate's bound or its speed held."""
+        rate_limited_steps: int
+        final_direction_deg: float
+        """The finger's direction in the last step, and that less the real target's."""
+        final_miss_deg: float
+        perceived_direction_deg: float
+        """What the user felt in the last step, and that less the virtual target's."""
+        perceived_error_deg: float
+        distance_to_target_m: float
+        """From the last position along the plate to the real target; from the start if none was streamed."""
+        tactile_weight: float
+        """What the controller assumed at the end; see hrt_command."""
+        tactile_weight_sd: float
+        tracker_noise_m: float
+        """White noise of each coordinate of the tracked positions, standard deviation, as learnt or
+        configured."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("samples", c_int64),
+        ("dropped_samples", c_int64),
+        ("steps", c_int64),
+        ("predicted_steps", c_int64),
+        ("saturated_steps", c_int64),
+        ("rate_limited_steps", c_int64),
+        ("final_direction_deg", c_double),
+        ("final_miss_deg", c_double),
+        ("perceived_direction_deg", c_double),
+        ("perceived_error_deg", c_double),
+        ("distance_to_target_m", c_double),
+        ("tactile_weight", c_double),
+        ("tactile_weight_sd", c_double),
+        ("tracker_noise_m", c_double),
+    )
+
+
+class hrt_recording_status(Structure):
+    """How a recording does. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        system_error: int
+        """The errno of the first write that failed, after which nothing more is written; 0: none did."""
+        rows_written: int
+        """Calls recorded, as far as the operating system has taken them."""
+        rows_lost: int
+        """Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it is
+        complete."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("system_error", c_int32),
+        ("rows_written", c_uint64),
+        ("rows_lost", c_uint64),
+    )
+
+
+class hrt_replay_report(Structure):
+    """What a replay found. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        complete: int
+        """1 if the recording is whole: it has its end, and no rows were lost; else 0, and what precedes
+        the gap was replayed."""
+        rows: int
+        """Rows replayed."""
+        first_different_line: int
+        """The line of the file, from 1, of the first row that came out otherwise than recorded; 0: all
+        came out the same, bit for bit."""
+        hash: int
+        """FNV-1a of the commands as replayed, which is the same on every host: of each row "update"
+        without error, flags as 8 bytes, step, and the seven numbers after them, least significant byte
+        first."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("complete", c_uint32),
+        ("rows", c_uint64),
+        ("first_different_line", c_uint64),
+        ("hash", c_uint64),
+    )
+
+
+class hrt_scene(Structure):
+    """A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid again."""
+
+    if TYPE_CHECKING:
+        value: int
+
+    _fields_ = (
+        ("value", c_uint64),
+    )
+
+
+class hrt_scene_info(Structure):
+    """The plate of a scene. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        target_count: int
+        """How many targets the scene has, real and virtual."""
+        plate_position_m: ctypes.Array[c_double]
+        """The plate in the world, as in hrt_session_config."""
+        plate_rotation: ctypes.Array[c_double]
+        plate_radius_m: float
+        plate_max_speed_deg_s: float
+        """Of the plate's servo; 0 if the file does not tell."""
+        start_position_m: ctypes.Array[c_double]
+        """In plate coordinates."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("target_count", c_uint32),
+        ("plate_position_m", c_double * 3),
+        ("plate_rotation", c_double * 4),
+        ("plate_radius_m", c_double),
+        ("plate_max_speed_deg_s", c_double),
+        ("start_position_m", c_double * 3),
+    )
+
+
+class hrt_scene_target(Structure):
+    """A target of a scene. Set `struct_size` before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        role: int
+        """HRT_TARGET_*."""
+        served_by: int
+        """Of a virtual target: the index of the real one that serves it; of a real one -1."""
+        reserved: int
+        position_m: ctypes.Array[c_double]
+        """In plate coordinates; y is the height above the plate."""
+        world_position_m: ctypes.Array[c_double]
+        direction_deg: float
+        """Seen from the start, along the plate."""
+        distance_m: float
+        radius_m: float
+        """0 if the file does not tell."""
+        name: bytes
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("role", c_uint32),
+        ("served_by", c_int32),
+        ("reserved", c_uint32),
+        ("position_m", c_double * 3),
+        ("world_position_m", c_double * 3),
+        ("direction_deg", c_double),
+        ("distance_m", c_double),
+        ("radius_m", c_double),
+        ("name", c_char * 64),
+    )
+
+
+def declare(library: CDLL) -> None:
+    """Tells ctypes the type of every function; AttributeError names one that the library lacks."""
+    library.hrt_result_string.argtypes = (c_int32,)
+    library.hrt_result_string.restype = c_char_p
+    library.hrt_last_error.argtypes = ()
+    library.hrt_last_error.restype = c_char_p
+    library.hrt_get_version.argtypes = (POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
+    library.hrt_get_version.restype = None
+    library.hrt_session_config_default.argtypes = (POINTER(hrt_session_config), c_uint32)
+    library.hrt_session_config_default.restype = c_int32
+    library.hrt_session_create.argtypes = (POINTER(hrt_session_config), POINTER(hrt_session))
+    library.hrt_session_create.restype = c_int32
+    library.hrt_session_destroy.argtypes = (hrt_session,)
+    library.hrt_session_destroy.restype = c_int32
+    library.hrt_session_get_config.argtypes = (hrt_session, POINTER(hrt_session_config))
+    library.hrt_session_get_config.restype = c_int32
+    library.hrt_session_set_config.argtypes = (hrt_session, POINTER(hrt_session_config))
+    library.hrt_session_set_config.restype = c_int32
+    library.hrt_target_config_default.argtypes = (POINTER(hrt_target_config), c_uint32)
+    library.hrt_target_config_default.restype = c_int32
+    library.hrt_target_add.argtypes = (hrt_session, POINTER(hrt_target_config), POINTER(hrt_target))
+    library.hrt_target_add.restype = c_int32
+    library.hrt_target_set.argtypes = (hrt_session, hrt_target, POINTER(hrt_target_config))
+    library.hrt_target_set.restype = c_int32
+    library.hrt_target_get.argtypes = (hrt_session, hrt_target, POINTER(hrt_target_config))
+    library.hrt_target_get.restype = c_int32
+    library.hrt_target_remove.argtypes = (hrt_session, hrt_target)
+    library.hrt_target_remove.restype = c_int32
+    library.hrt_target_find.argtypes = (hrt_session, c_char_p, POINTER(hrt_target))
+    library.hrt_target_find.restype = c_int32
+    library.hrt_target_list.argtypes = (hrt_session, c_uint32, c_uint32, POINTER(hrt_target), POINTER(c_uint32))
+    library.hrt_target_list.restype = c_int32
+    library.hrt_authority_query.argtypes = (hrt_session, hrt_target, hrt_target, POINTER(hrt_authority))
+    library.hrt_authority_query.restype = c_int32
+    library.hrt_authority_query_all.argtypes = (hrt_session, c_uint64, POINTER(hrt_authority), POINTER(c_uint64))
+    library.hrt_authority_query_all.restype = c_int32
+    library.hrt_authority_query_best.argtypes = (hrt_session, hrt_target, POINTER(hrt_authority))
+    library.hrt_authority_query_best.restype = c_int32
+    library.hrt_set_allocator.argtypes = (POINTER(hrt_allocator),)
+    library.hrt_set_allocator.restype = c_int32
+    library.hrt_set_log_callback.argtypes = (hrt_log_callback, c_void_p)
+    library.hrt_set_log_callback.restype = c_int32
+    library.hrt_profile_save.argtypes = (hrt_session, c_uint64, POINTER(c_char), POINTER(c_uint64))
+    library.hrt_profile_save.restype = c_int32
+    library.hrt_profile_load.argtypes = (hrt_session, c_char_p, c_uint64)
+    library.hrt_profile_load.restype = c_int32
+    library.hrt_reach_config_default.argtypes = (POINTER(hrt_reach_config), c_uint32)
+    library.hrt_reach_config_default.restype = c_int32
+    library.hrt_reach_begin.argtypes = (hrt_session, POINTER(hrt_reach_config))
+    library.hrt_reach_begin.restype = c_int32
+    library.hrt_reach_update.argtypes = (hrt_session, POINTER(hrt_sample), POINTER(hrt_command))
+    library.hrt_reach_update.restype = c_int32
+    library.hrt_reach_end.argtypes = (hrt_session, POINTER(hrt_reach_summary))
+    library.hrt_reach_end.restype = c_int32
+    library.hrt_recording_start.argtypes = (hrt_session, c_char_p)
+    library.hrt_recording_start.restype = c_int32
+    library.hrt_recording_get_status.argtypes = (hrt_session, POINTER(hrt_recording_status))
+    library.hrt_recording_get_status.restype = c_int32
+    library.hrt_recording_stop.argtypes = (hrt_session, POINTER(hrt_recording_status))
+    library.hrt_recording_stop.restype = c_int32
+    library.hrt_replay_text.argtypes = (c_char_p, c_uint64, POINTER(hrt_replay_report))
+    library.hrt_replay_text.restype = c_int32
+    library.hrt_replay_file.argtypes = (c_char_p, POINTER(hrt_replay_report))
+    library.hrt_replay_file.restype = c_int32
+    library.hrt_scene_load_file.argtypes = (c_char_p, POINTER(hrt_scene))
+    library.hrt_scene_load_file.restype = c_int32
+    library.hrt_scene_load_memory.argtypes = (c_void_p, c_uint64, c_char_p, POINTER(hrt_scene))
+    library.hrt_scene_load_memory.restype = c_int32
+    library.hrt_scene_destroy.argtypes = (hrt_scene,)
+    library.hrt_scene_destroy.restype = c_int32
+    library.hrt_scene_get_info.argtypes = (hrt_scene, POINTER(hrt_scene_info))
+    library.hrt_scene_get_info.restype = c_int32
+    library.hrt_scene_get_target.argtypes = (hrt_scene, c_uint32, POINTER(hrt_scene_target))
+    library.hrt_scene_get_target.restype = c_int32
+    library.hrt_scene_register.argtypes = (hrt_scene, hrt_session, c_uint32, POINTER(hrt_target))
+    library.hrt_scene_register.restype = c_int32

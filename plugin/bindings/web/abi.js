@@ -1,0 +1,244 @@
+// Written by plugin/bindings/generate from the C headers.
+export const HRT_VERSION_MAJOR = 0;
+export const HRT_VERSION_MINOR = 1;
+export const HRT_VERSION_PATCH = 0;
+export const HRT_OK = 0;
+export const HRT_ERROR_NULL_ARGUMENT = -1;
+export const HRT_ERROR_INVALID_HANDLE = -2;
+export const HRT_ERROR_STRUCT_SIZE = -3;
+export const HRT_ERROR_OUT_OF_RANGE = -4;
+export const HRT_ERROR_WRONG_STATE = -5;
+export const HRT_ERROR_BUSY = -6;
+export const HRT_ERROR_TIME_REVERSED = -7;
+export const HRT_ERROR_OUT_OF_MEMORY = -8;
+export const HRT_ERROR_LIMIT_REACHED = -9;
+export const HRT_ERROR_NOT_FOUND = -10;
+export const HRT_ERROR_BUFFER_TOO_SMALL = -11;
+export const HRT_ERROR_NAME_TAKEN = -12;
+export const HRT_ERROR_SYSTEM = -13;
+export const HRT_ERROR_BAD_FORMAT = -14;
+export const HRT_ERROR_INTERNAL = -99;
+export const HRT_LOG_WARNING = 1;
+export const HRT_LOG_ERROR = 2;
+export const HRT_REACH_PLATE_ORIENTATION = 1;
+export const HRT_SAMPLE_DIRECTION = 1;
+export const HRT_SAMPLE_PLATE_POSITION = 2;
+export const HRT_SAMPLE_PLATE_ORIENTATION = 4;
+export const HRT_SAMPLE_LIFTED = 8;
+export const HRT_SAMPLE_WORLD_POSITION = 16;
+export const HRT_SAMPLE_PLATE_POSE = 32;
+export const HRT_COMMAND_HELD = 1;
+export const HRT_COMMAND_PREDICTED = 2;
+export const HRT_COMMAND_SATURATED = 4;
+export const HRT_COMMAND_RATE_LIMITED = 8;
+export const HRT_COMMAND_UNREACHABLE = 16;
+export const HRT_COMMAND_LIFTED = 32;
+export const HRT_COMMAND_OFF_PLATE = 64;
+export const HRT_SCENES_MAX = 64;
+export const HRT_SESSIONS_MAX = 64;
+export const HRT_CONTROL_MPC = 0;
+export const HRT_CONTROL_FIXED_PLATE = 1;
+export const HRT_GUIDANCE_FIXED_DIRECTION = 0;
+export const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
+export const HRT_ADAPTATION_OFF = 0;
+export const HRT_ADAPTATION_REACH = 1;
+export const HRT_ADAPTATION_CARRIED = 2;
+export const HRT_TARGETS_MAX = 1000000;
+export const HRT_NAME_SIZE = 64;
+export const HRT_TARGET_REAL = 1;
+export const HRT_TARGET_VIRTUAL = 2;
+export const HRT_PLACE_DIRECTION = 1;
+export const HRT_PLACE_PLATE_POSITION = 2;
+export const HRT_PLACE_WORLD_POSITION = 3;
+
+// Where each field of a struct is, in bytes; `length` of a fixed array. i64 and u64 are BigInt.
+export const structs = Object.freeze({
+  hrt_session: { size: 8, fields: {
+    value: {"offset": 0, "type": "u64"},
+  } },
+  hrt_session_config: { size: 248, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    horizon: {"offset": 4, "type": "u32"},
+    step_period_ns: {"offset": 8, "type": "i64"},
+    control: {"offset": 16, "type": "u32"},
+    guidance: {"offset": 20, "type": "u32"},
+    adaptation: {"offset": 24, "type": "u32"},
+    reserved: {"offset": 28, "type": "u32"},
+    perceived_weight: {"offset": 32, "type": "f64"},
+    actual_weight: {"offset": 40, "type": "f64"},
+    plate_bound_deg: {"offset": 48, "type": "f64"},
+    plate_max_speed_deg_s: {"offset": 56, "type": "f64"},
+    plate_max_acceleration_deg_s2: {"offset": 64, "type": "f64"},
+    plate_latency_ns: {"offset": 72, "type": "i64"},
+    plate_lower_stop_deg: {"offset": 80, "type": "f64"},
+    plate_upper_stop_deg: {"offset": 88, "type": "f64"},
+    fixed_plate_orientation_deg: {"offset": 96, "type": "f64"},
+    tactile_weight: {"offset": 104, "type": "f64"},
+    tactile_weight_sd: {"offset": 112, "type": "f64"},
+    motor_variance_deg2: {"offset": 120, "type": "f64"},
+    sensory_variance_deg2: {"offset": 128, "type": "f64"},
+    initial_variance_deg2: {"offset": 136, "type": "f64"},
+    tracker_noise_m: {"offset": 144, "type": "f64"},
+    start_position_m: {"offset": 152, "type": "f64", "length": 3},
+    plate_radius_m: {"offset": 176, "type": "f64"},
+    lift_height_m: {"offset": 184, "type": "f64"},
+    plate_position_m: {"offset": 192, "type": "f64", "length": 3},
+    plate_rotation: {"offset": 216, "type": "f64", "length": 4},
+  } },
+  hrt_target: { size: 8, fields: {
+    value: {"offset": 0, "type": "u64"},
+  } },
+  hrt_target_config: { size: 120, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    role: {"offset": 4, "type": "u32"},
+    place: {"offset": 8, "type": "u32"},
+    reserved: {"offset": 12, "type": "u32"},
+    direction_deg: {"offset": 16, "type": "f64"},
+    distance_m: {"offset": 24, "type": "f64"},
+    position_m: {"offset": 32, "type": "f64", "length": 3},
+    name: {"offset": 56, "type": "u8", "length": 64},
+  } },
+  hrt_authority: { size: 64, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reachable: {"offset": 4, "type": "u32"},
+    real_target: {"offset": 8, "type": "u64"},
+    virtual_target: {"offset": 16, "type": "u64"},
+    gap_deg: {"offset": 24, "type": "f64"},
+    largest_gap_deg: {"offset": 32, "type": "f64"},
+    margin_deg: {"offset": 40, "type": "f64"},
+    plate_orientation_deg: {"offset": 48, "type": "f64"},
+    settling_direction_deg: {"offset": 56, "type": "f64"},
+  } },
+  hrt_allocator: { size: 20, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reserved: {"offset": 4, "type": "u32"},
+    context: {"offset": 8, "type": "pointer"},
+    allocate: {"offset": 12, "type": "pointer"},
+    release: {"offset": 16, "type": "pointer"},
+  } },
+  hrt_reach_config: { size: 32, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    flags: {"offset": 4, "type": "u32"},
+    real_target: {"offset": 8, "type": "u64"},
+    virtual_target: {"offset": 16, "type": "u64"},
+    plate_orientation_deg: {"offset": 24, "type": "f64"},
+  } },
+  hrt_sample: { size: 112, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    flags: {"offset": 4, "type": "u32"},
+    time_ns: {"offset": 8, "type": "i64"},
+    finger_direction_deg: {"offset": 16, "type": "f64"},
+    finger_position_m: {"offset": 24, "type": "f64", "length": 3},
+    plate_orientation_deg: {"offset": 48, "type": "f64"},
+    plate_position_m: {"offset": 56, "type": "f64", "length": 3},
+    plate_rotation: {"offset": 80, "type": "f64", "length": 4},
+  } },
+  hrt_command: { size: 72, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    flags: {"offset": 4, "type": "u32"},
+    step: {"offset": 8, "type": "i64"},
+    plate_orientation_deg: {"offset": 16, "type": "f64"},
+    finger_direction_deg: {"offset": 24, "type": "f64"},
+    perceived_direction_deg: {"offset": 32, "type": "f64"},
+    aimed_direction_deg: {"offset": 40, "type": "f64"},
+    distance_to_go_m: {"offset": 48, "type": "f64"},
+    tactile_weight: {"offset": 56, "type": "f64"},
+    tactile_weight_sd: {"offset": 64, "type": "f64"},
+  } },
+  hrt_reach_summary: { size: 120, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reserved: {"offset": 4, "type": "u32"},
+    samples: {"offset": 8, "type": "i64"},
+    dropped_samples: {"offset": 16, "type": "i64"},
+    steps: {"offset": 24, "type": "i64"},
+    predicted_steps: {"offset": 32, "type": "i64"},
+    saturated_steps: {"offset": 40, "type": "i64"},
+    rate_limited_steps: {"offset": 48, "type": "i64"},
+    final_direction_deg: {"offset": 56, "type": "f64"},
+    final_miss_deg: {"offset": 64, "type": "f64"},
+    perceived_direction_deg: {"offset": 72, "type": "f64"},
+    perceived_error_deg: {"offset": 80, "type": "f64"},
+    distance_to_target_m: {"offset": 88, "type": "f64"},
+    tactile_weight: {"offset": 96, "type": "f64"},
+    tactile_weight_sd: {"offset": 104, "type": "f64"},
+    tracker_noise_m: {"offset": 112, "type": "f64"},
+  } },
+  hrt_recording_status: { size: 24, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    system_error: {"offset": 4, "type": "i32"},
+    rows_written: {"offset": 8, "type": "u64"},
+    rows_lost: {"offset": 16, "type": "u64"},
+  } },
+  hrt_replay_report: { size: 32, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    complete: {"offset": 4, "type": "u32"},
+    rows: {"offset": 8, "type": "u64"},
+    first_different_line: {"offset": 16, "type": "u64"},
+    hash: {"offset": 24, "type": "u64"},
+  } },
+  hrt_scene: { size: 8, fields: {
+    value: {"offset": 0, "type": "u64"},
+  } },
+  hrt_scene_info: { size: 104, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    target_count: {"offset": 4, "type": "u32"},
+    plate_position_m: {"offset": 8, "type": "f64", "length": 3},
+    plate_rotation: {"offset": 32, "type": "f64", "length": 4},
+    plate_radius_m: {"offset": 64, "type": "f64"},
+    plate_max_speed_deg_s: {"offset": 72, "type": "f64"},
+    start_position_m: {"offset": 80, "type": "f64", "length": 3},
+  } },
+  hrt_scene_target: { size: 152, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    role: {"offset": 4, "type": "u32"},
+    served_by: {"offset": 8, "type": "i32"},
+    reserved: {"offset": 12, "type": "u32"},
+    position_m: {"offset": 16, "type": "f64", "length": 3},
+    world_position_m: {"offset": 40, "type": "f64", "length": 3},
+    direction_deg: {"offset": 64, "type": "f64"},
+    distance_m: {"offset": 72, "type": "f64"},
+    radius_m: {"offset": 80, "type": "f64"},
+    name: {"offset": 88, "type": "u8", "length": 64},
+  } },
+});
+
+// Every function that the module exports.
+export const functions = Object.freeze([
+  "hrt_result_string",
+  "hrt_last_error",
+  "hrt_get_version",
+  "hrt_session_config_default",
+  "hrt_session_create",
+  "hrt_session_destroy",
+  "hrt_session_get_config",
+  "hrt_session_set_config",
+  "hrt_target_config_default",
+  "hrt_target_add",
+  "hrt_target_set",
+  "hrt_target_get",
+  "hrt_target_remove",
+  "hrt_target_find",
+  "hrt_target_list",
+  "hrt_authority_query",
+  "hrt_authority_query_all",
+  "hrt_authority_query_best",
+  "hrt_set_allocator",
+  "hrt_set_log_callback",
+  "hrt_profile_save",
+  "hrt_profile_load",
+  "hrt_reach_config_default",
+  "hrt_reach_begin",
+  "hrt_reach_update",
+  "hrt_reach_end",
+  "hrt_recording_start",
+  "hrt_recording_get_status",
+  "hrt_recording_stop",
+  "hrt_replay_text",
+  "hrt_replay_file",
+  "hrt_scene_load_file",
+  "hrt_scene_load_memory",
+  "hrt_scene_destroy",
+  "hrt_scene_get_info",
+  "hrt_scene_get_target",
+  "hrt_scene_register",
+]);
