@@ -63,6 +63,7 @@ typedef struct XrReachTruthHRTX {
   void* XR_MAY_ALIAS next;
   double trueDirection;      /* degrees: the direction that the finger has taken after the last step */
   double perceivedDirection; /* degrees: the direction that the participant felt in the last step */
+  double tactileWeight;      /* the share that touch has in what the participant feels */
   XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
   uint32_t stepCount;        /* steps of the participant's model so far */
   XrBool32 isDone;           /* the path's whole length has been gone */
@@ -71,9 +72,12 @@ typedef struct XrReachTruthHRTX {
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
 typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
-/* Noise comes from this seed from now on, and reaches are counted from 0 again: a run from here on with the
-** same seed, calls and times is the same bit for bit. At first the seed is 1. */
-typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed);
+/* The participants, and the noise, come from this seed from now on; the next reach counts as number
+** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same bit for
+*bit.
+** At first the seed is 1, or the script's, and the number 0. */
+typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed,
+                                                         uint32_t nextReach);
 
 /* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);

@@ -31,8 +31,8 @@ XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   return XR_SUCCESS;
 }
 
-XrResult set_simulation_seed(XrSession handle, std::uint64_t seed) {
-  runtime().registry.get<Session>(handle).world().set_seed(seed);
+XrResult set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t next_reach) {
+  runtime().registry.get<Session>(handle).world().set_seed(seed, next_reach);
   return XR_SUCCESS;
 }
 
@@ -82,6 +82,7 @@ XrResult get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* tru
   truth->trueDirection = reach->true_direction_deg();
   truth->perceivedDirection = reach->perceived_direction_deg();
   truth->indexTip = to_xr(world.true_index_tip_m(hand));
+  truth->tactileWeight = reach->tactile_weight();
   truth->stepCount = reach->steps();
   truth->isDone = reach->done() ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;

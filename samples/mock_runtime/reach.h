@@ -37,6 +37,7 @@ class Reach {
   Eigen::Vector2d position_m(XrTime time) const;
   Eigen::Vector2d velocity_m_per_s(XrTime time) const;
 
+  double tactile_weight() const { return settings_.parameters.tactile_weight; }
   /// P after the last step made, and what the participant felt in it.
   double true_direction_deg() const { return participant_.finger_direction_deg(); }
   double perceived_direction_deg() const { return participant_.perceived_direction_deg(); }

@@ -38,7 +38,7 @@ class Members {
   const std::string& where() const { return where_; }
   std::string where(const std::string& key) const { return where_ + "." + key; }
   bool has(const std::string& key) {
-    asked_.push_back(key);
+    if (std::find(asked_.begin(), asked_.end(), key) == asked_.end()) asked_.push_back(key);
     return object_.contains(key);
   }
   const Json& at(const std::string& key) {
@@ -121,16 +121,29 @@ class Members {
   std::vector<std::string> asked_;
 };
 
+// A number, or the two between which it is drawn.
+void read_tactile_weight(Members& members, ParticipantSettings& settings) {
+  constexpr double least = 0.001, most = 0.499;
+  if (!members.has("tactile_weight")) return;
+  if (!members.at("tactile_weight").is_array()) {
+    settings.least_tactile_weight = settings.most_tactile_weight =
+        members.number("tactile_weight", 0.0, least, most);
+    return;
+  }
+  const std::vector<double> range = members.numbers("tactile_weight", 2, least, most);
+  if (range[0] > range[1]) refuse(members.where("tactile_weight"), "must have the smaller number first");
+  settings.least_tactile_weight = range[0];
+  settings.most_tactile_weight = range[1];
+}
+
 ParticipantSettings read_participant(Members& members) {
   ParticipantSettings settings;
   Participant& p = settings.parameters;
-  p.tactile_weight = members.number("tactile_weight", p.tactile_weight, 0.0, 0.5);
+  read_tactile_weight(members, settings);
   p.motor_variance_deg2 = members.number("motor_variance_deg2", p.motor_variance_deg2, 0.0, 1e4);
   p.sensory_variance_deg2 = members.number("sensory_variance_deg2", p.sensory_variance_deg2, 0.0, 1e4);
   p.initial_variance_deg2 = members.number("initial_variance_deg2", p.initial_variance_deg2, 0.0, 1e4);
-  if (!is_valid(p))
-    refuse(members.where(),
-           "needs tactile_weight strictly between 0 and 0.5, and sensory_variance_deg2 above 0");
+  if (!is_valid(p)) refuse(members.where("sensory_variance_deg2"), "must be above 0");
   settings.speed_m_per_s = members.number("speed_mm_per_s", 100.0 / 3.0, 1.0, 10'000.0) * 1e-3;
   settings.model_step_ns = members.nanoseconds("model_step_ms", 100.0, 1.0);
   return settings;

@@ -14,7 +14,9 @@ namespace hrt::mock {
 
 /// One simulated participant.
 struct ParticipantSettings {
-  Participant parameters;
+  Participant parameters;  ///< its tactile_weight is drawn between these two, once for a seed
+  double least_tactile_weight = 0.10;
+  double most_tactile_weight = 0.30;
   double speed_m_per_s = 0.1 / 3.0;          ///< of the fingertip, > 0
   std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
 };

@@ -27,6 +27,16 @@ Eigen::Quaterniond hand_orientation(double yaw_deg) {
   return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
 }
 
+// What sets number `number` of the participants apart from others: a draw from [0, 1), by the finaliser of
+// SplitMix64.
+double uniform(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t bits = seed + 0x9E3779B97F4A7C15 * (number + 1);
+  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
+  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
+  bits ^= bits >> 31;
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
 // Where a hand is before it is told anything: beside the keyboard.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
@@ -55,18 +65,22 @@ void World::place_plate(const Pose& plate, double radius_m) {
   plate_radius_m_ = radius_m;
 }
 
-void World::set_seed(std::uint64_t seed) {
+void World::set_seed(std::uint64_t seed, std::uint32_t next_reach) {
   settings_.seed = seed;
-  reaches_ = 0;
+  reaches_ = next_reach;
 }
 
 void World::instruct(XrHandEXT side, const ReachInstruction& instruction, double height_m, XrTime now) {
-  const auto& participants = settings_.participants;
+  const std::size_t number = reaches_ % settings_.participants.size();
+  ParticipantSettings participant = settings_.participants[number];
+  const double share = uniform(settings_.seed, number);
+  participant.parameters.tactile_weight =
+      participant.least_tactile_weight +
+      share * (participant.most_tactile_weight - participant.least_tactile_weight);
   Hand& hand = at(side);
   hand.tracked = true;
   hand.height_m = height_m;
-  hand.reach.emplace(participants[reaches_ % participants.size()], instruction, settings_.seed, reaches_,
-                     now);
+  hand.reach.emplace(participant, instruction, settings_.seed, reaches_, now);
   ++reaches_;
 }
 

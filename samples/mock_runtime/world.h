@@ -38,8 +38,8 @@ class World {
   bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
   double plate_radius_m() const { return plate_radius_m_; }
 
-  /// All noise comes from this seed from now on; reaches are counted from 0 again.
-  void set_seed(std::uint64_t seed);
+  /// All that is drawn comes from this seed from now on, and the next reach has this number.
+  void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
   void command_plate(XrTime now, double orientation_deg) { servo_.command(now, orientation_deg); }
   double plate_orientation_deg(XrTime time) const { return servo_.orientation_deg(time); }

@@ -27,7 +27,7 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config;
   plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
   config.tactile_weight = options.tactile_weight;
-  config.adaptation = options.adaptive ? HRT_ADAPTATION_REACH : HRT_ADAPTATION_OFF;
+  config.adaptation = options.adaptive ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   config.guidance = options.adaptive ? HRT_GUIDANCE_LINE_OF_SIGHT : HRT_GUIDANCE_FIXED_DIRECTION;
   if (options.plate.kind == PlateChoice::Kind::servo)
     config.plate_max_speed_deg_s = options.plate.servo_speed_deg_per_s;
@@ -117,8 +117,8 @@ class Run {
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
       simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
-      // A new session goes on with noise of its own, not with that of the reaches already made.
-      simulation->seed(options_.seed + next_);
+      // A new session goes on with the same participant.
+      simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
     }
     std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, runtime.name());

@@ -7,8 +7,8 @@
 namespace hrt::reach {
 
 enum class ExitCode : int {
-  success = 0,         ///< every target that can be held was reached
-  target_missed = 1,   ///< one that can be held was not
+  success = 0,         ///< the fingertip ended inside every target that can be held
+  target_missed = 1,   ///< it ended outside of one
   usage = 2,           ///< the command line
   plugin = 3,          ///< the plugin cannot be opened, or refused what it was told
   scene = 4,           ///< the scene cannot be loaded, or has no such target

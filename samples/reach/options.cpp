@@ -15,8 +15,8 @@ constexpr const char* description =
 
 constexpr const char* exit_codes =
     "Exit codes:\n"
-    "  0  every target that can be held was reached, within 1.5 degrees and inside its radius\n"
-    "  1  one that can be held was missed\n"
+    "  0  the fingertip ended inside every target that can be held\n"
+    "  1  it ended outside of one\n"
     "  2  the command line is wrong\n"
     "  3  the plugin cannot be opened, or refused\n"
     "  4  the scene cannot be loaded, or has no such target\n"
@@ -81,7 +81,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
   app.add_option("--repeat", options.repeat, "Go through the targets so often [1]")
       ->check(CLI::Range(1, 1'000'000));
-  app.add_option("--seed", options.seed, "Seed of a simulated user's noise [3]")
+  app.add_option("--seed", options.seed, "Seed of a simulated user: who it is, and the noise [1]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             const bool digits = text.find_first_not_of("0123456789") == std::string::npos;

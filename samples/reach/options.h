@@ -23,7 +23,7 @@ struct Options {
   std::filesystem::path plugin;
   std::vector<std::string> targets;  ///< virtual ones, in this order; empty: all, in the scene's order
   int repeat = 1;
-  std::uint64_t seed = 3;  ///< of a simulated user's noise
+  std::uint64_t seed = 1;  ///< of a simulated user's noise
   std::vector<Hand> hands;
   PlateChoice plate;
   double time_limit_s = 30.0;

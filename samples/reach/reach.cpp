@@ -136,12 +136,19 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
                       std::vector<Moment> moments) {
   ReachResult result{};
   Point end_m = moments.back().position_m;
+  hrt_authority authority{.struct_size = sizeof authority};
+  stage.plugin.check(stage.plugin.hrt_authority_query(stage.targets.session, pair.real_target,
+                                                      pair.virtual_target, &authority));
+  result.can_be_held = moments.back().can_be_held;
+  result.largest_gap_deg = authority.largest_gap_deg;
+  result.assumed_weight = summary.tactile_weight;
   result.final_direction_deg = summary.final_direction_deg;
   result.felt_direction_deg = summary.perceived_direction_deg;
   if (stage.simulation != nullptr) {
     const Simulation::Truth truth = stage.simulation->truth(hand);
     result.final_direction_deg = truth.finger_direction_deg;
     result.felt_direction_deg = truth.perceived_direction_deg;
+    result.tactile_weight = truth.tactile_weight;
     result.is_truth = true;
     end_m = truth.tip_m;
   }
@@ -189,7 +196,8 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .felt_direction_deg = command.perceived_direction_deg,
                   .plate_orientation_deg = measured_deg.value_or(command.plate_orientation_deg),
                   .distance_to_go_m = command.distance_to_go_m,
-                  .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0};
+                  .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0,
+                  .can_be_held = (command.flags & HRT_COMMAND_UNREACHABLE) == 0};
     if (stage.simulation != nullptr)
       moment.felt_direction_deg = stage.simulation->truth(hand).perceived_direction_deg;
     moments.push_back(moment);

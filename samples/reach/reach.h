@@ -23,6 +23,7 @@ struct Moment {
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;
   bool saturated;
+  bool can_be_held;  ///< the real direction, for all that the controller knows of the user
 };
 
 struct ReachResult {
@@ -30,7 +31,11 @@ struct ReachResult {
   double felt_direction_deg;   ///< in the last step: the simulation's truth, or else as the model predicts
   double miss_deg;             ///< final_direction_deg less the real target's
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
-  bool is_truth;               ///< all of the above are the simulation's truth
+  bool is_truth;               ///< all of the above, and the next, are the simulation's truth
+  double tactile_weight;       ///< share of touch in what the user feels; 0 if nobody knows
+  double assumed_weight;       ///< what the controller assumed of that at the end
+  bool can_be_held;            ///< with what it assumed then (HRT_COMMAND_UNREACHABLE)
+  double largest_gap_deg;      ///< between real and virtual direction that can be held so (authority.h)
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate

@@ -31,8 +31,8 @@ void Simulation::place_plate(const XrPosef& pose, double radius_m) {
   CHECK_XR_NAMED("xrPlacePlateHRTX", place_plate_(session_, &placement));
 }
 
-void Simulation::seed(std::uint64_t seed) {
-  CHECK_XR_NAMED("xrSetSimulationSeedHRTX", set_seed_(session_, seed));
+void Simulation::seed(std::uint64_t seed, std::uint32_t next_reach) {
+  CHECK_XR_NAMED("xrSetSimulationSeedHRTX", set_seed_(session_, seed, next_reach));
 }
 
 void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
@@ -49,7 +49,8 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
 Simulation::Truth Simulation::truth(Hand hand) const {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   CHECK_XR_NAMED("xrGetReachTruthHRTX", get_reach_truth_(session_, to_xr(hand), &truth));
-  return {truth.trueDirection, truth.perceivedDirection, to_array(truth.indexTip), truth.isDone == XR_TRUE};
+  return {truth.trueDirection, truth.perceivedDirection, truth.tactileWeight, to_array(truth.indexTip),
+          truth.isDone == XR_TRUE};
 }
 
 void Simulation::set_plate_orientation(double orientation_deg) {

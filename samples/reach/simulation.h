@@ -20,8 +20,8 @@ class Simulation {
   /// `pose` of the plate in the LOCAL reference space.
   void place_plate(const XrPosef& pose, double radius_m);
 
-  /// The simulation's noise comes from this seed from now on.
-  void seed(std::uint64_t seed);
+  /// The participant, and the noise, come from this seed from now on; the next reach has this number, from 0.
+  void seed(std::uint64_t seed, std::uint32_t next_reach);
 
   /// The participant starts to slide now, from `start_m` in plate coordinates.
   void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
@@ -30,6 +30,7 @@ class Simulation {
   struct Truth {
     double finger_direction_deg;     ///< P after the participant's last step
     double perceived_direction_deg;  ///< felt in that step
+    double tactile_weight;           ///< the share of touch in what the participant feels
     std::array<double, 3> tip_m;     ///< in plate coordinates, without the tracker's errors
     bool done;                       ///< the path's whole length has been gone
   };

@@ -35,12 +35,13 @@ double without_minus_zero(double value) {
 
 }  // namespace
 
-bool is_inside(const TargetPair& pair, const ReachResult& result) {
-  return pair.real_radius_m == 0.0 || result.miss_m <= pair.real_radius_m;
+bool is_within_tolerance(const ReachResult& result) {
+  return std::abs(result.miss_deg) <= tolerance_deg;
 }
 
 bool is_reached(const TargetPair& pair, const ReachResult& result) {
-  return std::abs(result.miss_deg) <= tolerance_deg && is_inside(pair, result);
+  if (pair.real_radius_m > 0.0) return result.miss_m <= pair.real_radius_m;
+  return is_within_tolerance(result);
 }
 
 Table::Table(const std::vector<TargetPair>& pairs)
@@ -53,21 +54,22 @@ Table::Table(const std::vector<TargetPair>& pairs)
 
 void Table::print_header(std::ostream& out) const {
   out << printable("virtual", virtual_width_) << format(" %6s  ", "deg") << printable("real", real_width_)
-      << format(" %6s  %9s %8s %8s %7s %7s %5s %6s\n", "deg", "final deg", "felt deg", "miss deg", "miss mm",
-                "frames", "lost", "bound");
+      << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %5s %6s\n", "deg", "final deg", "felt deg", "miss deg",
+                "miss mm", "touch", "assumed", "frames", "lost", "bound");
 }
 
 void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
   out << printable(pair.virtual_name, virtual_width_)
       << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
       << printable(pair.real_name, real_width_)
-      << format(" %+6.1f  %+9.2f %+8.2f %+8.2f %7.1f %7d %5d %5.0f%%  %s",
+      << format(" %+6.1f  %+9.2f %+8.2f %+8.2f %7.1f  %5s %7.3f %7d %5d %5.0f%%  %s",
                 without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
-                result.felt_direction_deg, result.miss_deg, result.miss_m * 1e3, result.frames,
-                result.dropouts, result.saturated_share * 100.0,
+                result.felt_direction_deg, result.miss_deg, result.miss_m * 1e3,
+                result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.assumed_weight,
+                result.frames, result.dropouts, result.saturated_share * 100.0,
                 is_reached(pair, result) ? "reached" : "missed");
-  if (!pair.reachable)
-    out << format(" (out of reach: gaps up to %.1f deg can be held)", pair.largest_gap_deg);
+  if (!result.can_be_held)
+    out << format(" (cannot be held: with this touch, gaps up to %.1f deg can)", result.largest_gap_deg);
   out << std::endl;
 }
 
@@ -76,21 +78,25 @@ void Table::print_legend(std::ostream& out) const {
          "feels.\n"
          "miss: final less the real target's direction, and how far from the real target, along the plate, "
          "the\n"
-         "fingertip ended. lost: frames without a tracked finger. bound: steps with the plate at a limit.\n"
-         "reached: within "
-      << format("%.1f", tolerance_deg) << " deg, and inside the target's radius.\n";
+         "fingertip ended. touch: its share in what the user feels; assumed: what the controller took it for "
+         "at\n"
+         "the end. lost: frames without a tracked finger. bound: steps with the plate at a limit.\n"
+         "reached: ended inside the real target's radius.\n";
 }
 
 void Tally::add(const TargetPair& pair, const ReachResult& result) {
   ++reaches;
-  holdable += pair.reachable ? 1 : 0;
-  holdable_reached += pair.reachable && is_reached(pair, result) ? 1 : 0;
-  holdable_inside += pair.reachable && is_inside(pair, result) ? 1 : 0;
+  if (!result.can_be_held) return;
+  ++holdable;
+  holdable_reached += is_reached(pair, result) ? 1 : 0;
+  holdable_within_tolerance += is_within_tolerance(result) ? 1 : 0;
 }
 
 void print_summary(std::ostream& out, const Tally& tally) {
-  out << format("%d of %d reaches that can be held were reached; %d of %d ended inside the target's radius",
-                tally.holdable_reached, tally.holdable, tally.holdable_inside, tally.holdable);
+  out << format(
+      "%d of %d targets that can be held were reached; %d of %d moved within %.1f deg of "
+      "its direction in the last step",
+      tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable, tolerance_deg);
   if (tally.holdable < tally.reaches)
     out << format("; %d more cannot be held", tally.reaches - tally.holdable);
   out << ".\n";

@@ -8,13 +8,11 @@
 
 namespace hrt::reach {
 
-/// The paper's test of success: |P - P_R| at the end, in degrees.
+/// The paper's test of success: |P - P_R| after the last step, in degrees.
 inline constexpr double tolerance_deg = 1.5;
+bool is_within_tolerance(const ReachResult& result);
 
-/// Ended inside of the real target's radius, if it has one.
-bool is_inside(const TargetPair& pair, const ReachResult& result);
-
-/// Within tolerance_deg of the real target's direction, and, if it has a radius, ended inside of that.
+/// Ended inside of the real target's radius; if the scene gives it none, within the tolerance.
 bool is_reached(const TargetPair& pair, const ReachResult& result);
 
 /// The table of results, whose columns are as wide as the names of its targets.
@@ -36,9 +34,9 @@ class Table {
 /// Counts over all rows.
 struct Tally {
   int reaches = 0;
-  int holdable = 0;          ///< of these, the ones whose gap the plate can hold
-  int holdable_reached = 0;  ///< of these, the ones that were reached
-  int holdable_inside = 0;   ///< of the holdable ones, those that ended inside the target's radius
+  int holdable = 0;                   ///< of these, the ones whose gap the plate can hold
+  int holdable_reached = 0;           ///< of these, the ones that were reached
+  int holdable_within_tolerance = 0;  ///< of the holdable ones
 
   void add(const TargetPair& pair, const ReachResult& result);
 };

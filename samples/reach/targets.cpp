@@ -69,8 +69,6 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
     if (seen.role != HRT_TARGET_VIRTUAL) continue;
     const auto serving = static_cast<std::uint32_t>(seen.served_by);
     const hrt_scene_target touched = scene.target(serving);
-    hrt_authority authority{.struct_size = sizeof authority};
-    plugin.check(plugin.hrt_authority_query(set.session, ids[serving], ids[i], &authority));
     set.pairs.push_back({.virtual_name = seen.name,
                          .real_name = touched.name,
                          .virtual_direction_deg = seen.direction_deg,
@@ -80,9 +78,7 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
                          .virtual_position_m = to_array(seen.position_m),
                          .real_position_m = to_array(touched.position_m),
                          .virtual_target = ids[i],
-                         .real_target = ids[serving],
-                         .reachable = authority.reachable == 1,
-                         .largest_gap_deg = authority.largest_gap_deg});
+                         .real_target = ids[serving]});
   }
   return set;
 }

@@ -25,8 +25,6 @@ struct TargetPair {
   std::array<double, 3> real_position_m;
   hrt_target virtual_target;
   hrt_target real_target;
-  bool reachable;          ///< the plate can hold the finger on the real target (authority.h)
-  double largest_gap_deg;  ///< between the two directions that it can hold
 };
 
 /// A scene whose targets are registered in a session of the plugin.

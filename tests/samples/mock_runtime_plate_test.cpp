@@ -15,6 +15,8 @@ class MockPlate : public MockRuntime {
  protected:
   void SetUp() override {
     MockRuntime::SetUp();
+    ASSERT_XR(XR_SUCCESS,
+              functions->apply_script(instance, R"({"participants": [{"tactile_weight": 0.15}]})"));
     begin_session();
     plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
     hand = create_hand_tracker();
@@ -97,6 +99,7 @@ TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
 TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
+      "participants": [{"tactile_weight": 0.15}],
       "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})"));
   begin_session();
   plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);

@@ -63,7 +63,13 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"seed": -1})", "script.seed must be a whole number from 0"},
       {R"({"participants": []})", "script.participants must have one at least"},
       {R"({"participants": [{"tactile_weight": 0.5}]})",
-       "script.participants[0] needs tactile_weight strictly between"},
+       "script.participants[0].tactile_weight must be a number from 0.001 to 0.499"},
+      {R"({"participants": [{"tactile_weight": [0.1]}]})",
+       "script.participants[0].tactile_weight must be an array of 2 numbers"},
+      {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})",
+       "script.participants[0].tactile_weight must have the smaller number first"},
+      {R"({"participants": [{"sensory_variance_deg2": 0}]})",
+       "script.participants[0].sensory_variance_deg2 must be above 0"},
       {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
       {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
       {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
@@ -348,6 +354,43 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   EXPECT_EQ(final_directions(R"({"seed": 1})"), first);
   EXPECT_NE(final_directions(R"({"seed": 2})"), first);
   EXPECT_NE(first[0], first[1]);
+}
+
+// Weights of touch are uniform in their range over seeds, and one seed's participant keeps theirs.
+TEST_F(MockScript, SeedDrawsTheParticipant) {
+  begin_with(R"({"participants": [{"tactile_weight": [0.1, 0.3]}, {"tactile_weight": 0.25}]})");
+  const auto weight = [&] {
+    instruct();
+    return truth().tactileWeight;
+  };
+  constexpr int seeds = 500;
+  double sum = 0.0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    const double drawn = weight();
+    EXPECT_GE(drawn, 0.1);
+    EXPECT_LE(drawn, 0.3);
+    EXPECT_EQ(weight(), 0.25);
+    EXPECT_EQ(weight(), drawn);
+    sum += drawn;
+  }
+  // The mean's deviation is 0.2 / sqrt(12 * 500): four of them.
+  EXPECT_NEAR(sum / seeds, 0.2, 4.0 * 0.2 / std::sqrt(12.0 * seeds));
+}
+
+// Where a run was broken off it can be gone on with: the same person, and each reach with noise of its own.
+TEST_F(MockScript, SeedAndNumberMakeTheReach) {
+  begin_with("{}");
+  const auto final_direction = [&] {
+    instruct();
+    EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+    return truth().trueDirection;
+  };
+  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 0));
+  const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
+  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 2));
+  EXPECT_EQ(final_direction(), whole[2]);
+  EXPECT_NE(whole[2], whole[0]);
 }
 
 TEST_F(MockScript, CallLogTellsEveryCallItsResultAndWhyItWasRefused) {

@@ -68,6 +68,7 @@ Functions::Functions(XrInstance instance)
       advance_time(fetch<PFN_xrAdvanceTimeHRTX>(instance, "xrAdvanceTimeHRTX")),
       get_call_log(fetch<PFN_xrGetCallLogHRTX>(instance, "xrGetCallLogHRTX")),
       place_plate(fetch<PFN_xrPlacePlateHRTX>(instance, "xrPlacePlateHRTX")),
+      set_seed(fetch<PFN_xrSetSimulationSeedHRTX>(instance, "xrSetSimulationSeedHRTX")),
       set_plate_orientation(fetch<PFN_xrSetPlateOrientationHRTX>(instance, "xrSetPlateOrientationHRTX")),
       get_plate_orientation(fetch<PFN_xrGetPlateOrientationHRTX>(instance, "xrGetPlateOrientationHRTX")),
       instruct_reach(fetch<PFN_xrInstructReachHRTX>(instance, "xrInstructReachHRTX")),

@@ -58,6 +58,7 @@ struct Functions {
   PFN_xrAdvanceTimeHRTX advance_time;
   PFN_xrGetCallLogHRTX get_call_log;
   PFN_xrPlacePlateHRTX place_plate;
+  PFN_xrSetSimulationSeedHRTX set_seed;
   PFN_xrSetPlateOrientationHRTX set_plate_orientation;
   PFN_xrGetPlateOrientationHRTX get_plate_orientation;
   PFN_xrInstructReachHRTX instruct_reach;

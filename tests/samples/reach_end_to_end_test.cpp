@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <set>
 
 #include "tests/samples/reach_program.h"
 
@@ -26,12 +27,43 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
     EXPECT_TRUE(row.reached) << row.virtual_name;
     // Printed with two decimals, and the difference of two such numbers.
     EXPECT_NEAR(row.miss_deg, row.final_direction_deg - row.real_direction_deg, 0.011);
-    EXPECT_LE(std::abs(row.miss_deg), 1.5);
     EXPECT_LT(row.miss_mm, 2.0);
     // 3 s of 90 Hz, and a frame before the first.
     EXPECT_EQ(row.frames, 271);
     EXPECT_EQ(row.lost, 0);
   }
+}
+
+// A seed is a person, who has one weight of touch, whatever it is, in all reaches of a run. What nobody has
+// told the controller, it learns, and leads everyone to the targets; or it says that nobody could.
+TEST(ReachEndToEnd, LeadsEveryoneWhomASeedMakes) {
+  std::set<std::string> weights;
+  for (int seed = 1; seed <= 25; ++seed) {
+    for (const std::string plate : {"runtime", "servo"}) {
+      const Outcome outcome = run_program({desk, "--seed", std::to_string(seed), "--plate", plate});
+      EXPECT_EQ(outcome.exit_code, 0) << seed << " " << plate << "\n" << outcome.out << outcome.err;
+      const std::vector<Row> rows = rows_of(outcome);
+      ASSERT_EQ(rows.size(), 3U) << outcome.out;
+      const double weight = std::stod(rows[0].touch);
+      EXPECT_GE(weight, 0.1);
+      EXPECT_LE(weight, 0.3);
+      weights.insert(rows[0].touch);
+      EXPECT_EQ(rows[1].touch, rows[0].touch);
+      EXPECT_EQ(rows[2].touch, rows[0].touch);
+      EXPECT_NEAR(rows[2].assumed, weight, 0.03);
+      // At the bound of 84.5 degrees, 12 degrees can be held from 12 / 96.5 on; a tenth of that is for doubt.
+      const bool excused = outcome.out.find("cannot be held") != std::string::npos;
+      EXPECT_TRUE(!excused || weight < 12.0 / 96.5 * 1.1) << outcome.out;
+    }
+  }
+  EXPECT_GT(weights.size(), 20U);
+}
+
+// The paper's controller takes everybody's weight of touch for 0.15.
+TEST(ReachEndToEnd, ThePapersControllerMissesThoseWhoAreNotAsItAssumes) {
+  const std::string half = R"({"participants": [{"tactile_weight": 0.3}]})";
+  EXPECT_EQ(run_scripted(half, {desk, "--controller", "paper"}).exit_code, 1);
+  EXPECT_EQ(run_scripted(half, {desk}).exit_code, 0);
 }
 
 // What makes the reach worth it: the fingertip goes to one place, and its owner feels three others. The felt
@@ -51,13 +83,16 @@ TEST(ReachEndToEnd, GivesTheSameBytesForTheSameSeed) {
 // Condition 1 of the paper's Table I, all six pairs. The reconstructed model gives 92.8 % (over
 // 20,000 trials a cell), the paper 93.0 %. With 300 reaches the standard error is 1.5 %; four of them.
 TEST(ReachEndToEnd, HitsAsOftenAsThePaperSays) {
-  const Outcome outcome = run_program({table1, "--repeat", "50", "--controller", "paper"});
+  const Outcome outcome = run_scripted(R"({"participants": [{"tactile_weight": 0.15}]})",
+                                       {table1, "--repeat", "50", "--controller", "paper"});
   const std::vector<Row> rows = rows_of(outcome);
   ASSERT_EQ(rows.size(), 300U) << outcome.err;
   const auto hits =
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.miss_deg) <= 1.5; });
   EXPECT_NEAR(static_cast<double>(hits) / 300.0, 0.928, 0.06);
-  EXPECT_EQ(outcome.exit_code, 1);  // one miss is enough
+  EXPECT_NE(outcome.out.find("; " + std::to_string(hits) + " of 300 moved within 1.5 deg"), std::string::npos)
+      << outcome.out.substr(outcome.out.rfind("reached:"));
+  EXPECT_EQ(outcome.exit_code, 0);  // all ended inside the target
 }
 
 TEST(ReachEndToEnd, ReachesForChosenTargetsInTheGivenOrder) {
@@ -73,12 +108,22 @@ TEST(ReachEndToEnd, ReachesWithTheLeftHand) {
   EXPECT_EQ(rows_of(outcome).size(), 3U);
 }
 
-// A controller that takes the user's w_T for 0.10 (largest gap 84.5 / 9) does not promise the pawn's 12.
+// With a weight of touch of 0.10 gaps up to 84.5 / 9 = 9.4 degrees can be held: not the pawn's 12. The
+// paper's controller is told so, ours finds it out.
 TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
-  const Outcome outcome = run_program({desk, "--tactile-weight", "0.1", "--target", "pawn"});
-  EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_NE(outcome.out.find("out of reach: gaps up to 9.4 deg"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("0 of 0 reaches that can be held were reached"), std::string::npos) << outcome.out;
+  const std::string light = R"({"participants": [{"tactile_weight": 0.1}]})";
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight",
+                                 "0.1"},
+        std::vector<std::string>{desk, "--target", "pawn"}}) {
+    const Outcome outcome = run_scripted(light, arguments);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_NE(outcome.out.find("(cannot be held: with this touch, gaps up to "), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("0 of 0 targets that can be held were reached"), std::string::npos)
+        << outcome.out;
+    EXPECT_NE(outcome.out.find("; 1 more cannot be held"), std::string::npos) << outcome.out;
+  }
 }
 
 TEST(ReachEndToEnd, IsSilentUnderTheCoreValidationLayer) {

@@ -37,7 +37,7 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
 }
 
 // Noise so small that chance decides nothing: it is the faults that are looked at here.
-const std::string calm = R"("participants": [{"motor_variance_deg2": 0.05}])";
+const std::string calm = R"("participants": [{"tactile_weight": 0.15, "motor_variance_deg2": 0.05}])";
 
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   for (const int frame : {2, 40, 150, 230}) {
@@ -105,6 +105,15 @@ TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
       EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
     }
   }
+}
+
+// The person stays the same, and the reach that was lost is made again as it would have been made: with a
+// controller that learns nothing, nothing tells that there was a loss.
+TEST(ReachFault, ALossChangesNoReach) {
+  const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
+  const Outcome outcome = run_scripted(event_at(400, R"("do": "lose_session")"), arguments);
+  EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+  EXPECT_EQ(outcome.out, run_program(arguments).out);
 }
 
 TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
@@ -201,7 +210,7 @@ TEST(ReachOfParticipants, WithWeightsOfTouchFromATenthToThreeTenths) {
     const Outcome outcome = run_scripted(script, {desk, "--tactile-weight", weight});
     expect_all_reached(outcome, script);
     // At 0.10, gaps up to 84.5 / 9 = 9.4 degrees can be held: not the pawn's 12.
-    const bool all = outcome.out.find("3 of 3 reaches that can be held") != std::string::npos;
+    const bool all = outcome.out.find("3 of 3 targets that can be held") != std::string::npos;
     EXPECT_EQ(all, weight != "0.10") << outcome.out;
   }
 }

@@ -80,7 +80,8 @@ TEST(ReachVerbose, PrintsALineAFrame) {
 // The simulated user feels a servo of this program instead of the runtime's ideal one.
 TEST(ReachPlate, IsASimulatedServo) {
   const Outcome outcome =
-      run_scripted(R"({"participants": [{"motor_variance_deg2": 0.05}]})", {desk, "--plate", "servo"});
+      run_scripted(R"({"participants": [{"tactile_weight": 0.15, "motor_variance_deg2": 0.05}]})",
+                   {desk, "--plate", "servo"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
@@ -93,7 +94,8 @@ TEST(ReachPlate, ThatHardlyTurnsMissesTheTarget) {
 }
 
 // In real time, because the plate at the other end of the line lives in it.
-const std::string real_time = R"({"clock": "real-time", "participants": [{"motor_variance_deg2": 0.05}]})";
+const std::string real_time =
+    R"({"clock": "real-time", "participants": [{"tactile_weight": 0.15, "motor_variance_deg2": 0.05}]})";
 
 TEST(ReachPlate, IsAtTheEndOfASerialLine) {
   PtyPlate device;

@@ -110,15 +110,16 @@ std::vector<Row> rows_of(const Outcome& outcome) {
   // Names may hold spaces and signs; directions are told from them by their decimals.
   static const std::regex pattern(
       R"((.*?) +([+-]\d+\.\d)  (.*?) +([+-]\d+\.\d) +([+-]\d+\.\d\d) +([+-]\d+\.\d\d) +([+-]\d+\.\d\d) +(\d+\.\d) )"
-      R"(+(\d+) +(\d+) +(\d+)%  (reached|missed).*)");
+      R"(+([0-9.]+|-) +(\d\.\d+) +(\d+) +(\d+) +(\d+)%  (reached|missed).*)");
   std::vector<Row> rows;
   std::istringstream lines(outcome.out);
   std::smatch match;
   for (std::string line; std::getline(lines, line);)
     if (std::regex_match(line, match, pattern))
       rows.push_back({match[1], std::stod(match[2]), std::stod(match[4]), std::stod(match[5]),
-                      std::stod(match[6]), std::stod(match[7]), std::stod(match[8]), std::stoi(match[9]),
-                      std::stoi(match[10]), match[12] == "reached"});
+                      std::stod(match[6]), std::stod(match[7]), std::stod(match[8]), match[9],
+                      std::stod(match[10]), std::stoi(match[11]), std::stoi(match[12]),
+                      match[14] == "reached"});
   return rows;
 }
 

@@ -35,6 +35,8 @@ struct Row {
   double felt_direction_deg;
   double miss_deg;
   double miss_mm;
+  std::string touch;  ///< "-" if nobody knows
+  double assumed;
   int frames;
   int lost;
   bool reached;
