@@ -1,0 +1,38 @@
+// The fields of the plugin's structs as Godot sees them: properties of the node, keys of Dictionaries. Taken
+// from the C headers by the compiler, which also refuses to build if a table lacks a field.
+#pragma once
+
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <type_traits>
+
+#include "value.h"
+
+namespace hrt_godot {
+
+enum class FieldKind { kUint32, kInt64, kDouble, kTarget, kVector3 };
+
+struct Field {
+  const char* name;
+  FieldKind kind;
+  size_t offset;
+  /** What the inspector offers, for a field with named values; else null. */
+  const char* choices = nullptr;
+};
+
+Type type_of(const Field& field);
+Value get_field(const void* object, const Field& field);
+/** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
+bool set_field(void* object, const Field& field, const Value& value);
+Record to_record(const void* object, std::span<const Field> fields);
+
+/** The properties: hrt_session_config but for the plate's pose, which is the node's own. */
+std::span<const Field> config_fields();
+std::span<const Field> command_fields();
+std::span<const Field> summary_fields();
+std::span<const Field> authority_fields();
+
+}  // namespace hrt_godot

@@ -1,0 +1,297 @@
+// The class HapticRetargeting for Godot 3: a NativeScript of a Spatial, through GDNative's C interface.
+
+#include <cstring>
+#include <exception>
+#include <new>
+#include <vector>
+
+#include "../plate_node.h"
+#include "gdnative.h"
+
+namespace hrt_godot {
+namespace {
+
+const godot_core_api* core;
+const godot_nativescript_api* nativescript;
+
+/** Strings and variants of the engine's, destroyed at the end of their scope. */
+class EngineString {
+ public:
+  explicit EngineString(const char* utf8) {
+    core->string_new(&string_);
+    core->string_parse_utf8(&string_, utf8);
+  }
+  explicit EngineString(const godot_string& owned) : string_(owned) {}
+  EngineString(const EngineString&) = delete;
+  EngineString& operator=(const EngineString&) = delete;
+  ~EngineString() { core->string_destroy(&string_); }
+
+  const godot_string& get() const { return string_; }
+  std::string utf8() const {
+    godot_char_string characters = core->string_utf8(&string_);
+    std::string text = core->char_string_get_data(&characters);
+    core->char_string_destroy(&characters);
+    return text;
+  }
+
+ private:
+  alignas(8) godot_string string_;
+};
+
+godot_variant to_variant(const Value& value);
+
+class EngineVariant {
+ public:
+  explicit EngineVariant(const Value& value) : variant_(to_variant(value)) {}
+  EngineVariant(const EngineVariant&) = delete;
+  EngineVariant& operator=(const EngineVariant&) = delete;
+  ~EngineVariant() { core->variant_destroy(&variant_); }
+  const godot_variant& get() const { return variant_; }
+
+ private:
+  alignas(8) godot_variant variant_;
+};
+
+void new_number(godot_variant* out, const Number& number) {
+  if (const double* real = std::get_if<double>(&number)) return core->variant_new_real(out, *real);
+  core->variant_new_int(out, std::get<int64_t>(number));
+}
+
+void new_dictionary(godot_variant* out, const Record& record) {
+  godot_dictionary dictionary;
+  core->dictionary_new(&dictionary);
+  for (const auto& [name, number] : record) {
+    const EngineVariant key{std::string(name)};
+    godot_variant value;
+    new_number(&value, number);
+    core->dictionary_set(&dictionary, &key.get(), &value);
+    core->variant_destroy(&value);
+  }
+  core->variant_new_dictionary(out, &dictionary);
+  core->dictionary_destroy(&dictionary);
+}
+
+/** The caller destroys it. */
+godot_variant to_variant(const Value& value) {
+  godot_variant variant;
+  switch (type_of(value)) {
+    case Type::kNil:
+      core->variant_new_nil(&variant);
+      break;
+    case Type::kBool:
+      core->variant_new_bool(&variant, std::get<bool>(value));
+      break;
+    case Type::kInt:
+      core->variant_new_int(&variant, std::get<int64_t>(value));
+      break;
+    case Type::kReal:
+      core->variant_new_real(&variant, std::get<double>(value));
+      break;
+    case Type::kString: {
+      const EngineString string(std::get<std::string>(value).c_str());
+      core->variant_new_string(&variant, &string.get());
+      break;
+    }
+    case Type::kVector3: {
+      const Vector3& vector = std::get<Vector3>(value);
+      const float parts[3] = {static_cast<float>(vector.x), static_cast<float>(vector.y),
+                              static_cast<float>(vector.z)};
+      godot_vector3 bytes;
+      std::memcpy(&bytes, parts, sizeof bytes);
+      core->variant_new_vector3(&variant, &bytes);
+      break;
+    }
+    case Type::kRecord:
+      new_dictionary(&variant, std::get<Record>(value));
+      break;
+  }
+  return variant;
+}
+
+/** Null for a type that no method of the class takes. */
+Value to_value(const godot_variant& variant) {
+  switch (core->variant_get_type(&variant)) {
+    case GODOT_BOOL:
+      return core->variant_as_bool(&variant) != 0;
+    case GODOT_INT:
+      return core->variant_as_int(&variant);
+    case GODOT_REAL:
+      return core->variant_as_real(&variant);
+    case GODOT_STRING:
+      return EngineString(core->variant_as_string(&variant)).utf8();
+    case GODOT_VECTOR3: {
+      const godot_vector3 bytes = core->variant_as_vector3(&variant);
+      float parts[3];
+      std::memcpy(parts, &bytes, sizeof parts);
+      return widen(parts[0], parts[1], parts[2]);
+    }
+    default:
+      return {};
+  }
+}
+
+godot_int variant_type(Type type) {
+  switch (type) {
+    case Type::kNil:
+      return GODOT_NIL;
+    case Type::kBool:
+      return GODOT_BOOL;
+    case Type::kInt:
+      return GODOT_INT;
+    case Type::kReal:
+      return GODOT_REAL;
+    case Type::kString:
+      return GODOT_STRING;
+    case Type::kVector3:
+      return GODOT_VECTOR3;
+    case Type::kRecord:
+      return GODOT_DICTIONARY;
+  }
+  return GODOT_NIL;
+}
+
+/** A node of a scene and what it runs. */
+class Instance : public Engine {
+ public:
+  explicit Instance(godot_object* object) : object_(object), node_(*this) {}
+  PlateNode& node() { return node_; }
+
+  Pose node_pose() override {
+    static godot_method_bind* const is_inside_tree = core->method_bind_get_method("Node", "is_inside_tree");
+    static godot_method_bind* const get_global =
+        core->method_bind_get_method("Spatial", "get_global_transform");
+    static godot_method_bind* const get_local = core->method_bind_get_method("Spatial", "get_transform");
+    const void* no_arguments[1] = {nullptr};
+    uint64_t inside = 0;
+    core->method_bind_ptrcall(is_inside_tree, object_, no_arguments, &inside);
+    godot_transform transform;
+    core->method_bind_ptrcall(inside ? get_global : get_local, object_, no_arguments, &transform);
+    float m[12];
+    std::memcpy(m, &transform, sizeof m);
+    return {.x_axis = widen(m[0], m[3], m[6]),
+            .y_axis = widen(m[1], m[4], m[7]),
+            .z_axis = widen(m[2], m[5], m[8]),
+            .origin = widen(m[9], m[10], m[11])};
+  }
+
+  void emit(const Signal& signal, const Value& argument) override {
+    static godot_method_bind* const emit_signal = core->method_bind_get_method("Object", "emit_signal");
+    const EngineVariant name{std::string(signal.name)};
+    const EngineVariant value(argument);
+    const godot_variant* arguments[2] = {&name.get(), &value.get()};
+    godot_variant_call_error error{};
+    godot_variant nothing = core->method_bind_call(emit_signal, object_, arguments, 2, &error);
+    core->variant_destroy(&nothing);
+  }
+
+  void push_error(const char* text) override { core->print_error(text, kClassName, "godot3.cpp", __LINE__); }
+
+ private:
+  godot_object* object_;
+  PlateNode node_;
+};
+
+void* create(godot_object* object, void*) noexcept {
+  return new (std::nothrow) Instance(object);
+}
+
+void destroy(godot_object*, void*, void* instance) noexcept {
+  delete static_cast<Instance*>(instance);
+}
+
+godot_variant call(godot_object*, void* method, void* instance, int count,
+                   godot_variant** arguments) noexcept {
+  if (!instance) return to_variant({});
+  try {
+    std::vector<Value> values;
+    values.reserve(static_cast<size_t>(count));
+    for (int i = 0; i < count; ++i) values.push_back(to_value(*arguments[i]));
+    return to_variant(
+        static_cast<Instance*>(instance)->node().call(*static_cast<const Method*>(method), values));
+  } catch (const std::exception& error) {
+    static_cast<Instance*>(instance)->push_error(error.what());
+    return to_variant({});
+  }
+}
+
+void set(godot_object*, void* property, void* instance, godot_variant* value) noexcept {
+  if (instance)
+    static_cast<Instance*>(instance)->node().set(*static_cast<const Field*>(property), to_value(*value));
+}
+
+godot_variant get(godot_object*, void* property, void* instance) noexcept {
+  if (!instance) return to_variant({});
+  return to_variant(static_cast<Instance*>(instance)->node().get(*static_cast<const Field*>(property)));
+}
+
+/** GDNative's method_data is not const; what it points to here is. */
+template <typename T>
+void* method_data(const T& data) {
+  return const_cast<T*>(&data);
+}
+
+void register_property(void* library, const Field& field, const hrt_session_config& defaults) {
+  const EngineString hint(field.choices ? field.choices : "");
+  const EngineVariant value(get_field(&defaults, field));
+  godot_property_attributes attributes{.rset_type = 0,
+                                       .type = variant_type(type_of(field)),
+                                       .hint = field.choices ? GODOT_HINT_ENUM : GODOT_HINT_NONE,
+                                       .hint_string = hint.get(),
+                                       .usage = GODOT_USAGE_DEFAULT,
+                                       .default_value = value.get()};
+  nativescript->register_property(library, kClassName, field.name, &attributes,
+                                  {set, method_data(field), nullptr}, {get, method_data(field), nullptr});
+}
+
+void register_signal(void* library, const Signal& signal) {
+  const EngineString name(signal.name);
+  const EngineString argument_name(signal.argument.name);
+  const EngineString no_hint("");
+  const EngineVariant null{Value{}};
+  godot_signal_argument argument{.name = argument_name.get(),
+                                 .type = variant_type(signal.argument.type),
+                                 .hint = GODOT_HINT_NONE,
+                                 .hint_string = no_hint.get(),
+                                 .usage = GODOT_USAGE_DEFAULT,
+                                 .default_value = null.get()};
+  const godot_signal description{
+      .name = name.get(), .num_args = 1, .args = &argument, .num_default_args = 0, .default_args = nullptr};
+  nativescript->register_signal(library, kClassName, &description);
+}
+
+}  // namespace
+}  // namespace hrt_godot
+
+using namespace hrt_godot;
+
+extern "C" GDN_EXPORT void godot_gdnative_init(godot_init_options* options) {
+  const godot_core_api& api = *options->api;
+  if (api.header.type != GODOT_API_CORE || api.header.version.major != 1)
+    return options->report_loading_error(options->library, "GDNative's core table is not of version 1");
+  core = &api;
+  for (uint32_t i = 0; i < api.num_extensions; ++i) {
+    const godot_api* extension = api.extensions[i];
+    if (extension->type == GODOT_API_NATIVESCRIPT && extension->version.major == 1)
+      nativescript = reinterpret_cast<const godot_nativescript_api*>(extension);
+  }
+  if (!nativescript)
+    options->report_loading_error(options->library, "this Godot is built without NativeScript 1");
+}
+
+extern "C" GDN_EXPORT void godot_gdnative_terminate(void*) {
+  core = nullptr;
+  nativescript = nullptr;
+}
+
+extern "C" GDN_EXPORT void godot_nativescript_init(void* library) {
+  if (!nativescript) return;
+  nativescript->register_class(library, kClassName, "Spatial", {create, nullptr, nullptr},
+                               {destroy, nullptr, nullptr});
+  for (const Method& method : methods())
+    nativescript->register_method(library, kClassName, method.name, {0},
+                                  {call, method_data(method), nullptr});
+  hrt_session_config defaults;
+  hrt_session_config_default(&defaults, sizeof defaults);
+  for (const Field& field : config_fields()) register_property(library, field, defaults);
+  for (const Signal& signal : signals()) register_signal(library, signal);
+}

@@ -1,0 +1,467 @@
+#include "plate_node.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <exception>
+
+namespace hrt_godot {
+namespace {
+
+constexpr Signal kSignals[] = {
+    {"plate_commanded", {"orientation_deg", Type::kReal}},
+    {"flags_changed", {"flags", Type::kInt}},
+    {"reach_ended", {"final_miss_deg", Type::kReal}},
+};
+constexpr const Signal& kPlateCommanded = kSignals[0];
+constexpr const Signal& kFlagsChanged = kSignals[1];
+constexpr const Signal& kReachEnded = kSignals[2];
+
+constexpr Argument kPolarTarget[] = {
+    {"name", Type::kString}, {"direction_deg", Type::kReal}, {"distance_m", Type::kReal}};
+constexpr Argument kPlacedTarget[] = {{"name", Type::kString}, {"world_position", Type::kVector3}};
+constexpr Argument kTarget[] = {{"target", Type::kInt}};
+constexpr Argument kPair[] = {{"real_target", Type::kInt}, {"virtual_target", Type::kInt}};
+constexpr Argument kVirtualTarget[] = {{"virtual_target", Type::kInt}};
+constexpr Argument kPairAndPlate[] = {
+    {"real_target", Type::kInt}, {"virtual_target", Type::kInt}, {"plate_orientation_deg", Type::kReal}};
+constexpr Argument kFinger[] = {{"world_position", Type::kVector3}, {"time_ns", Type::kInt}};
+constexpr Argument kTime[] = {{"time_ns", Type::kInt}};
+constexpr Argument kSample[] = {{"flags", Type::kInt},
+                                {"time_ns", Type::kInt},
+                                {"finger_direction_deg", Type::kReal},
+                                {"finger_x_m", Type::kReal},
+                                {"finger_y_m", Type::kReal},
+                                {"finger_z_m", Type::kReal},
+                                {"plate_orientation_deg", Type::kReal}};
+constexpr Argument kJson[] = {{"json", Type::kString}};
+constexpr Argument kPath[] = {{"path", Type::kString}};
+
+constexpr int64_t kErrInvalidParameter = 31;
+const Value kError = kErrInvalidParameter;
+const Value kNoTarget = int64_t{0};
+
+const Method kMethods[] = {
+    {"add_real_target", Type::kInt, kNoTarget, kPolarTarget, &PlateNode::add_real_target},
+    {"add_virtual_target", Type::kInt, kNoTarget, kPolarTarget, &PlateNode::add_virtual_target},
+    {"add_real_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_real_target_at},
+    {"add_virtual_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_virtual_target_at},
+    {"remove_target", Type::kInt, kError, kTarget, &PlateNode::remove_target},
+    {"begin", Type::kInt, kError, kPair, &PlateNode::begin},
+    {"begin_with_plate_at", Type::kInt, kError, kPairAndPlate, &PlateNode::begin_with_plate_at},
+    {"update", Type::kInt, kError, kFinger, &PlateNode::update},
+    {"update_lost", Type::kInt, kError, kTime, &PlateNode::update_lost},
+    {"update_sample", Type::kInt, kError, kSample, &PlateNode::update_sample},
+    {"end", Type::kInt, kError, {}, &PlateNode::end},
+    {"is_reaching", Type::kBool, false, {}, &PlateNode::is_reaching},
+    {"get_command", Type::kRecord, Record{}, {}, &PlateNode::get_command},
+    {"get_summary", Type::kRecord, Record{}, {}, &PlateNode::get_summary},
+    {"get_authority", Type::kRecord, Record{}, kPair, &PlateNode::get_authority},
+    {"get_best_authority", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_best_authority},
+    {"load_profile", Type::kInt, kError, kJson, &PlateNode::load_profile},
+    {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
+    {"start_recording", Type::kInt, kError, kPath, &PlateNode::start_recording},
+    {"stop_recording", Type::kInt, kError, {}, &PlateNode::stop_recording},
+    {"get_version", Type::kString, std::string(), {}, &PlateNode::get_version},
+};
+
+int64_t to_int(const Value& value) {
+  return std::get<int64_t>(value);
+}
+double to_real(const Value& value) {
+  const int64_t* integer = std::get_if<int64_t>(&value);
+  return integer ? static_cast<double>(*integer) : std::get<double>(value);
+}
+const std::string& to_text(const Value& value) {
+  return std::get<std::string>(value);
+}
+hrt_target to_target(const Value& value) {
+  return {static_cast<uint64_t>(to_int(value))};
+}
+
+/** GDScript writes 5 for 5.0. */
+bool fits(const Value& value, Type type) {
+  return type_of(value) == type || (type == Type::kReal && type_of(value) == Type::kInt);
+}
+
+std::string signature(const Method& method) {
+  std::string text = std::string(method.name) + '(';
+  for (const Argument& argument : method.arguments) {
+    if (text.back() != '(') text += ", ";
+    text += std::string(argument.name) + ": " + type_name(argument.type);
+  }
+  return text + ')';
+}
+
+double dot(const Vector3& a, const Vector3& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/** Of axes that are orthogonal, of length 1 and right-handed, within what floats can do. */
+bool is_rigid(const Pose& pose) {
+  const Vector3& x = pose.x_axis;
+  const Vector3& y = pose.y_axis;
+  const Vector3& z = pose.z_axis;
+  const Vector3 cross{x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
+  const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 1e-3; };
+  return near(dot(x, x), 1) && near(dot(y, y), 1) && near(dot(z, z), 1) && near(dot(x, y), 0) &&
+         near(dot(cross, z), 1);
+}
+
+/** The unit quaternion x, y, z, w of a rotation, by Shepperd's method: the largest of its four parts from the
+ *  diagonal, the others by division through it. */
+std::array<double, 4> to_quaternion(const Pose& pose) {
+  const Vector3& x = pose.x_axis;
+  const Vector3& y = pose.y_axis;
+  const Vector3& z = pose.z_axis;
+  const std::array<std::array<double, 4>, 4> rows{{
+      {1 + x.x - y.y - z.z, x.y + y.x, z.x + x.z, y.z - z.y},
+      {x.y + y.x, 1 - x.x + y.y - z.z, y.z + z.y, z.x - x.z},
+      {z.x + x.z, y.z + z.y, 1 - x.x - y.y + z.z, x.y - y.x},
+      {y.z - z.y, z.x - x.z, x.y - y.x, 1 + x.x + y.y + z.z},
+  }};
+  size_t largest = 0;
+  for (size_t i = 1; i < 4; ++i)
+    if (rows[i][i] > rows[largest][largest]) largest = i;
+  std::array<double, 4> quaternion = rows[largest];
+  double square = 0;
+  for (const double part : quaternion) square += part * part;
+  for (double& part : quaternion) part /= std::sqrt(square);
+  return quaternion;
+}
+
+/** A target by direction and distance from the start. Names that do not fit are cut where the plugin sees
+ *  that they are not ended, and refuses them. */
+hrt_target_config target_config(uint32_t role, const std::string& name) {
+  hrt_target_config config;
+  hrt_target_config_default(&config, sizeof config);
+  config.role = role;
+  name.copy(config.name, sizeof config.name);
+  return config;
+}
+
+hrt_target_config polar_target(uint32_t role, const Value* arguments) {
+  hrt_target_config config = target_config(role, to_text(arguments[0]));
+  config.direction_deg = to_real(arguments[1]);
+  config.distance_m = to_real(arguments[2]);
+  return config;
+}
+
+hrt_target_config placed_target(uint32_t role, const Value* arguments) {
+  hrt_target_config config = target_config(role, to_text(arguments[0]));
+  const Vector3& position = std::get<Vector3>(arguments[1]);
+  config.place = HRT_PLACE_WORLD_POSITION;
+  config.position_m[0] = position.x;
+  config.position_m[1] = position.y;
+  config.position_m[2] = position.z;
+  return config;
+}
+
+}  // namespace
+
+std::span<const Signal> signals() {
+  return kSignals;
+}
+std::span<const Method> methods() {
+  return kMethods;
+}
+
+int64_t to_godot_error(hrt_result result) {
+  switch (result) {
+    case HRT_OK:
+      return 0;  // OK
+    case HRT_ERROR_WRONG_STATE:
+      return 2;  // ERR_UNAVAILABLE
+    case HRT_ERROR_OUT_OF_RANGE:
+      return 5;  // ERR_PARAMETER_RANGE_ERROR
+    case HRT_ERROR_OUT_OF_MEMORY:
+      return 6;  // ERR_OUT_OF_MEMORY
+    case HRT_ERROR_SYSTEM:
+      return 13;  // ERR_FILE_CANT_WRITE
+    case HRT_ERROR_LIMIT_REACHED:
+      return 20;  // ERR_CANT_CREATE
+    case HRT_ERROR_TIME_REVERSED:
+      return 30;  // ERR_INVALID_DATA
+    case HRT_ERROR_NULL_ARGUMENT:
+      return kErrInvalidParameter;
+    case HRT_ERROR_NAME_TAKEN:
+      return 32;  // ERR_ALREADY_EXISTS
+    case HRT_ERROR_INVALID_HANDLE:
+      return 33;  // ERR_DOES_NOT_EXIST
+    case HRT_ERROR_NOT_FOUND:
+      return 33;
+    case HRT_ERROR_BAD_FORMAT:
+      return 43;  // ERR_PARSE_ERROR
+    case HRT_ERROR_BUSY:
+      return 44;  // ERR_BUSY
+    default:
+      return 47;  // ERR_BUG
+  }
+}
+
+PlateNode::PlateNode(Engine& engine) : engine_(engine) {
+  hrt_session_config_default(&config_, sizeof config_);
+}
+
+PlateNode::~PlateNode() {
+  if (session_.value) hrt_session_destroy(session_);
+}
+
+Value PlateNode::call(const Method& method, std::span<const Value> arguments) noexcept try {
+  bool valid = arguments.size() == method.arguments.size();
+  for (size_t i = 0; valid && i < arguments.size(); ++i) valid = fits(arguments[i], method.arguments[i].type);
+  if (!valid) {
+    std::string text = "called with (";
+    for (const Value& argument : arguments) {
+      if (text.back() != '(') text += ", ";
+      text += type_name(type_of(argument));
+    }
+    engine_.push_error((text + "); it is " + signature(method)).c_str());
+    return method.failure;
+  }
+  return (this->*method.function)(arguments.data());
+} catch (const std::exception& error) {
+  engine_.push_error(error.what());
+  return method.failure;
+}
+
+void PlateNode::set(const Field& property, const Value& value) noexcept try {
+  if (set_field(&config_, property, value)) return;
+  std::string text = std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
+                     "; allowed: " + type_name(type_of(property));
+  if (property.kind == FieldKind::kUint32) text += " from 0 to 4294967295";
+  engine_.push_error(text.c_str());
+} catch (const std::exception& error) {
+  engine_.push_error(error.what());
+}
+
+/** Whether it succeeded; else the user has been told why not. */
+bool PlateNode::ok(hrt_result result) {
+  result_ = result;
+  if (result == HRT_OK) return true;
+  engine_.push_error(hrt_last_error());
+  return false;
+}
+
+/** Brings the session to the properties and the node's pose, between reaches. Properties are set one by one,
+ *  when a scene loads for example, and are valid or not only together: this is where they are checked. */
+bool PlateNode::configure() {
+  if (reaching_) return true;
+  if (!read_pose(config_.plate_position_m, config_.plate_rotation)) return false;
+  if (!session_.value) {
+    if (!ok(hrt_session_create(&config_, &session_))) return false;
+  } else if (std::memcmp(&config_, &configured_, sizeof config_) != 0) {
+    if (!ok(hrt_session_set_config(session_, &config_))) return false;
+  }
+  configured_ = config_;
+  return true;
+}
+
+bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
+  const Pose pose = engine_.node_pose();
+  if (!is_rigid(pose)) {
+    result_ = HRT_ERROR_OUT_OF_RANGE;
+    engine_.push_error(
+        "the node's global transform is scaled, sheared or mirrored; allowed: moved and turned, as the "
+        "plate's "
+        "pose");
+    return false;
+  }
+  position_m[0] = pose.origin.x;
+  position_m[1] = pose.origin.y;
+  position_m[2] = pose.origin.z;
+  const std::array<double, 4> quaternion = to_quaternion(pose);
+  std::copy(quaternion.begin(), quaternion.end(), rotation);
+  return true;
+}
+
+Value PlateNode::add_target(const hrt_target_config& config) {
+  hrt_target target{};
+  if (!configure() || !ok(hrt_target_add(session_, &config, &target))) return kNoTarget;
+  return static_cast<int64_t>(target.value);
+}
+
+Value PlateNode::add_real_target(const Value* arguments) {
+  return add_target(polar_target(HRT_TARGET_REAL, arguments));
+}
+
+Value PlateNode::add_virtual_target(const Value* arguments) {
+  return add_target(polar_target(HRT_TARGET_VIRTUAL, arguments));
+}
+
+Value PlateNode::add_real_target_at(const Value* arguments) {
+  return add_target(placed_target(HRT_TARGET_REAL, arguments));
+}
+
+Value PlateNode::add_virtual_target_at(const Value* arguments) {
+  return add_target(placed_target(HRT_TARGET_VIRTUAL, arguments));
+}
+
+Value PlateNode::remove_target(const Value* arguments) {
+  ok(hrt_target_remove(session_, to_target(arguments[0])));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::begin(const Value* arguments) {
+  hrt_reach_config config;
+  hrt_reach_config_default(&config, sizeof config);
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  return begin_reach(config);
+}
+
+Value PlateNode::begin_with_plate_at(const Value* arguments) {
+  hrt_reach_config config;
+  hrt_reach_config_default(&config, sizeof config);
+  config.flags = HRT_REACH_PLATE_ORIENTATION;
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  config.plate_orientation_deg = to_real(arguments[2]);
+  return begin_reach(config);
+}
+
+Value PlateNode::begin_reach(const hrt_reach_config& config) {
+  if (configure() && ok(hrt_reach_begin(session_, &config))) {
+    reaching_ = true;
+    command_ = {};
+  }
+  return to_godot_error(result_);
+}
+
+Value PlateNode::update(const Value* arguments) {
+  const Vector3& position = std::get<Vector3>(arguments[0]);
+  hrt_sample sample{};
+  sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  sample.time_ns = to_int(arguments[1]);
+  sample.finger_position_m[0] = position.x;
+  sample.finger_position_m[1] = position.y;
+  sample.finger_position_m[2] = position.z;
+  if (!read_pose(sample.plate_position_m, sample.plate_rotation)) return to_godot_error(result_);
+  return send(sample);
+}
+
+Value PlateNode::update_lost(const Value* arguments) {
+  hrt_sample sample{};
+  sample.time_ns = to_int(arguments[0]);
+  return send(sample);
+}
+
+Value PlateNode::update_sample(const Value* arguments) {
+  const int64_t flags = to_int(arguments[0]);
+  constexpr int64_t kTaken =
+      HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
+  if (flags & ~kTaken) {
+    engine_.push_error(
+        ("flags " + std::to_string(flags) +
+         "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
+            .c_str());
+    return kError;
+  }
+  hrt_sample sample{};
+  sample.flags = static_cast<uint32_t>(flags);
+  sample.time_ns = to_int(arguments[1]);
+  sample.finger_direction_deg = to_real(arguments[2]);
+  for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = to_real(arguments[3 + i]);
+  sample.plate_orientation_deg = to_real(arguments[6]);
+  return send(sample);
+}
+
+Value PlateNode::send(const hrt_sample& filled) {
+  hrt_sample sample = filled;
+  sample.struct_size = sizeof sample;
+  hrt_command command{};
+  command.struct_size = sizeof command;
+  if (!ok(hrt_reach_update(session_, &sample, &command))) return to_godot_error(result_);
+  const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
+  command_ = command;
+  // Handlers may call this node again, so nothing is read from it after the first signal.
+  if (changed) engine_.emit(kFlagsChanged, int64_t{command.flags});
+  if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
+  return int64_t{0};
+}
+
+Value PlateNode::end(const Value*) {
+  hrt_reach_summary summary{};
+  summary.struct_size = sizeof summary;
+  if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
+  reaching_ = false;
+  summary_ = summary;
+  if (config_.adaptation == HRT_ADAPTATION_CARRIED) {  // the reach has changed what is known of the user
+    config_.tactile_weight = summary.tactile_weight;
+    config_.tactile_weight_sd = std::max(summary.tactile_weight_sd, 0.01);
+    configured_.tactile_weight = config_.tactile_weight;
+    configured_.tactile_weight_sd = config_.tactile_weight_sd;
+  }
+  engine_.emit(kReachEnded, summary.final_miss_deg);
+  return int64_t{0};
+}
+
+Value PlateNode::is_reaching(const Value*) {
+  return reaching_;
+}
+
+Value PlateNode::get_command(const Value*) {
+  return command_.struct_size ? to_record(&command_, command_fields()) : Record{};
+}
+
+Value PlateNode::get_summary(const Value*) {
+  return summary_.struct_size ? to_record(&summary_, summary_fields()) : Record{};
+}
+
+Value PlateNode::get_authority(const Value* arguments) {
+  hrt_authority authority{};
+  authority.struct_size = sizeof authority;
+  if (!configure() ||
+      !ok(hrt_authority_query(session_, to_target(arguments[0]), to_target(arguments[1]), &authority)))
+    return Record{};
+  return to_record(&authority, authority_fields());
+}
+
+Value PlateNode::get_best_authority(const Value* arguments) {
+  hrt_authority authority{};
+  authority.struct_size = sizeof authority;
+  if (!configure() || !ok(hrt_authority_query_best(session_, to_target(arguments[0]), &authority)))
+    return Record{};
+  return to_record(&authority, authority_fields());
+}
+
+Value PlateNode::load_profile(const Value* arguments) {
+  const std::string& json = to_text(arguments[0]);
+  if (configure() && ok(hrt_profile_load(session_, json.data(), json.size())))
+    if (ok(hrt_session_get_config(session_, &config_))) configured_ = config_;
+  return to_godot_error(result_);
+}
+
+Value PlateNode::save_profile(const Value*) {
+  uint64_t length = 0;
+  if (!configure() || !ok(hrt_profile_save(session_, 0, nullptr, &length))) return std::string();
+  std::string json(length + 1, '\0');
+  if (!ok(hrt_profile_save(session_, json.size(), json.data(), &length))) return std::string();
+  json.resize(length);
+  return json;
+}
+
+Value PlateNode::start_recording(const Value* arguments) {
+  if (configure()) ok(hrt_recording_start(session_, to_text(arguments[0]).c_str()));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::stop_recording(const Value*) {
+  hrt_recording_status status{};
+  status.struct_size = sizeof status;
+  if (!ok(hrt_recording_stop(session_, &status))) return to_godot_error(result_);
+  if (status.rows_lost == 0) return int64_t{0};
+  engine_.push_error(
+      ("the recording lacks " + std::to_string(status.rows_lost) + " calls: the disk was too slow or failed")
+          .c_str());
+  return to_godot_error(HRT_ERROR_SYSTEM);
+}
+
+Value PlateNode::get_version(const Value*) {
+  uint32_t major = 0, minor = 0, patch = 0;
+  hrt_get_version(&major, &minor, &patch);
+  return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);
+}
+
+}  // namespace hrt_godot

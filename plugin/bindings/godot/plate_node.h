@@ -1,0 +1,109 @@
+// The class HapticRetargeting as scripts see it, without anything of one Godot's interface: godot3/ and
+// godot4/ hand calls in and signals out. One node is one session.
+#pragma once
+
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <span>
+#include <string>
+
+#include "fields.h"
+#include "value.h"
+
+namespace hrt_godot {
+
+inline constexpr const char* kClassName = "HapticRetargeting";
+
+/** The value of Godot's enumeration Error for a result. */
+int64_t to_godot_error(hrt_result result);
+
+/** Where the node stands in the world: the columns of its basis, and its origin. */
+struct Pose {
+  Vector3 x_axis, y_axis, z_axis;
+  Vector3 origin;
+};
+
+struct Argument {
+  const char* name;
+  Type type;
+};
+
+struct Signal {
+  const char* name;
+  Argument argument;
+};
+std::span<const Signal> signals();
+
+/** The engine, as the node needs it. */
+class Engine {
+ public:
+  virtual ~Engine() = default;
+  virtual Pose node_pose() = 0;
+  virtual void emit(const Signal& signal, const Value& argument) = 0;
+  virtual void push_error(const char* text) = 0;
+};
+
+class PlateNode;
+
+struct Method {
+  const char* name;
+  Type returns;
+  Value failure;  ///< what a call returns that cannot be made
+  std::span<const Argument> arguments;
+  Value (PlateNode::*function)(const Value* arguments);
+};
+std::span<const Method> methods();
+
+class PlateNode {
+ public:
+  explicit PlateNode(Engine& engine);
+  ~PlateNode();
+  PlateNode(const PlateNode&) = delete;
+  PlateNode& operator=(const PlateNode&) = delete;
+
+  /** Checks number and types of the arguments, then calls. Throws nothing. */
+  Value call(const Method& method, std::span<const Value> arguments) noexcept;
+  Value get(const Field& property) const { return get_field(&config_, property); }
+  void set(const Field& property, const Value& value) noexcept;
+
+  Value add_real_target(const Value* arguments);
+  Value add_virtual_target(const Value* arguments);
+  Value add_real_target_at(const Value* arguments);
+  Value add_virtual_target_at(const Value* arguments);
+  Value remove_target(const Value* arguments);
+  Value begin(const Value* arguments);
+  Value begin_with_plate_at(const Value* arguments);
+  Value update(const Value* arguments);
+  Value update_lost(const Value* arguments);
+  Value update_sample(const Value* arguments);
+  Value end(const Value* arguments);
+  Value is_reaching(const Value* arguments);
+  Value get_command(const Value* arguments);
+  Value get_summary(const Value* arguments);
+  Value get_authority(const Value* arguments);
+  Value get_best_authority(const Value* arguments);
+  Value load_profile(const Value* arguments);
+  Value save_profile(const Value* arguments);
+  Value start_recording(const Value* arguments);
+  Value stop_recording(const Value* arguments);
+  Value get_version(const Value* arguments);
+
+ private:
+  bool ok(hrt_result result);
+  bool configure();
+  bool read_pose(double (&position_m)[3], double (&rotation)[4]);
+  Value add_target(const hrt_target_config& config);
+  Value begin_reach(const hrt_reach_config& config);
+  Value send(const hrt_sample& sample);
+
+  Engine& engine_;
+  hrt_session session_{};
+  hrt_session_config config_;        ///< the properties and the node's pose
+  hrt_session_config configured_{};  ///< what the session has of them
+  hrt_command command_{};            ///< struct_size 0: none yet in this reach
+  hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
+  hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
+  bool reaching_ = false;
+};
+
+}  // namespace hrt_godot

@@ -1,0 +1,54 @@
+// What crosses between a script and the plate node, whichever Godot it is.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace hrt_godot {
+
+/** Godot's vectors are of floats: each goes through the plugin's doubles and back unchanged. */
+struct Vector3 {
+  double x, y, z;
+};
+
+inline Vector3 widen(float x, float y, float z) {
+  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+}
+
+/** A Dictionary of numbers. Keys are string literals. */
+using Number = std::variant<int64_t, double>;
+using Record = std::vector<std::pair<const char*, Number>>;
+
+/** The alternatives are in the order of Type. */
+using Value = std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record>;
+
+enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord };
+
+inline Type type_of(const Value& value) {
+  return static_cast<Type>(value.index());
+}
+
+inline const char* type_name(Type type) {
+  switch (type) {
+    case Type::kNil:
+      return "null";
+    case Type::kBool:
+      return "bool";
+    case Type::kInt:
+      return "int";
+    case Type::kReal:
+      return "float";
+    case Type::kString:
+      return "String";
+    case Type::kVector3:
+      return "Vector3";
+    case Type::kRecord:
+      return "Dictionary";
+  }
+  return "?";
+}
+
+}  // namespace hrt_godot

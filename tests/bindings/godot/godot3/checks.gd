@@ -1,0 +1,229 @@
+# Checks of the class HapticRetargeting as a script meets it. Prints PASS and their number, or FAIL and what for. A
+# line "error: TEXT" announces an error that the engine is to print.
+extends Node
+
+const HRT = preload("res://addons/haptic_retargeting/constants.gd")
+const Plate = preload("res://addons/haptic_retargeting/haptic_retargeting.gdns")
+
+var checks = 0
+var failures = 0
+var heard = []
+
+func _ready():
+	check_properties()
+	check_targets_and_authority()
+	check_axes()
+	check_signals()
+	check_refusals()
+	check_adaptation_and_profile()
+	check_recording()
+	check_freed()
+	print("FAIL %d of %d" % [failures, checks] if failures else "PASS %d" % checks)
+	get_tree().quit(1 if failures else 0)
+
+func check(right, what):
+	checks += 1
+	if not right:
+		failures += 1
+		print("FAIL: ", what)
+
+func check_equal(value, wanted, what):
+	check(typeof(value) == typeof(wanted) and value == wanted, "%s is %s; wanted %s" % [what, value, wanted])
+
+func check_near(value, wanted, what):
+	check(abs(value - wanted) < 1e-4, "%s is %s; wanted %s" % [what, value, wanted])
+
+func expect_error(text):
+	print("error: ", text)
+
+func new_plate():
+	var plate = Plate.new()
+	add_child(plate)
+	return plate
+
+func check_properties():
+	var plate = $Plate
+	check_equal(plate.get_class(), "Spatial", "class")
+	check_equal(plate.horizon, 7, "horizon of the scene")
+	check_equal(plate.plate_bound_deg, 60.5, "bound of the scene")
+	check_equal(plate.start_position_m, Vector3(0, 0, 0.0625), "start of the scene")
+	check_equal(plate.step_period_ns, 100000000, "default step period")
+	check_equal(plate.tactile_weight, 0.15, "default tactile weight, a double")
+	plate.perceived_weight = 2
+	check_equal(plate.perceived_weight, 2.0, "a whole number in place of a float")
+	var listed = {}
+	for property in plate.get_property_list():
+		listed[property.name] = property
+	check_equal(listed["control"].hint_string, "MPC,Fixed Plate", "what the inspector offers for control")
+	check_equal(listed["tactile_weight"].type, TYPE_REAL, "type of tactile_weight")
+	expect_error("horizon was given a value of type String; allowed: int from 0 to 4294967295")
+	plate.horizon = "three"
+	expect_error("horizon was given a value of type int; allowed: int from 0 to 4294967295")
+	plate.horizon = -1
+	check_equal(plate.horizon, 7, "horizon after what it cannot take")
+	plate.plate_bound_deg = 91.0
+	expect_error("plate_bound_deg is 91; allowed: 0.1 to 90")
+	check_equal(plate.add_real_target("real", 0.0, 0.1), 0, "a target while a property is out of range")
+	plate.plate_bound_deg = 84.5
+	plate.plate_upper_stop_deg = 90
+	plate.plate_lower_stop_deg = -90
+	check(plate.add_real_target("real", 0.0, 0.1) != 0, "stops may be set one after the other")
+
+func check_targets_and_authority():
+	var plate = new_plate()
+	var real = plate.add_real_target("real", -4, 0.1)
+	var other = plate.add_real_target("other", 20.0, 0.1)
+	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
+	var authority = plate.get_authority(real, felt)
+	check_near(authority.gap_deg, 9.0, "gap")
+	check_near(authority.largest_gap_deg, 84.5 * 0.15 / 0.85, "largest gap")
+	check_equal(authority.reachable, 1, "reachable")
+	check_equal(plate.get_authority(other, felt).reachable, 0, "reachable")
+	check_equal(plate.get_best_authority(felt).real_target, real, "best")
+	check_equal(plate.remove_target(real), OK, "removal")
+	expect_error("hrt_target_remove")
+	check_equal(plate.remove_target(real), ERR_DOES_NOT_EXIST, "removal of what is gone")
+	expect_error("hrt_authority_query")
+	check(plate.get_authority(real, felt).empty(), "authority of what is gone")
+	expect_error("hrt_target_add")
+	check_equal(plate.add_real_target("other", 0.0, 0.1), 0, "a name twice")
+	expect_error("hrt_target_add")
+	check_equal(plate.add_real_target("n".repeat(64), 0.0, 0.1), 0, "a name of 64 bytes")
+	check(plate.add_real_target("n".repeat(63), 0.0, 0.1) != 0, "a name of 63 bytes")
+	check(plate.add_real_target("élan", 0.0, 0.1) != 0, "a name beyond ASCII")
+
+# Godot's axes are the plate's: x right, y up, -z away. A plate that is turned and moved, with the finger on it,
+# gives the same commands as one at the origin.
+func check_axes():
+	var plate = new_plate()
+	var left = plate.add_real_target_at("left", Vector3(-0.1, 0.02, 0.05))
+	var ahead = plate.add_virtual_target_at("ahead", Vector3(0, 0, -0.05))
+	check_near(plate.get_authority(left, ahead).gap_deg, -90.0, "gap from left (+90) to ahead (0)")
+
+	var turned = new_plate()
+	turned.rotation_degrees = Vector3(20, 125, -7)
+	turned.translation = Vector3(1.5, 0.75, -2.25)
+	var outputs = []
+	for each in [new_plate(), turned]:
+		var pose = each.global_transform
+		var real = each.add_real_target_at("real", pose.xform(Vector3(-0.01, 0, -0.05)))
+		var felt = each.add_virtual_target_at("felt", pose.xform(Vector3(0.005, 0, -0.05)))
+		check_equal(each.begin(real, felt), OK, "begin")
+		for frame in 270:
+			check_equal(each.update(pose.xform(Vector3(-0.00003 * frame, 0.002, 0.05 - frame * 0.1 / 270)),
+					frame * 11111111), OK, "update")
+		outputs.append(each.get_command())
+		check_equal(each.end(), OK, "end")
+	check(outputs[0].finger_direction_deg > 2, "a finger that goes left has a positive direction")
+	check(outputs[0].plate_orientation_deg < -5, "the plate turns right to send the hand left of what is felt")
+	for field in outputs[0]:
+		check(abs(outputs[0][field] - outputs[1][field]) < 0.01, "%s is %s, on the turned plate %s" % [field,
+				outputs[0][field], outputs[1][field]])
+
+	turned.scale = Vector3(2, 2, 2)
+	expect_error("the node's global transform is scaled, sheared or mirrored")
+	check_equal(turned.begin(1, 2), ERR_PARAMETER_RANGE_ERROR, "begin on a scaled plate")
+
+func hear(argument, name):
+	heard.append([name, argument])
+
+func check_signals():
+	var plate = new_plate()
+	for name in ["plate_commanded", "flags_changed", "reach_ended"]:
+		check_equal(plate.connect(name, self, "hear", [name]), OK, "connect " + name)
+	var real = plate.add_real_target("real", -5.0, 0.1)
+	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
+	check_equal(plate.is_reaching(), false, "reaching before")
+	check(plate.get_command().empty(), "command before")
+	check_equal(plate.begin_with_plate_at(real, felt, 12.5), OK, "begin")
+	check_equal(plate.is_reaching(), true, "reaching")
+	plate.update_sample(HRT.SAMPLE_DIRECTION, 0, 0.0, 0.0, 0.0, 0.0, 0.0)
+	plate.update_sample(HRT.SAMPLE_DIRECTION, 50000000, 0.0, 0.0, 0.0, 0.0, 0.0)
+	check_equal(heard.size(), 1, "signals of a step and of a sample between steps")
+	check_equal(heard[0][0], "plate_commanded", "signal")
+	check_equal(heard[0][1], plate.get_command().plate_orientation_deg, "its argument")
+	check(plate.get_command().flags & HRT.COMMAND_HELD != 0, "the flag HELD between steps")
+	heard.clear()
+	check_equal(plate.update_lost(250000000), OK, "a dropout")
+	check(heard.size() > 0 and heard[0][0] == "flags_changed" and heard[0][1] & HRT.COMMAND_PREDICTED != 0,
+			"flags_changed with PREDICTED after a dropout: %s" % [heard])
+	heard.clear()
+	check_equal(plate.end(), OK, "end")
+	check_equal(heard, [["reach_ended", plate.get_summary().final_miss_deg]], "signals of the end")
+	check_equal(plate.get_summary().samples, 3, "samples")
+
+func check_refusals():
+	var plate = new_plate()
+	expect_error("hrt_reach_update")
+	check_equal(plate.update_lost(0), ERR_DOES_NOT_EXIST, "update without a session")
+	var real = plate.add_real_target("real", -5.0, 0.1)
+	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
+	expect_error("hrt_reach_update")
+	check_equal(plate.update(Vector3(), 0), ERR_UNAVAILABLE, "update without a reach")
+	expect_error("hrt_reach_end")
+	check_equal(plate.end(), ERR_UNAVAILABLE, "end without a reach")
+	check(plate.get_summary().empty(), "summary without a reach")
+	check_equal(plate.begin(real, felt), OK, "begin")
+	expect_error("hrt_reach_begin")
+	check_equal(plate.begin(real, felt), ERR_UNAVAILABLE, "begin twice")
+	check_equal(plate.update(Vector3(), 1000), OK, "update")
+	expect_error("hrt_reach_update")
+	check_equal(plate.update(Vector3(), 999), ERR_INVALID_DATA, "time that runs backwards")
+	expect_error("hrt_reach_update")
+	check_equal(plate.update(Vector3(NAN, 0, 0), 2000), ERR_PARAMETER_RANGE_ERROR, "not a number")
+	expect_error("called with (Vector3); it is update(world_position: Vector3, time_ns: int)")
+	check_equal(plate.update(Vector3()), ERR_INVALID_PARAMETER, "an argument too few")
+	expect_error("called with (String, int); it is update(world_position: Vector3, time_ns: int)")
+	check_equal(plate.update("here", 2000), ERR_INVALID_PARAMETER, "an argument of another type")
+	expect_error("called with (null, int); it is update(world_position: Vector3, time_ns: int)")
+	check_equal(plate.update(self, 2000), ERR_INVALID_PARAMETER, "an argument of a type that no method takes")
+	expect_error("flags 16; allowed: sums of 1 direction")
+	check_equal(plate.update_sample(16, 2000, 0.0, 0.0, 0.0, 0.0, 0.0), ERR_INVALID_PARAMETER, "flags")
+	check_equal(plate.update(Vector3(), 2000), OK, "update after refusals")
+	plate.horizon = 5
+	check_equal(plate.update(Vector3(), 3000), OK, "a property set during a reach waits")
+	check_equal(plate.end(), OK, "end")
+	check_equal(plate.begin(real, felt), OK, "begin with the property")
+
+func check_adaptation_and_profile():
+	var plate = new_plate()
+	plate.tactile_weight = 0.2
+	var profile = plate.save_profile()
+	check_near(JSON.parse(profile).result.tactile_weight, 0.2, "tactile weight in the profile")
+	var other = new_plate()
+	check_equal(other.load_profile(profile), OK, "load")
+	check_equal(other.tactile_weight, 0.2, "tactile weight from the profile")
+	expect_error("hrt_profile_load")
+	check_equal(other.load_profile("{"), ERR_PARSE_ERROR, "half a profile")
+
+	plate.adaptation = HRT.ADAPTATION_CARRIED
+	plate.begin(plate.add_real_target("real", -5, 0.1), plate.add_virtual_target("felt", 5, 0.1))
+	for frame in 270:
+		plate.update(Vector3(0, 0, 0.05 - frame * 0.1 / 270), frame * 11111111)
+	plate.end()
+	check_equal(plate.tactile_weight, plate.get_summary().tactile_weight, "what a reach has learnt, carried")
+	check(plate.tactile_weight != 0.2, "something is learnt")
+
+func check_recording():
+	var plate = new_plate()
+	var path = OS.get_user_data_dir() + "/recording.csv"
+	check_equal(plate.start_recording(path), OK, "start")
+	plate.begin(plate.add_real_target("real", -5, 0.1), plate.add_virtual_target("felt", 5, 0.1))
+	plate.update(Vector3(), 0)
+	plate.end()
+	check_equal(plate.stop_recording(), OK, "stop")
+	var file = File.new()
+	check_equal(file.open(path, File.READ), OK, "open")
+	check_equal(file.get_line(), "# haptic retargeting recording, version 1", "first line")
+	expect_error("hrt_recording_stop")
+	check_equal(plate.stop_recording(), ERR_UNAVAILABLE, "stop twice")
+	expect_error("hrt_recording_start")
+	check_equal(plate.start_recording("/nowhere/recording.csv"), ERR_FILE_CANT_WRITE, "a folder that is not there")
+
+# Nodes end their sessions, of which a process has 64.
+func check_freed():
+	for i in 200:
+		var plate = Plate.new()
+		check(plate.add_real_target("real", 0.0, 0.1) != 0, "session %d" % i)
+		plate.free()
+	check_equal(new_plate().get_version(), "0.1.0", "version")
