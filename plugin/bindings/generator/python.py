@@ -1,83 +1,118 @@
-"""ctypes declarations for Python."""
+"""ctypes declarations for Python: hrt_session_config becomes SessionConfig, the handle hrt_session SessionHandle,
+and constants that belong together an enumeration."""
 
 from __future__ import annotations
 
 import textwrap
 
-from abi import Abi, Field, Function, Struct, Type
+from abi import Abi, Constant, Field, Function, Struct, Type
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
+_ENUMERATIONS = {"ERROR": "ErrorCode", "CONTROL": "Control", "GUIDANCE": "Guidance", "ADAPTATION": "Adaptation",
+                 "TARGET": "Role", "PLACE": "Place", "LOG": "LogLevel", "REACH": "ReachFlag", "SAMPLE": "SampleFlag",
+                 "COMMAND": "CommandFlag"}
 
 
 def render(abi: Abi, notice: str) -> str:
+    names = _class_names(abi)
+    enumerations, constants = _sorted_constants(abi)
+    version = ", ".join(str(c.value) for c in constants if c.name.startswith("HRT_VERSION_"))
     parts = [
         f"# {notice}\n"
-        '"""The C interface as ctypes sees it. Names and meanings are those of the C headers."""\n\n'
+        '"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""\n\n'
         "from __future__ import annotations\n\n"
         "import ctypes\n"
         "from ctypes import (\n"
-        "    CDLL, CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32,\n"
-        "    c_uint64, c_void_p,\n"
+        "    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,\n"
         ")\n"
-        "from typing import TYPE_CHECKING\n"
+        "from enum import IntEnum, IntFlag\n"
+        "from typing import TYPE_CHECKING\n\n"
+        "from ._struct import Struct\n",
+        f'VERSION = ({version})\n"""Of the headers that this was written from."""\n'
+        + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "")
+                  for c in constants if not c.name.startswith("HRT_VERSION_")),
     ]
-    parts.append("".join(_constant(c.name, c.value, c.doc, c.group) for c in abi.constants))
-    parts.append("".join(_callback(f) for f in abi.callbacks))
-    parts.extend(_struct(s) for s in abi.structs)
+    parts.extend(_enumeration(name, prefix, members) for prefix, (name, members) in enumerations.items())
+    parts.append("".join(_callback(f, names) for f in abi.callbacks))
+    parts.extend(_struct(s, names) for s in abi.structs)
     parts.append(
         "def declare(library: CDLL) -> None:\n"
         '    """Tells ctypes the type of every function; AttributeError names one that the library lacks."""\n'
-        + "".join(f"    library.{f.name}.argtypes = ({_list([_type(p.type) for p in f.parameters])})\n"
-                  f"    library.{f.name}.restype = {_type(f.result)}\n" for f in abi.functions))
+        + "".join(f"    library.{f.name}.argtypes = ({_list([_type(p.type, names) for p in f.parameters])})\n"
+                  f"    library.{f.name}.restype = {_type(f.result, names)}\n" for f in abi.functions))
     return "\n\n".join(part.rstrip("\n") + "\n" for part in parts)
 
 
-def _constant(name: str, value: int, doc: str, group: str) -> str:
-    return _comment(group, before="\n") + f"{name} = {value}\n" + (_docstring(doc, "") if doc else "")
+def _class_names(abi: Abi) -> dict[str, str]:
+    def name(c_name: str) -> str:
+        return "".join(part.capitalize() for part in c_name.removeprefix("hrt_").split("_"))
+    return ({s.name: name(s.name) + ("Handle" if s.is_handle else "") for s in abi.structs}
+            | {f.name: name(f.name) for f in abi.callbacks})
 
 
-def _comment(text: str, before: str) -> str:
-    return before + "".join(f"# {line}\n" for line in textwrap.wrap(text, 108)) if text else ""
+def _sorted_constants(abi: Abi) -> tuple[dict[str, tuple[str, list[Constant]]], list[Constant]]:
+    enumerations: dict[str, tuple[str, list[Constant]]] = {p: (name, []) for p, name in _ENUMERATIONS.items()}
+    others = []
+    for constant in abi.constants:
+        prefix = constant.name.split("_")[1]
+        if prefix in enumerations:
+            enumerations[prefix][1].append(constant)
+        else:
+            others.append(constant)
+    return enumerations, others
+
+
+def _enumeration(name: str, prefix: str, members: list[Constant]) -> str:
+    kind = "IntFlag" if members[0].unsigned else "IntEnum"
+    text = f"class {name}({kind}):\n" + _docstring(members[0].group or f"HRT_{prefix}_*.", "    ") + "\n"
+    for member in members:
+        text += f"    {member.name.removeprefix(f'HRT_{prefix}_')} = {member.value}\n" + _docstring(member.doc, "    ")
+    return text
 
 
 def _docstring(text: str, indent: str) -> str:
+    if not text:
+        return ""
     lines = textwrap.wrap(text.replace("\\", "\\\\"), 110 - len(indent) - 6)
     return indent + '"""' + f"\n{indent}".join(lines) + '"""\n'
 
 
-def _callback(function: Function) -> str:
-    types = [_type(function.result)] + [_type(p.type) for p in function.parameters]
-    return f"{function.name} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "")
+def _callback(function: Function, names: dict[str, str]) -> str:
+    types = [_type(function.result, names)] + [_type(p.type, names) for p in function.parameters]
+    return f"{names[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "")
 
 
-def _struct(struct: Struct) -> str:
-    text = f"class {struct.name}(Structure):\n" + _docstring(struct.doc, "    ")
+def _struct(struct: Struct, names: dict[str, str]) -> str:
+    text = f"class {names[struct.name]}(Struct):\n" + _docstring(struct.doc, "    ")
     text += "\n    if TYPE_CHECKING:\n"
     for f in struct.fields:
-        text += f"        {f.name}: {_hint(f)}\n" + (_docstring(f.doc, "        ") if f.doc else "")
-    fields = [f'("{f.name}", {_type(f.type)}{f" * {f.length}" if f.length else ""})' for f in struct.fields]
+        text += f"        {f.name}: {_hint(f, names)}\n" + _docstring(f.doc, "        ")
+    fields = [f'("{f.name}", {_type(f.type, names)}{f" * {f.length}" if f.length else ""})' for f in struct.fields]
     return text + "\n    _fields_ = (\n" + "".join(f"        {f},\n" for f in fields) + "    )\n"
 
 
-def _type(type_: Type) -> str:
+def _type(type_: Type, names: dict[str, str]) -> str:
+    name = _CTYPES.get(type_.name) or names.get(type_.name)
     if not type_.pointer:
-        return "None" if type_.name == "void" else _CTYPES.get(type_.name, type_.name)
+        return name or "None"
     if type_.name == "void":
         return "c_void_p"
     if type_.name == "char":
         return "c_char_p" if type_.const else "POINTER(c_char)"
-    return f"POINTER({_CTYPES.get(type_.name, type_.name)})"
+    return f"POINTER({name})"
 
 
-def _hint(field: Field) -> str:
+def _hint(field: Field, names: dict[str, str]) -> str:
     if field.length:
         return "bytes" if field.type.name == "char" else f"ctypes.Array[{_CTYPES[field.type.name]}]"
+    if field.type.callback:
+        return "ctypes._FuncPointer"
     if field.type.pointer:
         return "int | None"
     if field.type.name == "double":
         return "float"
-    return "int" if field.type.name in _CTYPES else ("object" if field.type.callback else field.type.name)
+    return names.get(field.type.name, "int")
 
 
 def _list(items: list[str]) -> str:

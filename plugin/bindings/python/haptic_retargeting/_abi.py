@@ -1,145 +1,181 @@
 # Written by plugin/bindings/generate from the C headers.
-"""The C interface as ctypes sees it. Names and meanings are those of the C headers."""
+"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""
 
 from __future__ import annotations
 
 import ctypes
 from ctypes import (
-    CDLL, CFUNCTYPE, POINTER, Structure, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32,
-    c_uint64, c_void_p,
+    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
 )
+from enum import IntEnum, IntFlag
 from typing import TYPE_CHECKING
 
+from ._struct import Struct
 
-HRT_VERSION_MAJOR = 0
-"""Version of these headers; hrt_get_version() tells that of the library."""
-HRT_VERSION_MINOR = 1
-HRT_VERSION_PATCH = 0
-HRT_OK = 0
-HRT_ERROR_NULL_ARGUMENT = -1
-"""A pointer that must not be null was null."""
-HRT_ERROR_INVALID_HANDLE = -2
-"""The handle or id is null, was never given out, is of another session, or of something destroyed."""
-HRT_ERROR_STRUCT_SIZE = -3
-"""`struct_size` is below the first version's, or bytes beyond what this library knows are not zero."""
-HRT_ERROR_OUT_OF_RANGE = -4
-"""A value is outside its documented range, not a number, or infinite."""
-HRT_ERROR_WRONG_STATE = -5
-"""Not now: for example an update without a reach, or a new configuration during one."""
-HRT_ERROR_BUSY = -6
-"""Another thread is in a call on this session."""
-HRT_ERROR_TIME_REVERSED = -7
-"""The sample's time is before that of the sample before it."""
-HRT_ERROR_OUT_OF_MEMORY = -8
-HRT_ERROR_LIMIT_REACHED = -9
-"""There are as many of these as there can be."""
-HRT_ERROR_NOT_FOUND = -10
-"""Nothing has this name."""
-HRT_ERROR_BUFFER_TOO_SMALL = -11
-"""The caller's buffer cannot hold the answer."""
-HRT_ERROR_NAME_TAKEN = -12
-"""Another target of this session has this name."""
-HRT_ERROR_SYSTEM = -13
-"""The operating system refused: a file, a thread."""
-HRT_ERROR_BAD_FORMAT = -14
-"""A text is not what it should be; hrt_last_error() tells where."""
-HRT_ERROR_INTERNAL = -99
-"""A defect in this library; please report it with the text of hrt_last_error()."""
-HRT_LOG_WARNING = 1
-"""hrt_log_callback: how bad it is."""
-HRT_LOG_ERROR = 2
 
-# hrt_reach_config::flags.
-HRT_REACH_PLATE_ORIENTATION = 1
-"""`plate_orientation_deg` is given; without this the plate is where the session's last command left it (at
-first 0)."""
-
-# hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION
-# the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More than
-# one of these is an error.
-HRT_SAMPLE_DIRECTION = 1
-"""finger_direction_deg"""
-HRT_SAMPLE_PLATE_POSITION = 2
-"""finger_position_m, in plate coordinates"""
-HRT_SAMPLE_PLATE_ORIENTATION = 4
-"""plate_orientation_deg, measured by the device"""
-HRT_SAMPLE_LIFTED = 8
-"""the finger is off the plate, and so feels nothing: the model waits"""
-HRT_SAMPLE_WORLD_POSITION = 16
-"""finger_position_m, in the engine's world"""
-HRT_SAMPLE_PLATE_POSE = 32
-"""plate_position_m and plate_rotation: the plate has moved in the world; else it is where the session's
-configuration has it. Goes with WORLD_POSITION."""
-
-# hrt_command::flags.
-HRT_COMMAND_HELD = 1
-"""between steps: nothing new was decided in this call"""
-HRT_COMMAND_PREDICTED = 2
-"""the last step had no direction and was predicted"""
-HRT_COMMAND_SATURATED = 4
-"""the plate's bound holds the command"""
-HRT_COMMAND_RATE_LIMITED = 8
-"""the plate's speed holds the command"""
-HRT_COMMAND_UNREACHABLE = 16
-"""the real direction cannot be held: see authority.h"""
-HRT_COMMAND_LIFTED = 32
-"""the finger is above the plate: the model waits"""
-HRT_COMMAND_OFF_PLATE = 64
-"""the finger is beyond the plate's edge"""
-HRT_SCENES_MAX = 64
+VERSION = (0, 1, 0)
+"""Of the headers that this was written from."""
+OK = 0
+SCENES_MAX = 64
 """Scenes that can be loaded at the same time in a process."""
-HRT_SESSIONS_MAX = 64
+SESSIONS_MAX = 64
 """Sessions that can exist at the same time in a process."""
-
-# What decides the plate's orientation.
-HRT_CONTROL_MPC = 0
-"""the model-predictive controller"""
-HRT_CONTROL_FIXED_PLATE = 1
-"""none, as a baseline: the plate stays where it is told to"""
-
-# Where the finger is wanted.
-HRT_GUIDANCE_FIXED_DIRECTION = 0
-"""in the real target's direction from the start"""
-HRT_GUIDANCE_LINE_OF_SIGHT = 1
-"""In the direction from where the finger is to where the real target is, held once less than a fifth of
-the path remains. Takes effect when positions are streamed."""
-
-# Whether the user's share of touch is learnt.
-HRT_ADAPTATION_OFF = 0
-"""no: tactile_weight is taken as known"""
-HRT_ADAPTATION_REACH = 1
-"""within each reach, from tactile_weight and its deviation"""
-HRT_ADAPTATION_CARRIED = 2
-"""As REACH; and what a reach has learnt becomes the configuration's tactile_weight and tactile_weight_sd,
-the latter no less than 0.01, as people change."""
-HRT_TARGETS_MAX = 1000000
+TARGETS_MAX = 1000000
 """Targets that a session can hold."""
-HRT_NAME_SIZE = 64
+NAME_SIZE = 64
 """Bytes of a name, with its terminating zero."""
-HRT_TARGET_REAL = 1
-"""What a target is."""
-HRT_TARGET_VIRTUAL = 2
-
-# How a target's place is given.
-HRT_PLACE_DIRECTION = 1
-"""by `direction_deg` and `distance_m`"""
-HRT_PLACE_PLATE_POSITION = 2
-"""by `position_m` in plate coordinates"""
-HRT_PLACE_WORLD_POSITION = 3
-"""By `position_m` in the engine's world; see hrt_session_config::plate_position_m."""
 
 
-hrt_allocator_allocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
+class ErrorCode(IntEnum):
+    """HRT_ERROR_*."""
+
+    NULL_ARGUMENT = -1
+    """A pointer that must not be null was null."""
+    INVALID_HANDLE = -2
+    """The handle or id is null, was never given out, is of another session, or of something destroyed."""
+    STRUCT_SIZE = -3
+    """`struct_size` is below the first version's, or bytes beyond what this library knows are not zero."""
+    OUT_OF_RANGE = -4
+    """A value is outside its documented range, not a number, or infinite."""
+    WRONG_STATE = -5
+    """Not now: for example an update without a reach, or a new configuration during one."""
+    BUSY = -6
+    """Another thread is in a call on this session."""
+    TIME_REVERSED = -7
+    """The sample's time is before that of the sample before it."""
+    OUT_OF_MEMORY = -8
+    LIMIT_REACHED = -9
+    """There are as many of these as there can be."""
+    NOT_FOUND = -10
+    """Nothing has this name."""
+    BUFFER_TOO_SMALL = -11
+    """The caller's buffer cannot hold the answer."""
+    NAME_TAKEN = -12
+    """Another target of this session has this name."""
+    SYSTEM = -13
+    """The operating system refused: a file, a thread."""
+    BAD_FORMAT = -14
+    """A text is not what it should be; hrt_last_error() tells where."""
+    INTERNAL = -99
+    """A defect in this library; please report it with the text of hrt_last_error()."""
+
+
+class Control(IntEnum):
+    """What decides the plate's orientation."""
+
+    MPC = 0
+    """the model-predictive controller"""
+    FIXED_PLATE = 1
+    """none, as a baseline: the plate stays where it is told to"""
+
+
+class Guidance(IntEnum):
+    """Where the finger is wanted."""
+
+    FIXED_DIRECTION = 0
+    """in the real target's direction from the start"""
+    LINE_OF_SIGHT = 1
+    """In the direction from where the finger is to where the real target is, held once less than a fifth
+    of the path remains. Takes effect when positions are streamed."""
+
+
+class Adaptation(IntEnum):
+    """Whether the user's share of touch is learnt."""
+
+    OFF = 0
+    """no: tactile_weight is taken as known"""
+    REACH = 1
+    """within each reach, from tactile_weight and its deviation"""
+    CARRIED = 2
+    """As REACH; and what a reach has learnt becomes the configuration's tactile_weight and
+    tactile_weight_sd, the latter no less than 0.01, as people change."""
+
+
+class Role(IntEnum):
+    """HRT_TARGET_*."""
+
+    REAL = 1
+    """What a target is."""
+    VIRTUAL = 2
+
+
+class Place(IntEnum):
+    """How a target's place is given."""
+
+    DIRECTION = 1
+    """by `direction_deg` and `distance_m`"""
+    PLATE_POSITION = 2
+    """by `position_m` in plate coordinates"""
+    WORLD_POSITION = 3
+    """By `position_m` in the engine's world; see hrt_session_config::plate_position_m."""
+
+
+class LogLevel(IntEnum):
+    """HRT_LOG_*."""
+
+    WARNING = 1
+    """hrt_log_callback: how bad it is."""
+    ERROR = 2
+
+
+class ReachFlag(IntFlag):
+    """hrt_reach_config::flags."""
+
+    PLATE_ORIENTATION = 1
+    """`plate_orientation_deg` is given; without this the plate is where the session's last command left it
+    (at first 0)."""
+
+
+class SampleFlag(IntFlag):
+    """hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and
+    WORLD_POSITION the sample is a dropout: the plate is held, and the model predicts until the finger
+    is seen again. More than one of these is an error."""
+
+    DIRECTION = 1
+    """finger_direction_deg"""
+    PLATE_POSITION = 2
+    """finger_position_m, in plate coordinates"""
+    PLATE_ORIENTATION = 4
+    """plate_orientation_deg, measured by the device"""
+    LIFTED = 8
+    """the finger is off the plate, and so feels nothing: the model waits"""
+    WORLD_POSITION = 16
+    """finger_position_m, in the engine's world"""
+    PLATE_POSE = 32
+    """plate_position_m and plate_rotation: the plate has moved in the world; else it is where the
+    session's configuration has it. Goes with WORLD_POSITION."""
+
+
+class CommandFlag(IntFlag):
+    """hrt_command::flags."""
+
+    HELD = 1
+    """between steps: nothing new was decided in this call"""
+    PREDICTED = 2
+    """the last step had no direction and was predicted"""
+    SATURATED = 4
+    """the plate's bound holds the command"""
+    RATE_LIMITED = 8
+    """the plate's speed holds the command"""
+    UNREACHABLE = 16
+    """the real direction cannot be held: see authority.h"""
+    LIFTED = 32
+    """the finger is above the plate: the model waits"""
+    OFF_PLATE = 64
+    """the finger is beyond the plate's edge"""
+
+
+AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
 """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't."""
-hrt_allocator_release = CFUNCTYPE(None, c_void_p, c_void_p)
+AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
 """Takes back what allocate() returned."""
-hrt_log_callback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
+LogCallback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
 """Hears what no call can return, such as that a recording's disk is full. `text` is one line, valid during
 the call. Called from a thread of the library's own, never from within a call of the host's; must not
 call this library, and must not throw."""
 
 
-class hrt_session(Structure):
+class SessionHandle(Struct):
     """A session's handle. Zero is never a session. A handle of a destroyed session is never valid again."""
 
     if TYPE_CHECKING:
@@ -150,7 +186,7 @@ class hrt_session(Structure):
     )
 
 
-class hrt_session_config(Structure):
+class SessionConfig(Struct):
     """Everything that a session is made from. hrt_session_config_default() fills every field."""
 
     if TYPE_CHECKING:
@@ -242,7 +278,7 @@ class hrt_session_config(Structure):
     )
 
 
-class hrt_target(Structure):
+class TargetHandle(Struct):
     """A target's id within its session. Zero is never a target. The id of a removed target is never valid
     again, in no session."""
 
@@ -254,7 +290,7 @@ class hrt_target(Structure):
     )
 
 
-class hrt_target_config(Structure):
+class TargetConfig(Struct):
     """A target. hrt_target_config_default() fills every field. Fields that `place` does not name are not
     read."""
 
@@ -287,15 +323,15 @@ class hrt_target_config(Structure):
     )
 
 
-class hrt_authority(Structure):
+class Authority(Struct):
     """What can be held for one pair. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
         struct_size: int
         reachable: int
         """1 if the finger can be held on the real target's direction, else 0."""
-        real_target: hrt_target
-        virtual_target: hrt_target
+        real_target: TargetHandle
+        virtual_target: TargetHandle
         gap_deg: float
         """Virtual less real direction, in [-180, 180)."""
         largest_gap_deg: float
@@ -310,8 +346,8 @@ class hrt_authority(Structure):
     _fields_ = (
         ("struct_size", c_uint32),
         ("reachable", c_uint32),
-        ("real_target", hrt_target),
-        ("virtual_target", hrt_target),
+        ("real_target", TargetHandle),
+        ("virtual_target", TargetHandle),
         ("gap_deg", c_double),
         ("largest_gap_deg", c_double),
         ("margin_deg", c_double),
@@ -320,7 +356,7 @@ class hrt_authority(Structure):
     )
 
 
-class hrt_allocator(Structure):
+class Allocator(Struct):
     """Where the library's memory comes from. The functions may be called from any thread, at the same
     time; they must not call this library, and must not throw."""
 
@@ -329,44 +365,44 @@ class hrt_allocator(Structure):
         reserved: int
         context: int | None
         """Passed to both functions; never read."""
-        allocate: object
+        allocate: ctypes._FuncPointer
         """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
         can't."""
-        release: object
+        release: ctypes._FuncPointer
         """Takes back what allocate() returned."""
 
     _fields_ = (
         ("struct_size", c_uint32),
         ("reserved", c_uint32),
         ("context", c_void_p),
-        ("allocate", hrt_allocator_allocate),
-        ("release", hrt_allocator_release),
+        ("allocate", AllocatorAllocate),
+        ("release", AllocatorRelease),
     )
 
 
-class hrt_reach_config(Structure):
+class ReachConfig(Struct):
     """What a reach is. hrt_reach_config_default() fills every field."""
 
     if TYPE_CHECKING:
         struct_size: int
         flags: int
         """HRT_REACH_*. Default 0."""
-        real_target: hrt_target
+        real_target: TargetHandle
         """Its direction and the virtual target's are less than 90 degrees apart. Default null: to be set."""
-        virtual_target: hrt_target
+        virtual_target: TargetHandle
         plate_orientation_deg: float
         """Where the plate stands before the reach, -360 to 360. Default 0."""
 
     _fields_ = (
         ("struct_size", c_uint32),
         ("flags", c_uint32),
-        ("real_target", hrt_target),
-        ("virtual_target", hrt_target),
+        ("real_target", TargetHandle),
+        ("virtual_target", TargetHandle),
         ("plate_orientation_deg", c_double),
     )
 
 
-class hrt_sample(Structure):
+class Sample(Struct):
     """One sample of the tracked finger. Set it to zero, then `struct_size` and what is known. Fields that
     `flags` does not name are not read, whatever is in them."""
 
@@ -399,7 +435,7 @@ class hrt_sample(Structure):
     )
 
 
-class hrt_command(Structure):
+class Command(Struct):
     """What the plate is to do now, and why. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -438,7 +474,7 @@ class hrt_command(Structure):
     )
 
 
-class hrt_reach_summary(Structure):
+class ReachSummary(Struct):
     """What became of a reach. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -488,7 +524,7 @@ class hrt_reach_summary(Structure):
     )
 
 
-class hrt_recording_status(Structure):
+class RecordingStatus(Struct):
     """How a recording does. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -509,7 +545,7 @@ class hrt_recording_status(Structure):
     )
 
 
-class hrt_replay_report(Structure):
+class ReplayReport(Struct):
     """What a replay found. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -536,7 +572,7 @@ class hrt_replay_report(Structure):
     )
 
 
-class hrt_scene(Structure):
+class SceneHandle(Struct):
     """A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid again."""
 
     if TYPE_CHECKING:
@@ -547,7 +583,7 @@ class hrt_scene(Structure):
     )
 
 
-class hrt_scene_info(Structure):
+class SceneInfo(Struct):
     """The plate of a scene. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -574,7 +610,7 @@ class hrt_scene_info(Structure):
     )
 
 
-class hrt_scene_target(Structure):
+class SceneTarget(Struct):
     """A target of a scene. Set `struct_size` before the call."""
 
     if TYPE_CHECKING:
@@ -616,71 +652,71 @@ def declare(library: CDLL) -> None:
     library.hrt_last_error.restype = c_char_p
     library.hrt_get_version.argtypes = (POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
     library.hrt_get_version.restype = None
-    library.hrt_session_config_default.argtypes = (POINTER(hrt_session_config), c_uint32)
+    library.hrt_session_config_default.argtypes = (POINTER(SessionConfig), c_uint32)
     library.hrt_session_config_default.restype = c_int32
-    library.hrt_session_create.argtypes = (POINTER(hrt_session_config), POINTER(hrt_session))
+    library.hrt_session_create.argtypes = (POINTER(SessionConfig), POINTER(SessionHandle))
     library.hrt_session_create.restype = c_int32
-    library.hrt_session_destroy.argtypes = (hrt_session,)
+    library.hrt_session_destroy.argtypes = (SessionHandle,)
     library.hrt_session_destroy.restype = c_int32
-    library.hrt_session_get_config.argtypes = (hrt_session, POINTER(hrt_session_config))
+    library.hrt_session_get_config.argtypes = (SessionHandle, POINTER(SessionConfig))
     library.hrt_session_get_config.restype = c_int32
-    library.hrt_session_set_config.argtypes = (hrt_session, POINTER(hrt_session_config))
+    library.hrt_session_set_config.argtypes = (SessionHandle, POINTER(SessionConfig))
     library.hrt_session_set_config.restype = c_int32
-    library.hrt_target_config_default.argtypes = (POINTER(hrt_target_config), c_uint32)
+    library.hrt_target_config_default.argtypes = (POINTER(TargetConfig), c_uint32)
     library.hrt_target_config_default.restype = c_int32
-    library.hrt_target_add.argtypes = (hrt_session, POINTER(hrt_target_config), POINTER(hrt_target))
+    library.hrt_target_add.argtypes = (SessionHandle, POINTER(TargetConfig), POINTER(TargetHandle))
     library.hrt_target_add.restype = c_int32
-    library.hrt_target_set.argtypes = (hrt_session, hrt_target, POINTER(hrt_target_config))
+    library.hrt_target_set.argtypes = (SessionHandle, TargetHandle, POINTER(TargetConfig))
     library.hrt_target_set.restype = c_int32
-    library.hrt_target_get.argtypes = (hrt_session, hrt_target, POINTER(hrt_target_config))
+    library.hrt_target_get.argtypes = (SessionHandle, TargetHandle, POINTER(TargetConfig))
     library.hrt_target_get.restype = c_int32
-    library.hrt_target_remove.argtypes = (hrt_session, hrt_target)
+    library.hrt_target_remove.argtypes = (SessionHandle, TargetHandle)
     library.hrt_target_remove.restype = c_int32
-    library.hrt_target_find.argtypes = (hrt_session, c_char_p, POINTER(hrt_target))
+    library.hrt_target_find.argtypes = (SessionHandle, c_char_p, POINTER(TargetHandle))
     library.hrt_target_find.restype = c_int32
-    library.hrt_target_list.argtypes = (hrt_session, c_uint32, c_uint32, POINTER(hrt_target), POINTER(c_uint32))
+    library.hrt_target_list.argtypes = (SessionHandle, c_uint32, c_uint32, POINTER(TargetHandle), POINTER(c_uint32))
     library.hrt_target_list.restype = c_int32
-    library.hrt_authority_query.argtypes = (hrt_session, hrt_target, hrt_target, POINTER(hrt_authority))
+    library.hrt_authority_query.argtypes = (SessionHandle, TargetHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query.restype = c_int32
-    library.hrt_authority_query_all.argtypes = (hrt_session, c_uint64, POINTER(hrt_authority), POINTER(c_uint64))
+    library.hrt_authority_query_all.argtypes = (SessionHandle, c_uint64, POINTER(Authority), POINTER(c_uint64))
     library.hrt_authority_query_all.restype = c_int32
-    library.hrt_authority_query_best.argtypes = (hrt_session, hrt_target, POINTER(hrt_authority))
+    library.hrt_authority_query_best.argtypes = (SessionHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query_best.restype = c_int32
-    library.hrt_set_allocator.argtypes = (POINTER(hrt_allocator),)
+    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
     library.hrt_set_allocator.restype = c_int32
-    library.hrt_set_log_callback.argtypes = (hrt_log_callback, c_void_p)
+    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
     library.hrt_set_log_callback.restype = c_int32
-    library.hrt_profile_save.argtypes = (hrt_session, c_uint64, POINTER(c_char), POINTER(c_uint64))
+    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
     library.hrt_profile_save.restype = c_int32
-    library.hrt_profile_load.argtypes = (hrt_session, c_char_p, c_uint64)
+    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
     library.hrt_profile_load.restype = c_int32
-    library.hrt_reach_config_default.argtypes = (POINTER(hrt_reach_config), c_uint32)
+    library.hrt_reach_config_default.argtypes = (POINTER(ReachConfig), c_uint32)
     library.hrt_reach_config_default.restype = c_int32
-    library.hrt_reach_begin.argtypes = (hrt_session, POINTER(hrt_reach_config))
+    library.hrt_reach_begin.argtypes = (SessionHandle, POINTER(ReachConfig))
     library.hrt_reach_begin.restype = c_int32
-    library.hrt_reach_update.argtypes = (hrt_session, POINTER(hrt_sample), POINTER(hrt_command))
+    library.hrt_reach_update.argtypes = (SessionHandle, POINTER(Sample), POINTER(Command))
     library.hrt_reach_update.restype = c_int32
-    library.hrt_reach_end.argtypes = (hrt_session, POINTER(hrt_reach_summary))
+    library.hrt_reach_end.argtypes = (SessionHandle, POINTER(ReachSummary))
     library.hrt_reach_end.restype = c_int32
-    library.hrt_recording_start.argtypes = (hrt_session, c_char_p)
+    library.hrt_recording_start.argtypes = (SessionHandle, c_char_p)
     library.hrt_recording_start.restype = c_int32
-    library.hrt_recording_get_status.argtypes = (hrt_session, POINTER(hrt_recording_status))
+    library.hrt_recording_get_status.argtypes = (SessionHandle, POINTER(RecordingStatus))
     library.hrt_recording_get_status.restype = c_int32
-    library.hrt_recording_stop.argtypes = (hrt_session, POINTER(hrt_recording_status))
+    library.hrt_recording_stop.argtypes = (SessionHandle, POINTER(RecordingStatus))
     library.hrt_recording_stop.restype = c_int32
-    library.hrt_replay_text.argtypes = (c_char_p, c_uint64, POINTER(hrt_replay_report))
+    library.hrt_replay_text.argtypes = (c_char_p, c_uint64, POINTER(ReplayReport))
     library.hrt_replay_text.restype = c_int32
-    library.hrt_replay_file.argtypes = (c_char_p, POINTER(hrt_replay_report))
+    library.hrt_replay_file.argtypes = (c_char_p, POINTER(ReplayReport))
     library.hrt_replay_file.restype = c_int32
-    library.hrt_scene_load_file.argtypes = (c_char_p, POINTER(hrt_scene))
+    library.hrt_scene_load_file.argtypes = (c_char_p, POINTER(SceneHandle))
     library.hrt_scene_load_file.restype = c_int32
-    library.hrt_scene_load_memory.argtypes = (c_void_p, c_uint64, c_char_p, POINTER(hrt_scene))
+    library.hrt_scene_load_memory.argtypes = (c_void_p, c_uint64, c_char_p, POINTER(SceneHandle))
     library.hrt_scene_load_memory.restype = c_int32
-    library.hrt_scene_destroy.argtypes = (hrt_scene,)
+    library.hrt_scene_destroy.argtypes = (SceneHandle,)
     library.hrt_scene_destroy.restype = c_int32
-    library.hrt_scene_get_info.argtypes = (hrt_scene, POINTER(hrt_scene_info))
+    library.hrt_scene_get_info.argtypes = (SceneHandle, POINTER(SceneInfo))
     library.hrt_scene_get_info.restype = c_int32
-    library.hrt_scene_get_target.argtypes = (hrt_scene, c_uint32, POINTER(hrt_scene_target))
+    library.hrt_scene_get_target.argtypes = (SceneHandle, c_uint32, POINTER(SceneTarget))
     library.hrt_scene_get_target.restype = c_int32
-    library.hrt_scene_register.argtypes = (hrt_scene, hrt_session, c_uint32, POINTER(hrt_target))
+    library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint32, POINTER(TargetHandle))
     library.hrt_scene_register.restype = c_int32

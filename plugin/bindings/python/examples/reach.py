@@ -1,0 +1,49 @@
+"""The reach that every host's sample runs (plugin/bindings/README.md): feeds the recorded samples to a session of its
+own, and prints the hash of the commands that come out, which is the same on every host. All of it is simulated.
+
+    usage: python3 reach.py RECORDING_CSV [PICTURE]
+"""
+
+import sys
+from typing import Any
+
+import haptic_retargeting as hrt
+
+
+def fnv1a(commands: Any) -> int:
+    """The hash of the commands as hrt_replay_report::hash has it."""
+    value = 0xCBF29CE484222325
+    for command in commands:
+        _, flags, *others = command
+        for byte in int(flags).to_bytes(8, "little") + b"".join(other.tobytes() for other in others):
+            value = (value ^ byte) * 0x100000001B3 % 2**64
+    return value
+
+
+def main() -> None:
+    if len(sys.argv) not in (2, 3):
+        sys.exit(__doc__)
+    samples = hrt.read_recording(sys.argv[1]).reaches[0].samples
+    with hrt.Session(
+        horizon=20,
+        guidance=hrt.Guidance.LINE_OF_SIGHT,
+        adaptation=hrt.Adaptation.REACH,
+        plate_max_speed_deg_s=200,
+        plate_max_acceleration_deg_s2=20_000,
+        plate_latency_ns=30_000_000,
+        plate_lower_stop_deg=-360,
+        plate_upper_stop_deg=360,
+    ) as session:
+        cylinder = session.add_real("cylinder", direction_deg=-5)
+        cup = session.add_virtual("cup", direction_deg=5)
+        record = session.run_reach(cylinder, cup, samples)
+    print(f"hash 0x{fnv1a(record.commands):016x}")
+    print(f"updates {len(samples)}, final direction {record.final_direction_deg:.2f} deg, "
+          f"miss {record.final_miss_deg:.2f} deg (simulated)")
+    if len(sys.argv) == 3:
+        from haptic_retargeting import plot
+
+        plot.reach(record, "A simulated reach").savefig(sys.argv[2], dpi=110)
+
+
+main()

@@ -1,0 +1,72 @@
+"""The shared library: found, checked and called."""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import os
+import sys
+
+from . import _abi
+
+
+class Error(RuntimeError):
+    """A call of the library failed. The text is the library's own: call, field, value and what is allowed."""
+
+    def __init__(self, code: int, text: str) -> None:
+        super().__init__(text)
+        self.code: _abi.ErrorCode | int = _abi.ErrorCode(code) if code in set(_abi.ErrorCode) else code
+        """What became of the call; a plain number if it is of a newer library."""
+
+
+def _default_name() -> str:
+    major = _abi.VERSION[0]
+    if sys.platform == "win32":
+        return "haptic_retargeting.dll"
+    if sys.platform == "darwin":
+        return f"libhaptic_retargeting.{major}.dylib"
+    return f"libhaptic_retargeting.so.{major}"
+
+
+@functools.cache
+def library() -> ctypes.CDLL:
+    """The library, loaded once: the file that HRT_LIBRARY names, or what the system's loader finds."""
+    name = os.environ.get("HRT_LIBRARY") or _default_name()
+    try:
+        loaded = ctypes.CDLL(name)
+    except OSError as error:
+        raise ImportError(f"{name} can't be loaded: {error}. Install the haptic_retargeting library, or set "
+                          "HRT_LIBRARY to its file") from error
+    needed = _abi.VERSION
+    try:
+        found = _version(loaded)
+        # Within a major version a later library has all that an earlier one had.
+        if found[0] != needed[0] or found[:2] < needed[:2]:
+            raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} or later of the same major "
+                              "version is needed")
+        _abi.declare(loaded)
+    except AttributeError as error:
+        raise ImportError(f"{name} is not the haptic_retargeting library that is needed: {error}") from error
+    return loaded
+
+
+def _version(loaded: ctypes.CDLL) -> tuple[int, int, int]:
+    numbers = [ctypes.c_uint32() for _ in range(3)]
+    loaded.hrt_get_version.restype = None
+    loaded.hrt_get_version(*(ctypes.byref(number) for number in numbers))
+    return numbers[0].value, numbers[1].value, numbers[2].value
+
+
+def _dotted(version: tuple[int, int, int]) -> str:
+    return ".".join(str(number) for number in version)
+
+
+def library_version() -> tuple[int, int, int]:
+    """The version of the library that is loaded."""
+    return _version(library())
+
+
+def check(result: int) -> None:
+    """Raises what this thread's last call of the library reported."""
+    if result != _abi.OK:
+        raise Error(result, library().hrt_last_error().decode(errors="replace"))

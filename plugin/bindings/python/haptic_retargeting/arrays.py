@@ -1,0 +1,68 @@
+"""Samples and commands as numpy arrays, in the memory layout of the C structs, so that nothing is copied."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi
+from ._abi import SampleFlag
+
+SAMPLE = np.dtype(_abi.Sample)
+"""One sample of the finger, with the fields of hrt_sample: an array of these is what a reach takes in."""
+COMMAND = np.dtype(_abi.Command)
+"""One command for the plate, with the fields of hrt_command: an array of these is what comes out."""
+
+Array = NDArray[Any]
+
+
+def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, position_m: ArrayLike | None = None,
+            world_position_m: ArrayLike | None = None, plate_orientation_deg: ArrayLike | None = None,
+            lifted: ArrayLike | None = None) -> Array:
+    """An array of SAMPLE out of columns.
+
+    Args:
+        time_ns: when, in the clock of the caller; whole nanoseconds that never go back.
+        direction_deg: the direction in which the finger moves, if it is known exactly.
+        position_m: or the fingertip in plate coordinates, n x 3 (x right, y up, z towards the user).
+        world_position_m: or the fingertip in the engine's world, n x 3.
+        plate_orientation_deg: where the plate stands, if it is measured.
+        lifted: True where the finger is off the plate.
+
+    A number that is NaN is not known then: a finger without place or direction is a dropout.
+    """
+    times = np.asarray(time_ns)
+    if times.ndim != 1 or times.dtype.kind not in "iu":
+        raise ValueError(f"time_ns must be one row of whole numbers, not {times.dtype} of the shape {times.shape}")
+    out: Array = np.zeros(len(times), SAMPLE)
+    out["struct_size"] = SAMPLE.itemsize
+    out["time_ns"] = times
+    _put(out, "finger_direction_deg", direction_deg, SampleFlag.DIRECTION)
+    _put(out, "finger_position_m", position_m, SampleFlag.PLATE_POSITION)
+    _put(out, "finger_position_m", world_position_m, SampleFlag.WORLD_POSITION)
+    _put(out, "plate_orientation_deg", plate_orientation_deg, SampleFlag.PLATE_ORIENTATION)
+    if lifted is not None:
+        out["flags"] |= np.where(np.broadcast_to(np.asarray(lifted, bool), out.shape), SampleFlag.LIFTED, 0).astype("u4")
+    return out
+
+
+def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> None:
+    if values is None:
+        return
+    given = np.asarray(values, np.float64)
+    column: Array = out[field]
+    if given.shape != column.shape and given.ndim != 0:
+        raise ValueError(f"{field} must have the shape {column.shape}, as time_ns has, not {given.shape}")
+    given = np.broadcast_to(given, column.shape)
+    known = ~np.isnan(given.reshape(len(out), -1)).any(axis=1)
+    column[known] = given[known]
+    out["flags"][known] |= np.uint32(flag)
+
+
+def commands(n: int) -> Array:
+    """An array of n COMMAND to be filled."""
+    out = np.zeros(n, COMMAND)
+    out["struct_size"] = COMMAND.itemsize
+    return out

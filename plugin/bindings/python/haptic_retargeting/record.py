@@ -1,0 +1,269 @@
+"""Reaches as arrays, and the recordings that they are read from."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Iterable
+from ctypes import byref
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _abi
+from ._abi import Place, ReachSummary, ReplayReport, SampleFlag, SessionConfig, TargetConfig
+from ._library import check, library
+from .arrays import Array, COMMAND, SAMPLE
+
+Numbers = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class ReachRecord:
+    """One reach, as it was run or read from a recording. Rows of the three arrays belong together."""
+
+    config: SessionConfig
+    real_direction_deg: float
+    virtual_direction_deg: float
+    real_distance_m: float
+    start_position_m: Numbers
+    samples: Array
+    """What went in, of dtype SAMPLE."""
+    commands: Array
+    """What came out, of dtype COMMAND; NaN, and step -1, where the call failed."""
+    results: NDArray[np.int32]
+    """What became of each call: 0, or an ErrorCode."""
+    final_direction_deg: float
+    """Of the finger in the last step; NaN if the reach did not end."""
+    summary: ReachSummary | None = None
+    """The library's own account; None of a reach that was read."""
+
+    @property
+    def final_miss_deg(self) -> float:
+        """The final direction less the real target's."""
+        return self.final_direction_deg - self.real_direction_deg
+
+    @property
+    def time_s(self) -> Numbers:
+        """Seconds since the first sample."""
+        times = self.samples["time_ns"]
+        return np.asarray((times - times[:1]) * 1e-9)
+
+    @property
+    def position_m(self) -> Numbers:
+        """The fingertip in plate coordinates, n x 3; NaN where it was not seen."""
+        flags = self.samples["flags"]
+        out = np.full((len(flags), 3), np.nan)
+        on_plate = (flags & SampleFlag.PLATE_POSITION) != 0
+        in_world = (flags & SampleFlag.WORLD_POSITION) != 0
+        moved = (flags & SampleFlag.PLATE_POSE) != 0
+        out[on_plate] = self.samples["finger_position_m"][on_plate]
+        plate = np.where(moved[:, None], self.samples["plate_position_m"], np.array(self.config.plate_position_m))
+        rotation = np.where(moved[:, None], self.samples["plate_rotation"], np.array(self.config.plate_rotation))
+        in_plate = world_to_plate(self.samples["finger_position_m"], plate, rotation)
+        out[in_world] = in_plate[in_world]
+        return out
+
+    @property
+    def measured_plate_deg(self) -> Numbers:
+        """Where the plate said that it stands; NaN where it did not."""
+        known = (self.samples["flags"] & SampleFlag.PLATE_ORIENTATION) != 0
+        return np.where(known, self.samples["plate_orientation_deg"], np.nan)
+
+
+def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike) -> Numbers:
+    """Positions in plate coordinates, for a plate at a place in the world, turned by the quaternion x, y, z, w."""
+    rotation = np.asarray(plate_rotation, np.float64)
+    away = np.asarray(position_m, np.float64) - np.asarray(plate_position_m, np.float64)
+    # By the conjugate: v + 2 w (v x q) + 2 (v x q) x q
+    vector, scalar = rotation[..., :3], rotation[..., 3:]
+    once = np.cross(away, vector)
+    return np.asarray(away + 2 * scalar * once + 2 * np.cross(once, vector))
+
+
+def target_place(target: TargetConfig, config: SessionConfig) -> tuple[float, float]:
+    """Direction (degrees) and distance (metres) of a target from the start."""
+    if target.place == Place.DIRECTION:
+        return target.direction_deg, target.distance_m
+    position = np.array(target.position_m)
+    if target.place == Place.WORLD_POSITION:
+        position = world_to_plate(position, list(config.plate_position_m), list(config.plate_rotation))
+    right, _, towards = position - np.array(config.start_position_m)
+    return float(np.degrees(np.arctan2(-right, -towards))), float(np.hypot(right, towards))
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A recording, read."""
+
+    reaches: list[ReachRecord]
+    complete: bool
+    """It has its end, and no calls were lost."""
+    targets: list[TargetConfig]
+    """All that were ever added or changed, in that order."""
+
+
+class RecordingError(ValueError):
+    """A file is not a recording; the text names the line."""
+
+
+_SAMPLE_COLUMNS = {
+    "finger_direction_deg": ("sample_direction_deg",),
+    "finger_position_m": ("sample_x_m", "sample_y_m", "sample_z_m"),
+    "plate_orientation_deg": ("measured_plate_deg",),
+    "plate_position_m": ("plate_x_m", "plate_y_m", "plate_z_m"),
+    "plate_rotation": ("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
+}
+_COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
+
+
+_INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {"result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32,
+             "step": np.int64}
+
+_NEEDED_COLUMNS = ("call", *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_COMMAND_COLUMNS, "real_direction_deg",
+                   "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
+
+_Row = dict[str, Any]
+
+
+@dataclass
+class _Rows:
+    """The rows of one reach."""
+
+    config: SessionConfig
+    begin: _Row
+    updates: list[_Row] = field(default_factory=list)
+    ended: bool = False
+    final_direction_deg: float = np.nan
+
+    def record(self) -> ReachRecord:
+        n = len(self.updates)
+        samples, commands = np.zeros(n, SAMPLE), np.zeros(n, COMMAND)
+        samples["struct_size"], commands["struct_size"] = SAMPLE.itemsize, COMMAND.itemsize
+        samples["time_ns"] = self._column("time_ns", 0)
+        samples["flags"] = self._column("sample_flags", 0)
+        for name, columns in _SAMPLE_COLUMNS.items():
+            numbers = np.array([self._column(column, 0.0) for column in columns]).T
+            samples[name] = numbers if len(columns) > 1 else numbers[:, 0]
+        commands["flags"] = self._column("command_flags", 0)
+        commands["step"] = self._column("step", -1)
+        for name in _COMMAND_COLUMNS:
+            commands[name] = self._column(name, np.nan)
+        start = np.array(self.config.start_position_m)
+        start[0], start[2] = self.begin["start_right_m"], -self.begin["start_away_m"]
+        return ReachRecord(
+            config=self.config, real_direction_deg=self.begin["real_direction_deg"],
+            virtual_direction_deg=self.begin["virtual_direction_deg"], real_distance_m=self.begin["real_distance_m"],
+            start_position_m=start, samples=samples, commands=commands,
+            results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
+
+    def _column(self, name: str, missing: float) -> list[float]:
+        return [missing if row[name] is None else row[name] for row in self.updates]
+
+
+def read_recording(path: str | os.PathLike[str]) -> Recording:
+    """Reads a recording to arrays. Needs no library. RecordingError if the file is not one.
+
+    What follows a gap, where calls were lost, is left out.
+    """
+    with open(path, encoding="utf-8", newline="") as file:
+        try:
+            return _read(file)
+        except UnicodeDecodeError as error:
+            raise RecordingError(f"{os.fspath(path)} is not text: {error}") from error
+        except RecordingError as error:
+            raise RecordingError(f"{os.fspath(path)}, {error}") from error
+
+
+def _read(lines: Iterable[str]) -> Recording:
+    reaches: list[_Rows] = []
+    targets: list[TargetConfig] = []
+    config: SessionConfig | None = None
+    header: list[str] | None = None
+    complete = False
+    number = 0
+    for number, line in enumerate(lines, 1):
+        if number == 1 and not line.startswith("# haptic retargeting recording, version 1"):
+            raise RecordingError("line 1: not a recording of version 1")
+        if not line.endswith("\n"):
+            break  # cut off within the line
+        line = line.rstrip("\r\n")
+        try:
+            if line.startswith("# lost"):
+                break
+            if line == "# end":
+                complete = True
+            elif line.startswith("# config "):
+                config = _from_json(SessionConfig(), line.removeprefix("# config "))
+            elif line.startswith(("# target added ", "# target set ")):
+                targets.append(_from_json(TargetConfig(), line.split(" ", 4)[4]))
+            elif line.startswith("#"):
+                continue
+            elif header is None:
+                header = _header(line)
+            else:
+                _take(_row(header, line), config, reaches)
+        except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
+            raise RecordingError(f"line {number}: {error}") from error
+    if header is None:
+        raise RecordingError(f"line {number}: the line of column names is missing")
+    return Recording([rows.record() for rows in reaches], complete, targets)
+
+
+def _from_json(struct: Any, text: str) -> Any:
+    """`struct` with what the text tells; what only newer structs have is left out."""
+    values = json.loads(text)
+    for name in struct.names():
+        if name in values:
+            setattr(struct, name, values[name])
+    return struct
+
+
+def _header(line: str) -> list[str]:
+    names = line.split(",")
+    for column in _NEEDED_COLUMNS:
+        if column not in names:
+            raise ValueError(f"the column {column} is missing")
+    return names
+
+
+def _row(header: list[str], line: str) -> _Row:
+    cells = line.split(",")
+    if len(cells) != len(header):
+        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
+    return {name: cell if name == "call" else _number(name, cell) for name, cell in zip(header, cells)}
+
+
+def _number(name: str, cell: str) -> float | None:
+    if not cell:
+        return None
+    kind = _INTEGERS.get(name)
+    if kind is None:
+        return float(cell)
+    number = int(cell)
+    if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
+        raise ValueError(f"{name} is {cell}, which is beyond {kind.__name__}")
+    return number
+
+
+def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
+    if config is None:
+        raise ValueError("a row before the configuration")
+    if row["call"] not in ("begin", "update", "end"):
+        raise ValueError(f"the row's call is {row['call']!r}; allowed: begin, update, end")
+    if row["call"] == "begin" and row["result"] == _abi.OK:
+        reaches.append(_Rows(config, row))
+    elif row["call"] == "update" and reaches and not reaches[-1].ended:
+        reaches[-1].updates.append(row)
+    elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
+        reaches[-1].ended = True
+        reaches[-1].final_direction_deg = row["finger_direction_deg"]
+
+
+def replay(path: str | os.PathLike[str]) -> ReplayReport:
+    """Runs the recorded calls again and compares what comes out, bit for bit."""
+    report = ReplayReport()
+    check(library().hrt_replay_file(os.fsencode(path), byref(report)))
+    return report

@@ -1,0 +1,266 @@
+"""Sessions, their targets, what can be held, and the profile of the participant."""
+
+from __future__ import annotations
+
+import ctypes
+import json
+import os
+import weakref
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from ctypes import byref
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _abi
+from ._abi import Authority, Place, RecordingStatus, Role, SessionConfig, TargetConfig
+from ._library import Error, check, library
+from .reach import Reach
+from .record import ReachRecord, target_place
+from .arrays import Array
+
+
+class Target:
+    """What the user feels that they go to (virtual), or what the hand is led to (real)."""
+
+    def __init__(self, session: Session, handle: _abi.TargetHandle) -> None:
+        self._session = session
+        self.handle = handle
+
+    @property
+    def id(self) -> int:
+        """The target's id: one that has been removed is never valid again."""
+        return self.handle.value
+
+    @property
+    def config(self) -> TargetConfig:
+        """What the target was last set to: a copy."""
+        config = TargetConfig()
+        check(library().hrt_target_get(self._session.handle, self.handle, byref(config)))
+        return config
+
+    @property
+    def name(self) -> str:
+        """The target's name, or nothing."""
+        return self.config.name.decode()
+
+    @property
+    def role(self) -> Role:
+        """Real or virtual."""
+        return Role(self.config.role)
+
+    def configure(self, **fields: Any) -> None:
+        """Sets fields of TargetConfig; the others stay. A reach that is under way keeps the target as it was."""
+        config = self.config
+        for name, value in fields.items():
+            setattr(config, name, value)
+        check(library().hrt_target_set(self._session.handle, self.handle, byref(config)))
+
+    def remove(self) -> None:
+        """Removes the target. A reach that is under way goes on with it as it was."""
+        check(library().hrt_target_remove(self._session.handle, self.handle))
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Target) and self.id == other.id
+
+    def __hash__(self) -> int:
+        return hash(self.id)
+
+    def __repr__(self) -> str:
+        try:
+            config = self.config
+        except Error:
+            return f"<Target {self.id}, removed>"
+        return f"<Target {config.name.decode()!r}, {Role(config.role).name.lower()}>"
+
+
+class Session:
+    """One user, one plate, and what the controller assumes of both.
+
+        with Session(horizon=20, adaptation=Adaptation.REACH) as session:
+            cylinder = session.add_real("cylinder", direction_deg=-5)
+            cup = session.add_virtual("cup", direction_deg=5)
+            record = session.run_reach(cylinder, cup, samples)
+
+    The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. One
+    thread at a time; other sessions may be used by other threads at the same time.
+    """
+
+    def __init__(self, **fields: Any) -> None:
+        config = SessionConfig()
+        check(library().hrt_session_config_default(byref(config), ctypes.sizeof(config)))
+        for name, value in fields.items():
+            setattr(config, name, value)
+        self.handle = _abi.SessionHandle()
+        check(library().hrt_session_create(byref(config), byref(self.handle)))
+        self._destroy = weakref.finalize(self, library().hrt_session_destroy, self.handle)
+
+    def close(self) -> None:
+        """Ends the session, its targets, and a reach or a recording that is under way. Twice does nothing."""
+        if self._destroy.alive:
+            check(self._destroy() or _abi.OK)
+
+    def __enter__(self) -> Session:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def config(self) -> SessionConfig:
+        """The configuration in use: a copy."""
+        config = SessionConfig()
+        check(library().hrt_session_get_config(self.handle, byref(config)))
+        return config
+
+    def configure(self, **fields: Any) -> None:
+        """Sets fields of SessionConfig, between reaches; the others stay."""
+        config = self.config
+        for name, value in fields.items():
+            setattr(config, name, value)
+        check(library().hrt_session_set_config(self.handle, byref(config)))
+
+    # Targets
+
+    def add_real(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
+                 position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
+        """Adds a real target, which the hand is led to.
+
+        It is placed by its direction (and distance) from the start, or by its position in plate coordinates, or by
+        its position in the engine's world.
+        """
+        return self._add(Role.REAL, name, direction_deg, distance_m, position_m, world_position_m)
+
+    def add_virtual(self, name: str = "", *, direction_deg: float | None = None, distance_m: float | None = None,
+                    position_m: ArrayLike | None = None, world_position_m: ArrayLike | None = None) -> Target:
+        """Adds a virtual target, which the user feels that they go to. Placed as by add_real()."""
+        return self._add(Role.VIRTUAL, name, direction_deg, distance_m, position_m, world_position_m)
+
+    def _add(self, role: Role, name: str, direction_deg: float | None, distance_m: float | None,
+             position_m: ArrayLike | None, world_position_m: ArrayLike | None) -> Target:
+        by_direction = direction_deg is not None or distance_m is not None
+        if by_direction + (position_m is not None) + (world_position_m is not None) != 1:
+            raise TypeError("a target is placed by direction_deg (with distance_m, or not), or by position_m, or by "
+                            "world_position_m")
+        config = TargetConfig()
+        check(library().hrt_target_config_default(byref(config), ctypes.sizeof(config)))
+        given = {"direction_deg": direction_deg, "distance_m": distance_m,
+                 "position_m": position_m if world_position_m is None else world_position_m}
+        for field, value in given.items():
+            if value is not None:
+                setattr(config, field, value)
+        config.role = role
+        config.place = (Place.DIRECTION if by_direction else
+                        Place.PLATE_POSITION if world_position_m is None else Place.WORLD_POSITION)
+        setattr(config, "name", name)
+        handle = _abi.TargetHandle()
+        check(library().hrt_target_add(self.handle, byref(config), byref(handle)))
+        return Target(self, handle)
+
+    def target(self, name: str) -> Target:
+        """The target of this name."""
+        handle = _abi.TargetHandle()
+        check(library().hrt_target_find(self.handle, name.encode(), byref(handle)))
+        return Target(self, handle)
+
+    def targets(self, role: Role | None = None) -> list[Target]:
+        """All targets, or those of a role, in the order in which they were added."""
+        wanted = 0 if role is None else int(role)
+        count = ctypes.c_uint32()
+        check(library().hrt_target_list(self.handle, wanted, 0, None, byref(count)))
+        handles = (_abi.TargetHandle * count.value)()
+        check(library().hrt_target_list(self.handle, wanted, count, handles, byref(count)))
+        return [Target(self, _abi.TargetHandle(value=handle.value)) for handle in handles]
+
+    # Authority
+
+    def authority(self, real: Target, virtual: Target) -> Authority:
+        """What can be held for a pair, told before anyone moves."""
+        authority = Authority()
+        check(library().hrt_authority_query(self.handle, real.handle, virtual.handle, byref(authority)))
+        return authority
+
+    def best_authority(self, virtual: Target) -> tuple[Target, Authority]:
+        """The real target that serves a virtual one with the greatest margin, and what can be held for the pair."""
+        authority = Authority()
+        check(library().hrt_authority_query_best(self.handle, virtual.handle, byref(authority)))
+        return Target(self, _abi.TargetHandle(value=authority.real_target.value)), authority
+
+    def authorities(self) -> Array:
+        """What can be held for every pair: an array with the fields of Authority, by virtual target, then real one.
+
+        `real_target` and `virtual_target` are Target.id, in a field `value`.
+        """
+        count = ctypes.c_uint64()
+        check(library().hrt_authority_query_all(self.handle, 0, None, byref(count)))
+        out = np.zeros(count.value, np.dtype(Authority))
+        out["struct_size"] = out.dtype.itemsize
+        if len(out) > 0:
+            first = ctypes.cast(out.ctypes.data, ctypes.POINTER(Authority))
+            check(library().hrt_authority_query_all(self.handle, count, first, byref(count)))
+        return out
+
+    # Reaches
+
+    def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None) -> Reach:
+        """Begins a reach. `plate_orientation_deg` is where the plate stands; without it, where the session's last
+        command left it.
+
+            with session.reach(cylinder, cup) as reach:
+                command = reach.update(time_ns, position_m=(x, y, z))
+            print(reach.summary.final_miss_deg)
+        """
+        return Reach(self, real, virtual, plate_orientation_deg)
+
+    def run_reach(self, real: Target, virtual: Target, samples: Array, *,
+                  plate_orientation_deg: float | None = None) -> ReachRecord:
+        """Runs a whole reach over an array of SAMPLE, without copying it."""
+        config = self.config
+        real_deg, real_distance_m = target_place(real.config, config)
+        virtual_deg, _ = target_place(virtual.config, config)
+        with self.reach(real, virtual, plate_orientation_deg=plate_orientation_deg) as reach:
+            commands = reach.run(samples)
+            summary = reach.end()
+        return ReachRecord(
+            config=config, real_direction_deg=real_deg, virtual_direction_deg=virtual_deg,
+            real_distance_m=real_distance_m, start_position_m=np.array(config.start_position_m), samples=samples,
+            commands=commands, results=np.zeros(len(samples), np.int32),
+            final_direction_deg=summary.final_direction_deg, summary=summary)
+
+    @contextmanager
+    def recording(self, path: str | os.PathLike[str]) -> Iterator[RecordingStatus]:
+        """Records all that crosses the interface into a file while the context lasts.
+
+        Yields the status, which is filled in at the end. RuntimeError if the file is then not complete.
+        """
+        status = RecordingStatus()
+        check(library().hrt_recording_start(self.handle, os.fsencode(path)))
+        try:
+            yield status
+        finally:
+            check(library().hrt_recording_stop(self.handle, byref(status)))
+        if status.system_error != 0:
+            raise OSError(status.system_error, os.strerror(status.system_error), os.fspath(path))
+        if status.rows_lost != 0:
+            raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow")
+
+    # The participant
+
+    @property
+    def profile(self) -> dict[str, Any]:
+        """What is known of the participant, as it would be kept in a JSON file."""
+        length = ctypes.c_uint64()
+        check(library().hrt_profile_save(self.handle, 0, None, byref(length)))
+        text = ctypes.create_string_buffer(length.value + 1)
+        check(library().hrt_profile_save(self.handle, len(text), text, byref(length)))
+        profile: dict[str, Any] = json.loads(text.value)
+        return profile
+
+    def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
+        """Takes a profile into the configuration: a mapping, or JSON text. What it lacks stays as it is."""
+        if isinstance(profile, Mapping):
+            profile = json.dumps(dict(profile))
+        text = profile.encode() if isinstance(profile, str) else profile
+        check(library().hrt_profile_load(self.handle, text, len(text)))

@@ -1,0 +1,47 @@
+"""The declarations against tests/plugin/abi.txt, which the build is held against."""
+
+import ctypes
+import re
+
+from conftest import BINDINGS, ROOT
+
+import haptic_retargeting as hrt
+from haptic_retargeting import _abi
+
+ABI = (ROOT / "tests/plugin/abi.txt").read_text()
+
+
+def python_name(c_name: str) -> str:
+    name = "".join(part.capitalize() for part in c_name.removeprefix("hrt_").split("_"))
+    return name if hasattr(_abi, name) else name + "Handle"
+
+
+def test_structs_have_the_sizes_and_offsets_of_the_library() -> None:
+    struct, fields = None, 0
+    for line in ABI.splitlines():
+        if found := re.fullmatch(r"struct (\w+) (\d+)", line):
+            struct = getattr(_abi, python_name(found[1]))
+            assert ctypes.sizeof(struct) == int(found[2]), line
+        elif found := re.fullmatch(r"  (\w+) (\d+) (\d+)", line):
+            field = getattr(struct, found[1])
+            assert (field.offset, field.size) == (int(found[2]), int(found[3])), f"{struct}: {line}"
+            fields += 1
+    assert fields > 100
+
+
+def test_every_function_is_declared() -> None:
+    functions = re.findall(r"^function .*?(hrt_\w+)\(", ABI, re.M)
+    assert len(functions) > 30
+    source = (BINDINGS / "python/haptic_retargeting/_abi.py").read_text()
+    for name in functions:
+        assert f"library.{name}.argtypes" in source
+
+
+def test_versions_agree() -> None:
+    assert hrt.__version__ == ".".join(map(str, hrt.library_version()))
+
+
+def test_arrays_are_laid_out_as_the_structs() -> None:
+    assert hrt.SAMPLE.itemsize == ctypes.sizeof(_abi.Sample)
+    assert hrt.COMMAND.itemsize == ctypes.sizeof(_abi.Command)
+    assert hrt.SAMPLE.fields["finger_position_m"][1] == _abi.Sample.finger_position_m.offset

@@ -1,0 +1,113 @@
+"""Reaches, over arrays and step by step."""
+
+import ctypes
+
+import numpy as np
+import pytest
+
+import haptic_retargeting as hrt
+
+
+def test_controller_gives_the_plate_of_the_closed_form(session: hrt.Session) -> None:
+    # A window of three steps whose bounds are not met wants e = 3/5 (p - p_R), and e = K (w t + (1 - w) p). Relative to
+    # the virtual direction p = -5 and p_R = -10; K = 5/6 in the first step.
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        command = reach.update(0, direction_deg=0)
+    gain = 0.5 / 0.6
+    felt = 0.6 * 5 / gain
+    assert command.plate_orientation_deg == pytest.approx(5 + (felt + 0.85 * 5) / 0.15)
+    assert reach.summary is not None and reach.summary.samples == 1
+
+
+def test_arrays_give_the_bits_of_single_steps(session: hrt.Session, straight: np.ndarray) -> None:
+    real, virtual = session.target("cylinder"), session.target("cup")
+    record = session.run_reach(real, virtual, straight, plate_orientation_deg=0)
+    with session.reach(real, virtual, plate_orientation_deg=0) as reach:
+        for sample, expected in zip(straight, record.commands):
+            command = reach.update(sample["time_ns"], position_m=sample["finger_position_m"])
+            assert bytes(command) == expected.tobytes()
+    assert record.summary == reach.summary
+    assert record.summary.steps == 30
+    assert record.final_direction_deg == record.summary.final_direction_deg
+    assert record.final_miss_deg == pytest.approx(record.summary.final_miss_deg)
+    assert np.array_equal(record.position_m, straight["finger_position_m"])
+
+
+def test_nothing_is_copied(session: hrt.Session, straight: np.ndarray) -> None:
+    out = hrt.commands(len(straight))
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        assert reach.run(straight, out) is out
+    assert out["step"][-1] == 29
+
+
+def test_commands_stay_as_they_were(session: hrt.Session) -> None:
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        first = reach.update(0, direction_deg=0)
+        before = bytes(first)
+        reach.update(100_000_000, direction_deg=3)
+        assert bytes(first) == before
+
+
+def test_error_within_an_array_tells_the_row_and_keeps_what_precedes(session: hrt.Session, straight: np.ndarray) -> None:
+    straight["time_ns"][100] = -1
+    out = hrt.commands(len(straight))
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        with pytest.raises(hrt.Error, match=r"samples\[100\].*time_ns") as caught:
+            reach.run(straight, out)
+    assert caught.value.code is hrt.ErrorCode.TIME_REVERSED
+    assert out["step"][99] > 0 and out["step"][100] == 0
+
+
+def test_exception_within_a_reach_ends_it(session: hrt.Session) -> None:
+    real, virtual = session.target("cylinder"), session.target("cup")
+    with pytest.raises(ZeroDivisionError):
+        with session.reach(real, virtual):
+            1 / 0
+    with session.reach(real, virtual):
+        with pytest.raises(hrt.Error) as caught:
+            session.configure(horizon=4)
+    assert caught.value.code is hrt.ErrorCode.WRONG_STATE
+
+
+@pytest.mark.parametrize("wrong", [
+    np.zeros(3), np.zeros((3, 3), hrt.SAMPLE), np.zeros(6, hrt.SAMPLE)[::2], np.zeros(3, hrt.COMMAND)])
+def test_other_arrays_are_refused(session: hrt.Session, wrong: np.ndarray) -> None:
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        with pytest.raises(TypeError, match="one contiguous row"):
+            reach.run(wrong)
+        with pytest.raises(ValueError, match="2 rows"):
+            reach.run(hrt.samples([0, 1]), hrt.commands(3))
+
+
+def test_no_samples_make_no_commands(session: hrt.Session) -> None:
+    record = session.run_reach(session.target("cylinder"), session.target("cup"), hrt.samples(np.array([], int)))
+    assert len(record.commands) == 0 and len(record.time_s) == 0
+
+
+def test_samples_are_made_of_columns() -> None:
+    made = hrt.samples([0, 1, 2], position_m=[[1, 2, 3], [np.nan, 0, 0], [4, 5, 6]], plate_orientation_deg=[np.nan, 7, 8],
+                       lifted=[False, False, True])
+    position, plate, lifted = (int(f) for f in (hrt.SampleFlag.PLATE_POSITION, hrt.SampleFlag.PLATE_ORIENTATION,
+                                                hrt.SampleFlag.LIFTED))
+    assert list(made["flags"]) == [position, plate, position | plate | lifted]
+    assert made["finger_position_m"].tolist() == [[1, 2, 3], [0, 0, 0], [4, 5, 6]]
+    assert made["plate_orientation_deg"].tolist() == [0, 7, 8]
+    assert set(made["struct_size"]) == {ctypes.sizeof(hrt.Sample)}
+    assert hrt.samples([5], direction_deg=3)["flags"][0] == hrt.SampleFlag.DIRECTION
+
+
+def test_wrong_columns_are_refused() -> None:
+    with pytest.raises(ValueError, match="whole numbers"):
+        hrt.samples([0.5, 1.0])
+    with pytest.raises(ValueError, match=r"finger_position_m must have the shape \(2, 3\)"):
+        hrt.samples([0, 1], position_m=[[0, 0, 0]])
+    with pytest.raises(ValueError, match="finger_direction_deg"):
+        hrt.samples([0, 1], direction_deg=[1, 2, 3])
+
+
+def test_dropout_holds_the_plate(session: hrt.Session) -> None:
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        before = reach.update(0, direction_deg=0)
+        held = reach.update(50_000_000)
+    assert held.flags & hrt.CommandFlag.HELD
+    assert held.plate_orientation_deg == before.plate_orientation_deg

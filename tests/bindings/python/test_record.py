@@ -1,0 +1,122 @@
+"""Recordings to arrays, and pictures of them."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from conftest import BINDINGS, ROOT
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+import haptic_retargeting as hrt
+from haptic_retargeting import plot
+
+REACH = BINDINGS / "reach.csv"
+
+
+def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.ndarray, tmp_path: Path) -> None:
+    straight["flags"][::7] = 0
+    with session.recording(tmp_path / "a.csv") as status:
+        ran = session.run_reach(session.target("cylinder"), session.target("cup"), straight)
+    assert (status.rows_written, status.rows_lost) == (273, 0)
+    recording = hrt.read_recording(tmp_path / "a.csv")
+    (read,) = recording.reaches
+    assert recording.complete and [t.name for t in recording.targets] == [b"cylinder", b"cup"]
+    assert read.commands.tobytes() == ran.commands.tobytes()
+    seen = straight["flags"] != 0
+    assert read.samples[seen].tobytes() == straight[seen].tobytes()
+    assert np.isnan(read.position_m[~seen]).all()
+    assert (read.real_direction_deg, read.virtual_direction_deg, read.real_distance_m) == (-5, 5, 0.1)
+    assert np.allclose(read.start_position_m, (0, 0, 0.05))
+    assert read.final_direction_deg == ran.final_direction_deg
+    assert read.config == ran.config
+    report = hrt.replay(tmp_path / "a.csv")
+    assert (report.complete, report.first_different_line, report.rows) == (1, 0, 273)
+
+
+def test_checked_in_recordings_are_read() -> None:
+    (reach,) = hrt.read_recording(REACH).reaches
+    assert len(reach.samples) == 303 and reach.commands["step"][-1] == 29
+    golden = hrt.read_recording(ROOT / "tests/plugin/golden_recording.csv")
+    assert golden.complete and len(golden.reaches) == 3
+    refused = golden.reaches[0].results != 0
+    assert refused.any() and np.isnan(golden.reaches[0].commands["plate_orientation_deg"][refused]).all()
+    # The third is in the world, with the plate's pose in each sample.
+    in_world = golden.reaches[2]
+    assert np.allclose(in_world.position_m, in_world.samples["finger_position_m"])
+
+
+def test_world_is_turned_into_plate_coordinates() -> None:
+    # The plate at (1, 2, 3), turned by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
+    turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
+    assert hrt.world_to_plate((1, 2, 2), (1, 2, 3), turned) == pytest.approx((1, 0, 0))
+    assert hrt.world_to_plate((2, 2.5, 3), (1, 2, 3), turned) == pytest.approx((0, 0.5, 1))
+
+
+@pytest.mark.parametrize(("old", "new", "text"), [
+    ("# haptic", "# some", "line 1: not a recording"),
+    ("call,result", "call,outcome", "line 6: the column result is missing"),
+    ("begin,0", "start,0", "line 10: the row's call is 'start'"),
+    ("update,0,198125676", "update,0,soon", "line 28: .*'soon'"),
+    ("update,0,198125676", "update,0,9" + 20 * "9", "line 28: time_ns is 9+, which is beyond int64"),
+    ("update,0,198125676,", "update,0,", "line 28: the row has 29 columns; 30"),
+    ('"horizon":20', '"horizon":"twenty"', "line 7"),
+    ('"horizon":20', '"horizon":-3', "line 7: SessionConfig.horizon is -3: beyond uint"),
+    ("# config {", "# config [", "line 7"),
+    ("# config {", "# setup {", "line 10: a row before the configuration"),
+])
+def test_what_is_not_a_recording_is_refused_by_line(tmp_path: Path, old: str, new: str, text: str) -> None:
+    good = REACH.read_text()
+    assert old in good
+    (tmp_path / "bad.csv").write_text(good.replace(old, new, 1))
+    with pytest.raises(hrt.RecordingError, match=rf"bad.csv, {text}"):
+        hrt.read_recording(tmp_path / "bad.csv")
+
+
+def test_recording_cut_off_anywhere_is_incomplete_or_refused(tmp_path: Path) -> None:
+    text = REACH.read_text()
+    path = tmp_path / "cut.csv"
+    for size in (*range(0, 4000, 97), *range(4000, len(text) - 1, 4001)):
+        path.write_text(text[:size])
+        try:
+            assert not hrt.read_recording(path).complete
+        except hrt.RecordingError:
+            assert size < text.index("\nbegin")
+
+
+def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
+    (tmp_path / "bytes.csv").write_bytes(b"\xff\xfe\x00\n")
+    with pytest.raises(hrt.RecordingError, match="not text"):
+        hrt.read_recording(tmp_path / "bytes.csv")
+
+
+def test_full_disk_is_reported(session: hrt.Session) -> None:
+    with pytest.raises(hrt.Error, match="No space left") as caught:
+        with session.recording("/dev/full"):
+            pass
+    assert caught.value.code is hrt.ErrorCode.SYSTEM
+
+
+def test_picture_shows_finger_targets_and_angles() -> None:
+    (record,) = hrt.read_recording(REACH).reaches
+    figure = plot.reach(record, "title")
+    above, time, plate = figure.axes
+    finger = next(line for line in above.lines if line.get_label() == "finger, as tracked")
+    assert np.array_equal(finger.get_xdata(), 1000 * record.position_m[:, 0], equal_nan=True)
+    assert np.array_equal(finger.get_ydata(), -1000 * record.position_m[:, 2], equal_nan=True)
+    real = next(line for line in above.lines if str(line.get_label()).startswith("real target"))
+    # 100 mm from the start, 5 degrees to the right.
+    assert real.get_xdata() == pytest.approx(100 * np.sin(np.radians(5)))
+    assert real.get_ydata() == pytest.approx(-50 + 100 * np.cos(np.radians(5)))
+    labels = [line.get_label() for line in (*time.lines, *plate.lines)]
+    assert "plate, commanded" in labels and "felt, as the model predicts" in labels
+    canvas = FigureCanvasAgg(figure)
+    canvas.draw()
+    pixels = np.asarray(canvas.buffer_rgba())[..., :3].reshape(-1, 3)
+    for colour in ((0x00, 0x72, 0xB2), (0xD5, 0x5E, 0x00)):
+        assert (np.abs(pixels - np.array(colour)).max(axis=1) < 8).sum() > 300
+
+
+def test_picture_of_a_reach_without_positions_is_drawn(session: hrt.Session) -> None:
+    samples = hrt.samples(np.arange(3) * 100_000_000, direction_deg=[0, np.nan, 1])
+    record = session.run_reach(session.target("cylinder"), session.target("cup"), samples)
+    FigureCanvasAgg(plot.reach(record)).draw()

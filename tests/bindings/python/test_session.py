@@ -1,0 +1,164 @@
+"""Sessions, targets, authority, profiles: values derived by hand, and every mistake a caller may make."""
+
+import gc
+import threading
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import haptic_retargeting as hrt
+from haptic_retargeting import _abi
+
+
+def test_configuration_has_defaults_and_takes_keywords() -> None:
+    with hrt.Session(horizon=20, guidance=hrt.Guidance.LINE_OF_SIGHT, start_position_m=(0, 0, 0.04)) as session:
+        config = session.config
+        assert (config.horizon, config.guidance, list(config.start_position_m)) == (20, 1, [0, 0, 0.04])
+        assert config.tactile_weight == 0.15
+        session.configure(tactile_weight=np.float64(0.2), horizon=np.int64(4))
+        assert (session.config.tactile_weight, session.config.horizon) == (0.2, 4)
+        assert "tactile_weight=0.2" in repr(session.config)
+        assert session.config == session.config
+
+
+@pytest.mark.parametrize(
+    ("fields", "error", "text"),
+    [
+        ({"horizn": 3}, AttributeError, "horizn"),
+        ({"struct_size": 3}, AttributeError, "struct_size"),
+        ({"horizon": -1}, ValueError, "horizon is -1"),
+        ({"horizon": 2.5}, TypeError, "SessionConfig.horizon is 2.5"),
+        ({"horizon": 51}, hrt.Error, "horizon"),
+        ({"tactile_weight": float("nan")}, hrt.Error, "tactile_weight"),
+        ({"tactile_weight": "much"}, TypeError, "SessionConfig.tactile_weight is 'much': a number"),
+        ({"plate_position_m": (1, 2)}, ValueError, "SessionConfig.plate_position_m is .*: 3 numbers"),
+    ],
+)
+def test_wrong_configuration_is_refused_by_name(fields, error, text) -> None:
+    with pytest.raises(error, match=text):
+        hrt.Session(**fields)
+
+
+def test_error_has_the_code_and_the_text_of_the_library(session: hrt.Session) -> None:
+    with pytest.raises(hrt.Error, match="hrt_target_find") as caught:
+        session.target("saucer")
+    assert caught.value.code is hrt.ErrorCode.NOT_FOUND
+
+
+def test_closed_session_is_refused() -> None:
+    session = hrt.Session()
+    session.close()
+    session.close()
+    with pytest.raises(hrt.Error) as caught:
+        session.config
+    assert caught.value.code is hrt.ErrorCode.INVALID_HANDLE
+
+
+def test_forgotten_sessions_are_ended() -> None:
+    for _ in range(3 * _abi.SESSIONS_MAX):
+        hrt.Session()
+    gc.collect()
+
+
+def test_sessions_run_on_threads_of_their_own(straight: np.ndarray) -> None:
+    ends = []
+
+    def run() -> None:
+        with hrt.Session() as session:
+            real, virtual = session.add_real(direction_deg=-5), session.add_virtual(direction_deg=5)
+            ends.append(session.run_reach(real, virtual, straight).commands[-1].tobytes())
+
+    threads = [threading.Thread(target=run) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(ends) == 4 and len(set(ends)) == 1
+
+
+def test_targets_are_found_listed_changed_and_removed(session: hrt.Session) -> None:
+    cup = session.target("cup")
+    assert cup == session.targets()[1] and cup.role is hrt.Role.VIRTUAL and cup.name == "cup"
+    assert [t.name for t in session.targets(hrt.Role.REAL)] == ["cylinder"]
+    cup.configure(direction_deg=6.0)
+    assert cup.config.direction_deg == 6.0
+    cup.remove()
+    assert len(session.targets()) == 1 and "removed" in repr(cup)
+    with pytest.raises(hrt.Error) as caught:
+        cup.configure(direction_deg=1.0)
+    assert caught.value.code is hrt.ErrorCode.INVALID_HANDLE
+
+
+def test_targets_are_placed_in_one_way(session: hrt.Session) -> None:
+    with pytest.raises(TypeError, match="placed by"):
+        session.add_real("nowhere")
+    with pytest.raises(TypeError, match="placed by"):
+        session.add_real("twice", direction_deg=1, position_m=(0, 0, 0))
+    with pytest.raises(ValueError, match="64 are allowed"):
+        session.add_real("x" * 64, direction_deg=0)
+    with pytest.raises(ValueError, match="zero"):
+        session.add_real("a\0b", direction_deg=0)
+    with pytest.raises(TypeError, match="TargetConfig.name is 5: a text"):
+        session.target("cup").configure(name=5)
+
+
+def test_place_of_a_target_is_the_same_however_it_is_given() -> None:
+    # The plate a metre up and turned by 90 degrees: its x axis is the world's -z.
+    turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
+    with hrt.Session(plate_position_m=(0, 1, 0), plate_rotation=turned) as session:
+        on_plate = session.add_virtual("a", position_m=(-0.05, 0, -0.05))
+        in_world = session.add_virtual("b", world_position_m=(-0.05, 1, 0.05))
+        by_direction = session.add_real("c", direction_deg=20, distance_m=0.08)
+        config = session.config
+        expected = (np.degrees(np.arctan2(0.05, 0.1)), np.hypot(0.05, 0.1))
+        assert hrt.target_place(on_plate.config, config) == pytest.approx(expected)
+        assert hrt.target_place(in_world.config, config) == pytest.approx(expected)
+        assert hrt.target_place(by_direction.config, config) == (20, 0.08)
+        # The library agrees: the same gap to the same real target.
+        gaps = [session.authority(by_direction, t).gap_deg for t in (on_plate, in_world)]
+        assert gaps == pytest.approx([expected[0] - 20] * 2)
+
+
+def test_authority_is_that_of_the_model(session: hrt.Session) -> None:
+    # By hand: t = gap (1 - w) / w, largest gap 84.5 w / (1 - w), with w = 0.15.
+    authority = session.authority(session.target("cylinder"), session.target("cup"))
+    assert authority.reachable == 1
+    assert authority.gap_deg == 10
+    assert authority.largest_gap_deg == pytest.approx(84.5 * 0.15 / 0.85)
+    assert authority.plate_orientation_deg == pytest.approx(5 + 10 * 0.85 / 0.15)
+    far = session.add_real("far", direction_deg=-30)
+    table = session.authorities()
+    assert list(table["reachable"]) == [1, 0]
+    assert list(table["real_target"]["value"]) == [session.target("cylinder").id, far.id]
+    best, found = session.best_authority(session.target("cup"))
+    assert best == session.target("cylinder") and found == authority
+
+
+def test_no_pairs_make_an_empty_table() -> None:
+    with hrt.Session() as session:
+        assert len(session.authorities()) == 0
+
+
+def test_profile_is_kept_and_loaded(session: hrt.Session) -> None:
+    profile = session.profile
+    assert profile["tactile_weight"] == 0.15
+    profile["tactile_weight"] = 0.2
+    session.load_profile(profile)
+    assert session.config.tactile_weight == 0.2
+    session.load_profile('{"format":"haptic retargeting profile","version":1,"tactile_weight":0.3}')
+    assert session.config.tactile_weight == 0.3
+    with pytest.raises(hrt.Error, match="hrt_profile_load"):
+        session.load_profile("no JSON")
+    with pytest.raises(hrt.Error, match="tactile_weight"):
+        session.load_profile({**profile, "tactile_weight": 0.6})
+
+
+def test_scene_is_registered() -> None:
+    with hrt.Session() as session, hrt.Scene(ROOT / "samples/scenes/desk.gltf") as scene:
+        targets = scene.register(session)
+        assert [t.name for t in targets] == [t.name.decode() for t in scene.targets]
+        assert {t.role for t in targets} == {hrt.Role.REAL, hrt.Role.VIRTUAL}
+        assert session.config.plate_radius_m == scene.info.plate_radius_m
+    with pytest.raises(hrt.Error, match="no.gltf"):
+        hrt.Scene("no.gltf")
