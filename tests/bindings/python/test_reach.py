@@ -79,6 +79,14 @@ def test_other_arrays_are_refused(session: hrt.Session, wrong: np.ndarray) -> No
             reach.run(hrt.samples([0, 1]), hrt.commands(3))
 
 
+@pytest.mark.parametrize("size", [0, 10**9])
+def test_rows_of_another_size_are_refused(session: hrt.Session, straight: np.ndarray, size: int) -> None:
+    straight["struct_size"][3] = size
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        with pytest.raises(ValueError, match="struct_size"):
+            reach.run(straight)
+
+
 def test_no_samples_make_no_commands(session: hrt.Session) -> None:
     record = session.run_reach(session.target("cylinder"), session.target("cup"), hrt.samples(np.array([], int)))
     assert len(record.commands) == 0 and len(record.time_s) == 0

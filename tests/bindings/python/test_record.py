@@ -89,6 +89,26 @@ def test_bytes_that_are_no_text_are_refused(tmp_path: Path) -> None:
         hrt.read_recording(tmp_path / "bytes.csv")
 
 
+def test_run_that_is_faster_than_the_disk_loses_nothing(session: hrt.Session, tmp_path: Path) -> None:
+    n = 60_000
+    samples = hrt.samples(np.arange(n) * 1_000_000, direction_deg=0)
+    with session.recording(tmp_path / "long.csv") as status:
+        session.run_reach(session.target("cylinder"), session.target("cup"), samples)
+        with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+            for time_ns in range(15_000):
+                reach.update(time_ns)
+    assert (status.rows_written, status.rows_lost) == (n + 15_000 + 4, 0)
+
+
+def test_recording_may_end_before_the_reach(session: hrt.Session, tmp_path: Path) -> None:
+    with session.recording(tmp_path / "part.csv"):
+        reach = session.reach(session.target("cylinder"), session.target("cup"))
+        reach.run(hrt.samples(np.arange(100), direction_deg=0))
+    reach.run(hrt.samples(np.arange(100, 5000), direction_deg=0))
+    assert reach.end().samples == 5000
+    assert len(hrt.read_recording(tmp_path / "part.csv").reaches[0].samples) == 100
+
+
 def test_full_disk_is_reported(session: hrt.Session) -> None:
     with pytest.raises(hrt.Error, match="No space left") as caught:
         with session.recording("/dev/full"):

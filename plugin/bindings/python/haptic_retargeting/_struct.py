@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import functools
 import operator
 from typing import Any
 
@@ -27,7 +28,7 @@ class Struct(ctypes.Structure):
 
     def _checked(self, name: str, value: Any) -> Any:
         """`value` as ctypes takes it; ctypes itself would cut off what doesn't fit."""
-        kind = dict(self._fields_).get(name) if name not in _HIDDEN else None
+        kind = _kinds(type(self)).get(name)
         if kind is None:
             raise AttributeError(f"{type(self).__name__} has no field {name!r}; it has {', '.join(self.names())}")
         try:
@@ -38,7 +39,7 @@ class Struct(ctypes.Structure):
     @classmethod
     def names(cls) -> list[str]:
         """The fields that mean something."""
-        return [field[0] for field in cls._fields_ if field[0] not in _HIDDEN]
+        return list(_kinds(cls))
 
     def as_dict(self) -> dict[str, Any]:
         """The fields as Python's own values."""
@@ -53,6 +54,12 @@ class Struct(ctypes.Structure):
         return self.as_dict() == other.as_dict()
 
     __hash__ = None  # type: ignore[assignment]
+
+
+@functools.cache
+def _kinds(struct: type[Struct]) -> dict[str, Any]:
+    """The fields that mean something, with their types."""
+    return {field[0]: field[1] for field in struct._fields_ if field[0] not in _HIDDEN}
 
 
 def _converted(kind: Any, value: Any) -> Any:

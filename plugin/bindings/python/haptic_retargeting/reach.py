@@ -3,32 +3,58 @@
 from __future__ import annotations
 
 import ctypes
+import time
 from collections.abc import Sequence
 from ctypes import byref
-from typing import TYPE_CHECKING
 
 from . import _abi
-from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, Sample, SampleFlag
+from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._library import Error, check, library
 from .arrays import COMMAND, SAMPLE, Array, commands
 
-if TYPE_CHECKING:
-    from .session import Session, Target
+
+class Pace:
+    """Has a script that runs faster than real time wait for the disk of its recording, which would lose calls."""
+
+    LOOK_EVERY = 1024  # calls; the library holds 8192
+    STALLED_S = 5.0
+
+    def __init__(self, session: _abi.SessionHandle) -> None:
+        self._session = session
+        self._calls = 0
+        self._looked_at = 0
+
+    def count(self, calls: int) -> None:
+        """So many calls more have been made."""
+        self._calls += calls
+        if self._calls - self._looked_at < self.LOOK_EVERY:
+            return
+        self._looked_at = self._calls
+        status = RecordingStatus()
+        give_up = time.monotonic() + self.STALLED_S
+        while time.monotonic() < give_up:
+            if library().hrt_recording_get_status(self._session, byref(status)) != _abi.OK:
+                return  # the recording has ended before the reach
+            if self._calls - status.rows_written - status.rows_lost <= 4 * self.LOOK_EVERY:
+                return
+            time.sleep(0.001)
 
 
 class Reach:
     """A reach under way, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
 
-    def __init__(self, session: Session, real: Target, virtual: Target, plate_orientation_deg: float | None) -> None:
+    def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
+                 plate_orientation_deg: float | None, pace: Pace | None) -> None:
         config = ReachConfig()
         check(library().hrt_reach_config_default(byref(config), ctypes.sizeof(config)))
-        config.real_target = real.handle
-        config.virtual_target = virtual.handle
+        config.real_target = real
+        config.virtual_target = virtual
         if plate_orientation_deg is not None:
             config.flags = ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
-        check(library().hrt_reach_begin(session.handle, byref(config)))
+        check(library().hrt_reach_begin(session, byref(config)))
         self._session = session
+        self._pace = pace
         self._command = Command()
         self.summary: ReachSummary | None = None
         """What became of the reach, once it has ended."""
@@ -57,7 +83,9 @@ class Reach:
 
     def update_sample(self, sample: Sample) -> Command:
         """As update(), with a Sample that the caller has filled."""
-        check(library().hrt_reach_update(self._session.handle, byref(sample), byref(self._command)))
+        check(library().hrt_reach_update(self._session, byref(sample), byref(self._command)))
+        if self._pace is not None:
+            self._pace.count(1)
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
@@ -66,27 +94,34 @@ class Reach:
         Neither array is copied. With `out`, commands go there; after an error it has those before it.
         """
         _expect_rows(samples, "samples", SAMPLE)
+        if (samples["struct_size"] != SAMPLE.itemsize).any():
+            raise ValueError(f"samples must have struct_size {SAMPLE.itemsize} in each row, as haptic_retargeting.samples() sets")
         if out is None:
             out = commands(len(samples))
         _expect_rows(out, "out", COMMAND)
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
         out["struct_size"] = COMMAND.itemsize
-        update = _update_at()
-        handle, sample, command = self._session.handle, samples.ctypes.data, out.ctypes.data
-        for row in range(len(samples)):
-            result = update(handle, sample, command)
+        for first in range(0, len(samples), Pace.LOOK_EVERY):
+            rows = range(first, min(first + Pace.LOOK_EVERY, len(samples)))
+            self._run_rows(rows, samples.ctypes.data, out.ctypes.data)
+            if self._pace is not None:
+                self._pace.count(len(rows))
+        return out
+
+    def _run_rows(self, rows: range, samples_at: int, commands_at: int) -> None:
+        """By addresses, which is quicker than by objects."""
+        update, session = _update_at(), self._session
+        for row in rows:
+            result = update(session, samples_at + row * SAMPLE.itemsize, commands_at + row * COMMAND.itemsize)
             if result != _abi.OK:
                 text = library().hrt_last_error().decode(errors="replace")
                 raise Error(result, f"samples[{row}]: {text}")
-            sample += SAMPLE.itemsize
-            command += COMMAND.itemsize
-        return out
 
     def end(self) -> ReachSummary:
         """Ends the reach and tells what became of it."""
         summary = ReachSummary()
-        check(library().hrt_reach_end(self._session.handle, byref(summary)))
+        check(library().hrt_reach_end(self._session, byref(summary)))
         self.summary = summary
         return summary
 
@@ -109,6 +144,6 @@ def _expect_rows(array: Array, name: str, dtype: object) -> None:
 
 
 def _update_at() -> ctypes._FuncPointer:
-    """hrt_reach_update() by addresses, which is quicker than by objects."""
+    """hrt_reach_update(), to be called with addresses."""
     prototype = ctypes.CFUNCTYPE(ctypes.c_int32, _abi.SessionHandle, ctypes.c_void_p, ctypes.c_void_p)
     return prototype(ctypes.cast(library().hrt_reach_update, ctypes.c_void_p).value or 0)

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._abi import Authority, Place, RecordingStatus, Role, SessionConfig, TargetConfig
 from ._library import Error, check, library
-from .reach import Reach
+from .reach import Pace, Reach
 from .record import ReachRecord, target_place
 from .arrays import Array
 
@@ -96,6 +96,7 @@ class Session:
         self.handle = _abi.SessionHandle()
         check(library().hrt_session_create(byref(config), byref(self.handle)))
         self._destroy = weakref.finalize(self, library().hrt_session_destroy, self.handle)
+        self._pace: Pace | None = None
 
     def close(self) -> None:
         """Ends the session, its targets, and a reach or a recording that is under way. Twice does nothing."""
@@ -212,7 +213,7 @@ class Session:
                 command = reach.update(time_ns, position_m=(x, y, z))
             print(reach.summary.final_miss_deg)
         """
-        return Reach(self, real, virtual, plate_orientation_deg)
+        return Reach(self.handle, real.handle, virtual.handle, plate_orientation_deg, self._pace)
 
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
                   plate_orientation_deg: float | None = None) -> ReachRecord:
@@ -233,13 +234,15 @@ class Session:
     def recording(self, path: str | os.PathLike[str]) -> Iterator[RecordingStatus]:
         """Records all that crosses the interface into a file while the context lasts.
 
-        Yields the status, which is filled in at the end. RuntimeError if the file is then not complete.
+        Yields the status, which is filled in at the end. OSError or RuntimeError if the file is then not complete.
         """
         status = RecordingStatus()
         check(library().hrt_recording_start(self.handle, os.fsencode(path)))
+        self._pace = Pace(self.handle)
         try:
             yield status
         finally:
+            self._pace = None
             check(library().hrt_recording_stop(self.handle, byref(status)))
         if status.system_error != 0:
             raise OSError(status.system_error, os.strerror(status.system_error), os.fspath(path))
