@@ -7,6 +7,9 @@ install(TARGETS haptic_retargeting EXPORT HapticRetargetingTargets
   RUNTIME COMPONENT runtime
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
+if(WIN32)
+  install(FILES ${HRT_DEF} TYPE LIB COMPONENT development)
+endif()
 install(DIRECTORY plugin/include/ TYPE INCLUDE COMPONENT development FILES_MATCHING PATTERN "*.h")
 
 set(HRT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/HapticRetargeting)

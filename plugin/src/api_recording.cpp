@@ -1,9 +1,7 @@
-#include <cerrno>
-#include <cstdio>
 #include <string>
-#include <system_error>
 
 #include "plugin/src/checked.h"
+#include "plugin/src/file.h"
 #include "plugin/src/replay.h"
 #include "plugin/src/session.h"
 
@@ -26,9 +24,7 @@ hrt_result check_recording(const Session& session) {
 }
 
 std::string read_file(const char* path) {
-  const auto close = [](std::FILE* file) { std::fclose(file); };
-  const std::unique_ptr<std::FILE, decltype(close)> file(std::fopen(path, "r"), close);
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  const File file = open_file(path, FileMode::read);
   std::string text;
   char block[65536];
   while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "plugin/src/checked.h"
+#include "plugin/src/file.h"
 #include "plugin/src/session.h"
 #include "scene/scene.h"
 
@@ -136,7 +137,7 @@ using namespace hrt::plugin;
 hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load_file", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    return add_scene(out_scene, [&] { return hrt::load_scene(std::filesystem::path(path)); });
+    return add_scene(out_scene, [&] { return hrt::load_scene(path_of(path)); });
   });
 }
 

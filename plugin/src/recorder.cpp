@@ -23,8 +23,7 @@ void append(const Record& record, std::FILE* file) {
 
 Recorder::Recorder(const char* path, const hrt_session_config& config,
                    const std::map<std::uint64_t, hrt_target_config>& targets)
-    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::fopen(path, "w")) {
-  if (!file_) throw std::system_error(errno, std::generic_category(), path);
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(open_file(path, FileMode::write)) {
   std::fwrite(recording_header().data(), 1, recording_header().size(), file_.get());
   append({.call = ConfigSet{config}}, file_.get());
   for (const auto& [id, target] : targets)

@@ -3,11 +3,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <thread>
 
+#include "plugin/src/file.h"
 #include "plugin/src/recording_format.h"
 
 namespace hrt::plugin {
@@ -53,10 +53,6 @@ class Recorder {
   void write_lost(std::uint64_t count);
   void give_up(int error);
 
-  struct CloseFile {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-
   std::unique_ptr<Entry[]> ring_;
   std::atomic<std::uint64_t> pushed_{0};  // written by the caller's thread
   std::atomic<std::uint64_t> taken_{0};   // written by the writer's
@@ -66,7 +62,7 @@ class Recorder {
   std::atomic<bool> stopping_{false};
   std::uint64_t lost_told_ = 0;  // of lost_, what entries tell; of the caller's thread
   std::uint64_t in_flight_ = 0;  // written but not flushed; of the writer's
-  std::unique_ptr<std::FILE, CloseFile> file_;
+  File file_;
   std::thread writer_;
 };
 

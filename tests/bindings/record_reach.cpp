@@ -166,7 +166,7 @@ int main(int argc, char** argv) {
   hrt_replay_report report{};
   report.struct_size = sizeof report;
   check(hrt_replay_file(argv[1], &report));
-  std::ofstream hash(argv[2]);
+  std::ofstream hash(argv[2], std::ios::binary);
   hash << "0x" << std::hex;
   hash.width(16);
   hash.fill('0');

@@ -1,7 +1,9 @@
 #include "tests/core/heap_guard.h"
 
+#include <atomic>
 #include <cerrno>
 #include <cstddef>
+#include <cstdlib>
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
@@ -13,7 +15,11 @@
 #endif
 
 namespace {
+#if defined(__GLIBC__)
 thread_local std::int64_t allocations = 0;
+#else
+std::atomic<std::int64_t> allocations{0};  // thread-local variables may need the heap themselves
+#endif
 }  // namespace
 
 namespace hrt {
@@ -35,7 +41,7 @@ const int installed = __sanitizer_install_malloc_and_free_hooks(
     [](const volatile void*, std::size_t) { ++allocations; }, [](const volatile void*) {});
 }  // namespace
 
-#else
+#elif defined(__GLIBC__)
 
 // In place of the C library's functions, which operator new and Eigen end up in, for the whole program. They
 // hand on to what the GNU C library calls its own.
@@ -72,6 +78,31 @@ HRT_REPLACES int posix_memalign(void** memory, std::size_t alignment, std::size_
   ++allocations;
   *memory = __libc_memalign(alignment, size);
   return *memory ? 0 : ENOMEM;
+}
+
+#else
+
+// The linker has whatever asks for malloc() get __wrap_malloc() (CMakeLists.txt); the C and C++ libraries are
+// linked statically, so that this goes for them too.
+extern "C" {
+void* __real_malloc(std::size_t);
+void* __real_calloc(std::size_t, std::size_t);
+void* __real_realloc(void*, std::size_t);
+
+void* __wrap_malloc(std::size_t size) {
+  ++allocations;
+  return __real_malloc(size);
+}
+
+void* __wrap_calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __real_calloc(count, size);
+}
+
+void* __wrap_realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __real_realloc(memory, size);
+}
 }
 
 #endif

@@ -7,7 +7,7 @@
 
 namespace hrt {
 
-/// Heap allocations that this thread has made so far.
+/// Heap allocations that this thread has made so far; that all threads have, without the GNU C library.
 std::int64_t heap_allocations();
 
 /// Forbids the heap to this thread while it lives: its end fails the test if anything was allocated.

@@ -127,7 +127,7 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   ASSERT_OK(hrt_session_create(&config, &session));
   auto status = output<hrt_recording_status>();
   refuse_each_request(allocator, [&] {
-    const hrt_result result = hrt_recording_start(session, "/dev/null");
+    const hrt_result result = hrt_recording_start(session, null_device);
     if (result == HRT_OK) {
       EXPECT_OK(hrt_recording_stop(session, &status));
     }

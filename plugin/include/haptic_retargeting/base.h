@@ -18,6 +18,8 @@
  * further bytes must be zero. Fields named `reserved` must be zero. Integers have a fixed width, and
  * there is no padding between fields.
  *
+ * Texts and paths are UTF-8, on Windows too.
+ *
  * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds.
  * Directions are measured from the plate's mid-line, which points straight away from the user,
  * counter-clockwise positive seen from above: a target to the left has a positive direction.

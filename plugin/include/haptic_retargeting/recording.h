@@ -26,7 +26,7 @@ typedef struct hrt_recording_status {
   uint64_t rows_lost;
 } hrt_recording_status;
 
-/** Records the session from now on into a file, which is created or replaced. `path` as fopen() takes it.
+/** Records the session from now on into a file, which is created or replaced.
  *  Errors: SYSTEM if it can't be created, WRONG_STATE during a reach or while recording, OUT_OF_MEMORY.
  *  [one-thread] */
 HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;

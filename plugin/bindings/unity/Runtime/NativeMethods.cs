@@ -732,9 +732,8 @@ namespace HapticRetargeting.Native
         public static extern int hrt_reach_end(HrtSession session, ref HrtReachSummary outSummary);
 
         /// <summary>
-        /// Records the session from now on into a file, which is created or replaced. `path` as fopen() takes
-        /// it. Errors: SYSTEM if it can't be created, WRONG_STATE during a reach or while recording,
-        /// OUT_OF_MEMORY. [one-thread]
+        /// Records the session from now on into a file, which is created or replaced. Errors: SYSTEM if it
+        /// can't be created, WRONG_STATE during a reach or while recording, OUT_OF_MEMORY. [one-thread]
         /// </summary>
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern int hrt_recording_start(HrtSession session, [In] byte[] path);

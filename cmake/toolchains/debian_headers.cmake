@@ -1,0 +1,24 @@
+# The header-only libraries of this Debian, where a compiler for another machine can see them: /usr/include itself
+# also holds the headers of this machine's C library, which such a compiler must not see.
+get_property(in_try_compile GLOBAL PROPERTY IN_TRY_COMPILE)
+if(in_try_compile)
+  return()
+endif()
+
+set(root ${CMAKE_BINARY_DIR}/debian_headers)
+file(MAKE_DIRECTORY ${root}/include ${root}/share/cmake ${root}/share/eigen3)
+foreach(header eigen3 nlohmann Random123 tiny_gltf.h)
+  file(CREATE_LINK /usr/include/${header} ${root}/include/${header} SYMBOLIC)
+endforeach()
+# Copies: the packages find their headers from where these files are.
+file(COPY /usr/share/cmake/nlohmann_json DESTINATION ${root}/share/cmake)
+file(COPY /usr/share/eigen3/cmake DESTINATION ${root}/share/eigen3)
+
+list(APPEND CMAKE_FIND_ROOT_PATH ${root})
+list(APPEND CMAKE_PREFIX_PATH ${root})
+set(CMAKE_FIND_ROOT_PATH_MODE_PROGRAM NEVER)
+set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
+set(CMAKE_FIND_ROOT_PATH_MODE_PACKAGE ONLY)
+# For the target, the tests' library is built from its source.
+set(HRT_GOOGLETEST_SOURCE /usr/src/googletest)

@@ -1,0 +1,37 @@
+// Files, whose paths come in UTF-8 on every system.
+#pragma once
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <system_error>
+
+namespace hrt::plugin {
+
+struct CloseFile {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+/// Windows' own narrow paths are in a code page that depends on the machine. Throws std::system_error if
+/// `utf8` is no UTF-8 there.
+inline std::filesystem::path path_of(const char* utf8) {
+  return reinterpret_cast<const char8_t*>(utf8);
+}
+
+enum class FileMode { read, write };
+
+/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Throws std::system_error
+/// that names the path.
+inline File open_file(const char* path, FileMode mode) {
+#if defined(_WIN32)
+  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rb" : L"wb"));
+#else
+  File file(std::fopen(path, mode == FileMode::read ? "rb" : "wb"));
+#endif
+  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  return file;
+}
+
+}  // namespace hrt::plugin
