@@ -1,0 +1,203 @@
+/*
+ * GDExtension, as far as this binding uses it: the C interface of Godot 4.2 and later, whose functions are
+ * asked for by name. Declared here because Godot's own header is not part of any package.
+ *
+ * Engine values are opaque bytes of the sizes that they have in 64-bit builds with single precision, which
+ * the official ones are; a Vector3 is 3 floats, a Transform3D 12.
+ */
+#ifndef HRT_GODOT4_GDEXTENSION_H
+#define HRT_GODOT4_GDEXTENSION_H
+
+#include <stdint.h>
+
+#if defined(_WIN32)
+#define GDE_EXPORT __declspec(dllexport)
+#else
+#define GDE_EXPORT __attribute__((visibility("default")))
+#endif
+
+extern "C" {
+
+typedef struct {
+  alignas(8) uint8_t bytes[24];
+} gde_variant;
+typedef struct {
+  alignas(8) uint8_t bytes[8];
+} gde_string;
+typedef struct {
+  alignas(8) uint8_t bytes[8];
+} gde_string_name;
+typedef struct {
+  alignas(8) uint8_t bytes[8];
+} gde_dictionary;
+
+typedef void gde_object;
+typedef void gde_library;
+typedef uint8_t gde_bool;
+
+/* Type of a variant. */
+enum {
+  GDE_NIL = 0,
+  GDE_BOOL = 1,
+  GDE_INT = 2,
+  GDE_FLOAT = 3,
+  GDE_STRING = 4,
+  GDE_VECTOR3 = 9,
+  GDE_TRANSFORM3D = 18,
+  GDE_OBJECT = 24,
+  GDE_DICTIONARY = 27
+};
+
+typedef struct {
+  int32_t error;
+  int32_t argument;
+  int32_t expected;
+} gde_call_error;
+
+/* A property, an argument or a return value. */
+typedef struct {
+  int32_t type;
+  const gde_string_name* name;
+  const gde_string_name* class_name;
+  uint32_t hint;
+  const gde_string* hint_string;
+  uint32_t usage;
+} gde_property;
+
+enum { GDE_HINT_NONE = 0, GDE_HINT_ENUM = 2 };
+enum { GDE_USAGE_DEFAULT = 6 };
+enum { GDE_METHOD_NORMAL = 1 };
+
+/* Arguments are variants, and so is *out_return, already. */
+typedef void (*gde_call)(void* method, void* instance, const gde_variant* const* arguments,
+                         int64_t argument_count, gde_variant* out_return, gde_call_error* out_error);
+/* Arguments are values of the registered types, and *out_return is one already. */
+typedef void (*gde_ptrcall)(void* method, void* instance, const void* const* arguments, void* out_return);
+
+typedef struct {
+  const gde_string_name* name;
+  void* method;
+  gde_call call;
+  gde_ptrcall ptrcall;
+  uint32_t flags;
+  gde_bool has_return_value;
+  gde_property* return_value;
+  int32_t return_value_metadata;
+  uint32_t argument_count;
+  gde_property* arguments;
+  int32_t* argument_metadata;
+  uint32_t default_argument_count;
+  void** default_arguments;
+} gde_method;
+
+/* Of a class; what is not used may be null. */
+typedef void (*gde_unused)(void);
+typedef struct {
+  gde_bool is_virtual;
+  gde_bool is_abstract;
+  gde_bool is_exposed;
+  gde_unused set;
+  gde_unused get;
+  gde_unused get_property_list;
+  gde_unused free_property_list;
+  gde_unused property_can_revert;
+  gde_unused property_get_revert;
+  gde_unused validate_property;
+  gde_unused notification;
+  gde_unused to_string;
+  gde_unused reference;
+  gde_unused unreference;
+  gde_object* (*create_instance)(void* class_data);
+  void (*free_instance)(void* class_data, void* instance);
+  gde_unused recreate_instance;
+  gde_unused get_virtual;
+  gde_unused get_virtual_call_data;
+  gde_unused call_virtual_with_data;
+  gde_unused get_rid;
+  void* class_data;
+} gde_class2;
+
+enum { GDE_LEVEL_SCENE = 2 };
+
+typedef struct {
+  int32_t minimum_level;
+  void* data;
+  void (*initialize)(void* data, int32_t level);
+  void (*deinitialize)(void* data, int32_t level);
+} gde_initialization;
+
+typedef void (*gde_function)(void);
+typedef gde_function (*gde_get_proc_address)(const char* name);
+
+typedef void (*gde_variant_from_type)(gde_variant* out, const void* value);
+typedef void (*gde_type_from_variant)(void* out, const gde_variant* variant);
+typedef void (*gde_constructor)(void* out, const void* const* arguments);
+typedef void (*gde_destructor)(void* value);
+
+/* The engine's functions, each under the name by which it is asked for. */
+
+typedef void gde_fn_print_error(const char* text, const char* function, const char* file, int32_t line,
+                                gde_bool notify_editor);
+typedef void gde_fn_variant_new_nil(gde_variant* out);
+typedef void gde_fn_variant_new_copy(gde_variant* out, const gde_variant* from);
+typedef void gde_fn_variant_destroy(gde_variant* self);
+typedef int32_t gde_fn_variant_get_type(const gde_variant* self);
+typedef void gde_fn_variant_call(gde_variant* self, const gde_string_name* method,
+                                 const gde_variant* const* arguments, int64_t argument_count,
+                                 gde_variant* out_return, gde_call_error* out_error);
+typedef gde_variant_from_type gde_fn_get_variant_from_type_constructor(int32_t type);
+typedef gde_type_from_variant gde_fn_get_variant_to_type_constructor(int32_t type);
+typedef gde_constructor gde_fn_variant_get_ptr_constructor(int32_t type, int32_t index);
+typedef gde_destructor gde_fn_variant_get_ptr_destructor(int32_t type);
+typedef void gde_fn_string_new_with_utf8_chars(gde_string* out, const char* text);
+/* Returns how many bytes there are; writes no zero after them. */
+typedef int64_t gde_fn_string_to_utf8_chars(const gde_string* self, char* out_text, int64_t capacity);
+typedef void gde_fn_string_name_new_with_utf8_chars(gde_string_name* out, const char* text);
+typedef gde_variant* gde_fn_dictionary_operator_index(gde_dictionary* self, const gde_variant* key);
+typedef void gde_fn_object_set_instance(gde_object* object, const gde_string_name* class_name,
+                                        void* instance);
+typedef gde_object* gde_fn_classdb_construct_object(const gde_string_name* class_name);
+typedef void gde_fn_classdb_register_extension_class2(gde_library* library, const gde_string_name* name,
+                                                      const gde_string_name* parent, const gde_class2* info);
+typedef void gde_fn_classdb_register_extension_class_method(gde_library* library,
+                                                            const gde_string_name* class_name,
+                                                            const gde_method* info);
+typedef void gde_fn_classdb_register_extension_class_property(gde_library* library,
+                                                              const gde_string_name* class_name,
+                                                              const gde_property* info,
+                                                              const gde_string_name* setter,
+                                                              const gde_string_name* getter);
+typedef void gde_fn_classdb_register_extension_class_signal(gde_library* library,
+                                                            const gde_string_name* class_name,
+                                                            const gde_string_name* name,
+                                                            const gde_property* arguments,
+                                                            int64_t argument_count);
+typedef void gde_fn_classdb_unregister_extension_class(gde_library* library, const gde_string_name* name);
+
+/* X(name) for each of them. */
+#define GDE_FUNCTIONS(X)                       \
+  X(print_error)                               \
+  X(variant_new_nil)                           \
+  X(variant_new_copy)                          \
+  X(variant_destroy)                           \
+  X(variant_get_type)                          \
+  X(variant_call)                              \
+  X(get_variant_from_type_constructor)         \
+  X(get_variant_to_type_constructor)           \
+  X(variant_get_ptr_constructor)               \
+  X(variant_get_ptr_destructor)                \
+  X(string_new_with_utf8_chars)                \
+  X(string_to_utf8_chars)                      \
+  X(string_name_new_with_utf8_chars)           \
+  X(dictionary_operator_index)                 \
+  X(object_set_instance)                       \
+  X(classdb_construct_object)                  \
+  X(classdb_register_extension_class2)         \
+  X(classdb_register_extension_class_method)   \
+  X(classdb_register_extension_class_property) \
+  X(classdb_register_extension_class_signal)   \
+  X(classdb_unregister_extension_class)
+
+}  // extern "C"
+
+#endif

@@ -1,0 +1,439 @@
+// The class HapticRetargeting for Godot 4: a Node3D, through GDExtension's C interface.
+
+#include <cstring>
+#include <deque>
+#include <exception>
+#include <memory>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "../plate_node.h"
+#include "gdextension.h"
+
+namespace hrt_godot {
+namespace {
+
+/** The engine's functions. */
+struct Interface {
+#define DECLARE(name) gde_fn_##name* name;
+  GDE_FUNCTIONS(DECLARE)
+#undef DECLARE
+};
+Interface engine;
+gde_library* library;
+
+/** Null, or the name of a function that this engine lacks. */
+const char* load_interface(gde_get_proc_address get_proc_address) {
+#define LOAD(name)                                                         \
+  engine.name = reinterpret_cast<gde_fn_##name*>(get_proc_address(#name)); \
+  if (!engine.name) return #name;
+  GDE_FUNCTIONS(LOAD)
+#undef LOAD
+  return nullptr;
+}
+
+constexpr int32_t kStringName = 21;
+
+/** Values of the engine's, destroyed at the end of their scope. */
+class EngineString {
+ public:
+  explicit EngineString(const char* utf8) { engine.string_new_with_utf8_chars(&string_, utf8); }
+  EngineString(const EngineString&) = delete;
+  EngineString& operator=(const EngineString&) = delete;
+  ~EngineString() { engine.variant_get_ptr_destructor(GDE_STRING)(&string_); }
+  const gde_string& get() const { return string_; }
+
+ private:
+  gde_string string_;
+};
+
+class EngineName {
+ public:
+  explicit EngineName(const char* utf8) { engine.string_name_new_with_utf8_chars(&name_, utf8); }
+  EngineName(const EngineName&) = delete;
+  EngineName& operator=(const EngineName&) = delete;
+  ~EngineName() { engine.variant_get_ptr_destructor(kStringName)(&name_); }
+  const gde_string_name& get() const { return name_; }
+
+ private:
+  gde_string_name name_;
+};
+
+std::string to_utf8(const gde_string& string) {
+  std::string text(static_cast<size_t>(engine.string_to_utf8_chars(&string, nullptr, 0)), '\0');
+  engine.string_to_utf8_chars(&string, text.data(), static_cast<int64_t>(text.size()));
+  return text;
+}
+
+/** A variant of a value of the engine's. */
+void new_variant(gde_variant* out, int32_t type, const void* value) {
+  engine.get_variant_from_type_constructor(type)(out, value);
+}
+
+template <typename T>
+T from_variant(const gde_variant& variant, int32_t type) {
+  T value;
+  engine.get_variant_to_type_constructor(type)(&value, &variant);
+  return value;
+}
+
+struct EngineVector3 {
+  float x, y, z;
+};
+
+int32_t variant_type(Type type) {
+  switch (type) {
+    case Type::kNil:
+      return GDE_NIL;
+    case Type::kBool:
+      return GDE_BOOL;
+    case Type::kInt:
+      return GDE_INT;
+    case Type::kReal:
+      return GDE_FLOAT;
+    case Type::kString:
+      return GDE_STRING;
+    case Type::kVector3:
+      return GDE_VECTOR3;
+    case Type::kRecord:
+      return GDE_DICTIONARY;
+  }
+  return GDE_NIL;
+}
+
+void to_variant(gde_variant* out, const Value& value);
+
+void fill_dictionary(gde_dictionary* dictionary, const Record& record) {
+  for (const auto& [name, number] : record) {
+    gde_variant key;
+    to_variant(&key, std::string(name));
+    gde_variant* value = engine.dictionary_operator_index(dictionary, &key);
+    engine.variant_destroy(value);
+    if (const double* real = std::get_if<double>(&number))
+      new_variant(value, GDE_FLOAT, real);
+    else
+      new_variant(value, GDE_INT, &std::get<int64_t>(number));
+    engine.variant_destroy(&key);
+  }
+}
+
+/** A new value of the type that is registered for it, where there was none. */
+void to_type(void* out, const Value& value) {
+  switch (type_of(value)) {
+    case Type::kNil:
+      break;
+    case Type::kBool:
+      *static_cast<gde_bool*>(out) = std::get<bool>(value);
+      break;
+    case Type::kInt:
+      std::memcpy(out, &std::get<int64_t>(value), sizeof(int64_t));
+      break;
+    case Type::kReal:
+      std::memcpy(out, &std::get<double>(value), sizeof(double));
+      break;
+    case Type::kString:
+      engine.string_new_with_utf8_chars(static_cast<gde_string*>(out), std::get<std::string>(value).c_str());
+      break;
+    case Type::kVector3: {
+      const Vector3& vector = std::get<Vector3>(value);
+      const EngineVector3 floats{static_cast<float>(vector.x), static_cast<float>(vector.y),
+                                 static_cast<float>(vector.z)};
+      std::memcpy(out, &floats, sizeof floats);
+      break;
+    }
+    case Type::kRecord:
+      engine.variant_get_ptr_constructor(GDE_DICTIONARY, 0)(out, nullptr);
+      fill_dictionary(static_cast<gde_dictionary*>(out), std::get<Record>(value));
+      break;
+  }
+}
+
+void destroy(void* value, Type type) {
+  if (type == Type::kString || type == Type::kRecord)
+    engine.variant_get_ptr_destructor(variant_type(type))(value);
+}
+
+/** The caller destroys it. */
+void to_variant(gde_variant* out, const Value& value) {
+  const Type type = type_of(value);
+  if (type == Type::kNil) return engine.variant_new_nil(out);
+  alignas(8) uint8_t bytes[sizeof(EngineVector3) + 4];
+  to_type(bytes, value);
+  new_variant(out, variant_type(type), bytes);
+  destroy(bytes, type);
+}
+
+Value from_type(const void* value, Type type) {
+  switch (type) {
+    case Type::kBool:
+      return *static_cast<const gde_bool*>(value) != 0;
+    case Type::kInt:
+      return *static_cast<const int64_t*>(value);
+    case Type::kReal:
+      return *static_cast<const double*>(value);
+    case Type::kString:
+      return to_utf8(*static_cast<const gde_string*>(value));
+    case Type::kVector3: {
+      EngineVector3 floats;
+      std::memcpy(&floats, value, sizeof floats);
+      return widen(floats.x, floats.y, floats.z);
+    }
+    case Type::kNil:
+    case Type::kRecord:
+      return {};
+  }
+  return {};
+}
+
+/** Null for a type that no method of the class takes. */
+Value to_value(const gde_variant& variant) {
+  switch (engine.variant_get_type(&variant)) {
+    case GDE_BOOL:
+      return from_variant<gde_bool>(variant, GDE_BOOL) != 0;
+    case GDE_INT:
+      return from_variant<int64_t>(variant, GDE_INT);
+    case GDE_FLOAT:
+      return from_variant<double>(variant, GDE_FLOAT);
+    case GDE_STRING: {
+      gde_string string = from_variant<gde_string>(variant, GDE_STRING);
+      std::string text = to_utf8(string);
+      destroy(&string, Type::kString);
+      return text;
+    }
+    case GDE_VECTOR3: {
+      const EngineVector3 floats = from_variant<EngineVector3>(variant, GDE_VECTOR3);
+      return widen(floats.x, floats.y, floats.z);
+    }
+    default:
+      return {};
+  }
+}
+
+/** A node of a scene and what it runs. */
+class Instance : public Engine {
+ public:
+  explicit Instance(gde_object* object) : object_(object), node_(*this) {}
+  PlateNode& node() { return node_; }
+
+  Pose node_pose() override {
+    gde_variant inside = call("is_inside_tree", {});
+    gde_variant transform =
+        call(std::get<bool>(to_value(inside)) ? "get_global_transform" : "get_transform", {});
+    struct Transform {
+      float m[12];
+    };
+    const auto [m] = from_variant<Transform>(transform, GDE_TRANSFORM3D);
+    engine.variant_destroy(&transform);
+    engine.variant_destroy(&inside);
+    return {.x_axis = widen(m[0], m[3], m[6]),
+            .y_axis = widen(m[1], m[4], m[7]),
+            .z_axis = widen(m[2], m[5], m[8]),
+            .origin = widen(m[9], m[10], m[11])};
+  }
+
+  void emit(const Signal& signal, const Value& argument) override {
+    gde_variant arguments[2];
+    to_variant(&arguments[0], std::string(signal.name));
+    to_variant(&arguments[1], argument);
+    gde_variant nothing = call("emit_signal", {&arguments[0], &arguments[1]});
+    for (gde_variant& variant : {std::ref(nothing), std::ref(arguments[0]), std::ref(arguments[1])})
+      engine.variant_destroy(&variant);
+  }
+
+  void push_error(const char* text) override {
+    engine.print_error(text, kClassName, "godot4.cpp", __LINE__, false);
+  }
+
+ private:
+  /** The caller destroys what is returned. */
+  gde_variant call(const char* method, std::initializer_list<const gde_variant*> arguments) {
+    const EngineName name(method);
+    gde_variant self;
+    new_variant(&self, GDE_OBJECT, &object_);
+    gde_variant result;
+    gde_call_error error{};
+    engine.variant_call(&self, &name.get(), arguments.begin(), static_cast<int64_t>(arguments.size()),
+                        &result, &error);
+    engine.variant_destroy(&self);
+    return result;
+  }
+
+  gde_object* object_;
+  PlateNode node_;
+};
+
+gde_object* create_instance(void*) noexcept {
+  const EngineName parent("Node3D");
+  const EngineName name(kClassName);
+  gde_object* object = engine.classdb_construct_object(&parent.get());
+  Instance* instance = new (std::nothrow) Instance(object);
+  if (instance) engine.object_set_instance(object, &name.get(), instance);
+  return object;
+}
+
+void free_instance(void*, void* instance) noexcept {
+  delete static_cast<Instance*>(instance);
+}
+
+/** What the engine calls: a method, or the setter or getter of a property. */
+struct Callable {
+  std::string name;
+  Type returns;
+  std::vector<Argument> arguments;
+  const Method* method = nullptr;
+  const Field* field = nullptr;
+
+  Value operator()(PlateNode& node, std::span<const Value> values) const {
+    if (method) return node.call(*method, values);
+    if (arguments.empty()) return node.get(*field);
+    if (values.size() == 1) node.set(*field, values[0]);
+    return {};
+  }
+};
+/** The engine keeps pointers to these. */
+std::deque<Callable> callables;
+
+void call(void* callable, void* instance, const gde_variant* const* arguments, int64_t count,
+          gde_variant* out_return, gde_call_error*) noexcept {
+  if (!instance) return;
+  try {
+    std::vector<Value> values;
+    values.reserve(static_cast<size_t>(count));
+    for (int64_t i = 0; i < count; ++i) values.push_back(to_value(*arguments[i]));
+    const Value result =
+        (*static_cast<const Callable*>(callable))(static_cast<Instance*>(instance)->node(), values);
+    engine.variant_destroy(out_return);
+    to_variant(out_return, result);
+  } catch (const std::exception& error) {
+    static_cast<Instance*>(instance)->push_error(error.what());
+  }
+}
+
+void ptrcall(void* data, void* instance, const void* const* arguments, void* out_return) noexcept {
+  if (!instance) return;
+  const Callable& callable = *static_cast<const Callable*>(data);
+  try {
+    std::vector<Value> values;
+    values.reserve(callable.arguments.size());
+    for (size_t i = 0; i < callable.arguments.size(); ++i)
+      values.push_back(from_type(arguments[i], callable.arguments[i].type));
+    const Value result = callable(static_cast<Instance*>(instance)->node(), values);
+    if (callable.returns == Type::kNil) return;
+    destroy(out_return, callable.returns);
+    to_type(out_return, result);
+  } catch (const std::exception& error) {
+    static_cast<Instance*>(instance)->push_error(error.what());
+  }
+}
+
+/** Descriptions of properties and arguments, and the strings that they point to. */
+class Descriptions {
+ public:
+  gde_property* add(const char* name, Type type, const char* choices = nullptr) {
+    const gde_string_name* engine_name = &names_.emplace_back(name).get();
+    properties_.push_back({.type = variant_type(type),
+                           .name = engine_name,
+                           .class_name = &names_.emplace_back("").get(),
+                           .hint = choices ? GDE_HINT_ENUM : GDE_HINT_NONE,
+                           .hint_string = &strings_.emplace_back(choices ? choices : "").get(),
+                           .usage = GDE_USAGE_DEFAULT});
+    return &properties_.back();
+  }
+  gde_property* data() { return properties_.data(); }
+
+ private:
+  std::deque<EngineName> names_;
+  std::deque<EngineString> strings_;
+  std::vector<gde_property> properties_;
+};
+
+void register_callable(const EngineName& class_name, Callable callable) {
+  Callable& kept = callables.emplace_back(std::move(callable));
+  const EngineName name(kept.name.c_str());
+  Descriptions arguments, returns;
+  for (const Argument& argument : kept.arguments) arguments.add(argument.name, argument.type);
+  std::vector<int32_t> metadata(kept.arguments.size(), 0);
+  const bool returns_value = kept.returns != Type::kNil;
+  const gde_method info{.name = &name.get(),
+                        .method = &kept,
+                        .call = call,
+                        .ptrcall = ptrcall,
+                        .flags = GDE_METHOD_NORMAL,
+                        .has_return_value = returns_value,
+                        .return_value = returns_value ? returns.add("", kept.returns) : nullptr,
+                        .return_value_metadata = 0,
+                        .argument_count = static_cast<uint32_t>(kept.arguments.size()),
+                        .arguments = arguments.data(),
+                        .argument_metadata = metadata.data(),
+                        .default_argument_count = 0,
+                        .default_arguments = nullptr};
+  engine.classdb_register_extension_class_method(library, &class_name.get(), &info);
+}
+
+void register_property(const EngineName& class_name, const Field& field) {
+  const std::string setter = std::string("set_") + field.name;
+  const std::string getter = std::string("get_") + field.name;
+  register_callable(class_name, {setter, Type::kNil, {{"value", type_of(field)}}, nullptr, &field});
+  register_callable(class_name, {getter, type_of(field), {}, nullptr, &field});
+  Descriptions property;
+  const EngineName setter_name(setter.c_str());
+  const EngineName getter_name(getter.c_str());
+  engine.classdb_register_extension_class_property(library, &class_name.get(),
+                                                   property.add(field.name, type_of(field), field.choices),
+                                                   &setter_name.get(), &getter_name.get());
+}
+
+void register_signal(const EngineName& class_name, const Signal& signal) {
+  const EngineName name(signal.name);
+  Descriptions argument;
+  engine.classdb_register_extension_class_signal(library, &class_name.get(), &name.get(),
+                                                 argument.add(signal.argument.name, signal.argument.type), 1);
+}
+
+void initialize(void*, int32_t level) noexcept {
+  if (level != GDE_LEVEL_SCENE) return;
+  const EngineName name(kClassName);
+  const EngineName parent("Node3D");
+  gde_class2 info{};
+  info.is_exposed = true;
+  info.create_instance = create_instance;
+  info.free_instance = free_instance;
+  engine.classdb_register_extension_class2(library, &name.get(), &parent.get(), &info);
+  for (const Method& method : methods())
+    register_callable(
+        name,
+        {method.name, method.returns, {method.arguments.begin(), method.arguments.end()}, &method, nullptr});
+  for (const Field& field : config_fields()) register_property(name, field);
+  for (const Signal& signal : signals()) register_signal(name, signal);
+}
+
+void deinitialize(void*, int32_t level) noexcept {
+  if (level != GDE_LEVEL_SCENE) return;
+  const EngineName name(kClassName);
+  engine.classdb_unregister_extension_class(library, &name.get());
+  callables.clear();
+}
+
+}  // namespace
+}  // namespace hrt_godot
+
+using namespace hrt_godot;
+
+extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_proc_address,
+                                                       gde_library* own_library,
+                                                       gde_initialization* out_initialization) {
+  if (const char* missing = load_interface(get_proc_address)) {
+    if (engine.print_error) {
+      const std::string text = std::string("this Godot lacks ") + missing + "; Godot 4.2 or later has it";
+      engine.print_error(text.c_str(), kClassName, "godot4.cpp", __LINE__, true);
+    }
+    return false;
+  }
+  library = own_library;
+  *out_initialization = {.minimum_level = GDE_LEVEL_SCENE,
+                         .data = nullptr,
+                         .initialize = initialize,
+                         .deinitialize = deinitialize};
+  return true;
+}

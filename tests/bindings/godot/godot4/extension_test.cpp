@@ -1,0 +1,208 @@
+// The extension for Godot 4 in a double of the engine; see engine_double.h for what that shows and what not.
+
+#include <gtest/gtest.h>
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <cinttypes>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "engine_double.h"
+
+namespace {
+
+using godot4_double::Any;
+using godot4_double::Dictionary;
+using godot4_double::Engine;
+using godot4_double::Object;
+using godot4_double::Vector3;
+
+const std::string kClass = "HapticRetargeting";
+constexpr int64_t kOk = 0;
+
+class Extension : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(engine_.load(HRT_EXTENSION));
+    node_ = engine_.create(kClass);
+  }
+  void TearDown() override {
+    engine_.free(node_);
+    engine_.unload();
+    EXPECT_TRUE(engine_.classes.empty());
+    EXPECT_EQ(engine_.live_values, 0) << "strings, variants or Dictionaries of the engine's leak";
+  }
+
+  Any call(const std::string& method, const std::vector<Any>& arguments = {}) {
+    return engine_.call(node_, method, arguments);
+  }
+  int64_t call_int(const std::string& method, const std::vector<Any>& arguments = {}) {
+    return std::get<int64_t>(call(method, arguments));
+  }
+  std::string last_error() const { return engine_.errors.empty() ? "" : engine_.errors.back(); }
+  void begin() {
+    const Any real = call("add_real_target", {"cylinder", -5.0, 0.1});
+    const Any felt = call("add_virtual_target", {"cup", 5.0, 0.1});
+    ASSERT_EQ(call_int("begin", {real, felt}), kOk);
+  }
+
+  Engine engine_;
+  Object* node_ = nullptr;
+};
+
+TEST_F(Extension, RegistersTheClass) {
+  const godot4_double::Class& registered = engine_.classes.at(kClass);
+  EXPECT_EQ(registered.parent, "Node3D");
+  EXPECT_TRUE(registered.info.is_exposed);
+  EXPECT_EQ(registered.properties.size(), 23u);
+  EXPECT_EQ(registered.properties.at("control").hint_string, "MPC,Fixed Plate");
+  EXPECT_EQ(registered.properties.at("tactile_weight").type, GDE_FLOAT);
+  EXPECT_EQ(registered.properties.at("start_position_m").type, GDE_VECTOR3);
+  EXPECT_EQ(registered.methods.at("update").arguments.at(1).name, "time_ns");
+  EXPECT_EQ(registered.methods.at("get_command").return_type, GDE_DICTIONARY);
+  ASSERT_EQ(registered.signals.size(), 3u);
+  EXPECT_EQ(registered.signals.at("plate_commanded").at(0).name, "orientation_deg");
+}
+
+TEST_F(Extension, PropertiesHoldWhatTheyAreSetTo) {
+  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.15);
+  engine_.set(node_, "tactile_weight", 0.2);
+  engine_.set(node_, "horizon", int64_t{7});
+  engine_.set(node_, "start_position_m", Vector3{0, 0, 0.0625f});
+  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.2);
+  EXPECT_EQ(std::get<int64_t>(engine_.get(node_, "horizon")), 7);
+  EXPECT_EQ(std::get<Vector3>(engine_.get(node_, "start_position_m")), (Vector3{0, 0, 0.0625f}));
+  engine_.set(node_, "horizon", "three");
+  EXPECT_EQ(last_error(), "horizon was given a value of type String; allowed: int from 0 to 4294967295");
+}
+
+TEST_F(Extension, TypedCallsDoWhatUntypedOnesDo) {
+  const Any real = engine_.ptrcall(node_, "add_real_target", {"cylinder", -5.0, 0.1});
+  const Any felt = engine_.ptrcall(node_, "add_virtual_target", {"cup", 5.0, 0.1});
+  const Dictionary typed = std::get<Dictionary>(engine_.ptrcall(node_, "get_authority", {real, felt}));
+  const Dictionary untyped = std::get<Dictionary>(call("get_authority", {real, felt}));
+  EXPECT_EQ(std::get<double>(typed->at("gap_deg")), 10);
+  EXPECT_EQ(std::get<int64_t>(typed->at("reachable")), 1);
+  EXPECT_EQ(std::get<double>(untyped->at("margin_deg")), std::get<double>(typed->at("margin_deg")));
+  EXPECT_EQ(std::get<int64_t>(engine_.ptrcall(node_, "begin", {real, felt})), kOk);
+  EXPECT_EQ(std::get<bool>(engine_.ptrcall(node_, "is_reaching", {})), true);
+  EXPECT_EQ(std::get<int64_t>(engine_.ptrcall(node_, "update", {Vector3{0, 0, 0.05f}, int64_t{0}})), kOk);
+  EXPECT_EQ(std::get<int64_t>(engine_.ptrcall(node_, "end", {})), kOk);
+  EXPECT_EQ(std::get<std::string>(engine_.ptrcall(node_, "save_profile", {})),
+            std::get<std::string>(call("save_profile")));
+  engine_.ptrcall(node_, "set_tactile_weight", {0.25});
+  EXPECT_EQ(std::get<double>(engine_.ptrcall(node_, "get_tactile_weight", {})), 0.25);
+}
+
+TEST_F(Extension, EmitsSignals) {
+  begin();
+  ASSERT_EQ(call_int("update_sample", {int64_t{HRT_SAMPLE_DIRECTION}, int64_t{0}, 0.0, 0.0, 0.0, 0.0, 0.0}),
+            kOk);
+  ASSERT_EQ(node_->emitted.size(), 1u);
+  EXPECT_EQ(node_->emitted[0].first, "plate_commanded");
+  EXPECT_EQ(std::get<double>(node_->emitted[0].second),
+            std::get<double>(std::get<Dictionary>(call("get_command"))->at("plate_orientation_deg")));
+  ASSERT_EQ(call_int("update_lost", {int64_t{250'000'000}}), kOk);
+  EXPECT_EQ(node_->emitted[1].first, "flags_changed");
+  ASSERT_EQ(call_int("end"), kOk);
+  EXPECT_EQ(node_->emitted.back().first, "reach_ended");
+}
+
+// A quarter turn about y takes the plate's x to the world's -z: the rows of its basis are the world's x, y
+// and z.
+TEST_F(Extension, TakesTheNodesPlaceAsThePlates) {
+  node_->transform = {0, 0, 1, 0, 1, 0, -1, 0, 0, 1, 2, 3};
+  const auto world = [](float x, float y, float z) { return Vector3{1 + z, 2 + y, 3 - x}; };
+  const Any left = call("add_real_target_at", {"left", world(-0.1f, 0, 0.05f)});
+  const Any ahead = call("add_virtual_target_at", {"ahead", world(0, 0, -0.05f)});
+  const Dictionary authority = std::get<Dictionary>(call("get_authority", {left, ahead}));
+  EXPECT_NEAR(std::get<double>(authority->at("gap_deg")), -90, 1e-3);
+
+  node_->inside_tree = false;  // then its transform is all that there is
+  EXPECT_NE(call_int("add_real_target_at", {"again", world(0, 0, -0.05f)}), 0);
+  node_->transform[0] = 2;
+  EXPECT_EQ(call_int("add_real_target_at", {"scaled", Vector3{}}), 0);
+  EXPECT_NE(last_error().find("scaled"), std::string::npos) << last_error();
+}
+
+TEST_F(Extension, RefusesWhatIsWrong) {
+  EXPECT_EQ(call_int("update", {Vector3{}, int64_t{0}}), 33);  // ERR_DOES_NOT_EXIST: no session yet
+  begin();
+  EXPECT_EQ(call_int("update", {Vector3{}, int64_t{1000}}), kOk);
+  EXPECT_EQ(call_int("update", {Vector3{}, int64_t{999}}), 30);  // ERR_INVALID_DATA
+  EXPECT_NE(last_error().find("time_ns is 999"), std::string::npos) << last_error();
+  EXPECT_EQ(call_int("update", {Vector3{}}), 31);  // ERR_INVALID_PARAMETER
+  EXPECT_EQ(last_error(), "called with (Vector3); it is update(world_position: Vector3, time_ns: int)");
+  EXPECT_EQ(call_int("update", {node_, int64_t{2000}}), 31);
+  EXPECT_TRUE(std::get<Dictionary>(call("get_authority", {int64_t{1}, int64_t{2}}))->values.empty());
+}
+
+TEST(ExtensionEntry, RefusesAnEngineThatLacksAFunction) {
+  Engine engine;
+  engine.lacking = "classdb_register_extension_class2";
+  EXPECT_FALSE(engine.load(HRT_EXTENSION));
+  ASSERT_EQ(engine.errors.size(), 1u);
+  EXPECT_EQ(engine.errors[0],
+            "this Godot lacks classdb_register_extension_class2; Godot 4.2 or later has it");
+}
+
+uint64_t hash_words(uint64_t hash, const Any& value) {
+  uint64_t word = 0;
+  if (const double* number = std::get_if<double>(&value))
+    std::memcpy(&word, number, sizeof word);
+  else
+    word = static_cast<uint64_t>(std::get<int64_t>(value));
+  for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;
+  return hash;
+}
+
+// The reach that every host runs: plugin/bindings/README.md.
+TEST_F(Extension, RunsTheReachOfAllHosts) {
+  engine_.set(node_, "horizon", int64_t{20});
+  engine_.set(node_, "guidance", int64_t{HRT_GUIDANCE_LINE_OF_SIGHT});
+  engine_.set(node_, "adaptation", int64_t{HRT_ADAPTATION_REACH});
+  engine_.set(node_, "plate_max_speed_deg_s", 200.0);
+  engine_.set(node_, "plate_max_acceleration_deg_s2", 20000.0);
+  engine_.set(node_, "plate_latency_ns", int64_t{30'000'000});
+  engine_.set(node_, "plate_lower_stop_deg", -360.0);
+  engine_.set(node_, "plate_upper_stop_deg", 360.0);
+  begin();
+
+  std::ifstream recording(HRT_REACH);
+  std::map<std::string, size_t> columns;
+  uint64_t hash = 0xcbf29ce484222325u;
+  for (std::string line; std::getline(recording, line);) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    cells.resize(64);
+    if (columns.empty())
+      for (size_t i = 0; i < cells.size(); ++i) columns.emplace(cells[i], i);
+    if (cells[columns.at("call")] != "update") continue;
+    const auto real = [&](const char* name) { return std::strtod(cells[columns.at(name)].c_str(), nullptr); };
+    const auto whole = [&](const char* name) {
+      return int64_t{std::strtoll(cells[columns.at(name)].c_str(), nullptr, 10)};
+    };
+    ASSERT_EQ(call_int("update_sample", {whole("sample_flags"), whole("time_ns"), 0.0, real("sample_x_m"),
+                                         real("sample_y_m"), real("sample_z_m"), real("measured_plate_deg")}),
+              kOk)
+        << last_error();
+    const Dictionary command = std::get<Dictionary>(call("get_command"));
+    for (const char* field :
+         {"flags", "step", "plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
+          "aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd"})
+      hash = hash_words(hash, command->at(field));
+  }
+  ASSERT_EQ(call_int("end"), kOk);
+
+  std::string expected;
+  std::ifstream(HRT_REACH_HASH) >> expected;
+  char found[32];
+  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash);
+  std::printf("hash %s\n", found);
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace
