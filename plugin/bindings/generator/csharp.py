@@ -1,44 +1,43 @@
-"""P/Invoke declarations for C#: plain fields only, so that every struct is blittable.
+"""The C interface for C#, in Unity's manner: enums, blittable structs with plain fields, P/Invoke declarations.
 
-A fixed array becomes a struct of its own (HrtDouble3: X, Y, Z; HrtChar64: eight words of eight bytes). The
-names of constants and functions stay those of the C headers; structs and fields are in C#'s case.
+Types and members are in C#'s case and without hrt_; functions keep their names. Constants that belong together become
+an enum; a field is of that enum if its comment in the headers says so ("HRT_CONTROL_*").
 """
 
 from __future__ import annotations
 
+import re
 import textwrap
-from xml.sax.saxutils import escape
 
 from abi import Abi, Constant, Field, Function, Parameter, Struct, Type
 
+_ENUMS = {
+    "HRT_ERROR_": "Result",
+    "HRT_LOG_": "LogLevel",
+    "HRT_CONTROL_": "Control",
+    "HRT_GUIDANCE_": "Guidance",
+    "HRT_ADAPTATION_": "Adaptation",
+    "HRT_TARGET_": "TargetRole",
+    "HRT_PLACE_": "Place",
+    "HRT_REACH_": "ReachFlags",
+    "HRT_SAMPLE_": "SampleFlags",
+    "HRT_COMMAND_": "CommandFlags",
+}
+# Handles, whose names in C# say that they are.
+_HANDLES = {"hrt_session": "SessionHandle", "hrt_target": "TargetId", "hrt_scene": "SceneHandle"}
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "size_t": "UIntPtr", "void": "void"}
-_COMPONENTS = {3: ("X", "Y", "Z"), 4: ("X", "Y", "Z", "W")}
+# Written by hand in Runtime/Values.cs.
+_ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
+_WIDTH = 110
 
 
 def render(abi: Abi, notice: str) -> str:
-    fields = [f for s in abi.structs for f in s.fields]
-    arrays = {(f.type.name, f.length) for f in fields if f.length}
-    parts = [_array(name, length) for name, length in sorted(arrays)]
-    parts += [_struct(s) for s in abi.structs]
-    parts += [_delegate(f) for f in abi.callbacks]
-    parts.append("/// <summary>The C interface. Names and meanings are those of the C headers.</summary>\n"
-                 "public static class NativeMethods\n{\n"
-                 '#if UNITY_IOS && !UNITY_EDITOR || UNITY_WEBGL && !UNITY_EDITOR\n'
-                 '    public const string Library = "__Internal";\n'
-                 "#else\n"
-                 '    public const string Library = "haptic_retargeting";\n'
-                 "#endif\n\n"
-                 + "".join(_constant(c) for c in abi.constants) + "\n"
-                 + "\n".join(_function(f) for f in abi.functions) + "}\n")
-    body = textwrap.indent("\n".join(parts), "    ", lambda line: line.strip() != "" and not line.startswith("#"))
-    return (f"// {notice}\n"
-            "using System;\nusing System.Runtime.InteropServices;\n\n"
-            "namespace HapticRetargeting.Native\n{\n" + body + "}\n")
+    return _Renderer(abi).render(notice)
 
 
 def _pascal(name: str) -> str:
-    return "".join(part[:1].upper() + part[1:] for part in name.split("_"))
+    return "".join(part[:1].upper() + part[1:].lower() for part in name.split("_"))
 
 
 def _camel(name: str) -> str:
@@ -46,82 +45,116 @@ def _camel(name: str) -> str:
     return text[:1].lower() + text[1:]
 
 
-def _summary(text: str, indent: str = "") -> str:
-    if not text:
-        return ""
-    lines = textwrap.wrap(escape(text), 100)
-    if len(lines) == 1 and len(lines[0]) < 80:
-        return f"{indent}/// <summary>{lines[0]}</summary>\n"
-    return "".join(f"{indent}/// {line}\n" for line in ["<summary>", *lines, "</summary>"])
+def _member(constant: str) -> tuple[str, str]:
+    """The enum of a constant, or the class of those that are in none, and its name there."""
+    if constant == "HRT_OK":
+        return "Result", "Ok"
+    for prefix, enum in _ENUMS.items():
+        if constant.startswith(prefix):
+            return enum, _pascal(constant.removeprefix(prefix))
+    return "Constants", _pascal(constant.removeprefix("HRT_"))
 
 
-def _array_name(type_name: str, length: int) -> str:
-    return f"Hrt{type_name.removesuffix('_t').capitalize()}{length}"
+class _Renderer:
+    def __init__(self, abi: Abi) -> None:
+        self.abi = abi
+        named = [s.name for s in abi.structs] + [c.name for c in abi.callbacks]
+        self.types = {name: _HANDLES.get(name) or _pascal(name.removeprefix("hrt_")) for name in named}
+        self.fields = {f.name: _camel(f.name) for s in abi.structs for f in s.fields if "_" in f.name}
+        self.members = {c.name: _member(c.name) for c in abi.constants}
 
+    def render(self, notice: str) -> str:
+        parts = [self.constants()]
+        parts += [self.enum(name) for name in _ENUMS.values()]
+        parts += [self.struct(s) for s in self.abi.structs]
+        parts += [self.callback(c) for c in self.abi.callbacks]
+        parts.append("internal static class Native\n{\n"
+                     '    internal const string Library = "haptic_retargeting";\n\n'
+                     + "\n".join(self.function(f) for f in self.abi.functions) + "}\n")
+        body = textwrap.indent("\n".join(parts), "    ", lambda line: line.strip() != "")
+        return (f"// {notice} They tell what each call does.\n"
+                "using System;\nusing System.Runtime.InteropServices;\n\n"
+                "namespace Hrt\n{\n" + body + "}\n")
 
-def _array(type_name: str, length: int) -> str:
-    if type_name == "char":
-        if length % 8:
-            raise ValueError(f"char[{length}] is not a number of whole words")
-        element, count, doc = "ulong", length // 8, f"{length} bytes of text, the first in the lowest byte of E0."
-    else:
-        element, count, doc = _TYPES[type_name], length, ""
-    names = ("X", "Y", "Z", "W")[:count] if count in (3, 4) else tuple(f"E{i}" for i in range(count))
-    return (_summary(doc) + "[StructLayout(LayoutKind.Sequential)]\n"
-            f"public struct {_array_name(type_name, length)}\n{{\n    public {element} {', '.join(names)};\n}}\n")
+    def constants(self) -> str:
+        text = "public static class Constants\n{\n"
+        for c in self.abi.constants:
+            enum, name = self.members[c.name]
+            if enum == "Constants":
+                text += self.doc(c.doc or c.group, "    ") + f"    public const int {name} = {c.value};\n"
+        return text + "}\n"
 
+    def enum(self, name: str) -> str:
+        constants = [c for c in self.abi.constants if self.members[c.name][0] == name]
+        group = next((c.group for c in constants if c.group), "")
+        flags = name.endswith("Flags")
+        text = self.doc("What became of a call." if name == "Result" else group, "")
+        text += "[Flags]\n" if flags else ""
+        text += f"public enum {name} : {'int' if name == 'Result' else 'uint'}\n{{\n"
+        text += "    None = 0,\n" if flags else ""
+        return text + "".join(self.enumerator(c) for c in constants) + "}\n"
 
-def _struct(struct: Struct) -> str:
-    text = _summary(struct.doc) + f"[StructLayout(LayoutKind.Sequential)]\npublic struct {_pascal(struct.name)}\n{{\n"
-    for field in struct.fields:
-        text += _summary(field.doc, "    ") + f"    public {_field_type(field)} {_pascal(field.name)};\n"
-    return text + "}\n"
+    def enumerator(self, constant: Constant) -> str:
+        return self.doc(constant.doc, "    ") + f"    {self.members[constant.name][1]} = {constant.value},\n"
 
+    def struct(self, struct: Struct) -> str:
+        text = self.doc(struct.doc, "") + "[Serializable]\n[StructLayout(LayoutKind.Sequential)]\n"
+        text += f"public partial struct {self.types[struct.name]}\n{{\n"
+        for f in struct.fields:
+            text += self.doc(f.doc, "    ") + f"    public {self.field_type(f)} {_camel(f.name)};\n"
+        return text + "}\n"
 
-def _field_type(field: Field) -> str:
-    if field.length:
-        return _array_name(field.type.name, field.length)
-    if field.type.pointer or field.type.callback:
-        return "IntPtr"
-    return _TYPES.get(field.type.name) or _pascal(field.type.name)
+    def field_type(self, field: Field) -> str:
+        if field.length:
+            return _ARRAYS[field.type.name, field.length]
+        enum = re.search(r"\b(HRT_[A-Z]+_)\*", field.doc)
+        if enum and field.type == Type("uint32_t"):
+            return _ENUMS[enum[1]]
+        return "IntPtr" if field.type.callback else self.value(field.type)
 
+    def callback(self, function: Function) -> str:
+        # What a callback is given is only ever looked at through pointers.
+        parameters = ", ".join(f"{self.value(p.type)} {_camel(p.name)}" for p in function.parameters)
+        return (self.doc(function.doc, "") + "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]\n"
+                f"internal delegate {self.value(function.result)} {self.types[function.name]}({parameters});\n")
 
-def _constant(constant: Constant) -> str:
-    return ("".join(f"    // {line}\n" for line in textwrap.wrap(constant.group, 100))
-            + _summary(constant.doc, "    ")
-            + f"    public const {'uint' if constant.unsigned else 'int'} {constant.name} = {constant.value};\n")
+    def function(self, function: Function) -> str:
+        result = "Result" if function.result == Type("int32_t") else self.value(function.result)
+        parameters = [self.parameter(p) for p in function.parameters]
+        text = f"    internal static extern {result} {function.name}({', '.join(parameters)});"
+        if len(text) + 4 > _WIDTH:
+            text = f"    internal static extern {result} {function.name}("
+            for i, parameter in enumerate(parameters):
+                item = parameter + (");" if i + 1 == len(parameters) else ",")
+                line = text.rpartition("\n")[2]
+                fits = "\n" in text and len(line) + len(item) + 5 <= _WIDTH
+                text += (" " if fits else "\n" + " " * 8) + item
+        return "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n" + text + "\n"
 
+    def parameter(self, parameter: Parameter) -> str:
+        type_, name = parameter.type, _camel(parameter.name)
+        if not type_.pointer or type_.name == "void" and not parameter.array:
+            return f"{self.value(type_)} {name}"
+        element = "byte" if type_.name in ("char", "void") else _TYPES.get(type_.name) or self.types[type_.name]
+        if parameter.array or element == "byte":
+            return f"{'[In]' if type_.const else '[In, Out]'} {element}[] {name}"
+        # A struct that is filled in brings its size, so it goes both ways.
+        return f"{'out' if type_.name in _TYPES or type_.name in _HANDLES else 'ref'} {element} {name}"
 
-def _value(type_: Type) -> str:
-    if type_.pointer:
-        return "IntPtr"
-    return _TYPES.get(type_.name) or _pascal(type_.name)
+    def value(self, type_: Type) -> str:
+        return "IntPtr" if type_.pointer else _TYPES.get(type_.name) or self.types[type_.name]
 
-
-def _parameter(parameter: Parameter) -> str:
-    type_ = parameter.type
-    if not type_.pointer or type_.name == "void" and not parameter.array:
-        return f"{_value(type_)} {_camel(parameter.name)}"
-    element = "byte" if type_.name in ("char", "void") else _TYPES.get(type_.name) or _pascal(type_.name)
-    if parameter.array or type_.name == "char":
-        direction = "[In]" if type_.const else "[Out]" if type_.name == "char" else "[In, Out]"
-        return f"{direction} {element}[] {_camel(parameter.name)}"
-    # A struct that is filled in brings its size, so it goes both ways.
-    return f"{'in' if type_.const else 'ref'} {element} {_camel(parameter.name)}"
-
-
-def _signature(function: Function) -> str:
-    return ", ".join(_parameter(p) for p in function.parameters)
-
-
-def _delegate(function: Function) -> str:
-    # What a callback is given is only ever looked at through pointers.
-    parameters = ", ".join(f"{_value(p.type)} {_camel(p.name)}" for p in function.parameters)
-    return (_summary(function.doc) + "[UnmanagedFunctionPointer(CallingConvention.Cdecl)]\n"
-            f"public delegate {_value(function.result)} {_pascal(function.name)}({parameters});\n")
-
-
-def _function(function: Function) -> str:
-    return (_summary(function.doc, "    ")
-            + "    [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]\n"
-            + f"    public static extern {_value(function.result)} {function.name}({_signature(function)});\n")
+    def doc(self, text: str, indent: str) -> str:
+        """A header's comment as C#'s, with the names as they are there."""
+        if not text:
+            return ""
+        text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+        text = re.sub(r"\b(hrt_\w+)::(\w+)",
+                      lambda m: f"{self.types.get(m[1], m[1])}.{self.fields.get(m[2], m[2])}", text)
+        text = re.sub(r"\b(HRT_[A-Z]+_)\*", lambda m: _ENUMS.get(m[1], m[0]), text)
+        text = re.sub(r"\bHRT_[A-Z0-9_]+\b", lambda m: ".".join(self.members.get(m[0], (m[0],))), text)
+        text = re.sub(r"\bhrt_\w+\b(?!\()", lambda m: self.types.get(m[0], m[0]), text)
+        text = re.sub(r"\b[a-z]+(?:_[a-z0-9]+)+\b(?!\()", lambda m: self.fields.get(m[0], m[0]), text)
+        text = re.sub(r"`([^`]*)`", r"<c>\1</c>", text)
+        lines = textwrap.wrap(f"<summary>{text}</summary>", _WIDTH - 8 - len(indent), break_on_hyphens=False)
+        return "".join(f"{indent}/// {line}\n" for line in lines)

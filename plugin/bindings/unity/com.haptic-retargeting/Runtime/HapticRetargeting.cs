@@ -1,0 +1,317 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+using UnityEngine.Events;
+
+namespace Hrt
+{
+    /// <summary>
+    /// A plate, a finger and targets of the scene, given to the controller each frame. Begin a reach with
+    /// <see cref="BeginReach(Transform)"/>; turn the real plate as <see cref="Commanded"/> or
+    /// <see cref="onPlateOrientation"/> tells; end it with <see cref="EndReach"/>.
+    ///
+    /// Samples go out in LateUpdate, after all scripts have moved the finger, with the frame's unscaled time: a
+    /// game that is slowed down or paused does not slow the hand. One unit of length is one metre.
+    /// </summary>
+    [AddComponentMenu("Haptic Retargeting/Haptic Retargeting")]
+    [DisallowMultipleComponent]
+    public sealed partial class HapticRetargeting : MonoBehaviour
+    {
+        [Serializable]
+        public sealed class OrientationEvent : UnityEvent<float>
+        {
+        }
+
+        [Serializable]
+        public sealed class FlagsEvent : UnityEvent<CommandFlags>
+        {
+        }
+
+        [Header("Scene")]
+        [Tooltip("The plate's mount: at the plate's centre, y out of the ridged face, z straight away from the " +
+                 "user. It does not turn with the ridges.")]
+        public Transform plate;
+
+        [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate is held.")]
+        public Transform finger;
+
+        [Tooltip("Where reaches start. None: on the plate, 5 cm from its centre towards the user.")]
+        public Transform start;
+
+        [Tooltip("What is turned with the real plate's ridges, about its own y axis. May be none.")]
+        public Transform ridges;
+
+        [Tooltip("Real objects, which the hand can be led to.")]
+        public List<Transform> realTargets = new List<Transform>();
+
+        [Tooltip("Virtual objects, which the user goes to.")]
+        public List<Transform> virtualTargets = new List<Transform>();
+
+        [Header("Plate")]
+        [Tooltip("Metres, 0.001 to 1000.")]
+        public double plateRadiusM = 0.075;
+
+        [Tooltip("Of the servo, degrees a second; 0: no limit.")]
+        public double plateMaxSpeedDegS;
+
+        [Tooltip("From a command to the plate's first motion, 0 to 1000 milliseconds.")]
+        public double plateLatencyMs;
+
+        [Header("User")]
+        [Tooltip("Share of touch in the direction that the user feels, 0.001 to 0.499.")]
+        public double tactileWeight = 0.15;
+
+        [Tooltip("Whether that share is learnt: not, within each reach, or carried from reach to reach.")]
+        public Adaptation adaptation = Adaptation.Reach;
+
+        [Tooltip("Where the finger is wanted: in the real target's direction from the start, or from where it is.")]
+        public Guidance guidance = Guidance.LineOfSight;
+
+        [Header("Events")]
+        [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]
+        public OrientationEvent onPlateOrientation = new OrientationEvent();
+
+        [Tooltip("What the controller says of its command, when it changes. Held is left out.")]
+        public FlagsEvent onFlags = new FlagsEvent();
+
+        /// <summary>Each command, once a frame during a reach.</summary>
+        public event Action<Command> Commanded;
+
+        /// <summary>What the controller says of its command, when it changes. Held, which comes and goes between
+        /// steps, is left out.</summary>
+        public event Action<CommandFlags> FlagsChanged;
+
+        public event Action<ReachSummary> ReachEnded;
+
+        /// <summary>A virtual target, and what can be held with the real one that serves it best.</summary>
+        public struct Pairing
+        {
+            public Transform virtualTarget;
+            public Transform realTarget;
+            public Authority authority;
+        }
+
+        // Of the session's targets. One Transform may be both: a cylinder that also stands for itself.
+        readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
+        readonly Dictionary<Transform, TargetId> virtualIds = new Dictionary<Transform, TargetId>();
+
+        bool commanded;
+        bool refused;
+
+        /// <summary>The session, from enabling to disabling: for its configuration, profile, recording and
+        /// calibration between reaches. Null while disabled. Its plate, start and targets are set from the
+        /// Transforms when a reach begins.</summary>
+        public HapticRetargetingSession Session { get; private set; }
+
+        public bool IsReaching { get; private set; }
+
+        /// <summary>The last command of the last reach.</summary>
+        public Command LastCommand { get; private set; }
+
+        /// <summary>Set this to false while the tracker does not see the finger, and its Transform is stale.</summary>
+        public bool FingerTracked { get; set; } = true;
+
+        /// <summary>Set this to where the device says that the plate stands, each frame; null: it is taken to
+        /// follow its commands as its speed and latency allow.</summary>
+        public double? MeasuredPlateOrientationDeg { get; set; }
+
+        /// <summary>Begins a reach to a virtual target, served by the real one that can be held best.</summary>
+        public void BeginReach(Transform virtualTarget)
+        {
+            PrepareReach();
+            Authority best = Session.QueryBestAuthority(IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
+            BeginReach(best.realTarget, best.virtualTarget);
+        }
+
+        public void BeginReach(Transform realTarget, Transform virtualTarget)
+        {
+            PrepareReach();
+            BeginReach(IdOf(realTarget, realIds, nameof(realTarget)),
+                       IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
+        }
+
+        public ReachSummary EndReach()
+        {
+            ReachSummary summary = EnabledSession().EndReach();
+            IsReaching = false;
+            ReachEnded?.Invoke(summary);
+            return summary;
+        }
+
+        /// <summary>For each virtual target what can be held now, as the Transforms stand; also in the editor,
+        /// while nothing runs. Throws what the library refuses, such as a target at the start.</summary>
+        public List<Pairing> Preview()
+        {
+            var pairings = new List<Pairing>();
+            SessionConfig config = Placed(Session == null ? Configuration() : Session.Config);
+            using (var session = new HapticRetargetingSession(config))
+            {
+                var reals = new Dictionary<Transform, TargetId>();
+                var virtuals = new Dictionary<Transform, TargetId>();
+                SetTargets(session, realTargets, TargetRole.Real, reals);
+                SetTargets(session, virtualTargets, TargetRole.Virtual, virtuals);
+                if (reals.Count == 0) return pairings;
+                foreach (KeyValuePair<Transform, TargetId> target in virtuals)
+                {
+                    Authority authority = session.QueryBestAuthority(target.Value);
+                    pairings.Add(new Pairing
+                    {
+                        virtualTarget = target.Key,
+                        realTarget = reals.First(real => real.Value == authority.realTarget).Key,
+                        authority = authority
+                    });
+                }
+            }
+            return pairings;
+        }
+
+        void OnEnable()
+        {
+            Session = new HapticRetargetingSession(Configuration());
+        }
+
+        void OnDisable()
+        {
+            IsReaching = false;
+            realIds.Clear();
+            virtualIds.Clear();
+            Session?.Dispose();
+            Session = null;
+        }
+
+        void LateUpdate()
+        {
+            if (IsReaching) Step((long)(Time.unscaledTimeAsDouble * 1e9));
+        }
+
+        // Makes no garbage: it runs each frame.
+        internal void Step(long timeNs)
+        {
+            Sample sample = default(Sample);
+            sample.timeNs = timeNs;
+            if (FingerTracked && plate != null && finger != null && finger.gameObject.activeInHierarchy)
+            {
+                sample.flags = SampleFlags.WorldPosition | SampleFlags.PlatePose;
+                sample.fingerPositionM = Axes.FromUnity(finger.position);
+                sample.platePositionM = Axes.FromUnity(plate.position);
+                sample.plateRotation = Axes.FromUnity(plate.rotation);
+            }
+            if (MeasuredPlateOrientationDeg.HasValue)
+            {
+                sample.flags |= SampleFlags.PlateOrientation;
+                sample.plateOrientationDeg = MeasuredPlateOrientationDeg.Value;
+            }
+            if (!Session.TryUpdate(sample, out Command command))
+            {
+                // The command stays as it was. Said once in a reach, not in each frame.
+                if (!refused) Debug.LogError("Haptic retargeting: " + HapticRetargetingLibrary.LastError, this);
+                refused = true;
+                return;
+            }
+            Apply(command);
+        }
+
+        void Apply(Command command)
+        {
+            Command last = LastCommand;
+            LastCommand = command;
+            if (ridges != null) ridges.localRotation = Axes.RidgeRotation(command.plateOrientationDeg);
+            Commanded?.Invoke(command);
+            bool first = !commanded;
+            commanded = true;
+            if (first || command.plateOrientationDeg != last.plateOrientationDeg)
+                onPlateOrientation.Invoke((float)command.plateOrientationDeg);
+            CommandFlags flags = command.flags & ~CommandFlags.Held;
+            if (!first && flags == (last.flags & ~CommandFlags.Held)) return;
+            FlagsChanged?.Invoke(flags);
+            onFlags.Invoke(flags);
+        }
+
+        void PrepareReach()
+        {
+            HapticRetargetingSession session = EnabledSession();
+            if (finger == null) throw new InvalidOperationException($"{name}: finger is not set");
+            session.Config = Placed(session.Config);
+            SetTargets(session, realTargets, TargetRole.Real, realIds);
+            SetTargets(session, virtualTargets, TargetRole.Virtual, virtualIds);
+        }
+
+        void BeginReach(TargetId realTarget, TargetId virtualTarget)
+        {
+            var config = new ReachConfig { realTarget = realTarget, virtualTarget = virtualTarget };
+            if (MeasuredPlateOrientationDeg.HasValue)
+            {
+                config.flags = ReachFlags.PlateOrientation;
+                config.plateOrientationDeg = MeasuredPlateOrientationDeg.Value;
+            }
+            Session.BeginReach(config);
+            IsReaching = true;
+            commanded = false;
+            refused = false;
+        }
+
+        HapticRetargetingSession EnabledSession()
+        {
+            if (Session == null) throw new InvalidOperationException($"{name}: the component is not enabled");
+            return Session;
+        }
+
+        TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)
+        {
+            if (target != null && ids.TryGetValue(target, out TargetId id)) return id;
+            throw new ArgumentException($"{name}: not one of the component's targets of this role", argument);
+        }
+
+        SessionConfig Configuration()
+        {
+            SessionConfig config = SessionConfig.Default;
+            config.guidance = guidance;
+            config.adaptation = adaptation;
+            config.tactileWeight = tactileWeight;
+            config.plateRadiusM = plateRadiusM;
+            config.plateMaxSpeedDegS = plateMaxSpeedDegS;
+            config.plateLatencyNs = (long)(plateLatencyMs * 1e6);
+            return config;
+        }
+
+        // The configuration with plate and start where the Transforms are now.
+        SessionConfig Placed(SessionConfig config)
+        {
+            if (plate == null) throw new InvalidOperationException($"{name}: plate is not set");
+            config.platePositionM = Axes.FromUnity(plate.position);
+            config.plateRotation = Axes.FromUnity(plate.rotation);
+            if (start != null)
+                config.startPositionM = Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (start.position - plate.position));
+            return config;
+        }
+
+        // Adds targets, moves them to where their Transforms are now, and removes those that are no longer listed.
+        static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
+                               Dictionary<Transform, TargetId> ids)
+        {
+            foreach (Transform gone in ids.Keys.Where(target => !targets.Contains(target)).ToList())
+            {
+                session.RemoveTarget(ids[gone]);
+                ids.Remove(gone);
+            }
+            foreach (Transform target in targets)
+            {
+                if (target == null) continue;
+                TargetConfig config = TargetConfig.Default;
+                config.role = role;
+                config.place = Place.WorldPosition;
+                config.positionM = Axes.FromUnity(target.position);
+                try
+                {
+                    if (ids.TryGetValue(target, out TargetId id)) session.SetTarget(id, config);
+                    else ids[target] = session.AddTarget(config);
+                }
+                catch (HapticRetargetingException e)
+                {
+                    throw new HapticRetargetingException(e.Result, $"{target.name}: {e.Message}");
+                }
+            }
+        }
+    }
+}

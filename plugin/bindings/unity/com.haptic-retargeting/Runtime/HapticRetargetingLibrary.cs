@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.Text;
+using AOT;
+using UnityEngine;
+
+namespace Hrt
+{
+    /// <summary>The native library: its version, its log, and what must be put away before managed code goes.</summary>
+    public static class HapticRetargetingLibrary
+    {
+        // Sessions that this application domain has made and not destroyed. Guarded by itself.
+        static readonly HashSet<ulong> openSessions = new HashSet<ulong>();
+
+        // The native side keeps a pointer to this; the field keeps it from being collected.
+        static readonly LogCallback onLog = OnLog;
+
+        static bool loaded;
+
+        /// <summary>The library's version.</summary>
+        public static Version Version
+        {
+            get
+            {
+                Load();
+                Native.hrt_get_version(out uint major, out uint minor, out uint patch);
+                return new Version((int)major, (int)minor, (int)patch);
+            }
+        }
+
+        /// <summary>What went wrong in this thread's last failed call; empty if none has failed.</summary>
+        public static string LastError
+        {
+            get
+            {
+                Load();
+                return Utf8.Read(Native.hrt_last_error());
+            }
+        }
+
+        /// <summary>Runs the calls of a recording again and compares what comes out.</summary>
+        public static ReplayReport ReplayFile(string path)
+        {
+            Load();
+            var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
+            Check(Native.hrt_replay_file(Utf8.ZeroEnded(path, nameof(path)), ref report));
+            return report;
+        }
+
+        /// <summary>The same of a recording's text.</summary>
+        public static ReplayReport ReplayText(string text)
+        {
+            if (text == null) throw new ArgumentNullException(nameof(text));
+            Load();
+            byte[] bytes = Encoding.UTF8.GetBytes(text);
+            var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
+            Check(Native.hrt_replay_text(bytes, (ulong)bytes.Length, ref report));
+            return report;
+        }
+
+        /// <summary>Comes before the first call into the library: refuses one that is missing or of another
+        /// version, and sends its log to Unity's console.</summary>
+        internal static void Load()
+        {
+            if (loaded) return;
+            lock (openSessions)
+            {
+                if (loaded) return;
+                CheckVersion();
+                // The editor keeps the library and its sessions when it reloads the scripts' domain. What is
+                // left of them would call a delegate that is gone.
+                AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
+                AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
+                Result result = Native.hrt_set_log_callback(onLog, IntPtr.Zero);
+                if (result != Result.Ok)
+                    Debug.LogWarning("Haptic retargeting: the library's log does not come to this console: " +
+                                     Utf8.Read(Native.hrt_last_error()));
+                loaded = true;
+            }
+        }
+
+        internal static void Check(Result result)
+        {
+            if (result != Result.Ok)
+                throw new HapticRetargetingException(result, Utf8.Read(Native.hrt_last_error()));
+        }
+
+        internal static void Opened(SessionHandle session)
+        {
+            lock (openSessions) openSessions.Add(session.value);
+        }
+
+        internal static void Closed(SessionHandle session)
+        {
+            lock (openSessions) openSessions.Remove(session.value);
+        }
+
+        static void CheckVersion()
+        {
+            uint major, minor, patch;
+            try
+            {
+                Native.hrt_get_version(out major, out minor, out patch);
+            }
+            catch (DllNotFoundException e)
+            {
+                throw new DllNotFoundException(
+                    $"The native library {Native.Library} was not found. This package needs it in " +
+                    "Runtime/Plugins for the platform that it runs on; its documentation tells how to put it there.",
+                    e);
+            }
+            if (major != Constants.VersionMajor || minor < Constants.VersionMinor)
+                throw new InvalidOperationException(
+                    $"The native library {Native.Library} is version {major}.{minor}.{patch}; this package needs " +
+                    $"{Constants.VersionMajor}.{Constants.VersionMinor} or a later {Constants.VersionMajor}.x.");
+        }
+
+        static void Shutdown()
+        {
+            lock (openSessions)
+            {
+                foreach (ulong value in openSessions)
+                    Native.hrt_session_destroy(new SessionHandle { value = value });
+                openSessions.Clear();
+                Native.hrt_set_log_callback(null, IntPtr.Zero);
+            }
+        }
+
+        [MonoPInvokeCallback(typeof(LogCallback))]
+        static void OnLog(IntPtr context, uint level, IntPtr text)
+        {
+            // Called by a thread of the library's own, which no exception may get into.
+            try
+            {
+                string message = "Haptic retargeting: " + Utf8.Read(text);
+                if (level == (uint)LogLevel.Error) Debug.LogError(message);
+                else Debug.LogWarning(message);
+            }
+            catch (Exception)
+            {
+            }
+        }
+    }
+}

@@ -1,0 +1,21 @@
+using UnityEngine;
+
+namespace HrtSamples
+{
+    /// <summary>Put this on any object, give it reach.csv and reach_hash.txt, and press play: the console tells
+    /// whether this machine's commands are those of all others.</summary>
+    public sealed class RunScriptedReach : MonoBehaviour
+    {
+        public TextAsset recording;
+        public TextAsset expectedHash;
+
+        void Start()
+        {
+            ScriptedReach reach = ScriptedReach.Run(recording.text);
+            string hash = "0x" + reach.Hash.ToString("x16");
+            string text = $"Scripted reach (simulated): hash {hash}, miss {reach.Summary.finalMissDeg:0.00} degrees";
+            if (hash == expectedHash.text.Trim()) Debug.Log(text + ", as on every host", this);
+            else Debug.LogError(text + ", but every other host has " + expectedHash.text.Trim(), this);
+        }
+    }
+}

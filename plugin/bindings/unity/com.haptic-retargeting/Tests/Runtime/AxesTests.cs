@@ -1,0 +1,154 @@
+using System;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Hrt.Tests
+{
+    // Expected values are derived by hand: mirroring z keeps x and y of a place, and of a rotation z and w.
+    public sealed class AxesTests
+    {
+        const double Half = 0.70710678118654752; // sine and cosine of 45 degrees
+
+        [Test]
+        public void ForwardIsAwayFromTheUser()
+        {
+            Double3 position = Axes.FromUnity(new Vector3(1, 2, 3));
+            Assert.AreEqual(1, position.x);
+            Assert.AreEqual(2, position.y);
+            Assert.AreEqual(-3, position.z);
+        }
+
+        [TestCase(90, 0, 0, -Half, 0, 0)]
+        [TestCase(0, 90, 0, 0, -Half, 0)]
+        [TestCase(0, 0, 90, 0, 0, Half)]
+        public void QuarterTurnsAboutEachAxis(float aboutX, float aboutY, float aboutZ, double x, double y, double z)
+        {
+            Double4 rotation = Axes.FromUnity(Quaternion.Euler(aboutX, aboutY, aboutZ));
+            Assert.That(rotation.x, Is.EqualTo(x).Within(1e-6));
+            Assert.That(rotation.y, Is.EqualTo(y).Within(1e-6));
+            Assert.That(rotation.z, Is.EqualTo(z).Within(1e-6));
+            Assert.That(rotation.w, Is.EqualTo(Half).Within(1e-6));
+        }
+
+        [Test]
+        public void QuarterTurnToTheRightTakesAwayToTheRight()
+        {
+            // In Unity a turn by +90 about y takes forward to the right; so must the library's take -z to x.
+            Double3 turned = Rotate(Axes.FromUnity(Quaternion.Euler(0, 90, 0)), new Double3(0, 0, -1));
+            Assert.That(turned.x, Is.EqualTo(1).Within(1e-6));
+            Assert.That(turned.y, Is.EqualTo(0).Within(1e-6));
+            Assert.That(turned.z, Is.EqualTo(0).Within(1e-6));
+        }
+
+        [Test]
+        public void RotatingAndConvertingCommute()
+        {
+            var random = new System.Random(1);
+            for (int i = 0; i < 1000; ++i)
+            {
+                Quaternion rotation = RandomRotation(random);
+                Vector3 place = RandomPlace(random);
+                Double3 rotatedFirst = Axes.FromUnity(rotation * place);
+                Double3 convertedFirst = Rotate(Axes.FromUnity(rotation), Axes.FromUnity(place));
+                Assert.That(convertedFirst.x, Is.EqualTo(rotatedFirst.x).Within(1e-5));
+                Assert.That(convertedFirst.y, Is.EqualTo(rotatedFirst.y).Within(1e-5));
+                Assert.That(convertedFirst.z, Is.EqualTo(rotatedFirst.z).Within(1e-5));
+            }
+        }
+
+        [Test]
+        public void ThereAndBack()
+        {
+            var random = new System.Random(2);
+            for (int i = 0; i < 100; ++i)
+            {
+                Quaternion rotation = RandomRotation(random), again = Axes.ToUnity(Axes.FromUnity(rotation));
+                Assert.That(again.x, Is.EqualTo(rotation.x).Within(1e-6));
+                Assert.That(again.y, Is.EqualTo(rotation.y).Within(1e-6));
+                Assert.That(again.z, Is.EqualTo(rotation.z).Within(1e-6));
+                Assert.That(again.w, Is.EqualTo(rotation.w).Within(1e-6));
+                Vector3 place = RandomPlace(random), placeAgain = Axes.ToUnity(Axes.FromUnity(place));
+                Assert.AreEqual(place.x, placeAgain.x);
+                Assert.AreEqual(place.y, placeAgain.y);
+                Assert.AreEqual(place.z, placeAgain.z);
+            }
+        }
+
+        [Test]
+        public void RotationsAreOfLengthOneInDoublePrecision()
+        {
+            Double4 r = Axes.FromUnity(new Quaternion(0.1f, 0.2f, 0.3f, 0.9f));
+            Assert.That(r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w, Is.EqualTo(1).Within(1e-15));
+        }
+
+        [TestCase(0, 0, 1)]
+        [TestCase(90, -1, 0)]
+        [TestCase(-90, 1, 0)]
+        public void DirectionsAreCounterClockwiseSeenFromAbove(double directionDeg, float right, float forward)
+        {
+            Vector3 direction = Axes.Direction(directionDeg);
+            Assert.That(direction.x, Is.EqualTo(right).Within(1e-6));
+            Assert.That(direction.y, Is.EqualTo(0).Within(1e-6));
+            Assert.That(direction.z, Is.EqualTo(forward).Within(1e-6));
+        }
+
+        [Test]
+        public void RidgesTurnAsTheirNormalPoints()
+        {
+            foreach (double orientationDeg in new double[] {0, 30, -30, 84.5, 135})
+            {
+                Vector3 turned = Axes.RidgeRotation(orientationDeg) * Vector3.forward;
+                Vector3 normal = Axes.Direction(orientationDeg);
+                Assert.That((turned - normal).magnitude, Is.EqualTo(0).Within(1e-6));
+            }
+        }
+
+        // The library's own geometry, not this test's, tells the direction of a place in Unity's world on a
+        // plate that lies anywhere, turned in any way.
+        [Test]
+        public void TheLibrarySeesUnitysWorldWhereverThePlateIs()
+        {
+            var random = new System.Random(3);
+            for (int i = 0; i < 200; ++i)
+            {
+                Vector3 platePosition = RandomPlace(random);
+                Quaternion plateRotation = i == 0 ? Quaternion.identity : RandomRotation(random);
+                double bearingDeg = random.NextDouble() * 160 - 80;
+                Vector3 onPlate = new Vector3(0, 0, -0.05f) + Axes.Direction(bearingDeg) * 0.1f;
+                onPlate.y = (float)random.NextDouble() * 0.1f;
+
+                SessionConfig config = SessionConfig.Default;
+                config.platePositionM = Axes.FromUnity(platePosition);
+                config.plateRotation = Axes.FromUnity(plateRotation);
+                using (var session = new HapticRetargetingSession(config))
+                {
+                    TargetId ahead = session.AddTarget(TargetRole.Real, 0);
+                    TargetConfig target = TargetConfig.Default;
+                    target.role = TargetRole.Virtual;
+                    target.place = Place.WorldPosition;
+                    target.positionM = Axes.FromUnity(platePosition + plateRotation * onPlate);
+                    Authority authority = session.QueryAuthority(ahead, session.AddTarget(target));
+                    Assert.That(authority.gapDeg, Is.EqualTo(bearingDeg).Within(2e-3));
+                }
+            }
+        }
+
+        internal static Vector3 RandomPlace(System.Random random) =>
+            new Vector3((float)(random.NextDouble() * 4 - 2), (float)(random.NextDouble() * 4 - 2),
+                        (float)(random.NextDouble() * 4 - 2));
+
+        internal static Quaternion RandomRotation(System.Random random) =>
+            Quaternion.Euler((float)(random.NextDouble() * 360), (float)(random.NextDouble() * 360),
+                             (float)(random.NextDouble() * 360));
+
+        // v + 2 w (u x v) + 2 u x (u x v), with u the quaternion's vector part: the same in axes of either hand.
+        static Double3 Rotate(Double4 q, Double3 v)
+        {
+            Double3 u = new Double3(q.x, q.y, q.z), t = Cross(u, v), s = Cross(u, t);
+            return new Double3(v.x + 2 * (q.w * t.x + s.x), v.y + 2 * (q.w * t.y + s.y), v.z + 2 * (q.w * t.z + s.z));
+        }
+
+        static Double3 Cross(Double3 a, Double3 b) =>
+            new Double3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+    }
+}

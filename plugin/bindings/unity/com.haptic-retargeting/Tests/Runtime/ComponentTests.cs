@@ -1,0 +1,300 @@
+using System;
+using System.Collections.Generic;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Hrt.Tests
+{
+    public sealed class ComponentTests
+    {
+        readonly List<GameObject> made = new List<GameObject>();
+        HapticRetargeting component;
+        Transform real, virtualTarget;
+
+        // A plate that lies anywhere, turned in any way; one real target 5 degrees to the right, one virtual one 5
+        // degrees to the left, both 10 cm from the start.
+        [SetUp]
+        public void SetUp()
+        {
+            component = Make("retargeting").AddComponent<HapticRetargeting>();
+            component.plate = Make("plate").transform;
+            component.plate.position = new Vector3(1, 0.8f, -2);
+            component.plate.rotation = Quaternion.Euler(10, 130, -20);
+            component.finger = Make("finger").transform;
+            component.finger.position = OnPlate(0, 0);
+            real = MakeTarget("cylinder", -5);
+            virtualTarget = MakeTarget("bottle", 5);
+            component.realTargets.Add(real);
+            component.virtualTargets.Add(virtualTarget);
+        }
+
+        [TearDown]
+        public void TearDown()
+        {
+            foreach (GameObject gameObject in made) UnityEngine.Object.DestroyImmediate(gameObject);
+            made.Clear();
+        }
+
+        [Test]
+        public void PreviewTellsWhatCanBeHeld()
+        {
+            List<HapticRetargeting.Pairing> pairings = component.Preview();
+            Assert.AreEqual(1, pairings.Count);
+            Assert.AreSame(virtualTarget, pairings[0].virtualTarget);
+            Assert.AreSame(real, pairings[0].realTarget);
+            Assert.That(pairings[0].authority.gapDeg, Is.EqualTo(10).Within(1e-3));
+            Assert.IsTrue(pairings[0].authority.IsReachable);
+
+            MoveTarget(real, -20);
+            Assert.IsFalse(component.Preview()[0].authority.IsReachable);
+        }
+
+        [Test]
+        public void PreviewNeedsNoTargets()
+        {
+            component.realTargets.Clear();
+            Assert.AreEqual(0, component.Preview().Count);
+            component.virtualTargets.Clear();
+            Assert.AreEqual(0, component.Preview().Count);
+        }
+
+        [Test]
+        public void TheRealTargetIsTheOneThatCanBeHeldBest()
+        {
+            Transform nearer = MakeTarget("cone", 2);
+            component.realTargets.Add(nearer);
+            Assert.AreSame(nearer, component.Preview()[0].realTarget);
+        }
+
+        [Test]
+        public void OneTransformMayBeRealAndVirtual()
+        {
+            component.virtualTargets.Add(real);
+            List<HapticRetargeting.Pairing> pairings = component.Preview();
+            Assert.AreEqual(2, pairings.Count);
+            Assert.That(pairings[1].authority.gapDeg, Is.EqualTo(0).Within(1e-3));
+        }
+
+        [Test]
+        public void TheCommandIsThatOfTheSameReachInPlateCoordinates()
+        {
+            component.BeginReach(virtualTarget);
+            using (var session = new HapticRetargetingSession(SameUser()))
+            {
+                session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
+                for (int frame = 0; frame <= 90; ++frame)
+                {
+                    double right = 0.02 * Math.Sin(frame * 0.05), away = 0.1 * frame / 90;
+                    component.finger.position = OnPlate(right, away);
+                    component.Step(frame * 11111111L);
+                    Command expected = session.Update(new Sample
+                    {
+                        flags = SampleFlags.PlatePosition,
+                        timeNs = frame * 11111111L,
+                        fingerPositionM = new Double3(right, 0, 0.05 - away)
+                    });
+                    Command command = component.LastCommand;
+                    Assert.AreEqual(expected.step, command.step);
+                    Assert.AreEqual(expected.flags, command.flags);
+                    // Unity's places have 24 bits: 0.1 micrometres here, which the controller amplifies.
+                    Assert.That(command.plateOrientationDeg, Is.EqualTo(expected.plateOrientationDeg).Within(0.1));
+                    Assert.That(command.distanceToGoM, Is.EqualTo(expected.distanceToGoM).Within(1e-6));
+                }
+                Assert.AreEqual(9, component.LastCommand.step);
+            }
+            ReachSummary summary = component.EndReach();
+            Assert.AreEqual(91, summary.samples);
+            Assert.IsFalse(component.IsReaching);
+        }
+
+        [Test]
+        public void APlateThatMovesDuringAReachIsFollowed()
+        {
+            component.BeginReach(virtualTarget);
+            component.Step(0);
+            Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.1).Within(1e-6));
+            component.plate.position = new Vector3(-3, 1, 4);
+            component.plate.rotation = Quaternion.Euler(-30, 20, 75);
+            component.finger.position = OnPlate(0, 0);
+            component.Step(11111111);
+            Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.1).Within(1e-6));
+            Assert.AreEqual(CommandFlags.None, component.LastCommand.flags & (CommandFlags.Lifted | CommandFlags.OffPlate));
+        }
+
+        [Test]
+        public void AStartOfItsOwnIsTaken()
+        {
+            component.start = Make("start").transform;
+            component.start.position = OnPlate(0.01, 0.02);
+            component.BeginReach(virtualTarget);
+            Double3 start = component.Session.Config.startPositionM;
+            Assert.That(start.x, Is.EqualTo(0.01).Within(1e-6));
+            Assert.That(start.y, Is.EqualTo(0).Within(1e-6));
+            Assert.That(start.z, Is.EqualTo(0.03).Within(1e-6));
+        }
+
+        [Test]
+        public void AFingerThatIsNotSeenIsADropout()
+        {
+            component.BeginReach(virtualTarget);
+            component.Step(0);
+            component.FingerTracked = false;
+            component.Step(1000000);
+            component.FingerTracked = true;
+            component.finger.gameObject.SetActive(false);
+            component.Step(2000000);
+            Assert.AreEqual(2, component.EndReach().droppedSamples);
+        }
+
+        [Test]
+        public void EventsTellTheCommandAndWhatChanges()
+        {
+            var commands = new List<Command>();
+            var orientations = new List<float>();
+            var flags = new List<CommandFlags>();
+            var unityFlags = new List<CommandFlags>();
+            int ended = 0;
+            component.Commanded += commands.Add;
+            component.FlagsChanged += flags.Add;
+            component.ReachEnded += summary => ++ended;
+            component.onPlateOrientation.AddListener(orientations.Add);
+            component.onFlags.AddListener(unityFlags.Add);
+
+            component.BeginReach(virtualTarget);
+            component.Step(0);
+            component.Step(0);
+            component.finger.position = OnPlate(0, 0.2);
+            component.Step(1);
+            component.EndReach();
+
+            Assert.AreEqual(3, commands.Count);
+            Assert.AreEqual((float)commands[0].plateOrientationDeg, orientations[0]);
+            for (int i = 1; i < orientations.Count; ++i) Assert.AreNotEqual(orientations[i - 1], orientations[i]);
+            Assert.AreEqual(2, flags.Count);
+            Assert.AreEqual(CommandFlags.None, flags[0] & CommandFlags.OffPlate);
+            Assert.AreEqual(CommandFlags.OffPlate, flags[1] & CommandFlags.OffPlate);
+            CollectionAssert.AreEqual(flags, unityFlags);
+            Assert.AreEqual(1, ended);
+        }
+
+        [Test]
+        public void RidgesTurnWithTheCommand()
+        {
+            component.ridges = Make("ridges").transform;
+            component.BeginReach(virtualTarget);
+            for (int frame = 0; frame <= 30; ++frame)
+            {
+                component.finger.position = OnPlate(0, 0.1 * frame / 90);
+                component.Step(frame * 11111111L);
+            }
+            Assert.Greater(Math.Abs(component.LastCommand.plateOrientationDeg), 10);
+            Vector3 normal = component.ridges.localRotation * Vector3.forward;
+            Vector3 expected = Axes.Direction(component.LastCommand.plateOrientationDeg);
+            Assert.That((normal - expected).magnitude, Is.EqualTo(0).Within(1e-5));
+        }
+
+        [Test]
+        public void WhereThePlateReallyStandsGoesIn()
+        {
+            component.MeasuredPlateOrientationDeg = 33;
+            component.BeginReach(virtualTarget);
+            component.Step(0);
+            component.MeasuredPlateOrientationDeg = 1000;
+            string before = HapticRetargetingLibrary.LastError;
+            Assert.IsFalse(component.Session.TryUpdate(
+                new Sample { flags = SampleFlags.PlateOrientation, plateOrientationDeg = 1000 }, out Command command));
+            StringAssert.Contains("plate_orientation_deg", HapticRetargetingLibrary.LastError);
+        }
+
+        [Test]
+        public void MistakesAreNamed()
+        {
+            MoveTarget(real, 0);
+            real.position = OnPlate(0, 0);
+            var refusal = Assert.Throws<HapticRetargetingException>(() => component.BeginReach(virtualTarget));
+            StringAssert.Contains("cylinder", refusal.Message);
+            StringAssert.Contains("position_m", refusal.Message);
+            Assert.IsFalse(component.IsReaching);
+
+            MoveTarget(real, -5);
+            Assert.Throws<ArgumentException>(() => component.BeginReach(real));
+            Assert.Throws<ArgumentException>(() => component.BeginReach(null));
+            component.finger = null;
+            StringAssert.Contains("finger", Assert.Throws<InvalidOperationException>(
+                () => component.BeginReach(virtualTarget)).Message);
+            component.plate = null;
+            StringAssert.Contains("plate", Assert.Throws<InvalidOperationException>(() => component.Preview()).Message);
+            component.enabled = false;
+            Assert.IsNull(component.Session);
+            StringAssert.Contains("enabled", Assert.Throws<InvalidOperationException>(
+                () => component.BeginReach(virtualTarget)).Message);
+        }
+
+        [Test]
+        public void TargetsThatAreGoneAreForgotten()
+        {
+            Transform other = MakeTarget("goblet", -3);
+            component.virtualTargets.Add(other);
+            component.BeginReach(virtualTarget);
+            component.EndReach();
+            Assert.AreEqual(3, component.Session.GetTargets().Length);
+            component.virtualTargets.Remove(other);
+            UnityEngine.Object.DestroyImmediate(other.gameObject);
+            component.BeginReach(virtualTarget);
+            Assert.AreEqual(2, component.Session.GetTargets().Length);
+        }
+
+        [Test]
+        public void WhatAReachLearntIsCarriedToTheNext()
+        {
+            component.enabled = false;
+            component.adaptation = Adaptation.Carried;
+            component.enabled = true;
+            component.BeginReach(virtualTarget);
+            for (int frame = 0; frame <= 270; ++frame)
+            {
+                component.finger.position = OnPlate(0, 0.1 * frame / 270);
+                component.Step(frame * 11111111L);
+            }
+            ReachSummary summary = component.EndReach();
+            Assert.AreNotEqual(0.15, summary.tactileWeight);
+            component.BeginReach(virtualTarget);
+            Assert.AreEqual(summary.tactileWeight, component.Session.Config.tactileWeight);
+        }
+
+        // Metres from the start, which is 5 cm from the centre towards the user.
+        Vector3 OnPlate(double right, double away)
+        {
+            return component.plate.position +
+                   component.plate.rotation * new Vector3((float)right, 0, (float)(away - 0.05));
+        }
+
+        Transform MakeTarget(string name, double directionDeg)
+        {
+            Transform target = Make(name).transform;
+            MoveTarget(target, directionDeg);
+            return target;
+        }
+
+        void MoveTarget(Transform target, double directionDeg)
+        {
+            Vector3 direction = Axes.Direction(directionDeg);
+            target.position = OnPlate(0.1 * direction.x, 0.1 * direction.z);
+        }
+
+        GameObject Make(string name)
+        {
+            var gameObject = new GameObject(name);
+            made.Add(gameObject);
+            return gameObject;
+        }
+
+        SessionConfig SameUser()
+        {
+            SessionConfig config = SessionConfig.Default;
+            config.guidance = component.guidance;
+            config.adaptation = component.adaptation;
+            return config;
+        }
+    }
+}

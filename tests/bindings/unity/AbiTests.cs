@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using NUnit.Framework;
+
+namespace Hrt.HostTests
+{
+    // The declarations against tests/plugin/abi.txt, which the C compiler wrote: sizes, offsets, values, functions.
+    public sealed class AbiTests
+    {
+        static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;
+
+        static readonly Dictionary<string, string> handles = new Dictionary<string, string>
+        {
+            {"hrt_session", "SessionHandle"}, {"hrt_target", "TargetId"}, {"hrt_scene", "SceneHandle"}
+        };
+
+        static readonly Dictionary<string, string> enums = new Dictionary<string, string>
+        {
+            {"ERROR", "Result"}, {"LOG", "LogLevel"}, {"CONTROL", "Control"}, {"GUIDANCE", "Guidance"},
+            {"ADAPTATION", "Adaptation"}, {"TARGET", "TargetRole"}, {"PLACE", "Place"}, {"REACH", "ReachFlags"},
+            {"SAMPLE", "SampleFlags"}, {"COMMAND", "CommandFlags"}
+        };
+
+        string[] lines;
+
+        [SetUp]
+        public void SetUp()
+        {
+            lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_ABI_TXT"));
+        }
+
+        [Test]
+        public void StructsHaveTheCompilersSizesAndOffsets()
+        {
+            Type type = null;
+            int structs = 0, fields = 0;
+            var seen = new HashSet<string>();
+            foreach (string line in lines)
+            {
+                string[] words = line.Split(new[] {' '}, StringSplitOptions.RemoveEmptyEntries);
+                if (line.StartsWith("struct "))
+                {
+                    string name;
+                    if (!handles.TryGetValue(words[1], out name)) name = Pascal(words[1].Substring("hrt_".Length));
+                    type = package.GetType("Hrt." + name);
+                    Assert.IsNotNull(type, line);
+                    Assert.AreEqual(int.Parse(words[2]), Marshal.SizeOf(type), line);
+                    seen.Add(name);
+                    ++structs;
+                }
+                else if (line.StartsWith("  "))
+                {
+                    string field = Camel(words[0]);
+                    Assert.IsNotNull(type.GetField(field), type + " " + line);
+                    Assert.AreEqual(int.Parse(words[1]), (int)Marshal.OffsetOf(type, field), type + " " + line);
+                    Assert.AreEqual(int.Parse(words[2]), SizeOf(type.GetField(field).FieldType), type + " " + line);
+                    ++fields;
+                }
+            }
+            Assert.Greater(structs, 10);
+            Assert.Greater(fields, 100);
+        }
+
+        // Blittable: pinned for a call and not copied, under Mono and IL2CPP alike.
+        [Test]
+        public void StructsCanBePinned()
+        {
+            foreach (Type type in package.GetTypes().Where(t => t.IsValueType && t.IsLayoutSequential && !t.IsEnum && t.GetField("structSize") != null))
+                GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free();
+        }
+
+        [Test]
+        public void ConstantsHaveTheHeadersValues()
+        {
+            int constants = 0;
+            foreach (string line in lines.Where(l => l.StartsWith("constant ")))
+            {
+                string[] words = line.Split(' ');
+                string digits = new string(words[2].Replace("UINT32_C", "").Where(c => c == '-' || char.IsDigit(c)).ToArray());
+                Assert.AreEqual(long.Parse(digits), Value(words[1].Substring("HRT_".Length)), line);
+                ++constants;
+            }
+            Assert.Greater(constants, 40);
+        }
+
+        [Test]
+        public void FunctionsAreDeclaredAndThere()
+        {
+            Type native = package.GetType("Hrt.Native");
+            int functions = 0;
+            foreach (string line in lines.Where(l => l.StartsWith("function ")))
+            {
+                string name = line.Substring(0, line.IndexOf('(')).Split(' ').Last();
+                string parameters = line.Substring(line.IndexOf('(')).Trim('(', ')');
+                MethodInfo method = native.GetMethod(name, BindingFlags.Static | BindingFlags.NonPublic);
+                Assert.IsNotNull(method, line);
+                int expected = parameters == "void" ? 0 : parameters.Split(',').Length;
+                Assert.AreEqual(expected, method.GetParameters().Length, line);
+                Marshal.Prelink(method); // throws if the library has no such function
+                ++functions;
+            }
+            Assert.AreEqual(functions, native.GetMethods(BindingFlags.Static | BindingFlags.NonPublic).Length);
+            Assert.Greater(functions, 30);
+        }
+
+        // What native code calls back must be static and marked, or it is missing in a build that is compiled ahead.
+        [Test]
+        public void CallbacksAreCompiledAhead()
+        {
+            const BindingFlags all = BindingFlags.Static | BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public;
+            MethodInfo[] marked = package.GetTypes().SelectMany(t => t.GetMethods(all))
+                .Where(m => m.GetCustomAttribute<AOT.MonoPInvokeCallbackAttribute>() != null).ToArray();
+            Assert.AreEqual(1, marked.Length);
+            Assert.IsTrue(marked[0].IsStatic);
+            Type callback = marked[0].GetCustomAttribute<AOT.MonoPInvokeCallbackAttribute>().DelegateType;
+            Assert.IsNotNull(Delegate.CreateDelegate(callback, marked[0]));
+        }
+
+        static long Value(string name)
+        {
+            if (name == "OK") return (long)Result.Ok;
+            string prefix = name.Substring(0, name.IndexOf('_')), enumName;
+            if (enums.TryGetValue(prefix, out enumName))
+            {
+                Type type = package.GetType("Hrt." + enumName);
+                return Convert.ToInt64(Enum.Parse(type, Pascal(name.Substring(prefix.Length + 1))));
+            }
+            FieldInfo field = typeof(Constants).GetField(Pascal(name));
+            Assert.IsNotNull(field, name);
+            return Convert.ToInt64(field.GetValue(null));
+        }
+
+        static int SizeOf(Type type) => Marshal.SizeOf(type.IsEnum ? Enum.GetUnderlyingType(type) : type);
+
+        static string Pascal(string name) =>
+            string.Concat(name.Split('_').Select(part => part.Substring(0, 1).ToUpper() + part.Substring(1).ToLower()));
+
+        static string Camel(string name) => char.ToLower(name[0]) + Pascal(name).Substring(1);
+    }
+}

@@ -1,0 +1,129 @@
+using System;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Hrt.HostTests
+{
+    public sealed class MemoryTests
+    {
+        const int Updates = 1000000;
+
+        [Test]
+        public void UpdatesMakeNoGarbage()
+        {
+            using (var session = new HapticRetargetingSession())
+            {
+                session.BeginReach(session.AddTarget(TargetRole.Real, -5), session.AddTarget(TargetRole.Virtual, 5));
+                AssertNoGarbage(i => session.Update(StraightAhead(i)));
+                AssertNoGarbage(i => session.TryUpdate(StraightAhead(Updates + 1), out Command command));
+            }
+        }
+
+        [Test]
+        public void RefusedUpdatesMakeNoGarbage()
+        {
+            using (var session = new HapticRetargetingSession())
+            {
+                Assert.IsFalse(session.TryUpdate(StraightAhead(0), out Command command));
+                AssertNoGarbage(i => session.TryUpdate(StraightAhead(i), out command));
+            }
+        }
+
+        [Test]
+        public void ReachesMakeNoGarbage()
+        {
+            using (var session = new HapticRetargetingSession())
+            {
+                TargetId real = session.AddTarget(TargetRole.Real, -5), seen = session.AddTarget(TargetRole.Virtual, 5);
+                AssertNoGarbage(i =>
+                {
+                    session.BeginReach(real, seen);
+                    session.Update(StraightAhead(i));
+                    session.EndReach();
+                });
+            }
+        }
+
+        [Test]
+        public void FramesMakeNoGarbage()
+        {
+            var component = new GameObject("retargeting").AddComponent<HapticRetargeting>();
+            component.plate = new GameObject("plate").transform;
+            component.finger = new GameObject("finger").transform;
+            component.ridges = new GameObject("ridges").transform;
+            Transform real = new GameObject("cylinder").transform, bottle = new GameObject("bottle").transform;
+            real.position = new Vector3(0.01f, 0, 0.05f);
+            bottle.position = new Vector3(-0.01f, 0, 0.05f);
+            component.realTargets.Add(real);
+            component.virtualTargets.Add(bottle);
+            int commands = 0, orientations = 0, flags = 0;
+            component.Commanded += command => ++commands;
+            component.onPlateOrientation.AddListener(orientation => ++orientations);
+            component.onFlags.AddListener(changed => ++flags);
+            component.MeasuredPlateOrientationDeg = 0;
+            Time.unscaledTimeAsDouble = 0;
+            component.BeginReach(bottle);
+            Action lateUpdate = component.Message("LateUpdate");
+            AssertNoGarbage(i =>
+            {
+                Time.unscaledTimeAsDouble = i / 90.0;
+                component.finger.position = new Vector3(0, 0, -0.05f + i % 300 * 0.0003f);
+                component.FingerTracked = i % 100 != 0;
+                lateUpdate();
+            });
+            Assert.AreEqual(Updates, commands);
+            Assert.Greater(orientations, 1);
+            Assert.Greater(flags, 1);
+            UnityEngine.Object.DestroyImmediate(component.gameObject);
+        }
+
+        // More sessions than there can be at a time, none disposed of.
+        [Test]
+        public void ForgottenSessionsAreFinalised()
+        {
+            int refused = 0;
+            for (int i = 0; i < 20 * Constants.SessionsMax; ++i)
+            {
+                try
+                {
+                    Forget();
+                }
+                catch (HapticRetargetingException e)
+                {
+                    Assert.AreEqual(Result.LimitReached, e.Result);
+                    ++refused;
+                    GC.Collect();
+                    GC.WaitForPendingFinalizers();
+                }
+            }
+            Assert.Less(refused, 40);
+            GC.Collect();
+            GC.WaitForPendingFinalizers();
+        }
+
+        static void Forget()
+        {
+            new HapticRetargetingSession().AddTarget(TargetRole.Real, 0);
+        }
+
+        static void AssertNoGarbage(Action<int> step)
+        {
+            for (int i = 0; i < 100; ++i) step(i); // compiles it
+            long before = GC.GetAllocatedBytesForCurrentThread();
+            for (int i = 100; i < Updates; ++i) step(i);
+            Assert.AreEqual(0, GC.GetAllocatedBytesForCurrentThread() - before);
+            byte[] garbage = new byte[100];
+            Assert.Greater(GC.GetAllocatedBytesForCurrentThread() - before, garbage.Length);
+        }
+
+        static Sample StraightAhead(int frame)
+        {
+            return new Sample
+            {
+                flags = SampleFlags.PlatePosition,
+                timeNs = frame * 11111111L,
+                fingerPositionM = new Double3(0, 0, 0.05 - frame % 300 * 0.1 / 300)
+            };
+        }
+    }
+}

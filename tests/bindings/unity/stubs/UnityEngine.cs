@@ -1,0 +1,408 @@
+// As much of Unity as the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
+// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when told to.
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+
+namespace AOT
+{
+    [AttributeUsage(AttributeTargets.Method)]
+    public sealed class MonoPInvokeCallbackAttribute : Attribute
+    {
+        public MonoPInvokeCallbackAttribute(Type type)
+        {
+            DelegateType = type;
+        }
+
+        public Type DelegateType { get; }
+    }
+}
+
+namespace UnityEngine
+{
+    public class AddComponentMenu : Attribute
+    {
+        public AddComponentMenu(string menuName)
+        {
+        }
+    }
+
+    public class DisallowMultipleComponent : Attribute
+    {
+    }
+
+    public class HeaderAttribute : Attribute
+    {
+        public HeaderAttribute(string header)
+        {
+        }
+    }
+
+    public class TooltipAttribute : Attribute
+    {
+        public TooltipAttribute(string tooltip)
+        {
+        }
+    }
+
+    public struct Vector3
+    {
+        public float x, y, z;
+
+        public Vector3(float x, float y, float z)
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+        }
+
+        public static Vector3 zero => new Vector3(0, 0, 0);
+        public static Vector3 one => new Vector3(1, 1, 1);
+        public static Vector3 forward => new Vector3(0, 0, 1);
+        public static Vector3 right => new Vector3(1, 0, 0);
+        public static Vector3 up => new Vector3(0, 1, 0);
+        public float magnitude => (float)Math.Sqrt(x * x + y * y + z * z);
+        public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
+        public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
+        public static Vector3 operator *(Vector3 a, float b) => new Vector3(a.x * b, a.y * b, a.z * b);
+        public static float Dot(Vector3 a, Vector3 b) => a.x * b.x + a.y * b.y + a.z * b.z;
+        public static Vector3 Cross(Vector3 a, Vector3 b) =>
+            new Vector3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+        public override string ToString() => $"({x}, {y}, {z})";
+    }
+
+    public struct Quaternion
+    {
+        public float x, y, z, w;
+
+        public Quaternion(float x, float y, float z, float w)
+        {
+            this.x = x;
+            this.y = y;
+            this.z = z;
+            this.w = w;
+        }
+
+        public static Quaternion identity => new Quaternion(0, 0, 0, 1);
+
+        public static Quaternion AngleAxis(float angle, Vector3 axis)
+        {
+            double half = angle * Math.PI / 360, sine = Math.Sin(half) / axis.magnitude;
+            return new Quaternion((float)(axis.x * sine), (float)(axis.y * sine), (float)(axis.z * sine),
+                                  (float)Math.Cos(half));
+        }
+
+        // About z, then x, then y.
+        public static Quaternion Euler(float x, float y, float z) =>
+            AngleAxis(y, Vector3.up) * AngleAxis(x, Vector3.right) * AngleAxis(z, Vector3.forward);
+
+        public static Quaternion Inverse(Quaternion q) => new Quaternion(-q.x, -q.y, -q.z, q.w);
+
+        public static Quaternion operator *(Quaternion a, Quaternion b) =>
+            new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
+                           a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
+
+        public static Vector3 operator *(Quaternion q, Vector3 v)
+        {
+            var u = new Vector3(q.x, q.y, q.z);
+            Vector3 t = Vector3.Cross(u, v) * 2;
+            return v + t * q.w + Vector3.Cross(u, t);
+        }
+
+        public override string ToString() => $"({x}, {y}, {z}, {w})";
+    }
+
+    public struct Color
+    {
+        public float r, g, b, a;
+
+        public Color(float r, float g, float b)
+        {
+            this.r = r;
+            this.g = g;
+            this.b = b;
+            a = 1;
+        }
+
+        public static Color grey => new Color(0.5f, 0.5f, 0.5f);
+        public static Color cyan => new Color(0, 1, 1);
+        public static Color green => new Color(0, 1, 0);
+        public static Color red => new Color(1, 0, 0);
+        public static Color white => new Color(1, 1, 1);
+    }
+
+    public class Object
+    {
+        bool destroyed;
+
+        public virtual string name { get; set; } = "";
+
+        // What is destroyed equals null, as in Unity.
+        public static bool operator ==(Object a, Object b) => IsGone(a) ? IsGone(b) : ReferenceEquals(a, b);
+        public static bool operator !=(Object a, Object b) => !(a == b);
+        public override bool Equals(object other) => ReferenceEquals(this, other);
+        public override int GetHashCode() => base.GetHashCode();
+
+        public static void DestroyImmediate(Object gone)
+        {
+            var gameObject = gone as GameObject;
+            if (gameObject != null)
+            {
+                gameObject.SetActive(false);
+                gameObject.transform.destroyed = true;
+            }
+            var behaviour = gone as MonoBehaviour;
+            if (behaviour != null) behaviour.enabled = false;
+            gone.destroyed = true;
+        }
+
+        static bool IsGone(Object a) => ReferenceEquals(a, null) || a.destroyed;
+    }
+
+    public class Component : Object
+    {
+        public override string name
+        {
+            get => gameObject.name;
+            set => gameObject.name = value;
+        }
+
+        public GameObject gameObject { get; internal set; }
+        public Transform transform => gameObject.transform;
+    }
+
+    public class Behaviour : Component
+    {
+        bool isEnabled;
+
+        public bool enabled
+        {
+            get => isEnabled;
+            set
+            {
+                if (isEnabled == value) return;
+                isEnabled = value;
+                if (gameObject.activeInHierarchy) Message(value ? "OnEnable" : "OnDisable")?.Invoke();
+            }
+        }
+
+        /// <summary>Of the stub: a message method, which Unity calls by its name however it is declared; null if there
+        /// is none.</summary>
+        public Action Message(string name)
+        {
+            MethodInfo method = GetType().GetMethod(
+                name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null);
+            return method == null ? null : (Action)Delegate.CreateDelegate(typeof(Action), this, method);
+        }
+    }
+
+    public class MonoBehaviour : Behaviour
+    {
+    }
+
+    public class Transform : Component
+    {
+        public Transform parent;
+        public Vector3 localPosition = Vector3.zero;
+        public Quaternion localRotation = Quaternion.identity;
+        public Vector3 localScale = Vector3.one;
+
+        public Vector3 position
+        {
+            get => parent == null ? localPosition : parent.position + parent.rotation * Scaled(localPosition, parent.localScale);
+            set
+            {
+                if (parent != null) throw new NotSupportedException("the stub sets positions of roots only");
+                localPosition = value;
+            }
+        }
+
+        public Vector3 up => rotation * Vector3.up;
+
+        public Quaternion rotation
+        {
+            get => parent == null ? localRotation : parent.rotation * localRotation;
+            set
+            {
+                if (parent != null) throw new NotSupportedException("the stub sets rotations of roots only");
+                localRotation = value;
+            }
+        }
+
+        public void SetParent(Transform newParent, bool worldPositionStays)
+        {
+            if (worldPositionStays) throw new NotSupportedException("the stub keeps local positions only");
+            parent = newParent;
+        }
+
+        static Vector3 Scaled(Vector3 v, Vector3 scale) => new Vector3(v.x * scale.x, v.y * scale.y, v.z * scale.z);
+    }
+
+    public class GameObject : Object
+    {
+        readonly List<Behaviour> behaviours = new List<Behaviour>();
+
+        public GameObject(string name)
+        {
+            this.name = name;
+            activeInHierarchy = true;
+            transform = new Transform { gameObject = this };
+        }
+
+        public static GameObject CreatePrimitive(PrimitiveType type) => new GameObject(type.ToString());
+
+        public Transform transform { get; }
+        public bool activeInHierarchy { get; private set; }
+
+        public T AddComponent<T>() where T : Behaviour, new()
+        {
+            var component = new T { gameObject = this };
+            behaviours.Add(component);
+            component.enabled = true;
+            return component;
+        }
+
+        public T GetComponent<T>() where T : Behaviour => behaviours.OfType<T>().FirstOrDefault();
+
+        public void SetActive(bool active)
+        {
+            if (active == activeInHierarchy) return;
+            activeInHierarchy = active;
+            foreach (Behaviour behaviour in behaviours)
+                if (behaviour.enabled) behaviour.Message(active ? "OnEnable" : "OnDisable")?.Invoke();
+        }
+    }
+
+    public class TextAsset : Object
+    {
+        public string text { get; set; } = "";
+    }
+
+    public enum PrimitiveType
+    {
+        Sphere,
+        Cylinder,
+        Cube
+    }
+
+    public static class Mathf
+    {
+        public static float Sqrt(float x) => (float)Math.Sqrt(x);
+    }
+
+    public struct Ray
+    {
+        public Vector3 origin, direction;
+
+        public Ray(Vector3 origin, Vector3 direction)
+        {
+            this.origin = origin;
+            this.direction = direction;
+        }
+
+        public Vector3 GetPoint(float distance) => origin + direction * distance;
+    }
+
+    public struct Plane
+    {
+        readonly Vector3 normal, point;
+
+        public Plane(Vector3 normal, Vector3 point)
+        {
+            this.normal = normal;
+            this.point = point;
+        }
+
+        public bool Raycast(Ray ray, out float distance)
+        {
+            distance = Vector3.Dot(normal, point - ray.origin) / Vector3.Dot(normal, ray.direction);
+            return distance > 0;
+        }
+    }
+
+    public class Camera : Behaviour
+    {
+        public static Camera main { get; } = new GameObject("camera").AddComponent<Camera>();
+        public float nearClipPlane { get; set; }
+
+        /// <summary>Of the stub: a ray straight down, through x and z of the "screen" in metres.</summary>
+        public Ray ScreenPointToRay(Vector3 point) =>
+            new Ray(new Vector3(point.x, 10, point.y), new Vector3(0, -1, 0));
+    }
+
+    public enum KeyCode
+    {
+        Alpha1 = 49
+    }
+
+    public static class Input
+    {
+        /// <summary>Of the stub: what is pressed and released in this frame.</summary>
+        public static bool pressed, released;
+        public static KeyCode? key;
+
+        public static Vector3 mousePosition { get; set; }
+        public static bool GetMouseButtonDown(int button) => button == 0 && pressed;
+        public static bool GetMouseButtonUp(int button) => button == 0 && released;
+        public static bool GetKeyDown(KeyCode code) => key == code;
+    }
+
+    public static class Time
+    {
+        public static double unscaledTimeAsDouble { get; set; }
+    }
+
+    public static class Application
+    {
+        public static bool isPlaying { get; set; }
+    }
+
+    public static class Debug
+    {
+        /// <summary>Of the stub: hears what is logged, on the thread that logs it.</summary>
+        public static event Action<string, string> Logged;
+
+        public static void Log(object message, Object context) => Logged?.Invoke("log", message.ToString());
+        public static void LogWarning(object message) => Logged?.Invoke("warning", message.ToString());
+        public static void LogError(object message) => Logged?.Invoke("error", message.ToString());
+        public static void LogError(object message, Object context) => LogError(message);
+    }
+
+    public static class Gizmos
+    {
+        public struct Line
+        {
+            public Vector3 from, to;
+            public Color colour;
+        }
+
+        /// <summary>Of the stub: what was drawn.</summary>
+        public static readonly List<Line> Lines = new List<Line>();
+
+        public static Color color { get; set; }
+        public static void DrawLine(Vector3 from, Vector3 to) => Lines.Add(new Line { from = from, to = to, colour = color });
+
+        public static void DrawWireSphere(Vector3 centre, float radius)
+        {
+        }
+    }
+}
+
+namespace UnityEngine.Events
+{
+    public delegate void UnityAction<T>(T argument);
+
+    [Serializable]
+    public class UnityEvent<T>
+    {
+        readonly List<UnityAction<T>> listeners = new List<UnityAction<T>>();
+
+        public void AddListener(UnityAction<T> listener) => listeners.Add(listener);
+
+        public void Invoke(T argument)
+        {
+            for (int i = 0; i < listeners.Count; ++i) listeners[i](argument);
+        }
+    }
+}
