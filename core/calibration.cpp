@@ -158,8 +158,10 @@ Line regress(const std::vector<Chord>& chords) {
           t * std::sqrt(variance / spread)};
 }
 
+// Below -1/2, where no w_T has such a slope, it goes on in a straight line, so that an interval of slopes
+// stays one of weights.
 double weight_of_slope(double slope) {
-  return slope / (1.0 + slope);
+  return slope / std::max(1.0 + slope, 0.5);
 }
 
 // The log-likelihood of a slide's positions under a participant, by the estimator's innovations.

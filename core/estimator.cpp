@@ -21,8 +21,6 @@ constexpr double initial_speed_sd_mm_s = 30.0;
 constexpr double initial_direction_sd_deg = 4.0;
 // w_T drifts by about this in a model step: a tenth of its prior over a reach.
 constexpr double weight_drift_sd = 0.001;
-// sigma_u^2 is known to about this before a reach.
-constexpr double motor_variance_prior_sd_deg2 = 0.5;
 // The direction of an exact sample.
 constexpr double exact_direction_variance_deg2 = 1e-12;
 // Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
@@ -38,8 +36,9 @@ double seconds(std::int64_t from_ns, std::int64_t to_ns) {
 }  // namespace
 
 bool is_valid(const EstimatorConfig& config) {
-  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 && config.tracker_noise_m >= 0.0 &&
-         config.tracker_noise_m <= 0.1;
+  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 &&
+         config.motor_variance_sd_deg2 > 0.0 && config.motor_variance_sd_deg2 <= 10.0 &&
+         config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1;
 }
 
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
@@ -47,7 +46,7 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
     : config_(config),
       goal_direction_deg_(goal_direction_deg),
       motor_variance_deg2_(participant.motor_variance_deg2),
-      motor_variance_information_(1.0 / (motor_variance_prior_sd_deg2 * motor_variance_prior_sd_deg2)) {
+      motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
   const double noise_mm = config.tracker_noise_m * mm_per_m;
   noise_variance_mm2_ = noise_mm > 0.0 ? noise_mm * noise_mm : initial_noise_mm2;
   state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,

@@ -38,6 +38,8 @@ struct EstimatorConfig {
   bool adapt = false;
   /// Standard deviation of w_T about participant.tactile_weight before a reach, in (0, 0.5).
   double tactile_weight_sd = 0.05;
+  /// Standard deviation of sigma_u^2 about participant.motor_variance_deg2 before a reach, in (0, 10].
+  double motor_variance_sd_deg2 = 0.5;
   /// White noise of a tracked coordinate, metres in [0, 0.1]; 0: learn it from the samples.
   double tracker_noise_m = 0.0;
 };
@@ -54,8 +56,8 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;
-  /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about 0.5 where the
-  /// reach can't tell.
+  /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about the configured one
+  /// where the reach can't tell.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };

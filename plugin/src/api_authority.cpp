@@ -9,10 +9,10 @@ namespace {
 
 hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
                            const hrt_target_config& real, const hrt_target_config& virtual_) {
-  const double virtual_deg = view(session.config(), virtual_).direction_deg;
-  const double gap_deg = wrap_deg(virtual_deg - view(session.config(), real).direction_deg, 360.0);
+  const double goal_deg = view(session.config(), virtual_).direction_deg + session.config().bias_deg;
+  const double gap_deg = wrap_deg(goal_deg - view(session.config(), real).direction_deg, 360.0);
   const Authority authority = steering_authority(
-      virtual_deg - gap_deg, virtual_deg, session.config().tactile_weight, session.config().plate_bound_deg);
+      goal_deg - gap_deg, goal_deg, session.config().tactile_weight, session.config().plate_bound_deg);
   return {
       .struct_size = sizeof(hrt_authority),
       .reachable = authority.reachable ? 1u : 0u,

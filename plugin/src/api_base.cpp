@@ -27,6 +27,7 @@ const char* hrt_result_string(hrt_result result) noexcept {
     HRT_CASE(HRT_ERROR_NAME_TAKEN);
     HRT_CASE(HRT_ERROR_SYSTEM);
     HRT_CASE(HRT_ERROR_BAD_FORMAT);
+    HRT_CASE(HRT_ERROR_INSUFFICIENT_DATA);
     HRT_CASE(HRT_ERROR_INTERNAL);
     default:
       return "unknown result";

@@ -14,7 +14,7 @@ hrt_result hrt_session_config_default(hrt_session_config* out_config, uint32_t s
 hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
-    hrt_session_config checked;
+    hrt_session_config checked = default_session_config();
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     const std::uint64_t handle = sessions.insert(std::make_unique<Session>(checked));
     if (handle == 0)
@@ -44,7 +44,7 @@ hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_c
 hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) noexcept {
   return with_session("hrt_session_set_config", session, [&](Session& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.check_no_reach());
-    hrt_session_config checked;
+    hrt_session_config checked = s.config();
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     return s.set_config(checked);
   });

@@ -2,25 +2,35 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstring>
 
+#include "haptic_retargeting/reach.h"
 #include "plugin/src/error.h"
 
 namespace hrt::plugin {
 
-/// The size of a struct in the first version that had it. A struct that has grown specialises this.
+/// The size of a struct in the first version that had it; those below have grown since.
 template <class Struct>
 inline constexpr std::uint32_t first_size = sizeof(Struct);
+template <>
+inline constexpr std::uint32_t first_size<hrt_session_config> = 248;
+template <>
+inline constexpr std::uint32_t first_size<hrt_reach_summary> = 120;
+static_assert(first_size<hrt_session_config> == offsetof(hrt_session_config, bias_deg));
+static_assert(first_size<hrt_reach_summary> == offsetof(hrt_reach_summary, motor_variance_deg2));
 
 /// No version of any struct is larger: a number beyond this is not a size.
 inline constexpr std::uint32_t largest_struct_size = 4096;
 
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
-  if (size >= first_size<Struct> && size <= largest_struct_size) return HRT_OK;
+  // Every version ends with a whole field, and so at a multiple of 8.
+  static_assert(sizeof(Struct) % 8 == 0);
+  if (size >= first_size<Struct> && size <= largest_struct_size && size % 8 == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
-              ", at least ", first_size<Struct>, " is needed");
+              ", at least ", first_size<Struct>, " and a multiple of 8 is needed");
 }
 
 /// Reads a struct of any version into `*known`, which holds the defaults.

@@ -3,72 +3,9 @@
 #include <algorithm>
 
 #include "plugin/src/checked.h"
+#include "plugin/src/finger_sample.h"
 
 namespace hrt::plugin {
-namespace {
-
-// People change: what was learnt of them is not certain for ever.
-constexpr double least_carried_sd = 0.01;
-
-constexpr std::uint32_t finger_flags =
-    HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
-constexpr std::uint32_t sample_flags =
-    finger_flags | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED | HRT_SAMPLE_PLATE_POSE;
-
-hrt_result check_sample(const hrt_sample& sample) {
-  HRT_RETURN_IF_FAILED(check_flags(sample.flags, sample_flags));
-  const std::uint32_t finger = sample.flags & finger_flags;
-  if ((finger & (finger - 1)) != 0)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-                "; allowed: one of DIRECTION, PLATE_POSITION and WORLD_POSITION, or none");
-  if (finger == HRT_SAMPLE_DIRECTION)
-    HRT_RETURN_IF_FAILED(check_range("finger_direction_deg", sample.finger_direction_deg, -180.0, 180.0));
-  else if (finger != 0)
-    HRT_RETURN_IF_FAILED(check_position("finger_position_m", sample.finger_position_m));
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
-    HRT_RETURN_IF_FAILED(check_plate_orientation(sample.plate_orientation_deg));
-  if (sample.flags & HRT_SAMPLE_PLATE_POSE)
-    HRT_RETURN_IF_FAILED(check_plate_pose(sample.plate_position_m, sample.plate_rotation));
-  return HRT_OK;
-}
-
-FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample) {
-  const auto& p = sample.finger_position_m;
-  const Pose plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0 ? Pose{}
-                     : (sample.flags & HRT_SAMPLE_PLATE_POSE) != 0
-                         ? to_pose(sample.plate_position_m, sample.plate_rotation)
-                         : plate_pose_of(config);
-  FingerOnPlate finger{};
-  locate_finger(surface_of(config), plate, {p[0], p[1], p[2]}, finger);
-  return finger;
-}
-
-// What the core makes of a checked sample, and the command's flags that the sample alone decides.
-FingerSample observe(const hrt_session_config& config, const hrt_sample& sample, std::uint32_t* flags) {
-  FingerSample observed{.time_ns = sample.time_ns};
-  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
-    observed.plate_orientation_deg = sample.plate_orientation_deg;
-  if (sample.flags & HRT_SAMPLE_LIFTED) {
-    observed.observation = Observation::lifted;
-    *flags |= HRT_COMMAND_LIFTED;
-  } else if (sample.flags & HRT_SAMPLE_DIRECTION) {
-    observed.observation = Observation::direction;
-    observed.direction_deg = sample.finger_direction_deg;
-  } else if (sample.flags & finger_flags) {
-    const FingerOnPlate finger = locate(config, sample);
-    if (finger.off_plate) *flags |= HRT_COMMAND_OFF_PLATE;
-    if (finger.lifted) {
-      observed.observation = Observation::lifted;
-      *flags |= HRT_COMMAND_LIFTED;
-    } else {
-      observed.observation = Observation::position;
-      observed.position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
-    }
-  }
-  return observed;
-}
-
-}  // namespace
 
 constinit Sessions sessions;
 
@@ -114,11 +51,14 @@ hrt_result Session::try_begin(const Reach& reach) {
   if (!(reach.real_distance_m >= least_distance_m))
     return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", reach.real_distance_m,
                 " m from the start; at least ", least_distance_m, " is needed");
-  if (!is_valid(reach))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
-                " degrees, the virtual at ", reach.virtual_direction_deg,
+  Reach felt = reach;
+  felt.virtual_direction_deg += config_.bias_deg;
+  if (!is_valid(felt))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", felt.real_direction_deg,
+                " degrees, the virtual at ", felt.virtual_direction_deg,
+                config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
-  retargeter_.begin(reach);
+  retargeter_.begin(felt);
   plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   reaching_ = true;
   sampled_ = false;
@@ -167,6 +107,8 @@ hrt_result Session::try_end(hrt_reach_summary* out_summary) {
   HRT_RETURN_IF_FAILED(check_reach());
   reaching_ = false;
   const ReachSummary summary = retargeter_.summary();
+  const FingerEstimate& estimate = summary.estimate;
+  const bool adapts = config_.adaptation != HRT_ADAPTATION_OFF;
   *out_summary = {
       .struct_size = sizeof(hrt_reach_summary),
       .reserved = 0,
@@ -181,17 +123,28 @@ hrt_result Session::try_end(hrt_reach_summary* out_summary) {
       .perceived_direction_deg = summary.perceived_direction_deg,
       .perceived_error_deg = summary.perceived_error_deg,
       .distance_to_target_m = summary.distance_to_target_m,
-      .tactile_weight = summary.estimate.tactile_weight,
-      .tactile_weight_sd = summary.estimate.tactile_weight_sd,
-      .tracker_noise_m = summary.estimate.tracker_noise_m,
+      .tactile_weight = estimate.tactile_weight,
+      .tactile_weight_sd = estimate.tactile_weight_sd,
+      .tracker_noise_m = estimate.tracker_noise_m,
+      .motor_variance_deg2 = adapts ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
+      .motor_variance_sd_deg2 = adapts ? estimate.motor_variance_sd_deg2 : 0.0,
   };
-  if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(summary.estimate);
+  if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(estimate);
   return HRT_OK;
 }
 
 void Session::carry(const FingerEstimate& estimate) {
   config_.tactile_weight = estimate.tactile_weight;
-  config_.tactile_weight_sd = std::max(estimate.tactile_weight_sd, least_carried_sd);
+  config_.tactile_weight_sd = std::max(estimate.tactile_weight_sd, least_carried_weight_sd);
+  const double learnt_deg2 = estimate.motor_variance_deg2;
+  const double assumed_deg2 = config_.motor_variance_deg2;
+  const double limited_deg2 = std::clamp(learnt_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
+  config_.motor_variance_deg2 =
+      std::clamp(limited_deg2, Estimator::least_motor_variance_deg2, Estimator::most_motor_variance_deg2);
+  // Far from what was assumed, the reach is surer than it can be.
+  if (limited_deg2 == learnt_deg2)
+    config_.motor_variance_sd_deg2 =
+        std::max(estimate.motor_variance_sd_deg2, least_carried_motor_variance_sd_deg2);
   retargeter_ = Retargeter(to_core(config_));
 }
 

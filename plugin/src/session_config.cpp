@@ -21,10 +21,12 @@ constexpr NumberField all_number_fields[] = {
     {"fixed_plate_orientation_deg", &C::fixed_plate_orientation_deg, -180.0, 180.0, false},
     {"tactile_weight", &C::tactile_weight, 0.001, 0.499, true},
     {"tactile_weight_sd", &C::tactile_weight_sd, 0.001, 0.49, true},
+    {"bias_deg", &C::bias_deg, -45.0, 45.0, true},
     {"motor_variance_deg2", &C::motor_variance_deg2, 1e-9, 1e4, true},
+    {"motor_variance_sd_deg2", &C::motor_variance_sd_deg2, 0.001, 10.0, true},
     {"sensory_variance_deg2", &C::sensory_variance_deg2, 1e-9, 1e4, true},
     {"initial_variance_deg2", &C::initial_variance_deg2, 0.0, 1e4, true},
-    {"tracker_noise_m", &C::tracker_noise_m, 0.0, 0.1, false},
+    {"tracker_noise_m", &C::tracker_noise_m, 0.0, 0.1, true},
     {"plate_radius_m", &C::plate_radius_m, 1e-3, largest_coordinate_m, false},
     {"lift_height_m", &C::lift_height_m, 1e-4, largest_coordinate_m, false},
 };
@@ -84,6 +86,8 @@ hrt_session_config default_session_config() {
       .lift_height_m = PlateSurface().lift_height_m,
       .plate_position_m = {0.0, 0.0, 0.0},
       .plate_rotation = {0.0, 0.0, 0.0, 1.0},
+      .bias_deg = 0.0,
+      .motor_variance_sd_deg2 = core.estimator.motor_variance_sd_deg2,
   };
 }
 
@@ -111,7 +115,6 @@ hrt_result check_session_config(const hrt_session_config& config) {
 }
 
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config) {
-  *config = default_session_config();
   HRT_RETURN_IF_FAILED(read_struct("config", given, config));
   return check_session_config(*config);
 }
@@ -132,6 +135,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
                                                                 : GuidanceMode::fixed_direction,
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.tactile_weight_sd,
+                    .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
                     .tracker_noise_m = config.tracker_noise_m},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),

@@ -10,6 +10,10 @@
 
 namespace hrt::plugin {
 
+/// People change: what was learnt of them is never surer than this.
+inline constexpr double least_carried_weight_sd = 0.01;
+inline constexpr double least_carried_motor_variance_sd_deg2 = 0.1;
+
 /// A field that is a number with a range.
 struct NumberField {
   const char* name;
@@ -33,7 +37,8 @@ hrt_session_config default_session_config();
 /// Fails naming the first field that is out of its range.
 hrt_result check_session_config(const hrt_session_config& config);
 
-/// Reads what a caller gave, of any version, and checks it.
+/// Reads what a caller gave, of any version, and checks it. `*config` holds what is taken for fields that an
+/// older version lacks.
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
 
 /// Of a checked configuration.

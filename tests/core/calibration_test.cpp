@@ -65,6 +65,24 @@ TEST(Calibration, StraightPathsByHand) {
   for (const Chord& chord : calibration.chords) EXPECT_NEAR(chord.fitted_deg, chord.direction_deg, 0.02);
 }
 
+// Straight paths with slopes that no w_T has, and so scattered that the interval reaches those of some.
+TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
+  std::vector<CalibrationTrial> trials;
+  for (const double angle_deg : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
+    for (const double scatter_deg : {-36.0, 36.0}) {
+      const double direction_deg = 1.64 * angle_deg + scatter_deg;
+      CalibrationTrial trial{.plate_orientation_deg = angle_deg, .samples = {}};
+      for (int i = 0; i <= 90; ++i) {
+        const double travel_m = 0.1 * i / 90.0;
+        trial.samples.push_back(
+            {i * 33'000'000LL, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
+      }
+      trials.push_back(trial);
+    }
+  }
+  EXPECT_NE(refused(trials).find("w_T is -3.2"), std::string::npos) << refused(trials);
+}
+
 // The calibration's promise: unbiased under tracker noise, with intervals that mean what they say. 24 people
 // of 15 slides; binomial bounds on the number of 95 % intervals that cover the truth.
 TEST(Calibration, IntervalsCoverTheTruth) {

@@ -26,6 +26,7 @@ class Caller {
   explicit Caller(FuzzedDataProvider& bytes) : bytes_(bytes) {}
   ~Caller() {
     for (const hrt_session session : sessions_) hrt_session_destroy(session);
+    hrt_calibration_destroy(calibration_);
   }
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
@@ -33,7 +34,7 @@ class Caller {
   Caller& operator=(Caller&&) = delete;
 
   void call() {
-    switch (bytes_.ConsumeIntegralInRange(0, 13)) {
+    switch (bytes_.ConsumeIntegralInRange(0, 20)) {
       case 0:
         return create();
       case 1:
@@ -52,6 +53,18 @@ class Caller {
         return begin();
       case 8:
         return end();
+      case 9:
+        return create_calibration();
+      case 10:
+        return check(
+            hrt_calibration_begin_trial(calibration(), bytes_.ConsumeFloatingPointInRange(-400.0, 400.0)));
+      case 11:
+        return check(bytes_.ConsumeBool() ? hrt_calibration_end_trial(calibration())
+                                          : hrt_calibration_cancel_trial(calibration()));
+      case 12:
+        return solve();
+      case 13:
+        return slide();
       default:
         return update();
     }
@@ -61,6 +74,11 @@ class Caller {
   hrt_session session() {
     return bytes_.ConsumeBool() ? sessions_[bytes_.ConsumeIntegralInRange<size_t>(0, sessions_.size() - 1)]
                                 : hrt_session{bytes_.ConsumeIntegral<uint64_t>()};
+  }
+
+  hrt_calibration calibration() {
+    return bytes_.ConsumeIntegralInRange(0, 7) ? calibration_
+                                               : hrt_calibration{bytes_.ConsumeIntegral<uint64_t>()};
   }
 
   hrt_target target() {
@@ -145,6 +163,62 @@ class Caller {
     check(hrt_reach_begin(session(), &config));
   }
 
+  void create_calibration() {
+    hrt_calibration_config config;
+    require(hrt_calibration_config_default(&config, sizeof config) == HRT_OK);
+    config.max_samples = 1000;
+    disturb(config);
+    // What a few bytes ask for must not fill the memory.
+    if (config.max_samples > 1000 && config.max_samples <= 1'000'000) config.max_samples = 1000;
+    hrt_calibration created{};
+    const hrt_result result = hrt_calibration_create(session(), &config, &created);
+    check(result);
+    require((result == HRT_OK) == (created.value != 0));
+    if (result != HRT_OK) return;
+    hrt_calibration_destroy(calibration_);
+    calibration_ = created;
+  }
+
+  // A whole trial: rest, then a straight slide.
+  void slide() {
+    const hrt_result begun =
+        hrt_calibration_begin_trial(calibration_, bytes_.ConsumeIntegralInRange(-6, 6) * 10.0);
+    check(begun);
+    if (begun != HRT_OK) return;
+    const double right_m = bytes_.ConsumeFloatingPointInRange(-0.05, 0.05);
+    const double forward_m = bytes_.ConsumeFloatingPointInRange(0.0, 0.1);
+    for (int i = 0; i < 20; ++i) {
+      hrt_sample sample{};
+      sample.struct_size = sizeof sample;
+      sample.flags = HRT_SAMPLE_PLATE_POSITION;
+      sample.time_ns = i * 50'000'000ll;
+      const double share = i < 5 ? 0.0 : (i - 5) / 14.0;
+      sample.finger_position_m[0] = share * right_m;
+      sample.finger_position_m[2] = -share * forward_m;
+      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(sample);
+      check(hrt_calibration_add_sample(calibration_, &sample));
+    }
+    check(hrt_calibration_end_trial(calibration_));
+  }
+
+  void solve() {
+    hrt_calibration_result result{};
+    result.struct_size = sizeof result;
+    result.trials = 77777;
+    const hrt_result solved = hrt_calibration_solve(calibration(), &result);
+    check(solved);
+    if (solved != HRT_OK) {
+      require(result.trials == 77777);
+      result = {};
+      result.struct_size = sizeof result;
+    } else {
+      for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.tracker_noise_m})
+        require(interval.known == 1 && interval.lower <= interval.value && interval.value <= interval.upper);
+    }
+    disturb(result);
+    check(hrt_calibration_apply(session(), &result));
+  }
+
   void update() {
     hrt_sample sample{};
     sample.struct_size = sizeof sample;
@@ -173,12 +247,15 @@ class Caller {
     summary.struct_size = sizeof summary;
     const hrt_result result = hrt_reach_end(session(), &summary);
     check(result);
-    if (result == HRT_OK) require(std::isfinite(summary.final_miss_deg) && summary.samples >= 0);
+    if (result == HRT_OK)
+      require(std::isfinite(summary.final_miss_deg) && summary.samples >= 0 &&
+              std::isfinite(summary.motor_variance_deg2) && std::isfinite(summary.motor_variance_sd_deg2));
   }
 
   FuzzedDataProvider& bytes_;
   std::array<hrt_session, 2> sessions_{};
   std::array<hrt_target, 4> targets_{};
+  hrt_calibration calibration_{};
   int64_t time_ns_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <string>
 
+#include "core/simulation/calibration_trial.h"
 #include "fixture.h"
 
 namespace hrt::test {
@@ -118,6 +119,41 @@ TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
   const std::string profile = R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})";
   refuse_each_request(allocator, [&] { return hrt_profile_load(session, profile.data(), profile.size()); });
   ASSERT_OK(hrt_session_destroy(session));
+}
+
+TEST(Memory, EveryRequestOfACalibrationMayBeRefused) {
+  CountingAllocator allocator;
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  hrt_calibration_config calibration_config;
+  ASSERT_OK(hrt_calibration_config_default(&calibration_config, sizeof calibration_config));
+  hrt_calibration calibration{};
+  refuse_each_request(allocator, [&] {
+    const hrt_result result = hrt_calibration_create(session, &calibration_config, &calibration);
+    if (result == HRT_OK) {
+      EXPECT_OK(hrt_calibration_destroy(calibration));
+    }
+    return result;
+  });
+  ASSERT_OK(hrt_calibration_create(session, &calibration_config, &calibration));
+  const long before_trials = allocator.requests;
+  for (std::uint32_t trial = 0; trial < 10; ++trial) {
+    const CalibrationTrial slide = simulate_calibration_trial({.tracker_rate_hz = 30.0}, 30.0 * (trial % 3),
+                                                              {.seed = 1, .condition = 0, .trial = trial});
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, slide.plate_orientation_deg));
+    for (const TimedPoint& point : slide.samples) {
+      const hrt_sample sample = position_sample(point.time_ns, point.position.right_m, point.position.away_m);
+      ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
+    }
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+  EXPECT_EQ(allocator.requests, before_trials);
+  auto result = output<hrt_calibration_result>();
+  refuse_each_request(allocator, [&] { return hrt_calibration_solve(calibration, &result); });
+  ASSERT_OK(hrt_calibration_destroy(calibration));
+  ASSERT_OK(hrt_session_destroy(session));
+  EXPECT_EQ(allocator.held, 0);
 }
 
 TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {

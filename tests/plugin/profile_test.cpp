@@ -23,10 +23,11 @@ hrt_result load(hrt_session session, const std::string& text) {
 }
 
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
-  EXPECT_EQ(save(session),
-            "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.15,"
-            "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,\"initial_"
-            "variance_deg2\":0}\n");
+  EXPECT_EQ(
+      save(session),
+      "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.15,"
+      "\"tactile_weight_sd\":0.05,\"bias_deg\":0,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
+      "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0,\"tracker_noise_m\":0}\n");
 }
 
 TEST_F(ProfileTest, ComesBackToTheLastBit) {
@@ -43,6 +44,26 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(back.tactile_weight, config.tactile_weight);
   EXPECT_EQ(back.motor_variance_deg2, config.motor_variance_deg2);
   EXPECT_EQ(back.horizon, 3u) << "a profile is the participant's, not the session's";
+}
+
+// As libraries of version 0.1 wrote them.
+TEST_F(ProfileTest, EarlierProfilesLoadAndLeaveTheRest) {
+  hrt_session_config config = session_config();
+  config.bias_deg = 1.5;
+  config.motor_variance_sd_deg2 = 0.25;
+  config.tracker_noise_m = 0.001;
+  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(load(
+      session,
+      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
+      R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
+  auto back = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &back));
+  EXPECT_EQ(back.tactile_weight, 0.2);
+  EXPECT_EQ(back.motor_variance_deg2, 0.6);
+  EXPECT_EQ(back.bias_deg, 1.5);
+  EXPECT_EQ(back.motor_variance_sd_deg2, 0.25);
+  EXPECT_EQ(back.tracker_noise_m, 0.001);
 }
 
 TEST_F(ProfileTest, SmallBufferIsRefused) {

@@ -19,7 +19,8 @@ typedef struct hrt_authority {
   uint32_t reachable;
   hrt_target real_target;
   hrt_target virtual_target;
-  /** Virtual less real direction, in [-180, 180). */
+  /** Where the user goes, the virtual target's direction and hrt_session_config::bias_deg, less the real
+   *  target's direction; in [-180, 180). */
   double gap_deg;
   /** The largest gap, either way, that can be held with the session's tactile weight and plate bound. */
   double largest_gap_deg;

@@ -53,7 +53,7 @@ extern "C" {
 
 /** Version of these headers; hrt_get_version() tells that of the library. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 1
+#define HRT_VERSION_MINOR 2
 #define HRT_VERSION_PATCH 0
 
 /** What became of a call: HRT_OK or one of the errors below. Their numbers never change. */
@@ -87,6 +87,8 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_SYSTEM (-13)
 /** A text is not what it should be; hrt_last_error() tells where. */
 #define HRT_ERROR_BAD_FORMAT (-14)
+/** The data do not tell what was asked of them; hrt_last_error() tells what is missing. */
+#define HRT_ERROR_INSUFFICIENT_DATA (-15)
 /** A defect in this library; please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
 

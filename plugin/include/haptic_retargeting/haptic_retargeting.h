@@ -7,6 +7,7 @@
 
 #include "authority.h"
 #include "base.h"
+#include "calibration.h"
 #include "host.h"
 #include "profile.h"
 #include "reach.h"

@@ -2,9 +2,11 @@
  * Profiles: what is known of a participant, as JSON that can be kept and loaded tomorrow:
  *
  *   {"format":"haptic retargeting profile","version":1,"tactile_weight":0.15,"tactile_weight_sd":0.05,
- *    "motor_variance_deg2":0.5,"sensory_variance_deg2":0.1,"initial_variance_deg2":0}
+ *    "bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
+ *    "initial_variance_deg2":0,"tracker_noise_m":0}
  *
- * The fields mean what those of hrt_session_config do, and have their ranges.
+ * The fields mean what those of hrt_session_config do, and have their ranges. A library of version 0.1
+ * refuses bias_deg, motor_variance_sd_deg2 and tracker_noise_m.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H

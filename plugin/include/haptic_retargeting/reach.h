@@ -21,7 +21,8 @@ typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** HRT_REACH_*. Default 0. */
   uint32_t flags;
-  /** Its direction and the virtual target's are less than 90 degrees apart. Default null: to be set. */
+  /** Its direction and the one that the user goes for, the virtual target's and
+   *  hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   hrt_target real_target;
   hrt_target virtual_target;
   /** Where the plate stands before the reach, -360 to 360. Default 0. */
@@ -34,8 +35,8 @@ typedef struct hrt_reach_config {
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, measured by the device */
-#define HRT_SAMPLE_LIFTED \
-  UINT32_C(8) /**< the finger is off the plate, and so feels nothing: the model waits */
+/** The finger is off the plate, and so feels nothing: the model waits. */
+#define HRT_SAMPLE_LIFTED UINT32_C(8)
 #define HRT_SAMPLE_WORLD_POSITION UINT32_C(16) /**< finger_position_m, in the engine's world */
 /** plate_position_m and plate_rotation: the plate has moved in the world; else it is where the session's
  *  configuration has it. Goes with WORLD_POSITION. */
@@ -51,7 +52,8 @@ typedef struct hrt_sample {
   int64_t time_ns;
   /** The direction in which the finger moves, -180 to 180; taken as exact. */
   double finger_direction_deg;
-  /** The fingertip, each within 1000. */
+  /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not
+   *  asked for. */
   double finger_position_m[3];
   /** Where the plate stands, -360 to 360. */
   double plate_orientation_deg;
@@ -109,7 +111,8 @@ typedef struct hrt_reach_summary {
   /** The finger's direction in the last step, and that less the real target's. */
   double final_direction_deg;
   double final_miss_deg;
-  /** What the user felt in the last step, and that less the virtual target's. */
+  /** What the user felt in the last step, and that less where they went: the virtual target's direction and
+   *  hrt_session_config::bias_deg. */
   double perceived_direction_deg;
   double perceived_error_deg;
   /** From the last position along the plate to the real target; from the start if none was streamed. */
@@ -119,6 +122,11 @@ typedef struct hrt_reach_summary {
   double tactile_weight_sd;
   /** White noise of each coordinate of the tracked positions, standard deviation, as learnt or configured. */
   double tracker_noise_m;
+  /** The user's motor variance as this reach corrects what the configuration assumes. Since version 0.2. */
+  double motor_variance_deg2;
+  /** Its standard deviation; close to hrt_session_config::motor_variance_sd_deg2 if the reach could not tell;
+   *  0: it is taken as known. Since version 0.2. */
+  double motor_variance_sd_deg2;
 } hrt_reach_summary;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
@@ -130,8 +138,8 @@ HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* 
 
 /** Takes one sample in and tells what the plate is to do now. Samples may come at any rate. Directions
  *  move the controller once in a step period, positions at each sample, as they tell ever more of the step;
- * in between the command is held. Steps that pass without samples are predicted, at most 64 in one call.
- * Errors: WRONG_STATE without a reach, OUT_OF_RANGE naming the field, TIME_REVERSED. [real-time] */
+ *  in between the command is held. Steps that pass without samples are predicted, at most 64 in one call.
+ *  Errors: WRONG_STATE without a reach, OUT_OF_RANGE naming the field, TIME_REVERSED. [real-time] */
 HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                     hrt_command* out_command) HRT_NOEXCEPT;
 

@@ -48,7 +48,7 @@ typedef struct hrt_replay_report {
   /** Rows replayed. */
   uint64_t rows;
   /** The line of the file, from 1, of the first row that came out otherwise than recorded; 0: all came out
-   * the same, bit for bit. */
+   *  the same, bit for bit. */
   uint64_t first_different_line;
   /** FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
    *  error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first. */

@@ -53,9 +53,9 @@ typedef struct hrt_scene_target {
   char name[HRT_NAME_SIZE];
 } hrt_scene_target;
 
-/** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property, LIMIT_REACHED. If
- *  memory runs out while a file is read, the process may end: the JSON library underneath allocates when it
- *  cleans up. [any-thread] */
+/** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property, LIMIT_REACHED.
+ *  If memory runs out while a file is read, the process may end: the JSON library underneath allocates when
+ *  it cleans up. [any-thread] */
 HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** The same from memory, which is not used after the call. `name` stands for the file in error texts.
@@ -64,7 +64,7 @@ HRT_API hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, con
                                          hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** Forgets the scene; what was registered from it stays. Errors of this and the calls below: INVALID_HANDLE,
- * and BUSY if another thread is in a call on this scene. [one-thread] */
+ *  and BUSY if another thread is in a call on this scene. [one-thread] */
 HRT_API hrt_result hrt_scene_destroy(hrt_scene scene) HRT_NOEXCEPT;
 
 /** [one-thread] */
@@ -75,7 +75,7 @@ HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
                                         hrt_scene_target* out_target) HRT_NOEXCEPT;
 
 /** Sets the session's plate, start and, if the file tells it, the servo's highest speed, and adds all targets
- * by their place on the plate. Their ids go to `out_targets` in the order of the scene; it may be null if
+ *  by their place on the plate. Their ids go to `out_targets` in the order of the scene; it may be null if
  *  `capacity` is 0. Errors, at which nothing is added: BUFFER_TOO_SMALL, NAME_TAKEN, WRONG_STATE during a
  *  reach. [one-thread] for both. */
 HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint32_t capacity,

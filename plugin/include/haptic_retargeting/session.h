@@ -30,11 +30,15 @@ typedef struct hrt_session {
  *  the path remains. Takes effect when positions are streamed. */
 #define HRT_GUIDANCE_LINE_OF_SIGHT 1
 
-/** Whether the user's share of touch is learnt. */
-#define HRT_ADAPTATION_OFF 0   /**< no: tactile_weight is taken as known */
-#define HRT_ADAPTATION_REACH 1 /**< within each reach, from tactile_weight and its deviation */
-/** As REACH; and what a reach has learnt becomes the configuration's tactile_weight and tactile_weight_sd,
- * the latter no less than 0.01, as people change. */
+/** Whether the user's share of touch and motor variance are learnt. */
+#define HRT_ADAPTATION_OFF 0 /**< no: they are taken as known */
+/** The share of touch within each reach, from tactile_weight and its deviation. The reach's summary also
+ *  tells the motor variance, from motor_variance_deg2 and its deviation. */
+#define HRT_ADAPTATION_REACH 1
+/** As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and tactile_weight_sd,
+ *  the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2, the latter no less than
+ *  0.1, as people change. A reach changes the motor variance by a factor of two at most, which leaves its
+ *  deviation, and keeps it within 0.05 to 5. */
 #define HRT_ADAPTATION_CARRIED 2
 
 /** Everything that a session is made from. hrt_session_config_default() fills every field. */
@@ -55,7 +59,8 @@ typedef struct hrt_session_config {
   double perceived_weight;
   /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
   double actual_weight;
-  /** The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5. */
+  /** The plate stays within this of the direction that the user goes for: the virtual target's and bias_deg,
+   *  0.1 to 90. Default 84.5. */
   double plate_bound_deg;
   /** The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0. */
   double plate_max_speed_deg_s;
@@ -94,6 +99,13 @@ typedef struct hrt_session_config {
   /** How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate
    *  coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1). */
   double plate_rotation[4];
+  /** The user's own bias: how much further to the left than it is they take a virtual target to lie, -45 to
+   *  45. They go for its direction and this. Known from calibration.h, not learnt in reaches. Default 0.
+   *  Since version 0.2. */
+  double bias_deg;
+  /** Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001 to 10. Default 0.5. Since
+   *  version 0.2. */
+  double motor_variance_sd_deg2;
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
@@ -111,8 +123,8 @@ HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
 /** The configuration in use. `out_config->struct_size` must be set. [one-thread] */
 HRT_API hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) HRT_NOEXCEPT;
 
-/** Replaces the configuration, between reaches; targets stay. Errors: as hrt_session_create(), and
- *  WRONG_STATE during a reach. [one-thread] */
+/** Replaces the configuration, between reaches; targets stay, and so do fields that an older caller's struct
+ *  does not have. Errors: as hrt_session_create(), and WRONG_STATE during a reach. [one-thread] */
 HRT_API hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

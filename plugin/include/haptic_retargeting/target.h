@@ -45,7 +45,7 @@ typedef struct hrt_target_config {
   /** Distance from the start along the plate, 0.001 to 1000. Default 0.1. */
   double distance_m;
   /** Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start in the plane
-   * of the plate; the height y is kept and not used. Default (0, 0, 0). */
+   *  of the plate; the height y is kept and not used. Default (0, 0, 0). */
   double position_m[3];
   /** UTF-8, ended by a zero; unique within the session unless empty. Default empty. */
   char name[HRT_NAME_SIZE];

@@ -1,0 +1,20 @@
+// Samples of the finger as they cross the boundary: checked, and taken to the plate.
+#pragma once
+
+#include "core/estimator.h"
+#include "haptic_retargeting/reach.h"
+
+namespace hrt::plugin {
+
+/// Which fields of a sample tell of the finger.
+inline constexpr std::uint32_t finger_flags =
+    HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
+
+/// Fails naming the first field that is out of its range.
+hrt_result check_sample(const hrt_sample& sample);
+
+/// What the core makes of a checked sample; sets those flags of a command that the sample alone decides.
+FingerSample observe(const hrt_session_config& config, const hrt_sample& checked_sample,
+                     std::uint32_t* command_flags);
+
+}  // namespace hrt::plugin

@@ -1,0 +1,408 @@
+// Calibration through the C ABI: slides streamed in, a user's parameters out and into the session.
+#include "core/calibration.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <vector>
+
+#include "core/simulation/calibration_trial.h"
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr double angles_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
+
+std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, int trials_an_angle) {
+  std::vector<CalibrationTrial> trials;
+  std::uint32_t trial = 0;
+  for (const double angle_deg : angles_deg) {
+    for (int i = 0; i < trials_an_angle; ++i)
+      trials.push_back(
+          simulate_calibration_trial(condition, angle_deg, {.seed = 1, .condition = 0, .trial = trial++}));
+  }
+  return trials;
+}
+
+hrt_calibration_config calibration_config() {
+  hrt_calibration_config config;
+  EXPECT_OK(hrt_calibration_config_default(&config, sizeof config));
+  return config;
+}
+
+class CalibrationTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    make(calibration_config());
+  }
+  void TearDown() override {
+    EXPECT_OK(hrt_calibration_destroy(calibration));
+    SessionTest::TearDown();
+  }
+
+  void make(const hrt_calibration_config& config) {
+    if (calibration.value != 0) {
+      ASSERT_OK(hrt_calibration_destroy(calibration));
+    }
+    calibration.value = 0;
+    ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
+  }
+
+  hrt_result add(const hrt_sample& sample) const { return hrt_calibration_add_sample(calibration, &sample); }
+
+  void stream(const CalibrationTrial& trial) const {
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
+    for (const TimedPoint& sample : trial.samples)
+      ASSERT_OK(add(position_sample(sample.time_ns, sample.position.right_m, sample.position.away_m)));
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+
+  void stream(const std::vector<CalibrationTrial>& trials) const {
+    for (const CalibrationTrial& trial : trials) stream(trial);
+  }
+
+  hrt_calibration_result solve() const {
+    auto result = output<hrt_calibration_result>();
+    EXPECT_OK(hrt_calibration_solve(calibration, &result));
+    return result;
+  }
+
+  void expect_refusal(const char* part) const {
+    auto result = output<hrt_calibration_result>();
+    result.trials = 77;
+    expect_error(hrt_calibration_solve(calibration, &result), HRT_ERROR_INSUFFICIENT_DATA, part);
+    EXPECT_EQ(result.trials, 77u);
+  }
+
+  hrt_session_config config() const {
+    auto config = output<hrt_session_config>();
+    EXPECT_OK(hrt_session_get_config(session, &config));
+    return config;
+  }
+
+  hrt_calibration calibration{0};
+};
+
+void expect_same(const hrt_interval& streamed, const Interval& known) {
+  EXPECT_NEAR(streamed.value, known.value, 1e-9);
+  EXPECT_NEAR(streamed.lower, known.lower, 1e-9);
+  EXPECT_NEAR(streamed.upper, known.upper, 1e-9);
+  EXPECT_EQ(streamed.known, known.known ? 1u : 0u);
+}
+
+void expect_same(const hrt_calibration_result& streamed, const std::vector<CalibrationTrial>& trials,
+                 const CalibrationConfig& config) {
+  const auto whole = std::get<Calibration>(calibrate(trials, config));
+  EXPECT_EQ(streamed.trials, trials.size());
+  EXPECT_EQ(streamed.trials_used, whole.chords.size());
+  expect_same(streamed.tactile_weight, whole.tactile_weight);
+  expect_same(streamed.bias_deg, whole.bias_deg);
+  expect_same(streamed.motor_variance_deg2, whole.motor_variance_deg2);
+  expect_same(streamed.sensory_variance_deg2, whole.sensory_variance_deg2);
+  expect_same(streamed.tracker_noise_m, whole.tracker_noise_m);
+}
+
+TEST_F(CalibrationTest, StreamedTrialsTellWhatWholeOnesDo) {
+  CalibrationCondition condition{.bias_deg = 2.0, .goal_direction_deg = 4.0};
+  condition.participant.tactile_weight = 0.2;
+  const auto trials = simulate(condition, 3);
+  hrt_session_config session_setup = session_config();
+  session_setup.step_period_ns = 90'000'000;
+  create(session_setup);
+  hrt_calibration_config setup = calibration_config();
+  setup.goal_direction_deg = 4.0;
+  make(setup);
+  stream(trials);
+  const hrt_calibration_result result = solve();
+  expect_same(result, trials, {.goal_direction_deg = 4.0, .step_period_ns = 90'000'000});
+  EXPECT_NEAR(result.tactile_weight.value, 0.2, 0.03);
+  EXPECT_NEAR(result.bias_deg.value, 2.0, 1.0);
+  EXPECT_NEAR(result.tracker_noise_m.value, 0.0012, 0.0001);
+}
+
+TEST_F(CalibrationTest, TrialsMayBeAddedAndTheFitRepeated) {
+  const auto trials = simulate({}, 3);
+  const std::vector<CalibrationTrial> first(trials.begin(), trials.begin() + 12);
+  const std::vector<CalibrationTrial> rest(trials.begin() + 12, trials.end());
+  stream(first);
+  expect_same(solve(), first, {});
+  stream(rest);
+  expect_same(solve(), trials, {});
+}
+
+// Dropouts, lifted fingers and samples sent twice are left out; a cancelled trial is as if it had never been.
+TEST_F(CalibrationTest, WhatTellsNothingIsLeftOut) {
+  const auto trials = simulate({}, 2);
+  for (const CalibrationTrial& trial : trials) {
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
+    for (const TimedPoint& sample : trial.samples) {
+      auto lost = output<hrt_sample>();
+      lost.time_ns = sample.time_ns;
+      ASSERT_OK(add(lost));
+      hrt_sample lifted = position_sample(sample.time_ns, 0.5, 0.5);
+      lifted.flags |= HRT_SAMPLE_LIFTED;
+      ASSERT_OK(add(lifted));
+      hrt_sample high = position_sample(sample.time_ns, 0.0, 0.0);
+      high.finger_position_m[1] = 0.1;
+      ASSERT_OK(add(high));
+      hrt_sample seen = position_sample(sample.time_ns, sample.position.right_m, sample.position.away_m);
+      seen.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+      ASSERT_OK(add(seen));
+      ASSERT_OK(add(position_sample(sample.time_ns, 1.0, 1.0)));
+    }
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, 45.0));
+    ASSERT_OK(add(position_sample(0, 0.0, 0.0)));
+    ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  }
+  expect_same(solve(), trials, {});
+}
+
+// The plate at (1, 2, 3) in the world and turned by 90 degrees, as the session's configuration has it, or as
+// the samples do.
+TEST_F(CalibrationTest, WorldPositionsAreTakenToThePlate) {
+  hrt_session_config moved = session_config();
+  moved.plate_position_m[0] = 1.0;
+  moved.plate_position_m[1] = 2.0;
+  moved.plate_position_m[2] = 3.0;
+  moved.plate_rotation[1] = moved.plate_rotation[3] = std::sqrt(0.5);
+  create(moved);
+  make(calibration_config());
+  const auto trials = simulate({}, 2);
+  for (const CalibrationTrial& trial : trials) {
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
+    for (const TimedPoint& sample : trial.samples) {
+      auto world = output<hrt_sample>();
+      world.flags = HRT_SAMPLE_WORLD_POSITION;
+      world.time_ns = sample.time_ns;
+      world.finger_position_m[0] = 1.0 - sample.position.away_m;
+      world.finger_position_m[1] = 2.0;
+      world.finger_position_m[2] = 3.0 - sample.position.right_m;
+      if (trial.plate_orientation_deg > 0.0) {
+        world.flags |= HRT_SAMPLE_PLATE_POSE;
+        world.finger_position_m[0] += 5.0;
+        std::memcpy(world.plate_position_m, moved.plate_position_m, sizeof world.plate_position_m);
+        std::memcpy(world.plate_rotation, moved.plate_rotation, sizeof world.plate_rotation);
+        world.plate_position_m[0] += 5.0;
+      }
+      ASSERT_OK(add(world));
+    }
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+  const auto whole = std::get<Calibration>(calibrate(trials));
+  EXPECT_NEAR(solve().tactile_weight.value, whole.tactile_weight.value, 1e-6);
+}
+
+TEST_F(CalibrationTest, WhatCannotTellIsRefusedWithTheReason) {
+  expect_refusal(
+      "hrt_calibration_solve: 0 of 0 trials have a slide of at least 30 mm; at least 10 are needed");
+  const auto trials = simulate({}, 3);
+  stream({trials.begin(), trials.begin() + 9});
+  expect_refusal("9 of 9 trials");
+  make(calibration_config());
+  for (CalibrationTrial trial : trials) {
+    trial.plate_orientation_deg = 30.0;
+    stream(trial);
+  }
+  expect_refusal("1 different angles; at least 3 that span 40 degrees are needed");
+}
+
+TEST_F(CalibrationTest, CallsOutOfOrderAreRefused) {
+  auto result = output<hrt_calibration_result>();
+  const hrt_sample sample = position_sample(0, 0.0, 0.0);
+  expect_error(add(sample), HRT_ERROR_WRONG_STATE, "no trial");
+  expect_error(hrt_calibration_end_trial(calibration), HRT_ERROR_WRONG_STATE, "no trial");
+  expect_error(hrt_calibration_cancel_trial(calibration), HRT_ERROR_WRONG_STATE, "no trial");
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+  expect_error(hrt_calibration_begin_trial(calibration, 0.0), HRT_ERROR_WRONG_STATE, "under way");
+  expect_error(hrt_calibration_solve(calibration, &result), HRT_ERROR_WRONG_STATE, "under way");
+}
+
+TEST_F(CalibrationTest, BadArgumentsAreRefused) {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const double bad : {std::nan(""), infinity, -infinity, 360.1})
+    expect_error(hrt_calibration_begin_trial(calibration, bad), HRT_ERROR_OUT_OF_RANGE,
+                 "plate_orientation_deg");
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+  ASSERT_OK(add(position_sample(1000, 0.0, 0.0)));
+  expect_error(add(position_sample(999, 0.0, 0.0)), HRT_ERROR_TIME_REVERSED, "allowed: from");
+  expect_error(add(position_sample(1001, std::nan(""), 0.0)), HRT_ERROR_OUT_OF_RANGE, "finger_position_m");
+  expect_error(add(direction_sample(1001, 0.0)), HRT_ERROR_OUT_OF_RANGE, "DIRECTION can't tell");
+  hrt_sample sample = position_sample(1001, 0.0, 0.0);
+  sample.flags = 1u << 31;
+  expect_error(add(sample), HRT_ERROR_OUT_OF_RANGE, "flags");
+  sample.struct_size = 8;
+  expect_error(add(sample), HRT_ERROR_STRUCT_SIZE, "sample");
+  expect_error(hrt_calibration_add_sample(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT, "sample is null");
+  ASSERT_OK(add(position_sample(1001, 0.0, 0.0)));
+  ASSERT_OK(hrt_calibration_end_trial(calibration));
+  // Another trial, another clock.
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+  ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::min(), 0.0, 0.0)));
+  ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::max(), 0.0, 0.0)));
+  ASSERT_OK(hrt_calibration_end_trial(calibration));
+
+  expect_error(hrt_calibration_solve(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_result");
+  hrt_calibration_result small{};
+  expect_error(hrt_calibration_solve(calibration, &small), HRT_ERROR_STRUCT_SIZE, "out_result");
+}
+
+TEST_F(CalibrationTest, ConfigIsChecked) {
+  const auto refused = [&](auto change, const char* part) {
+    hrt_calibration_config config = calibration_config();
+    change(config);
+    hrt_calibration out{7};
+    expect_error(hrt_calibration_create(session, &config, &out), HRT_ERROR_OUT_OF_RANGE, part);
+    EXPECT_EQ(out.value, 7u);
+  };
+  refused([](auto& c) { c.max_trials = 9; }, "max_trials is 9; allowed: 10 to 10000");
+  refused([](auto& c) { c.max_trials = 10'001; }, "max_trials");
+  refused([](auto& c) { c.max_samples = 99; }, "max_samples is 99; allowed: 100 to 1000000");
+  refused([](auto& c) { c.max_samples = 0xffffffff; }, "max_samples");
+  refused([](auto& c) { c.reserved = 1; }, "reserved");
+  refused([](auto& c) { c.goal_direction_deg = 181.0; }, "goal_direction_deg");
+  refused([](auto& c) { c.goal_direction_deg = std::nan(""); }, "goal_direction_deg");
+  const hrt_calibration_config config = calibration_config();
+  hrt_calibration out{};
+  expect_error(hrt_calibration_create(session, nullptr, &out), HRT_ERROR_NULL_ARGUMENT, "config is null");
+  expect_error(hrt_calibration_create(session, &config, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_calibration");
+  expect_error(hrt_calibration_create({calibration.value}, &config, &out), HRT_ERROR_INVALID_HANDLE,
+               "session");
+  expect_error(hrt_calibration_config_default(nullptr, sizeof config), HRT_ERROR_NULL_ARGUMENT, "out_config");
+}
+
+TEST_F(CalibrationTest, LimitsAreKept) {
+  hrt_calibration_config small = calibration_config();
+  small.max_trials = 10;
+  small.max_samples = 100;
+  make(small);
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+  for (int i = 0; i < 100; ++i) ASSERT_OK(add(position_sample(i, 0.0, 0.0)));
+  expect_error(add(position_sample(100, 0.0, 0.0)), HRT_ERROR_LIMIT_REACHED, "max_samples samples, 100");
+  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  for (int i = 0; i < 10; ++i) {
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+    for (int k = 0; k < 10; ++k) ASSERT_OK(add(position_sample(k, 0.0, 0.0)));
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+  expect_error(hrt_calibration_begin_trial(calibration, 0.0), HRT_ERROR_LIMIT_REACHED,
+               "max_trials trials, 10");
+  expect_refusal("0 of 10 trials");
+}
+
+TEST_F(CalibrationTest, HandlesAreChecked) {
+  auto result = output<hrt_calibration_result>();
+  const hrt_sample sample = position_sample(0, 0.0, 0.0);
+  const hrt_calibration old = calibration;
+  make(calibration_config());
+  for (const hrt_calibration bad :
+       {hrt_calibration{0}, old, hrt_calibration{session.value}, hrt_calibration{~0ull}}) {
+    expect_error(hrt_calibration_begin_trial(bad, 0.0), HRT_ERROR_INVALID_HANDLE, "calibration");
+    expect_error(hrt_calibration_add_sample(bad, &sample), HRT_ERROR_INVALID_HANDLE, "calibration");
+    expect_error(hrt_calibration_end_trial(bad), HRT_ERROR_INVALID_HANDLE, "calibration");
+    expect_error(hrt_calibration_cancel_trial(bad), HRT_ERROR_INVALID_HANDLE, "calibration");
+    expect_error(hrt_calibration_solve(bad, &result), HRT_ERROR_INVALID_HANDLE, "calibration");
+    expect_error(hrt_calibration_destroy(bad), HRT_ERROR_INVALID_HANDLE, "does not exist");
+  }
+  const hrt_calibration_config config = calibration_config();
+  std::vector<hrt_calibration> all(HRT_CALIBRATIONS_MAX - 1);
+  for (hrt_calibration& one : all) ASSERT_OK(hrt_calibration_create(session, &config, &one));
+  hrt_calibration one_more{42};
+  expect_error(hrt_calibration_create(session, &config, &one_more), HRT_ERROR_LIMIT_REACHED, "16");
+  EXPECT_EQ(one_more.value, 42u);
+  for (const hrt_calibration one : all) ASSERT_OK(hrt_calibration_destroy(one));
+}
+
+TEST_F(CalibrationTest, OutlivesItsSession) {
+  ASSERT_OK(hrt_session_destroy(session));
+  session.value = 0;
+  stream(simulate({}, 2));
+  EXPECT_EQ(solve().trials_used, 10u);
+}
+
+hrt_calibration_result all_known() {
+  auto result = output<hrt_calibration_result>();
+  result.tactile_weight = {0.2, 0.1608, 0.2392, 1, 0};
+  result.bias_deg = {-3.0, -4.0, -2.0, 1, 0};
+  result.motor_variance_deg2 = {1.0, 0.804, 1.196, 1, 0};
+  result.sensory_variance_deg2 = {0.3, 0.2, 0.4, 1, 0};
+  result.tracker_noise_m = {0.001, 0.0009, 0.0011, 1, 0};
+  return result;
+}
+
+// 0.2392 - 0.1608 is 4 times 1.96 times 0.01; 1.196 - 0.804 that of 0.1.
+TEST_F(CalibrationTest, ResultBecomesTheSessionsConfiguration) {
+  const hrt_calibration_result result = all_known();
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().tactile_weight, 0.2);
+  EXPECT_NEAR(config().tactile_weight_sd, 0.02, 1e-12);
+  EXPECT_EQ(config().bias_deg, -3.0);
+  EXPECT_EQ(config().motor_variance_deg2, 1.0);
+  EXPECT_NEAR(config().motor_variance_sd_deg2, 0.1, 1e-12);
+  EXPECT_EQ(config().sensory_variance_deg2, 0.3);
+  EXPECT_EQ(config().tracker_noise_m, 0.001);
+}
+
+TEST_F(CalibrationTest, WhatIsNotKnownStaysAsItIs) {
+  hrt_calibration_result result = all_known();
+  result.tactile_weight.known = result.bias_deg.known = result.motor_variance_deg2.known =
+      result.sensory_variance_deg2.known = result.tracker_noise_m.known = 0;
+  result.bias_deg.value = std::nan("");
+  hrt_session_config before = config();
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  const hrt_session_config after = config();
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+  // No data make a user surer than this: people change.
+  result.tactile_weight = {0.2, 0.2, 0.2, 1, 0};
+  result.motor_variance_deg2 = {1.0, 1.0, 1.0, 1, 0};
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().tactile_weight_sd, 0.01);
+  EXPECT_EQ(config().motor_variance_sd_deg2, 0.1);
+}
+
+TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
+  const hrt_session_config before = config();
+  const auto refused = [&](auto change, const char* part) {
+    hrt_calibration_result result = all_known();
+    change(result);
+    expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, part);
+  };
+  refused([](auto& r) { r.tactile_weight.value = std::nan(""); }, "tactile_weight is NaN");
+  refused([](auto& r) { r.tactile_weight = {0.6, 0.5, 0.7, 1, 0}; }, "tactile_weight is 0.6; allowed");
+  refused([](auto& r) { r.tactile_weight = {0.2, -5.0, 5.0, 1, 0}; }, "tactile_weight_sd");
+  refused([](auto& r) { r.bias_deg.lower = std::nan(""); }, "bias_deg is -3 in an interval from NaN");
+  refused([](auto& r) { r.bias_deg = {-90.0, -91.0, -89.0, 1, 0}; }, "bias_deg is -90; allowed: -45 to 45");
+  refused([](auto& r) { r.motor_variance_deg2.upper = 0.9; }, "motor_variance_deg2");
+  refused([](auto& r) { r.motor_variance_deg2.upper = INFINITY; }, "motor_variance_sd_deg2");
+  refused([](auto& r) { r.sensory_variance_deg2 = {0.0, 0.0, 0.0, 1, 0}; }, "sensory_variance_deg2");
+  refused([](auto& r) { r.tracker_noise_m.known = 2; }, "tracker_noise_m.known is 2");
+  refused([](auto& r) { r.tracker_noise_m.reserved = 1; }, "reserved");
+  auto result = all_known();
+  result.struct_size = 8;
+  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_STRUCT_SIZE, "result");
+  expect_error(hrt_calibration_apply(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "result is null");
+  expect_error(hrt_calibration_apply({1}, &result), HRT_ERROR_INVALID_HANDLE, "session");
+  begin_reach();
+  result = all_known();
+  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_WRONG_STATE, "under way");
+  const hrt_session_config after = config();
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+}
+
+TEST_F(CalibrationTest, IsWhatTheProfileThenSays) {
+  const hrt_calibration_result result = all_known();
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  char text[4096];
+  uint64_t length = 0;
+  ASSERT_OK(hrt_profile_save(session, sizeof text, text, &length));
+  create(session_config());
+  ASSERT_OK(hrt_profile_load(session, text, length));
+  EXPECT_EQ(config().bias_deg, -3.0);
+  EXPECT_EQ(config().tracker_noise_m, 0.001);
+  EXPECT_EQ(config().motor_variance_deg2, 1.0);
+}
+
+}  // namespace
+}  // namespace hrt::test

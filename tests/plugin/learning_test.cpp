@@ -1,0 +1,251 @@
+// What is learnt of a user from reach to reach: simulated people whom nobody has measured, seen through the
+// C ABI alone.
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "core/simulation/participant.h"
+#include "core/simulation/random.h"
+#include "core/trigonometry.h"
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr std::int64_t step_ns = 100'000'000;
+constexpr int steps = 30;
+constexpr double distance_m = 0.1;
+constexpr double real_deg = -5.0;
+constexpr double virtual_deg = 5.0;
+
+/// Who reaches, and how they are tracked.
+struct Person {
+  Participant participant;
+  double bias_deg = 0.0;
+  double tracker_noise_m = 0.0;
+};
+
+class LearningTest : public SessionTest {
+ protected:
+  void set(const hrt_session_config& config) {
+    create(config);
+    real_ = add(HRT_TARGET_REAL, real_deg);
+    virtual_ = add(HRT_TARGET_VIRTUAL, virtual_deg);
+  }
+
+  hrt_session_config config() const {
+    auto config = output<hrt_session_config>();
+    EXPECT_OK(hrt_session_get_config(session, &config));
+    return config;
+  }
+
+  /// One reach of which the directions are seen, and known exactly. The miss is in degrees, of the last step.
+  hrt_reach_summary reach_by_direction(const Person& person, std::uint32_t reach, double* miss) {
+    begin_again();
+    SimulatedParticipant participant(person.participant, virtual_deg + person.bias_deg);
+    double direction_deg = 0.0;
+    for (int step = 0; step < steps; ++step) {
+      direction_deg = participant.finger_direction_deg();
+      const hrt_command command = update(direction_sample(step * step_ns, direction_deg));
+      participant.step(command.plate_orientation_deg, normal(reach, static_cast<std::uint32_t>(step)));
+    }
+    *miss = direction_deg - real_deg;
+    return end();
+  }
+
+  /// One reach of which a tracker sees positions at 90 Hz, after 0.2 s at rest. The miss is in millimetres,
+  /// across the real direction.
+  hrt_reach_summary reach_by_position(const Person& person, std::uint32_t reach, double* miss) {
+    begin_again();
+    SimulatedParticipant participant(person.participant, virtual_deg + person.bias_deg);
+    double right_m = 0.0, forward_m = -0.05, plate_deg = 0.0;
+    std::int64_t moved_to_ns = 0;
+    const auto move_to = [&](std::int64_t time_ns) {
+      const double travel_m = distance_m * static_cast<double>(time_ns - moved_to_ns) / (steps * step_ns);
+      right_m -= travel_m * sin_deg(participant.finger_direction_deg());
+      forward_m += travel_m * cos_deg(participant.finger_direction_deg());
+      moved_to_ns = time_ns;
+    };
+    int step = 0;
+    for (std::uint32_t sample = 0; step < steps; ++sample) {
+      const std::int64_t time_ns = -200'000'000 + sample * 11'111'111ll;
+      for (; step < steps && (step + 1) * step_ns <= time_ns; ++step) {
+        move_to((step + 1) * step_ns);
+        participant.step(plate_deg, normal(reach, static_cast<std::uint32_t>(step)));
+      }
+      if (step == steps) break;
+      if (time_ns > 0) move_to(time_ns);
+      const std::uint32_t draw = 1000 + 2 * sample;
+      plate_deg = update(position_sample(time_ns, right_m + person.tracker_noise_m * normal(reach, draw),
+                                         forward_m + person.tracker_noise_m * normal(reach, draw + 1)))
+                      .plate_orientation_deg;
+    }
+    const double away_m = forward_m + 0.05;
+    *miss = -1000.0 * (right_m * cos_deg(real_deg) + away_m * sin_deg(real_deg));
+    return end();
+  }
+
+ private:
+  static double normal(std::uint32_t reach, std::uint32_t draw) {
+    return standard_normal({.seed = 11, .condition = 0, .trial = reach, .step = draw});
+  }
+
+  void begin_again() { ASSERT_OK(begin(real_, virtual_)); }
+
+  hrt_target real_{}, virtual_{};
+};
+
+double root_mean_square(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value * value;
+  return std::sqrt(sum / static_cast<double>(values.size()));
+}
+
+hrt_session_config adapting(std::uint32_t adaptation) {
+  hrt_session_config config = session_config();
+  config.adaptation = adaptation;
+  config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
+  return config;
+}
+
+Person with_motor_variance(double motor_variance_deg2, double tracker_noise_m = 0.0) {
+  return {.participant = {.tactile_weight = 0.2, .motor_variance_deg2 = motor_variance_deg2},
+          .tracker_noise_m = tracker_noise_m};
+}
+
+// From 0.5, which is assumed, to what the person has.
+TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
+  for (const double truth : {0.3, 1.0, 2.0}) {
+    set(adapting(HRT_ADAPTATION_CARRIED));
+    double mean = 0.0, miss = 0.0;
+    for (std::uint32_t reach = 0; reach < 60; ++reach) {
+      reach_by_direction(with_motor_variance(truth), reach, &miss);
+      if (reach >= 20) mean += config().motor_variance_deg2 / 40.0;
+    }
+    EXPECT_NEAR(mean, truth, 0.15 * truth);
+
+    // A tracker with 0.4 mm of noise takes longer to tell.
+    set(adapting(HRT_ADAPTATION_CARRIED));
+    mean = 0.0;
+    for (std::uint32_t reach = 0; reach < 160; ++reach) {
+      reach_by_position(with_motor_variance(truth, 0.0004), reach, &miss);
+      if (reach >= 80) mean += config().motor_variance_deg2 / 80.0;
+    }
+    EXPECT_NEAR(mean, truth, 0.2 * truth);
+  }
+}
+
+// With the same random numbers: what is carried does no harm, where the tracker can't tell it either.
+TEST_F(LearningTest, MissesDoNotGetWorse) {
+  for (const double tracker_noise_m : {0.0001, 0.0012}) {
+    for (const double truth : {0.3, 1.0, 2.0}) {
+      const auto misses_mm = [&](std::uint32_t adaptation) {
+        set(adapting(adaptation));
+        std::vector<double> misses(100);
+        for (std::uint32_t reach = 0; reach < misses.size(); ++reach)
+          reach_by_position(with_motor_variance(truth, tracker_noise_m), reach, &misses[reach]);
+        return root_mean_square(misses);
+      };
+      const double forgotten = misses_mm(HRT_ADAPTATION_REACH), carried = misses_mm(HRT_ADAPTATION_CARRIED);
+      EXPECT_LT(carried, 1.1 * forgotten) << tracker_noise_m << " " << truth;
+      EXPECT_LT(carried, 0.5);
+    }
+  }
+}
+
+TEST_F(LearningTest, SummarySaysHowWellTheMotorVarianceIsKnown) {
+  double miss = 0.0;
+  set(adapting(HRT_ADAPTATION_REACH));
+  hrt_reach_summary summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
+  EXPECT_GT(summary.motor_variance_deg2, 0.6);
+  EXPECT_LT(summary.motor_variance_sd_deg2, 0.2);
+  EXPECT_EQ(config().motor_variance_deg2, 0.5) << "carried, and should not be";
+
+  // 1.2 mm of noise shows hardly anything of it.
+  summary = reach_by_position(with_motor_variance(1.0, 0.0012), 0, &miss);
+  EXPECT_GT(summary.motor_variance_sd_deg2, 0.95 * 0.5);
+  EXPECT_NEAR(summary.motor_variance_deg2, 0.5, 0.2);
+
+  set(adapting(HRT_ADAPTATION_OFF));
+  summary = reach_by_direction(with_motor_variance(1.0), 0, &miss);
+  EXPECT_EQ(summary.motor_variance_deg2, 0.5);
+  EXPECT_EQ(summary.motor_variance_sd_deg2, 0.0);
+}
+
+TEST_F(LearningTest, OneReachCarriesLittle) {
+  double miss = 0.0;
+  hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
+  assumed.motor_variance_deg2 = 0.1;
+  set(assumed);
+  EXPECT_GT(reach_by_direction(with_motor_variance(4.0), 0, &miss).motor_variance_deg2, 0.2);
+  EXPECT_EQ(config().motor_variance_deg2, 0.2);
+  EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
+
+  // The bounds of what is carried, whatever was configured.
+  assumed.motor_variance_deg2 = 1e-9;
+  set(assumed);
+  reach_by_direction(with_motor_variance(4.0), 0, &miss);
+  EXPECT_EQ(config().motor_variance_deg2, 0.05);
+  assumed.motor_variance_deg2 = 1e4;
+  set(assumed);
+  reach_by_direction(with_motor_variance(4.0), 0, &miss);
+  EXPECT_EQ(config().motor_variance_deg2, 5.0);
+
+  // A reach in which nothing was seen carries nothing.
+  assumed.motor_variance_deg2 = 0.7;
+  set(assumed);
+  begin_reach();
+  end();
+  EXPECT_EQ(config().motor_variance_deg2, 0.7);
+  EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
+}
+
+// A person who takes the target to lie 3 degrees further right, or left, than it is.
+TEST_F(LearningTest, KnownBiasIsMadeUpFor) {
+  for (const double bias_deg : {-3.0, 3.0}) {
+    const Person person{
+        .participant = {.tactile_weight = 0.2}, .bias_deg = bias_deg, .tracker_noise_m = 0.0012};
+    const auto misses_mm = [&](double assumed_bias_deg) {
+      hrt_session_config config = adapting(HRT_ADAPTATION_REACH);
+      config.bias_deg = assumed_bias_deg;
+      set(config);
+      std::vector<double> misses(100);
+      for (std::uint32_t reach = 0; reach < misses.size(); ++reach)
+        reach_by_position(person, reach, &misses[reach]);
+      return root_mean_square(misses);
+    };
+    const double known = misses_mm(bias_deg), unknown = misses_mm(0.0);
+    EXPECT_LT(known, 0.4);
+    EXPECT_LT(known, 0.9 * unknown);
+  }
+}
+
+// The person goes for 5 + 2 = 7 degrees: the same commands as for a target at 7 without a bias.
+TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
+  const auto reach = [&](double target_deg, double bias_deg) {
+    hrt_session_config config = session_config();
+    config.bias_deg = bias_deg;
+    create(config);
+    const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
+    auto authority = output<hrt_authority>();
+    EXPECT_OK(hrt_authority_query(session, real, cup, &authority));
+    EXPECT_EQ(authority.gap_deg, 12.0);
+    EXPECT_OK(begin(real, cup));
+    for (int step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
+    return end();
+  };
+  hrt_reach_summary one = reach(5.0, 2.0);
+  const hrt_reach_summary other = reach(7.0, 0.0);
+  EXPECT_EQ(one.final_miss_deg, other.final_miss_deg);
+  EXPECT_EQ(one.perceived_direction_deg, other.perceived_direction_deg);
+  EXPECT_EQ(one.perceived_error_deg, other.perceived_error_deg);
+
+  hrt_session_config config = session_config();
+  config.bias_deg = 45.0;
+  create(config);
+  expect_error(begin(add(HRT_TARGET_REAL, -50.0), add(HRT_TARGET_VIRTUAL, 5.0)), HRT_ERROR_OUT_OF_RANGE,
+               "the virtual at 50 with the user's bias; allowed");
+}
+
+}  // namespace
+}  // namespace hrt::test
