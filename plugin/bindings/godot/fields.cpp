@@ -62,7 +62,9 @@ constexpr std::array kConfig{
     FIELD(Config, fixed_plate_orientation_deg),
     FIELD(Config, tactile_weight),
     FIELD(Config, tactile_weight_sd),
+    FIELD(Config, bias_deg),
     FIELD(Config, motor_variance_deg2),
+    FIELD(Config, motor_variance_sd_deg2),
     FIELD(Config, sensory_variance_deg2),
     FIELD(Config, initial_variance_deg2),
     FIELD(Config, tracker_noise_m),
@@ -105,6 +107,8 @@ constexpr std::array kSummary{
     FIELD(Summary, tactile_weight),
     FIELD(Summary, tactile_weight_sd),
     FIELD(Summary, tracker_noise_m),
+    FIELD(Summary, motor_variance_deg2),
+    FIELD(Summary, motor_variance_sd_deg2),
 };
 static_assert(complete(kSummary, sizeof(Summary::reserved), sizeof(Summary)));
 

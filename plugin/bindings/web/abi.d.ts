@@ -1,7 +1,7 @@
 // Written by plugin/bindings/generate from the C headers.
 /** Version of these headers; hrt_get_version() tells that of the library. */
 export declare const HRT_VERSION_MAJOR = 0;
-export declare const HRT_VERSION_MINOR = 1;
+export declare const HRT_VERSION_MINOR = 2;
 export declare const HRT_VERSION_PATCH = 0;
 export declare const HRT_OK = 0;
 /** A pointer that must not be null was null. */
@@ -31,8 +31,12 @@ export declare const HRT_ERROR_NAME_TAKEN = -12;
 export declare const HRT_ERROR_SYSTEM = -13;
 /** A text is not what it should be; hrt_last_error() tells where. */
 export declare const HRT_ERROR_BAD_FORMAT = -14;
+/** The data do not tell what was asked of them; hrt_last_error() tells what is missing. */
+export declare const HRT_ERROR_INSUFFICIENT_DATA = -15;
 /** A defect in this library; please report it with the text of hrt_last_error(). */
 export declare const HRT_ERROR_INTERNAL = -99;
+/** Calibrations that can exist at the same time in a process. */
+export declare const HRT_CALIBRATIONS_MAX = 16;
 /** hrt_log_callback: how bad it is. */
 export declare const HRT_LOG_WARNING = 1;
 export declare const HRT_LOG_ERROR = 2;
@@ -48,7 +52,7 @@ export declare const HRT_SAMPLE_DIRECTION = 1;
 export declare const HRT_SAMPLE_PLATE_POSITION = 2;
 /** plate_orientation_deg, measured by the device */
 export declare const HRT_SAMPLE_PLATE_ORIENTATION = 4;
-/** the finger is off the plate, and so feels nothing: the model waits */
+/** The finger is off the plate, and so feels nothing: the model waits. */
 export declare const HRT_SAMPLE_LIFTED = 8;
 /** finger_position_m, in the engine's world */
 export declare const HRT_SAMPLE_WORLD_POSITION = 16;
@@ -87,12 +91,12 @@ export declare const HRT_GUIDANCE_FIXED_DIRECTION = 0;
 /** In the direction from where the finger is to where the real target is, held once less than a fifth of the path remains. Takes effect when positions are streamed. */
 export declare const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
 
-/** Whether the user's share of touch is learnt. */
-/** no: tactile_weight is taken as known */
+/** Whether the user's share of touch and motor variance are learnt. */
+/** no: they are taken as known */
 export declare const HRT_ADAPTATION_OFF = 0;
-/** within each reach, from tactile_weight and its deviation */
+/** The share of touch within each reach, from tactile_weight and its deviation. The reach's summary also tells the motor variance, from motor_variance_deg2 and its deviation. */
 export declare const HRT_ADAPTATION_REACH = 1;
-/** As REACH; and what a reach has learnt becomes the configuration's tactile_weight and tactile_weight_sd, the latter no less than 0.01, as people change. */
+/** As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2, the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two at most, which leaves its deviation, and keeps it within 0.05 to 5. */
 export declare const HRT_ADAPTATION_CARRIED = 2;
 /** Targets that a session can hold. */
 export declare const HRT_TARGETS_MAX = 1000000;
@@ -124,15 +128,19 @@ export interface StructLayout<Field extends string> {
 
 export declare const structs: {
   readonly hrt_session: StructLayout<"value">;
-  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "reserved" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation">;
+  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "reserved" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2">;
   readonly hrt_target: StructLayout<"value">;
   readonly hrt_target_config: StructLayout<"struct_size" | "role" | "place" | "reserved" | "direction_deg" | "distance_m" | "position_m" | "name">;
   readonly hrt_authority: StructLayout<"struct_size" | "reachable" | "real_target" | "virtual_target" | "gap_deg" | "largest_gap_deg" | "margin_deg" | "plate_orientation_deg" | "settling_direction_deg">;
-  readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
   readonly hrt_reach_config: StructLayout<"struct_size" | "flags" | "real_target" | "virtual_target" | "plate_orientation_deg">;
   readonly hrt_sample: StructLayout<"struct_size" | "flags" | "time_ns" | "finger_direction_deg" | "finger_position_m" | "plate_orientation_deg" | "plate_position_m" | "plate_rotation">;
   readonly hrt_command: StructLayout<"struct_size" | "flags" | "step" | "plate_orientation_deg" | "finger_direction_deg" | "perceived_direction_deg" | "aimed_direction_deg" | "distance_to_go_m" | "tactile_weight" | "tactile_weight_sd">;
-  readonly hrt_reach_summary: StructLayout<"struct_size" | "reserved" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m">;
+  readonly hrt_reach_summary: StructLayout<"struct_size" | "reserved" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m" | "motor_variance_deg2" | "motor_variance_sd_deg2">;
+  readonly hrt_calibration: StructLayout<"value">;
+  readonly hrt_calibration_config: StructLayout<"struct_size" | "max_trials" | "max_samples" | "reserved" | "goal_direction_deg">;
+  readonly hrt_interval: StructLayout<"value" | "lower" | "upper" | "known" | "reserved">;
+  readonly hrt_calibration_result: StructLayout<"struct_size" | "reserved" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m">;
+  readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
   readonly hrt_recording_status: StructLayout<"struct_size" | "system_error" | "rows_written" | "rows_lost">;
   readonly hrt_replay_report: StructLayout<"struct_size" | "complete" | "rows" | "first_different_line" | "hash">;
   readonly hrt_scene: StructLayout<"value">;
@@ -165,7 +173,7 @@ export interface hrt_session_config {
   perceived_weight: number;
   /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
   actual_weight: number;
-  /** The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5. */
+  /** The plate stays within this of the direction that the user goes for: the virtual target's and bias_deg, 0.1 to 90. Default 84.5. */
   plate_bound_deg: number;
   /** The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0. */
   plate_max_speed_deg_s: number;
@@ -200,6 +208,10 @@ export interface hrt_session_config {
   plate_position_m: number[];
   /** How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1). */
   plate_rotation: number[];
+  /** The user's own bias: how much further to the left than it is they take a virtual target to lie, -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in reaches. Default 0. Since version 0.2. */
+  bias_deg: number;
+  /** Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001 to 10. Default 0.5. Since version 0.2. */
+  motor_variance_sd_deg2: number;
 }
 
 /** A target's id within its session. Zero is never a target. The id of a removed target is never valid again, in no session. */
@@ -232,7 +244,7 @@ export interface hrt_authority {
   reachable: number;
   real_target: bigint;
   virtual_target: bigint;
-  /** Virtual less real direction, in [-180, 180). */
+  /** Where the user goes, the virtual target's direction and hrt_session_config::bias_deg, less the real target's direction; in [-180, 180). */
   gap_deg: number;
   /** The largest gap, either way, that can be held with the session's tactile weight and plate bound. */
   largest_gap_deg: number;
@@ -244,24 +256,12 @@ export interface hrt_authority {
   settling_direction_deg: number;
 }
 
-/** Where the library's memory comes from. The functions may be called from any thread, at the same time; they must not call this library, and must not throw. */
-export interface hrt_allocator {
-  struct_size: number;
-  reserved: number;
-  /** Passed to both functions; never read. */
-  context: number;
-  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't. */
-  allocate: number;
-  /** Takes back what allocate() returned. */
-  release: number;
-}
-
 /** What a reach is. hrt_reach_config_default() fills every field. */
 export interface hrt_reach_config {
   struct_size: number;
   /** HRT_REACH_*. Default 0. */
   flags: number;
-  /** Its direction and the virtual target's are less than 90 degrees apart. Default null: to be set. */
+  /** Its direction and the one that the user goes for, the virtual target's and hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   real_target: bigint;
   virtual_target: bigint;
   /** Where the plate stands before the reach, -360 to 360. Default 0. */
@@ -277,7 +277,7 @@ export interface hrt_sample {
   time_ns: bigint;
   /** The direction in which the finger moves, -180 to 180; taken as exact. */
   finger_direction_deg: number;
-  /** The fingertip, each within 1000. */
+  /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not asked for. */
   finger_position_m: number[];
   /** Where the plate stands, -360 to 360. */
   plate_orientation_deg: number;
@@ -325,7 +325,7 @@ export interface hrt_reach_summary {
   /** The finger's direction in the last step, and that less the real target's. */
   final_direction_deg: number;
   final_miss_deg: number;
-  /** What the user felt in the last step, and that less the virtual target's. */
+  /** What the user felt in the last step, and that less where they went: the virtual target's direction and hrt_session_config::bias_deg. */
   perceived_direction_deg: number;
   perceived_error_deg: number;
   /** From the last position along the plate to the real target; from the start if none was streamed. */
@@ -335,6 +335,68 @@ export interface hrt_reach_summary {
   tactile_weight_sd: number;
   /** White noise of each coordinate of the tracked positions, standard deviation, as learnt or configured. */
   tracker_noise_m: number;
+  /** The user's motor variance as this reach corrects what the configuration assumes. Since version 0.2. */
+  motor_variance_deg2: number;
+  /** Its standard deviation; close to hrt_session_config::motor_variance_sd_deg2 if the reach could not tell; 0: it is taken as known. Since version 0.2. */
+  motor_variance_sd_deg2: number;
+}
+
+/** A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never valid again. */
+export interface hrt_calibration {
+  value: bigint;
+}
+
+/** What a calibration is. hrt_calibration_config_default() fills every field. */
+export interface hrt_calibration_config {
+  struct_size: number;
+  /** Trials that it can hold, 10 to 10000. Default 200. */
+  max_trials: number;
+  /** Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at creation. Default 100000: 18 minutes at 90 Hz. */
+  max_samples: number;
+  reserved: number;
+  /** Where the user is told to go, -180 to 180. Default 0: straight ahead. */
+  goal_direction_deg: number;
+}
+
+/** An estimate with the ends of its 95 % interval. This struct never grows. */
+export interface hrt_interval {
+  value: number;
+  lower: number;
+  upper: number;
+  /** 1, or 0: the data can't tell. Then the interval is what was searched, and the value no more than its likeliest point. */
+  known: number;
+  reserved: number;
+}
+
+/** What the slides tell of the user. The fields are those of hrt_session_config. Set `struct_size` before the call. */
+export interface hrt_calibration_result {
+  struct_size: number;
+  reserved: number;
+  /** Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone count. */
+  trials: number;
+  trials_used: number;
+  /** Always known; otherwise hrt_calibration_solve() refuses. */
+  tactile_weight: hrt_interval;
+  /** Always known. */
+  bias_deg: hrt_interval;
+  /** Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly is. */
+  motor_variance_deg2: hrt_interval;
+  /** As motor_variance_deg2. */
+  sensory_variance_deg2: hrt_interval;
+  /** Always known. */
+  tracker_noise_m: hrt_interval;
+}
+
+/** Where the library's memory comes from. The functions may be called from any thread, at the same time; they must not call this library, and must not throw. */
+export interface hrt_allocator {
+  struct_size: number;
+  reserved: number;
+  /** Passed to both functions; never read. */
+  context: number;
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't. */
+  allocate: number;
+  /** Takes back what allocate() returned. */
+  release: number;
 }
 
 /** How a recording does. Set `struct_size` before the call. */

@@ -1,6 +1,6 @@
 // Written by plugin/bindings/generate from the C headers.
 export const HRT_VERSION_MAJOR = 0;
-export const HRT_VERSION_MINOR = 1;
+export const HRT_VERSION_MINOR = 2;
 export const HRT_VERSION_PATCH = 0;
 export const HRT_OK = 0;
 export const HRT_ERROR_NULL_ARGUMENT = -1;
@@ -17,7 +17,9 @@ export const HRT_ERROR_BUFFER_TOO_SMALL = -11;
 export const HRT_ERROR_NAME_TAKEN = -12;
 export const HRT_ERROR_SYSTEM = -13;
 export const HRT_ERROR_BAD_FORMAT = -14;
+export const HRT_ERROR_INSUFFICIENT_DATA = -15;
 export const HRT_ERROR_INTERNAL = -99;
+export const HRT_CALIBRATIONS_MAX = 16;
 export const HRT_LOG_WARNING = 1;
 export const HRT_LOG_ERROR = 2;
 export const HRT_REACH_PLATE_ORIENTATION = 1;
@@ -56,7 +58,7 @@ export const structs = Object.freeze({
   hrt_session: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_session_config: { size: 248, fields: {
+  hrt_session_config: { size: 264, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     horizon: {"offset": 4, "type": "u32"},
     step_period_ns: {"offset": 8, "type": "i64"},
@@ -84,6 +86,8 @@ export const structs = Object.freeze({
     lift_height_m: {"offset": 184, "type": "f64"},
     plate_position_m: {"offset": 192, "type": "f64", "length": 3},
     plate_rotation: {"offset": 216, "type": "f64", "length": 4},
+    bias_deg: {"offset": 248, "type": "f64"},
+    motor_variance_sd_deg2: {"offset": 256, "type": "f64"},
   } },
   hrt_target: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
@@ -108,13 +112,6 @@ export const structs = Object.freeze({
     margin_deg: {"offset": 40, "type": "f64"},
     plate_orientation_deg: {"offset": 48, "type": "f64"},
     settling_direction_deg: {"offset": 56, "type": "f64"},
-  } },
-  hrt_allocator: { size: 20, fields: {
-    struct_size: {"offset": 0, "type": "u32"},
-    reserved: {"offset": 4, "type": "u32"},
-    context: {"offset": 8, "type": "pointer"},
-    allocate: {"offset": 12, "type": "pointer"},
-    release: {"offset": 16, "type": "pointer"},
   } },
   hrt_reach_config: { size: 32, fields: {
     struct_size: {"offset": 0, "type": "u32"},
@@ -145,7 +142,7 @@ export const structs = Object.freeze({
     tactile_weight: {"offset": 56, "type": "f64"},
     tactile_weight_sd: {"offset": 64, "type": "f64"},
   } },
-  hrt_reach_summary: { size: 120, fields: {
+  hrt_reach_summary: { size: 136, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     reserved: {"offset": 4, "type": "u32"},
     samples: {"offset": 8, "type": "i64"},
@@ -162,6 +159,43 @@ export const structs = Object.freeze({
     tactile_weight: {"offset": 96, "type": "f64"},
     tactile_weight_sd: {"offset": 104, "type": "f64"},
     tracker_noise_m: {"offset": 112, "type": "f64"},
+    motor_variance_deg2: {"offset": 120, "type": "f64"},
+    motor_variance_sd_deg2: {"offset": 128, "type": "f64"},
+  } },
+  hrt_calibration: { size: 8, fields: {
+    value: {"offset": 0, "type": "u64"},
+  } },
+  hrt_calibration_config: { size: 24, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    max_trials: {"offset": 4, "type": "u32"},
+    max_samples: {"offset": 8, "type": "u32"},
+    reserved: {"offset": 12, "type": "u32"},
+    goal_direction_deg: {"offset": 16, "type": "f64"},
+  } },
+  hrt_interval: { size: 32, fields: {
+    value: {"offset": 0, "type": "f64"},
+    lower: {"offset": 8, "type": "f64"},
+    upper: {"offset": 16, "type": "f64"},
+    known: {"offset": 24, "type": "u32"},
+    reserved: {"offset": 28, "type": "u32"},
+  } },
+  hrt_calibration_result: { size: 176, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reserved: {"offset": 4, "type": "u32"},
+    trials: {"offset": 8, "type": "u32"},
+    trials_used: {"offset": 12, "type": "u32"},
+    tactile_weight: {"offset": 16, "type": "hrt_interval"},
+    bias_deg: {"offset": 48, "type": "hrt_interval"},
+    motor_variance_deg2: {"offset": 80, "type": "hrt_interval"},
+    sensory_variance_deg2: {"offset": 112, "type": "hrt_interval"},
+    tracker_noise_m: {"offset": 144, "type": "hrt_interval"},
+  } },
+  hrt_allocator: { size: 20, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reserved: {"offset": 4, "type": "u32"},
+    context: {"offset": 8, "type": "pointer"},
+    allocate: {"offset": 12, "type": "pointer"},
+    release: {"offset": 16, "type": "pointer"},
   } },
   hrt_recording_status: { size: 24, fields: {
     struct_size: {"offset": 0, "type": "u32"},
@@ -222,14 +256,23 @@ export const functions = Object.freeze([
   "hrt_authority_query",
   "hrt_authority_query_all",
   "hrt_authority_query_best",
-  "hrt_set_allocator",
-  "hrt_set_log_callback",
-  "hrt_profile_save",
-  "hrt_profile_load",
   "hrt_reach_config_default",
   "hrt_reach_begin",
   "hrt_reach_update",
   "hrt_reach_end",
+  "hrt_calibration_config_default",
+  "hrt_calibration_create",
+  "hrt_calibration_destroy",
+  "hrt_calibration_begin_trial",
+  "hrt_calibration_add_sample",
+  "hrt_calibration_end_trial",
+  "hrt_calibration_cancel_trial",
+  "hrt_calibration_solve",
+  "hrt_calibration_apply",
+  "hrt_set_allocator",
+  "hrt_set_log_callback",
+  "hrt_profile_save",
+  "hrt_profile_load",
   "hrt_recording_start",
   "hrt_recording_get_status",
   "hrt_recording_stop",

@@ -13,9 +13,11 @@ from typing import TYPE_CHECKING
 from ._struct import Struct
 
 
-VERSION = (0, 1, 0)
+VERSION = (0, 2, 0)
 """Of the headers that this was written from."""
 OK = 0
+CALIBRATIONS_MAX = 16
+"""Calibrations that can exist at the same time in a process."""
 SCENES_MAX = 64
 """Scenes that can be loaded at the same time in a process."""
 SESSIONS_MAX = 64
@@ -56,6 +58,8 @@ class ErrorCode(IntEnum):
     """The operating system refused: a file, a thread."""
     BAD_FORMAT = -14
     """A text is not what it should be; hrt_last_error() tells where."""
+    INSUFFICIENT_DATA = -15
+    """The data do not tell what was asked of them; hrt_last_error() tells what is missing."""
     INTERNAL = -99
     """A defect in this library; please report it with the text of hrt_last_error()."""
 
@@ -80,15 +84,18 @@ class Guidance(IntEnum):
 
 
 class Adaptation(IntEnum):
-    """Whether the user's share of touch is learnt."""
+    """Whether the user's share of touch and motor variance are learnt."""
 
     OFF = 0
-    """no: tactile_weight is taken as known"""
+    """no: they are taken as known"""
     REACH = 1
-    """within each reach, from tactile_weight and its deviation"""
+    """The share of touch within each reach, from tactile_weight and its deviation. The reach's summary
+    also tells the motor variance, from motor_variance_deg2 and its deviation."""
     CARRIED = 2
-    """As REACH; and what a reach has learnt becomes the configuration's tactile_weight and
-    tactile_weight_sd, the latter no less than 0.01, as people change."""
+    """As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and
+    tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2,
+    the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
+    at most, which leaves its deviation, and keeps it within 0.05 to 5."""
 
 
 class Role(IntEnum):
@@ -138,7 +145,7 @@ class SampleFlag(IntFlag):
     PLATE_ORIENTATION = 4
     """plate_orientation_deg, measured by the device"""
     LIFTED = 8
-    """the finger is off the plate, and so feels nothing: the model waits"""
+    """The finger is off the plate, and so feels nothing: the model waits."""
     WORLD_POSITION = 16
     """finger_position_m, in the engine's world"""
     PLATE_POSE = 32
@@ -207,7 +214,8 @@ class SessionConfig(Struct):
         actual_weight: float
         """Weight of the actual error in the controller's cost, 0 to 1e6. Default 1."""
         plate_bound_deg: float
-        """The plate stays within this of the virtual target's direction, 0.1 to 90. Default 84.5."""
+        """The plate stays within this of the direction that the user goes for: the virtual target's and
+        bias_deg, 0.1 to 90. Default 84.5."""
         plate_max_speed_deg_s: float
         """The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0."""
         plate_max_acceleration_deg_s2: float
@@ -246,6 +254,13 @@ class SessionConfig(Struct):
         plate_rotation: ctypes.Array[c_double]
         """How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate
         coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1)."""
+        bias_deg: float
+        """The user's own bias: how much further to the left than it is they take a virtual target to lie,
+        -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in reaches.
+        Default 0. Since version 0.2."""
+        motor_variance_sd_deg2: float
+        """Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001 to 10. Default
+        0.5. Since version 0.2."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -275,6 +290,8 @@ class SessionConfig(Struct):
         ("lift_height_m", c_double),
         ("plate_position_m", c_double * 3),
         ("plate_rotation", c_double * 4),
+        ("bias_deg", c_double),
+        ("motor_variance_sd_deg2", c_double),
     )
 
 
@@ -333,7 +350,8 @@ class Authority(Struct):
         real_target: TargetHandle
         virtual_target: TargetHandle
         gap_deg: float
-        """Virtual less real direction, in [-180, 180)."""
+        """Where the user goes, the virtual target's direction and hrt_session_config::bias_deg, less the
+        real target's direction; in [-180, 180)."""
         largest_gap_deg: float
         """The largest gap, either way, that can be held with the session's tactile weight and plate bound."""
         margin_deg: float
@@ -356,30 +374,6 @@ class Authority(Struct):
     )
 
 
-class Allocator(Struct):
-    """Where the library's memory comes from. The functions may be called from any thread, at the same
-    time; they must not call this library, and must not throw."""
-
-    if TYPE_CHECKING:
-        struct_size: int
-        reserved: int
-        context: int | None
-        """Passed to both functions; never read."""
-        allocate: ctypes._FuncPointer
-        """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
-        can't."""
-        release: ctypes._FuncPointer
-        """Takes back what allocate() returned."""
-
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("context", c_void_p),
-        ("allocate", AllocatorAllocate),
-        ("release", AllocatorRelease),
-    )
-
-
 class ReachConfig(Struct):
     """What a reach is. hrt_reach_config_default() fills every field."""
 
@@ -388,7 +382,8 @@ class ReachConfig(Struct):
         flags: int
         """HRT_REACH_*. Default 0."""
         real_target: TargetHandle
-        """Its direction and the virtual target's are less than 90 degrees apart. Default null: to be set."""
+        """Its direction and the one that the user goes for, the virtual target's and
+        hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set."""
         virtual_target: TargetHandle
         plate_orientation_deg: float
         """Where the plate stands before the reach, -360 to 360. Default 0."""
@@ -416,7 +411,8 @@ class Sample(Struct):
         finger_direction_deg: float
         """The direction in which the finger moves, -180 to 180; taken as exact."""
         finger_position_m: ctypes.Array[c_double]
-        """The fingertip, each within 1000."""
+        """The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is
+        turned is not asked for."""
         plate_orientation_deg: float
         """Where the plate stands, -360 to 360."""
         plate_position_m: ctypes.Array[c_double]
@@ -493,7 +489,8 @@ class ReachSummary(Struct):
         """The finger's direction in the last step, and that less the real target's."""
         final_miss_deg: float
         perceived_direction_deg: float
-        """What the user felt in the last step, and that less the virtual target's."""
+        """What the user felt in the last step, and that less where they went: the virtual target's
+        direction and hrt_session_config::bias_deg."""
         perceived_error_deg: float
         distance_to_target_m: float
         """From the last position along the plate to the real target; from the start if none was streamed."""
@@ -503,6 +500,12 @@ class ReachSummary(Struct):
         tracker_noise_m: float
         """White noise of each coordinate of the tracked positions, standard deviation, as learnt or
         configured."""
+        motor_variance_deg2: float
+        """The user's motor variance as this reach corrects what the configuration assumes. Since version
+        0.2."""
+        motor_variance_sd_deg2: float
+        """Its standard deviation; close to hrt_session_config::motor_variance_sd_deg2 if the reach could
+        not tell; 0: it is taken as known. Since version 0.2."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -521,6 +524,122 @@ class ReachSummary(Struct):
         ("tactile_weight", c_double),
         ("tactile_weight_sd", c_double),
         ("tracker_noise_m", c_double),
+        ("motor_variance_deg2", c_double),
+        ("motor_variance_sd_deg2", c_double),
+    )
+
+
+class CalibrationHandle(Struct):
+    """A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never valid
+    again."""
+
+    if TYPE_CHECKING:
+        value: int
+
+    _fields_ = (
+        ("value", c_uint64),
+    )
+
+
+class CalibrationConfig(Struct):
+    """What a calibration is. hrt_calibration_config_default() fills every field."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        max_trials: int
+        """Trials that it can hold, 10 to 10000. Default 200."""
+        max_samples: int
+        """Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at creation.
+        Default 100000: 18 minutes at 90 Hz."""
+        reserved: int
+        goal_direction_deg: float
+        """Where the user is told to go, -180 to 180. Default 0: straight ahead."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("max_trials", c_uint32),
+        ("max_samples", c_uint32),
+        ("reserved", c_uint32),
+        ("goal_direction_deg", c_double),
+    )
+
+
+class Interval(Struct):
+    """An estimate with the ends of its 95 % interval. This struct never grows."""
+
+    if TYPE_CHECKING:
+        value: float
+        lower: float
+        upper: float
+        known: int
+        """1, or 0: the data can't tell. Then the interval is what was searched, and the value no more than
+        its likeliest point."""
+        reserved: int
+
+    _fields_ = (
+        ("value", c_double),
+        ("lower", c_double),
+        ("upper", c_double),
+        ("known", c_uint32),
+        ("reserved", c_uint32),
+    )
+
+
+class CalibrationResult(Struct):
+    """What the slides tell of the user. The fields are those of hrt_session_config. Set `struct_size`
+    before the call."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reserved: int
+        trials: int
+        """Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone count."""
+        trials_used: int
+        tactile_weight: Interval
+        """Always known; otherwise hrt_calibration_solve() refuses."""
+        bias_deg: Interval
+        """Always known."""
+        motor_variance_deg2: Interval
+        """Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly is."""
+        sensory_variance_deg2: Interval
+        """As motor_variance_deg2."""
+        tracker_noise_m: Interval
+        """Always known."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("trials", c_uint32),
+        ("trials_used", c_uint32),
+        ("tactile_weight", Interval),
+        ("bias_deg", Interval),
+        ("motor_variance_deg2", Interval),
+        ("sensory_variance_deg2", Interval),
+        ("tracker_noise_m", Interval),
+    )
+
+
+class Allocator(Struct):
+    """Where the library's memory comes from. The functions may be called from any thread, at the same
+    time; they must not call this library, and must not throw."""
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reserved: int
+        context: int | None
+        """Passed to both functions; never read."""
+        allocate: ctypes._FuncPointer
+        """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
+        can't."""
+        release: ctypes._FuncPointer
+        """Takes back what allocate() returned."""
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("context", c_void_p),
+        ("allocate", AllocatorAllocate),
+        ("release", AllocatorRelease),
     )
 
 
@@ -682,14 +801,6 @@ def declare(library: CDLL) -> None:
     library.hrt_authority_query_all.restype = c_int32
     library.hrt_authority_query_best.argtypes = (SessionHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query_best.restype = c_int32
-    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
-    library.hrt_set_allocator.restype = c_int32
-    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
-    library.hrt_set_log_callback.restype = c_int32
-    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
-    library.hrt_profile_save.restype = c_int32
-    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
-    library.hrt_profile_load.restype = c_int32
     library.hrt_reach_config_default.argtypes = (POINTER(ReachConfig), c_uint32)
     library.hrt_reach_config_default.restype = c_int32
     library.hrt_reach_begin.argtypes = (SessionHandle, POINTER(ReachConfig))
@@ -698,6 +809,32 @@ def declare(library: CDLL) -> None:
     library.hrt_reach_update.restype = c_int32
     library.hrt_reach_end.argtypes = (SessionHandle, POINTER(ReachSummary))
     library.hrt_reach_end.restype = c_int32
+    library.hrt_calibration_config_default.argtypes = (POINTER(CalibrationConfig), c_uint32)
+    library.hrt_calibration_config_default.restype = c_int32
+    library.hrt_calibration_create.argtypes = (SessionHandle, POINTER(CalibrationConfig), POINTER(CalibrationHandle))
+    library.hrt_calibration_create.restype = c_int32
+    library.hrt_calibration_destroy.argtypes = (CalibrationHandle,)
+    library.hrt_calibration_destroy.restype = c_int32
+    library.hrt_calibration_begin_trial.argtypes = (CalibrationHandle, c_double)
+    library.hrt_calibration_begin_trial.restype = c_int32
+    library.hrt_calibration_add_sample.argtypes = (CalibrationHandle, POINTER(Sample))
+    library.hrt_calibration_add_sample.restype = c_int32
+    library.hrt_calibration_end_trial.argtypes = (CalibrationHandle,)
+    library.hrt_calibration_end_trial.restype = c_int32
+    library.hrt_calibration_cancel_trial.argtypes = (CalibrationHandle,)
+    library.hrt_calibration_cancel_trial.restype = c_int32
+    library.hrt_calibration_solve.argtypes = (CalibrationHandle, POINTER(CalibrationResult))
+    library.hrt_calibration_solve.restype = c_int32
+    library.hrt_calibration_apply.argtypes = (SessionHandle, POINTER(CalibrationResult))
+    library.hrt_calibration_apply.restype = c_int32
+    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
+    library.hrt_set_allocator.restype = c_int32
+    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
+    library.hrt_set_log_callback.restype = c_int32
+    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
+    library.hrt_profile_save.restype = c_int32
+    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
+    library.hrt_profile_load.restype = c_int32
     library.hrt_recording_start.argtypes = (SessionHandle, c_char_p)
     library.hrt_recording_start.restype = c_int32
     library.hrt_recording_get_status.argtypes = (SessionHandle, POINTER(RecordingStatus))

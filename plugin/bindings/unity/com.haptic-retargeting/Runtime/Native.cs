@@ -8,8 +8,10 @@ namespace Hrt
     {
         /// <summary>Version of these headers; hrt_get_version() tells that of the library.</summary>
         public const int VersionMajor = 0;
-        public const int VersionMinor = 1;
+        public const int VersionMinor = 2;
         public const int VersionPatch = 0;
+        /// <summary>Calibrations that can exist at the same time in a process.</summary>
+        public const int CalibrationsMax = 16;
         /// <summary>Scenes that can be loaded at the same time in a process.</summary>
         public const int ScenesMax = 64;
         /// <summary>Sessions that can exist at the same time in a process.</summary>
@@ -54,6 +56,9 @@ namespace Hrt
         System = -13,
         /// <summary>A text is not what it should be; hrt_last_error() tells where.</summary>
         BadFormat = -14,
+        /// <summary>The data do not tell what was asked of them; hrt_last_error() tells what is
+        /// missing.</summary>
+        InsufficientData = -15,
         /// <summary>A defect in this library; please report it with the text of hrt_last_error().</summary>
         Internal = -99,
     }
@@ -84,15 +89,18 @@ namespace Hrt
         LineOfSight = 1,
     }
 
-    /// <summary>Whether the user's share of touch is learnt.</summary>
+    /// <summary>Whether the user's share of touch and motor variance are learnt.</summary>
     public enum Adaptation : uint
     {
-        /// <summary>no: tactileWeight is taken as known</summary>
+        /// <summary>no: they are taken as known</summary>
         Off = 0,
-        /// <summary>within each reach, from tactileWeight and its deviation</summary>
+        /// <summary>The share of touch within each reach, from tactileWeight and its deviation. The reach's
+        /// summary also tells the motor variance, from motorVarianceDeg2 and its deviation.</summary>
         Reach = 1,
-        /// <summary>As REACH; and what a reach has learnt becomes the configuration's tactileWeight and
-        /// tactileWeightSd, the latter no less than 0.01, as people change.</summary>
+        /// <summary>As REACH; and what a reach has learnt becomes the configuration's: tactileWeight and
+        /// tactileWeightSd, the latter no less than 0.01, and motorVarianceDeg2 and motorVarianceSdDeg2, the
+        /// latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
+        /// at most, which leaves its deviation, and keeps it within 0.05 to 5.</summary>
         Carried = 2,
     }
 
@@ -137,7 +145,7 @@ namespace Hrt
         PlatePosition = 2,
         /// <summary>plateOrientationDeg, measured by the device</summary>
         PlateOrientation = 4,
-        /// <summary>the finger is off the plate, and so feels nothing: the model waits</summary>
+        /// <summary>The finger is off the plate, and so feels nothing: the model waits.</summary>
         Lifted = 8,
         /// <summary>fingerPositionM, in the engine's world</summary>
         WorldPosition = 16,
@@ -199,8 +207,8 @@ namespace Hrt
         public double perceivedWeight;
         /// <summary>Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.</summary>
         public double actualWeight;
-        /// <summary>The plate stays within this of the virtual target's direction, 0.1 to 90. Default
-        /// 84.5.</summary>
+        /// <summary>The plate stays within this of the direction that the user goes for: the virtual target's
+        /// and biasDeg, 0.1 to 90. Default 84.5.</summary>
         public double plateBoundDeg;
         /// <summary>The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default
         /// 0.</summary>
@@ -249,6 +257,13 @@ namespace Hrt
         /// takes plate coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0,
         /// 1).</summary>
         public Double4 plateRotation;
+        /// <summary>The user's own bias: how much further to the left than it is they take a virtual target
+        /// to lie, -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in
+        /// reaches. Default 0. Since version 0.2.</summary>
+        public double biasDeg;
+        /// <summary>Standard deviation of motorVarianceDeg2, for adaptation to start from, 0.001 to 10.
+        /// Default 0.5. Since version 0.2.</summary>
+        public double motorVarianceSdDeg2;
     }
 
     /// <summary>A target's id within its session. Zero is never a target. The id of a removed target is never
@@ -293,7 +308,8 @@ namespace Hrt
         public uint reachable;
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>Virtual less real direction, in [-180, 180).</summary>
+        /// <summary>Where the user goes, the virtual target's direction and SessionConfig.biasDeg, less the
+        /// real target's direction; in [-180, 180).</summary>
         public double gapDeg;
         /// <summary>The largest gap, either way, that can be held with the session's tactile weight and plate
         /// bound.</summary>
@@ -306,23 +322,6 @@ namespace Hrt
         public double settlingDirectionDeg;
     }
 
-    /// <summary>Where the library's memory comes from. The functions may be called from any thread, at the
-    /// same time; they must not call this library, and must not throw.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
-    public partial struct Allocator
-    {
-        public uint structSize;
-        public uint reserved;
-        /// <summary>Passed to both functions; never read.</summary>
-        public IntPtr context;
-        /// <summary>Returns <c>size</c> bytes (at least 1) at a multiple of <c>alignment</c> (a power of
-        /// two), or null if it can't.</summary>
-        public IntPtr allocate;
-        /// <summary>Takes back what allocate() returned.</summary>
-        public IntPtr release;
-    }
-
     /// <summary>What a reach is. hrt_reach_config_default() fills every field.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
@@ -331,8 +330,8 @@ namespace Hrt
         public uint structSize;
         /// <summary>ReachFlags. Default 0.</summary>
         public ReachFlags flags;
-        /// <summary>Its direction and the virtual target's are less than 90 degrees apart. Default null: to
-        /// be set.</summary>
+        /// <summary>Its direction and the one that the user goes for, the virtual target's and
+        /// SessionConfig.biasDeg, are less than 90 degrees apart. Default null: to be set.</summary>
         public TargetId realTarget;
         public TargetId virtualTarget;
         /// <summary>Where the plate stands before the reach, -360 to 360. Default 0.</summary>
@@ -353,7 +352,8 @@ namespace Hrt
         public long timeNs;
         /// <summary>The direction in which the finger moves, -180 to 180; taken as exact.</summary>
         public double fingerDirectionDeg;
-        /// <summary>The fingertip, each within 1000.</summary>
+        /// <summary>The fingertip, each within 1000. Of a tracked pose this is the position; how the finger
+        /// is turned is not asked for.</summary>
         public Double3 fingerPositionM;
         /// <summary>Where the plate stands, -360 to 360.</summary>
         public double plateOrientationDeg;
@@ -411,7 +411,8 @@ namespace Hrt
         /// <summary>The finger's direction in the last step, and that less the real target's.</summary>
         public double finalDirectionDeg;
         public double finalMissDeg;
-        /// <summary>What the user felt in the last step, and that less the virtual target's.</summary>
+        /// <summary>What the user felt in the last step, and that less where they went: the virtual target's
+        /// direction and SessionConfig.biasDeg.</summary>
         public double perceivedDirectionDeg;
         public double perceivedErrorDeg;
         /// <summary>From the last position along the plate to the real target; from the start if none was
@@ -423,6 +424,93 @@ namespace Hrt
         /// <summary>White noise of each coordinate of the tracked positions, standard deviation, as learnt or
         /// configured.</summary>
         public double trackerNoiseM;
+        /// <summary>The user's motor variance as this reach corrects what the configuration assumes. Since
+        /// version 0.2.</summary>
+        public double motorVarianceDeg2;
+        /// <summary>Its standard deviation; close to SessionConfig.motorVarianceSdDeg2 if the reach could not
+        /// tell; 0: it is taken as known. Since version 0.2.</summary>
+        public double motorVarianceSdDeg2;
+    }
+
+    /// <summary>A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never
+    /// valid again.</summary>
+    [Serializable]
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Calibration
+    {
+        public ulong value;
+    }
+
+    /// <summary>What a calibration is. hrt_calibration_config_default() fills every field.</summary>
+    [Serializable]
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct CalibrationConfig
+    {
+        public uint structSize;
+        /// <summary>Trials that it can hold, 10 to 10000. Default 200.</summary>
+        public uint maxTrials;
+        /// <summary>Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at
+        /// creation. Default 100000: 18 minutes at 90 Hz.</summary>
+        public uint maxSamples;
+        public uint reserved;
+        /// <summary>Where the user is told to go, -180 to 180. Default 0: straight ahead.</summary>
+        public double goalDirectionDeg;
+    }
+
+    /// <summary>An estimate with the ends of its 95 % interval. This struct never grows.</summary>
+    [Serializable]
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Interval
+    {
+        public double value;
+        public double lower;
+        public double upper;
+        /// <summary>1, or 0: the data can't tell. Then the interval is what was searched, and the value no
+        /// more than its likeliest point.</summary>
+        public uint known;
+        public uint reserved;
+    }
+
+    /// <summary>What the slides tell of the user. The fields are those of SessionConfig. Set
+    /// <c>structSize</c> before the call.</summary>
+    [Serializable]
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct CalibrationResult
+    {
+        public uint structSize;
+        public uint reserved;
+        /// <summary>Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone
+        /// count.</summary>
+        public uint trials;
+        public uint trialsUsed;
+        /// <summary>Always known; otherwise hrt_calibration_solve() refuses.</summary>
+        public Interval tactileWeight;
+        /// <summary>Always known.</summary>
+        public Interval biasDeg;
+        /// <summary>Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly
+        /// is.</summary>
+        public Interval motorVarianceDeg2;
+        /// <summary>As motorVarianceDeg2.</summary>
+        public Interval sensoryVarianceDeg2;
+        /// <summary>Always known.</summary>
+        public Interval trackerNoiseM;
+    }
+
+    /// <summary>Where the library's memory comes from. The functions may be called from any thread, at the
+    /// same time; they must not call this library, and must not throw.</summary>
+    [Serializable]
+    [StructLayout(LayoutKind.Sequential)]
+    public partial struct Allocator
+    {
+        public uint structSize;
+        public uint reserved;
+        /// <summary>Passed to both functions; never read.</summary>
+        public IntPtr context;
+        /// <summary>Returns <c>size</c> bytes (at least 1) at a multiple of <c>alignment</c> (a power of
+        /// two), or null if it can't.</summary>
+        public IntPtr allocate;
+        /// <summary>Takes back what allocate() returned.</summary>
+        public IntPtr release;
     }
 
     /// <summary>How a recording does. Set <c>structSize</c> before the call.</summary>
@@ -597,19 +685,6 @@ namespace Hrt
             SessionHandle session, TargetId virtualTarget, ref Authority outAuthority);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_set_allocator(ref Allocator allocator);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_set_log_callback(LogCallback callback, IntPtr context);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_profile_save(
-            SessionHandle session, ulong capacity, [In, Out] byte[] outText, out ulong outLength);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_profile_load(SessionHandle session, [In] byte[] text, ulong length);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_reach_config_default(ref ReachConfig outConfig, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -621,6 +696,51 @@ namespace Hrt
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_reach_end(SessionHandle session, ref ReachSummary outSummary);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_config_default(
+            ref CalibrationConfig outConfig, uint structSize);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_create(
+            SessionHandle session, ref CalibrationConfig config, ref Calibration outCalibration);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_destroy(Calibration calibration);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_begin_trial(
+            Calibration calibration, double plateOrientationDeg);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_add_sample(Calibration calibration, ref Sample sample);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_end_trial(Calibration calibration);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_cancel_trial(Calibration calibration);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_solve(
+            Calibration calibration, ref CalibrationResult outResult);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_calibration_apply(
+            SessionHandle session, ref CalibrationResult result);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_set_allocator(ref Allocator allocator);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_set_log_callback(LogCallback callback, IntPtr context);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_profile_save(
+            SessionHandle session, ulong capacity, [In, Out] byte[] outText, out ulong outLength);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_profile_load(SessionHandle session, [In] byte[] text, ulong length);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_recording_start(SessionHandle session, [In] byte[] path);
