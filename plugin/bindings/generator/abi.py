@@ -118,7 +118,10 @@ def read(include: Path) -> Abi:
     texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
     macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
     macros = [name for name in macros if name not in ("HRT_API", "HRT_NOEXCEPT")]
-    tree = c_parser.CParser().parse(_preprocess(include, macros))
+    try:
+        tree = c_parser.CParser().parse(_preprocess(include, macros))
+    except c_parser.ParseError as error:
+        raise HeaderError(f"{error}: not C that pycparser reads") from error
 
     abi = Abi()
     for node in tree.ext:

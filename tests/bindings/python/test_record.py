@@ -56,6 +56,7 @@ def test_world_is_turned_into_plate_coordinates() -> None:
     ("# haptic", "# some", "line 1: not a recording"),
     ("call,result", "call,outcome", "line 6: the column result is missing"),
     ("begin,0", "start,0", "line 10: the row's call is 'start'"),
+    (",,-5,5,0.1,", ",,-5,,0.1,", "line 10: virtual_direction_deg is missing"),
     ("update,0,198125676", "update,0,soon", "line 28: .*'soon'"),
     ("update,0,198125676", "update,0,9" + 20 * "9", "line 28: time_ns is 9+, which is beyond int64"),
     ("update,0,198125676,", "update,0,", "line 28: the row has 29 columns; 30"),

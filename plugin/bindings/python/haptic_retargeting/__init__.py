@@ -14,23 +14,27 @@ from the user, counter-clockwise positive seen from above. Plate coordinates: x 
 The calls are those of the C library, which is found by the system's loader, or where HRT_LIBRARY says.
 """
 
-from ._abi import (Adaptation, Authority, Command, CommandFlag, Control, ErrorCode, Guidance, Place, ReachSummary,
-                   RecordingStatus, ReplayReport, Role, Sample, SampleFlag, SceneInfo, SceneTarget, SessionConfig,
-                   TargetConfig)
+from ._abi import (
+    Adaptation, Authority, CalibrationConfig, CalibrationResult, Command, CommandFlag, Control, ErrorCode,
+    Guidance, Interval, Place, ReachSummary, RecordingStatus, ReplayReport, Role, Sample, SampleFlag, SceneInfo,
+    SceneTarget, SessionConfig, TargetConfig,
+)
 from ._abi import VERSION as _VERSION
 from ._library import Error, library_version
+from .arrays import COMMAND, SAMPLE, commands, samples
+from .calibration import Calibration
 from .reach import Reach
 from .record import ReachRecord, Recording, RecordingError, read_recording, replay, target_place, world_to_plate
-from .arrays import COMMAND, SAMPLE, commands, samples
 from .scene import Scene
 from .session import Session, Target
 
 __version__ = ".".join(str(number) for number in _VERSION)
 
 __all__ = [
-    "Adaptation", "Authority", "COMMAND", "Command", "CommandFlag", "Control", "Error", "ErrorCode", "Guidance", "Place",
-    "Reach", "ReachRecord", "ReachSummary", "Recording", "RecordingError", "RecordingStatus", "ReplayReport", "Role",
-    "SAMPLE", "Sample", "SampleFlag", "Scene", "SceneInfo", "SceneTarget", "Session", "SessionConfig", "Target",
-    "TargetConfig", "commands", "library_version", "read_recording", "replay", "samples", "target_place",
+    "Adaptation", "Authority", "Calibration", "CalibrationConfig", "CalibrationResult", "COMMAND", "Command",
+    "CommandFlag", "commands", "Control", "Error", "ErrorCode", "Guidance", "Interval", "library_version",
+    "Place", "Reach", "ReachRecord", "ReachSummary", "read_recording", "Recording", "RecordingError",
+    "RecordingStatus", "replay", "ReplayReport", "Role", "SAMPLE", "Sample", "SampleFlag", "samples", "Scene",
+    "SceneInfo", "SceneTarget", "Session", "SessionConfig", "Target", "target_place", "TargetConfig",
     "world_to_plate",
 ]

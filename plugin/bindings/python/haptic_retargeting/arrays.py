@@ -44,7 +44,7 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
     _put(out, "finger_position_m", world_position_m, SampleFlag.WORLD_POSITION)
     _put(out, "plate_orientation_deg", plate_orientation_deg, SampleFlag.PLATE_ORIENTATION)
     if lifted is not None:
-        out["flags"] |= np.where(np.broadcast_to(np.asarray(lifted, bool), out.shape), SampleFlag.LIFTED, 0).astype("u4")
+        out["flags"][np.broadcast_to(np.asarray(lifted, bool), out.shape)] |= np.uint32(SampleFlag.LIFTED)
     return out
 
 
@@ -66,3 +66,11 @@ def commands(n: int) -> Array:
     out = np.zeros(n, COMMAND)
     out["struct_size"] = COMMAND.itemsize
     return out
+
+
+def expect_rows(array: Array, name: str, dtype: np.dtype[Any]) -> None:
+    """Raises unless the library can be given the array's memory."""
+    if array.dtype != dtype or array.ndim != 1 or not array.flags.c_contiguous:
+        raise TypeError(f"{name} must be one contiguous row of {dtype}, as haptic_retargeting.samples() makes")
+    if (array["struct_size"] != dtype.itemsize).any():
+        raise ValueError(f"{name} must have struct_size {dtype.itemsize} in each row")

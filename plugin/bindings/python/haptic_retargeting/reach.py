@@ -10,7 +10,7 @@ from ctypes import byref
 from . import _abi
 from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._library import Error, check, library
-from .arrays import COMMAND, SAMPLE, Array, commands
+from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
 
 
 class Pace:
@@ -93,15 +93,12 @@ class Reach:
 
         Neither array is copied. With `out`, commands go there; after an error it has those before it.
         """
-        _expect_rows(samples, "samples", SAMPLE)
-        if (samples["struct_size"] != SAMPLE.itemsize).any():
-            raise ValueError(f"samples must have struct_size {SAMPLE.itemsize} in each row, as haptic_retargeting.samples() sets")
+        expect_rows(samples, "samples", SAMPLE)
         if out is None:
             out = commands(len(samples))
-        _expect_rows(out, "out", COMMAND)
+        expect_rows(out, "out", COMMAND)
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
-        out["struct_size"] = COMMAND.itemsize
         for first in range(0, len(samples), Pace.LOOK_EVERY):
             rows = range(first, min(first + Pace.LOOK_EVERY, len(samples)))
             self._run_rows(rows, samples.ctypes.data, out.ctypes.data)
@@ -136,11 +133,6 @@ class Reach:
                 # What went wrong within the context is what is to be seen.
                 if kind is None:
                     raise
-
-
-def _expect_rows(array: Array, name: str, dtype: object) -> None:
-    if array.dtype != dtype or array.ndim != 1 or not array.flags.c_contiguous:
-        raise TypeError(f"{name} must be one contiguous row of {dtype}, as haptic_retargeting.samples() makes")
 
 
 def _update_at() -> ctypes._FuncPointer:

@@ -118,12 +118,10 @@ _SAMPLE_COLUMNS = {
 }
 _COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
 
-
-_INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {"result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32,
-             "step": np.int64}
-
-_NEEDED_COLUMNS = ("call", *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_COMMAND_COLUMNS, "real_direction_deg",
-                   "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
+_BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
+_INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
+    "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
+_NEEDED_COLUMNS = ("call", *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
 
 _Row = dict[str, Any]
 
@@ -160,7 +158,8 @@ class _Rows:
             results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
 
     def _column(self, name: str, missing: float) -> list[float]:
-        return [missing if row[name] is None else row[name] for row in self.updates]
+        """A column that the recording lacks, as commands of an earlier version had fewer, is missing in each row."""
+        return [missing if row.get(name) is None else row[name] for row in self.updates]
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
@@ -254,12 +253,16 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
     if row["call"] not in ("begin", "update", "end"):
         raise ValueError(f"the row's call is {row['call']!r}; allowed: begin, update, end")
     if row["call"] == "begin" and row["result"] == _abi.OK:
+        for column in _BEGIN_COLUMNS:
+            if row[column] is None:
+                raise ValueError(f"{column} is missing")
         reaches.append(_Rows(config, row))
     elif row["call"] == "update" and reaches and not reaches[-1].ended:
         reaches[-1].updates.append(row)
     elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
         reaches[-1].ended = True
-        reaches[-1].final_direction_deg = row["finger_direction_deg"]
+        direction_deg = row.get("finger_direction_deg")
+        reaches[-1].final_direction_deg = np.nan if direction_deg is None else direction_deg
 
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _abi
-from ._abi import Authority, Place, RecordingStatus, Role, SessionConfig, TargetConfig
+from ._abi import Authority, CalibrationResult, Place, RecordingStatus, Role, SessionConfig, TargetConfig
 from ._library import Error, check, library
 from .reach import Pace, Reach
 from .record import ReachRecord, target_place
@@ -260,6 +260,11 @@ class Session:
         check(library().hrt_profile_save(self.handle, len(text), text, byref(length)))
         profile: dict[str, Any] = json.loads(text.value)
         return profile
+
+    def apply_calibration(self, result: CalibrationResult) -> None:
+        """Takes what a Calibration has found into the configuration, and so into the profile. What it does not know
+        stays as it is."""
+        check(library().hrt_calibration_apply(self.handle, byref(result)))
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
         """Takes a profile into the configuration: a mapping, or JSON text. What it lacks stays as it is."""

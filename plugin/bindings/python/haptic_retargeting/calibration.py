@@ -1,0 +1,67 @@
+"""Who is this user? Their parameters from slides over a plate that stands still."""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from ctypes import byref
+from typing import Any
+
+from . import _abi
+from ._abi import CalibrationConfig, CalibrationResult
+from ._library import Error, check, library
+from .arrays import SAMPLE, Array, expect_rows
+from .session import Session
+
+
+class Calibration:
+    """Slides of one user, and what they tell.
+
+        with Calibration(session) as calibration:
+            for plate_deg, samples in slides:      # eight to ten at each of -60, -30, 0, 30 and 60 degrees
+                calibration.add_trial(plate_deg, samples)
+            result = calibration.solve()
+        session.apply_calibration(result)
+
+    The keywords are the fields of CalibrationConfig. The plate's place, the lift height and the step period are
+    those of the session as it is now. One thread at a time.
+    """
+
+    def __init__(self, session: Session, **fields: Any) -> None:
+        config = CalibrationConfig()
+        check(library().hrt_calibration_config_default(byref(config), ctypes.sizeof(config)))
+        for name, value in fields.items():
+            setattr(config, name, value)
+        self.handle = _abi.CalibrationHandle()
+        check(library().hrt_calibration_create(session.handle, byref(config), byref(self.handle)))
+        self._destroy = weakref.finalize(self, library().hrt_calibration_destroy, self.handle)
+
+    def close(self) -> None:
+        """Forgets the calibration and its trials. Twice does nothing."""
+        if self._destroy.alive:
+            check(self._destroy() or _abi.OK)
+
+    def __enter__(self) -> Calibration:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def add_trial(self, plate_orientation_deg: float, samples: Array) -> None:
+        """Adds one slide: an array of SAMPLE, with the plate at rest. After an error the trial is forgotten."""
+        expect_rows(samples, "samples", SAMPLE)
+        check(library().hrt_calibration_begin_trial(self.handle, plate_orientation_deg))
+        for row in range(len(samples)):
+            sample = _abi.Sample.from_address(samples.ctypes.data + row * SAMPLE.itemsize)
+            result = library().hrt_calibration_add_sample(self.handle, byref(sample))
+            if result != _abi.OK:
+                error = Error(result, f"samples[{row}]: {library().hrt_last_error().decode(errors='replace')}")
+                check(library().hrt_calibration_cancel_trial(self.handle))
+                raise error
+        check(library().hrt_calibration_end_trial(self.handle))
+
+    def solve(self) -> CalibrationResult:
+        """Fits the user to the trials, which stay. Takes some 50 microseconds a sample."""
+        result = CalibrationResult()
+        check(library().hrt_calibration_solve(self.handle, byref(result)))
+        return result
