@@ -3,6 +3,7 @@
 
 #include <mutex>
 #include <new>
+#include <thread>
 
 #include "samples/mock_runtime/functions.h"
 #include "samples/mock_runtime/runtime.h"
@@ -16,10 +17,15 @@ template <FunctionId id, typename... Args, XrResult (*implementation)(Args...)>
 struct Entry<id, implementation> {
   static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
     Runtime& the = runtime();
-    const std::lock_guard lock(the.mutex);
+    std::unique_lock lock(the.mutex);
     CallRecord record{.function = name_of(id)};
     try {
-      if (const auto fault = the.faults.next(id)) throw Error{*fault, "the script orders this error"};
+      if (const auto fault = the.faults.next(id)) {
+        lock.unlock();
+        std::this_thread::sleep_for(fault->delay);
+        lock.lock();
+        if (fault->result) throw Error{*fault->result, "the script orders this error"};
+      }
       the.fire_due_events();
       record.result = implementation(args...);
     } catch (const Error& error) {

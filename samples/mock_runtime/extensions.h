@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <cstdint>
 
 #include "samples/mock_runtime/functions.h"
@@ -18,6 +19,8 @@ enum class Extension {
   mock_control,
   count
 };
+
+using ExtensionSet = std::bitset<static_cast<std::size_t>(Extension::count)>;
 
 struct ExtensionInfo {
   const char* name;

@@ -193,11 +193,10 @@ Row row_of(FunctionId function) {
 
 }  // namespace
 
-std::optional<XrResult> Faults::next(FunctionId function) {
+std::optional<CallFault> Faults::next(FunctionId function) {
   const std::uint64_t call = ++calls_[static_cast<std::size_t>(function)];
   for (const CallFault& fault : faults_)
-    if (fault.function == function && call >= fault.call && call - fault.call < fault.count)
-      return fault.result;
+    if (fault.function == function && call >= fault.call && call - fault.call < fault.count) return fault;
   return std::nullopt;
 }
 

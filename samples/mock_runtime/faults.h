@@ -1,9 +1,10 @@
-// Errors on order: the n-th call of a function returns a chosen one.
+// Faults on order: the n-th call of a function fails with a chosen error, or takes long.
 #pragma once
 
 #include <openxr/openxr.h>
 
 #include <array>
+#include <chrono>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -14,9 +15,10 @@ namespace hrt::mock {
 
 struct CallFault {
   FunctionId function;
-  std::uint64_t call;   ///< the first call that fails, counted from 1
-  std::uint64_t count;  ///< how many in a row do
-  XrResult result;
+  std::uint64_t call;              ///< the first call that this happens to, counted from 1
+  std::uint64_t count;             ///< how many in a row it does
+  std::chrono::nanoseconds delay;  ///< of real time, before anything else
+  std::optional<XrResult> result;  ///< the error; nothing: the call does what it should
 };
 
 class Faults {
@@ -24,8 +26,8 @@ class Faults {
   Faults() = default;
   explicit Faults(std::vector<CallFault> faults) : faults_(std::move(faults)) {}
 
-  /// Counts a call. The error that it is to return, if it is.
-  std::optional<XrResult> next(FunctionId function);
+  /// Counts a call. What is to happen to it, if anything is.
+  std::optional<CallFault> next(FunctionId function);
 
  private:
   std::vector<CallFault> faults_;

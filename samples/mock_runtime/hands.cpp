@@ -32,6 +32,7 @@ XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT*
           "no such hand");
   require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "no such joint set");
+  require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED, "the system has no hand tracking");
   *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
   return XR_SUCCESS;
 }

@@ -22,7 +22,7 @@ bool is_text(const char (&array)[size]) {
 void Instance::enable(const char* name) {
   require_pointer(name, "an extension name");
   for (std::size_t i = 1; i < extensions.size(); ++i) {
-    if (std::strcmp(extensions[i].name, name) != 0) continue;
+    if (runtime().script.withheld[i] || std::strcmp(extensions[i].name, name) != 0) continue;
     extensions_.set(i);
     return;
   }
@@ -38,7 +38,9 @@ XrResult enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* c
 XrResult enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity,
                                                  std::uint32_t* count, XrExtensionProperties* properties) {
   require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no API layers");
-  const std::vector<ExtensionInfo> present(extensions.begin() + 1, extensions.end());
+  std::vector<ExtensionInfo> present;
+  for (std::size_t i = 1; i < extensions.size(); ++i)
+    if (!runtime().script.withheld[i]) present.push_back(extensions[i]);
   for (std::uint32_t i = 0; i < capacity && properties != nullptr; ++i)
     require_struct(&properties[i], XR_TYPE_EXTENSION_PROPERTIES, "properties");
   two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {

@@ -2,7 +2,6 @@
 
 #include <openxr/openxr.h>
 
-#include <bitset>
 #include <deque>
 
 #include "samples/mock_runtime/actions.h"
@@ -40,7 +39,7 @@ class Instance : public Object {
   SuggestedBindings suggestions;
 
  private:
-  std::bitset<static_cast<std::size_t>(Extension::count)> extensions_;
+  ExtensionSet extensions_;
 };
 
 void require_system(XrSystemId system);

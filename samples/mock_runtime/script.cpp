@@ -239,14 +239,36 @@ CallFault read_call(Members& members) {
   const Json& name = members.at("function");
   const auto function = name.is_string() ? find_function(name.get<std::string>()) : std::nullopt;
   if (!function) refuse(members.where("function"), "must be the name of a function of this runtime");
+  const std::uint64_t call = members.count("call", 1, 1), count = members.count("count", 1, 1);
+  const std::chrono::nanoseconds delay(members.nanoseconds("delay_ms", 0.0));
+  if (!members.has("result")) {
+    if (delay.count() == 0) refuse(members.where(), "must have a result, a delay_ms above 0, or both");
+    return {*function, call, count, delay, std::nullopt};
+  }
   const std::vector<XrResult> legal = legal_errors(*function);
   if (legal.empty()) refuse(members.where("function"), "must be the name of a function that may fail");
   std::vector<std::string> names;
   for (const XrResult result : legal) names.push_back(result_name(result));
   const std::string chosen = members.choice("result", names);
   const auto index = std::find(names.begin(), names.end(), chosen) - names.begin();
-  return {*function, members.count("call", 1, 1), members.count("count", 1, 1),
-          legal[static_cast<std::size_t>(index)]};
+  return {*function, call, count, delay, legal[static_cast<std::size_t>(index)]};
+}
+
+ExtensionSet read_withheld(Members& members) {
+  ExtensionSet withheld;
+  if (!members.has("withhold_extensions")) return withheld;
+  const Json& names = members.at("withhold_extensions");
+  const std::string where = members.where("withhold_extensions");
+  if (!names.is_array()) refuse(where, "must be an array");
+  std::vector<std::string> known;
+  for (std::size_t i = 1; i < extensions.size(); ++i) known.emplace_back(extensions[i].name);
+  for (const Json& name : names) {
+    const auto found =
+        name.is_string() ? std::find(known.begin(), known.end(), name.get<std::string>()) : known.end();
+    if (found == known.end()) refuse(where, "must hold names out of " + quoted_list(known));
+    withheld.set(static_cast<std::size_t>(found - known.begin()) + 1);
+  }
+  return withheld;
 }
 
 }  // namespace
@@ -265,6 +287,8 @@ Script parse_script(std::string_view text) {
   if (members.has("frame_rate_hz"))
     script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
   script.frame_times = members.boolean("frame_times", script.frame_times);
+  script.hand_tracking = members.boolean("hand_tracking", script.hand_tracking);
+  script.withheld = read_withheld(members);
   script.world.seed = members.count("seed", script.world.seed, 0);
   if (members.has("participants")) {
     script.world.participants.clear();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "samples/mock_runtime/clock.h"
+#include "samples/mock_runtime/extensions.h"
 #include "samples/mock_runtime/faults.h"
 #include "samples/mock_runtime/settings.h"
 
@@ -38,6 +39,8 @@ struct Script {
   Clock::Kind clock = Clock::Kind::manual;
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
+  bool hand_tracking = true;             ///< of the system: XrSystemHandTrackingPropertiesEXT
+  ExtensionSet withheld;                 ///< the runtime is as if it did not have these
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;

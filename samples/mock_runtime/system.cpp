@@ -40,7 +40,8 @@ XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemPro
   for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next != nullptr; next = next->next)
     if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT &&
         instance.enabled(Extension::hand_tracking))
-      reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking = XR_TRUE;
+      reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking =
+          runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;
 }
 

@@ -1,6 +1,7 @@
 #include "samples/mock_runtime/world.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "core/simulation/random.h"
 #include "core/trigonometry.h"
@@ -21,6 +22,20 @@ Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
   turned.w() = cos_deg(angle_deg / 2.0);
   turned.vec() = sin_deg(angle_deg / 2.0) * axis;
   return turned;
+}
+
+// The turn that takes one orientation to another, the short way round.
+struct TurnBetween {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+  double angle_deg = 0.0;
+};
+
+TurnBetween turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  Eigen::Quaterniond turned = to * from.conjugate();
+  if (turned.w() < 0.0) turned.coeffs() = -turned.coeffs();
+  const double sine = turned.vec().norm();
+  if (sine < 1e-12) return {};
+  return {turned.vec() / sine, 2.0 * atan2_deg(sine, turned.w())};
 }
 
 Eigen::Quaterniond hand_orientation(double yaw_deg) {
@@ -133,11 +148,12 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
   const Keyframe& to = *after;
   const double duration_s = static_cast<double>(to.time_ns - from.time_ns) * 1e-9;
   const double share = static_cast<double>(time - start_ - from.time_ns) * 1e-9 / duration_s;
+  const TurnBetween turned = turn_between(from.orientation, to.orientation);
   HandState state = in_world(from.index_tip_m + share * (to.index_tip_m - from.index_tip_m),
-                             from.orientation.slerp(share, to.orientation));
+                             turn(share * turned.angle_deg, turned.axis) * from.orientation);
   state.index_tip_velocity_m_per_s = (to.index_tip_m - from.index_tip_m) / duration_s;
-  const Eigen::AngleAxisd turn_between(to.orientation * from.orientation.conjugate());
-  state.angular_velocity_rad_per_s = turn_between.axis() * (turn_between.angle() / duration_s);
+  state.angular_velocity_rad_per_s =
+      turned.axis * (turned.angle_deg * (std::numbers::pi / 180.0) / duration_s);
   return state;
 }
 

@@ -1,6 +1,8 @@
 #include "samples/reach/application.h"
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -9,6 +11,7 @@
 #include <utility>
 
 #include "samples/reach/followed_plate.h"
+#include "samples/reach/interrupt.h"
 #include "samples/reach/reach.h"
 #include "samples/reach/runtime_plate.h"
 #include "samples/reach/serial_plate.h"
@@ -21,7 +24,6 @@ namespace hrt::reach {
 namespace {
 
 constexpr int losses_allowed = 3;  // of the session or the instance, in a row
-constexpr std::chrono::milliseconds runtime_limit{10'000};
 
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config;
@@ -53,7 +55,7 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
 }
 
 std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
-                                  const std::string& runtime_name) {
+                                  const XrHeadlessSession& session, const std::string& runtime_name) {
   switch (choice.kind) {
     case PlateChoice::Kind::servo:
       return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
@@ -65,7 +67,7 @@ std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulat
   if (simulation == nullptr)
     throw Failure(ExitCode::plate,
                   "the OpenXR runtime " + runtime_name + " has no plate to turn; --plate names another one");
-  return std::make_unique<RuntimePlate>(*simulation);
+  return std::make_unique<RuntimePlate>(*simulation, session);
 }
 
 // The reaches of one run, across as many sessions and instances as the runtime makes necessary.
@@ -86,7 +88,32 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
+  // However it ends, what has been made until then is kept.
   ExitCode run() {
+    ExitCode code = ExitCode::success;
+    try {
+      make_reaches();
+    } catch (const Interrupted&) {
+      status_.clear();
+      std::cerr << "hrt-reach: interrupted; the reach under way counts for nothing\n";
+      code = ExitCode::interrupted;
+    } catch (...) {
+      status_.clear();
+      keep_files_as_they_are();
+      throw;
+    }
+    table_.print_legend(std::cout);
+    print_summary(std::cout, tally_);
+    check_output();
+    stop_recording();
+    write_plot();
+    if (code == ExitCode::success && tally_.holdable_reached < tally_.holdable)
+      code = ExitCode::target_missed;
+    return code;
+  }
+
+ private:
+  void make_reaches() {
     int losses = 0;
     while (next_ < pairs_.size()) {
       const std::size_t before = next_;
@@ -101,18 +128,22 @@ class Run {
         std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
       }
     }
-    stop_recording();
-    write_plot();
-    table_.print_legend(std::cout);
-    print_summary(std::cout, tally_);
-    return tally_.holdable_reached == tally_.holdable ? ExitCode::success : ExitCode::target_missed;
   }
 
- private:
+  // On the way out with a failure, which must not be hidden by another one.
+  void keep_files_as_they_are() {
+    try {
+      stop_recording();
+      write_plot();
+    } catch (const Failure& failure) {
+      std::cerr << "hrt-reach: " << failure.what() << "\n";
+    }
+  }
+
   // Makes instance and session and goes on with the reaches that are left.
   void run_in_one_session() {
-    const XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
-    XrHeadlessSession session(runtime, targets_.plate_pose, runtime_limit);
+    XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
+    XrHeadlessSession session(runtime, targets_.plate_pose, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
@@ -121,7 +152,7 @@ class Run {
       simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
     }
     std::unique_ptr<Plate> plate =
-        make_plate(options_.plate, simulation ? &*simulation : nullptr, runtime.name());
+        make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
     if (simulation && options_.plate.kind != PlateChoice::Kind::runtime)
       plate = std::make_unique<FollowedPlate>(std::move(plate), *simulation);
     is_simulated_ = simulation.has_value();
@@ -140,6 +171,7 @@ class Run {
       const ReachResult result = run_reach(stage, pairs_[next_]);
       status_.clear();
       table_.print_row(std::cout, pairs_[next_], result);
+      check_output();
       tally_.add(pairs_[next_], result);
       if (plot_.is_open() && plotted_.size() <= most_plotted) plotted_.push_back({pairs_[next_], result});
     }
@@ -168,22 +200,32 @@ class Run {
                                           std::to_string(status.rows_lost) + " rows could not be written");
   }
 
+  // Whoever reads the rows may have gone.
+  static void check_output() {
+    if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
+  }
+
   void open_plot() {
     if (options_.plot.empty()) return;
     plot_.open(options_.plot);
-    if (!plot_) throw Failure(ExitCode::output, options_.plot.string() + " cannot be written");
+    if (!plot_) fail_to_plot();
   }
 
   void write_plot() {
     if (!plot_.is_open()) return;
     plot_ << svg_of(plotted_, targets_, origin()) << std::flush;
-    if (!plot_) throw Failure(ExitCode::output, options_.plot.string() + " cannot be written");
+    if (!plot_) fail_to_plot();
+  }
+
+  [[noreturn]] void fail_to_plot() const {
+    throw Failure(ExitCode::output, options_.plot.string() + " cannot be written: " + std::strerror(errno));
   }
 
   void print_header_once(const XrRuntime& runtime) {
     if (std::exchange(header_printed_, true)) return;
     std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
     table_.print_header(std::cout);
+    check_output();
   }
 
   const Options& options_;

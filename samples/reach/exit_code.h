@@ -14,11 +14,13 @@ enum class ExitCode : int {
   scene = 4,           ///< the scene cannot be loaded, or has no such target
   no_runtime = 5,      ///< no OpenXR runtime answers
   runtime_lacks = 6,   ///< the runtime has no hand tracking, or no headless session
-  runtime_failed = 7,  ///< the runtime failed, or was lost too often, or ended the session
+  runtime_failed = 7,  ///< the runtime failed, or was lost too often, or ended the session, or let it not run
   no_hand = 8,         ///< no fingertip came to the start, or the reach did not end, in time
   plate = 9,           ///< the plate's device failed
-  output = 10,         ///< a file cannot be written
-  internal = 70,       ///< a defect of hrt-reach, or no memory
+  output = 10,         ///< a file, or the standard output, cannot be written
+  runtime_blocked = 11,  ///< xrWaitFrame did not return in time
+  internal = 70,         ///< a defect of hrt-reach, or no memory
+  interrupted = 130,     ///< by SIGINT, SIGTERM or SIGHUP
 };
 
 /// Ends the program with one sentence on stderr and an exit code of its own.

@@ -1,14 +1,18 @@
+#include <csignal>
 #include <cstdlib>
 #include <iostream>
 
 #include "samples/reach/application.h"
 #include "samples/reach/exit_code.h"
+#include "samples/reach/interrupt.h"
 #include "samples/reach/options.h"
 #include "samples/reach/xr_check.h"
 
 int main(int argc, char** argv) {
   using hrt::reach::ExitCode;
   hrt::reach::Options options;
+  hrt::reach::note_interrupts();
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
   // The loader would tell of a failure in six lines of its own. Whoever wants those sets this.
   setenv("XR_LOADER_DEBUG", "none", 0);
   try {
@@ -16,6 +20,11 @@ int main(int argc, char** argv) {
     return static_cast<int>(hrt::reach::run(options));
   } catch (const hrt::reach::Failure& failure) {
     std::cerr << "hrt-reach: " << failure.what() << "\n";
+    // A thread is inside the runtime, whose library must not be closed under it.
+    if (failure.code() == ExitCode::runtime_blocked) {
+      std::cout.flush();
+      std::_Exit(static_cast<int>(failure.code()));
+    }
     return static_cast<int>(failure.code());
   } catch (const hrt::reach::XrFailure& failure) {
     std::cerr << "hrt-reach: the OpenXR runtime failed: " << failure.what() << "\n";

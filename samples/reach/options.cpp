@@ -1,7 +1,7 @@
 #include "samples/reach/options.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
+#include <cmath>
 
 #include "samples/reach/exit_code.h"
 
@@ -22,11 +22,13 @@ constexpr const char* exit_codes =
     "  4  the scene cannot be loaded, or has no such target\n"
     "  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest)\n"
     "  6  the runtime has no headless sessions or no hand tracking\n"
-    "  7  the runtime failed, was lost too often, or ended the session\n"
+    "  7  the runtime failed, was lost too often, ended the session, or kept it from running\n"
     "  8  no fingertip came to the start, or a reach did not end, in time\n"
     "  9  the plate's device failed\n"
-    " 10  a file cannot be written\n"
-    " 70  anything else\n";
+    " 10  a file, or the standard output, cannot be written\n"
+    " 11  the runtime did not return from xrWaitFrame\n"
+    " 70  anything else\n"
+    "130  interrupted (Ctrl-C)\n";
 
 // CLI11's own range lets NaN through.
 CLI::Validator between(double low, double high, const std::string& range) {
@@ -75,6 +77,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   std::string hand = "right";
   std::string plate = "runtime";
   std::string controller = "adaptive";
+  double runtime_limit_s = 10.0;
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
@@ -102,6 +105,8 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
           "PLATE"));
   app.add_option("--time-limit", options.time_limit_s, "Seconds for a reach, and for its start [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+  app.add_option("--runtime-limit", runtime_limit_s, "Seconds that a wait for the runtime may take [10]")
+      ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option(
          "--controller", controller,
          "adaptive: learns the user's share of touch and aims by line of sight; or paper: takes it as\n"
@@ -128,6 +133,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
     return static_cast<int>(ExitCode::usage);
   }
   options.plate = *parse_plate(plate);
+  options.runtime_limit = std::chrono::milliseconds(std::llround(runtime_limit_s * 1e3));
   options.adaptive = controller == "adaptive";
   if (hand == "left") options.hands = {Hand::left};
   if (hand == "right") options.hands = {Hand::right};

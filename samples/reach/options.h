@@ -1,6 +1,7 @@
 // The command line of hrt-reach.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -27,7 +28,8 @@ struct Options {
   std::vector<Hand> hands;
   PlateChoice plate;
   double time_limit_s = 30.0;
-  bool adaptive = true;  ///< else the paper's controller
+  std::chrono::milliseconds runtime_limit{10'000};  ///< for every wait for the runtime
+  bool adaptive = true;                             ///< else the paper's controller
   double tactile_weight = 0.15;
   double motor_variance_deg2 = 0.5;
   std::filesystem::path record;  ///< empty: none

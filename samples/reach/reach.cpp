@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <optional>
 #include <string>
 
@@ -17,6 +18,12 @@ constexpr double lifted_height_m = 0.025;  // a fingertip higher than this does 
 constexpr double start_radius_m = 0.015;   // a finger this near the start is there
 constexpr XrDuration settle_ns = 300'000'000;
 constexpr double rest_m = 0.004;  // a finger that has moved less in settle_ns is at rest
+
+std::string within_s(XrDuration limit_ns) {
+  char text[32];
+  std::snprintf(text, sizeof text, "within %g s", static_cast<double>(limit_ns) * 1e-9);
+  return text;
+}
 
 double distance_along_plate_m(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[2] - b[2]);
@@ -87,6 +94,45 @@ XrTime next_frame(Stage& stage) {
   return time;
 }
 
+bool is_on_plate(const Stage& stage, const Fingertip& tip) {
+  return tip.tracked && tip.position_m[1] <= lifted_height_m &&
+         distance_along_plate_m(tip.position_m, {}) <= stage.targets.plate_radius_m;
+}
+
+// The finger that slides. When it has been off the plate for settle_ns and the other hand's is on it, that
+// one takes over: the user changed hands, or the tracker takes one hand for the other.
+class FingerInUse {
+ public:
+  FingerInUse(Stage& stage, Hand first, XrTime now)
+      : stage_(stage), hand_(first), came_(now), on_plate_(now) {}
+
+  Fingertip locate(XrTime time) {
+    const Fingertip tip = stage_.session.locate(hand_, time);
+    if (is_on_plate(stage_, tip)) on_plate_ = time;
+    if (time - on_plate_ < settle_ns || stage_.simulation != nullptr) return tip;
+    for (const Hand other : stage_.hands) {
+      const Fingertip others = other == hand_ ? Fingertip{} : stage_.session.locate(other, time);
+      if (!is_on_plate(stage_, others)) continue;
+      hand_ = other;
+      came_ = on_plate_ = time;
+      changed_ = true;
+      return others;
+    }
+    return tip;
+  }
+
+  Hand hand() const { return hand_; }
+  XrTime came() const { return came_; }
+  bool has_changed() const { return changed_; }
+
+ private:
+  Stage& stage_;
+  Hand hand_;
+  XrTime came_;
+  XrTime on_plate_;  // when it was last seen there
+  bool changed_ = false;
+};
+
 // Waits until one of the hands rests its fingertip at the start, and tells which.
 Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
   stage.tell_user("Put your index finger to the start, then slide it to \"" + pair.virtual_name + "\".");
@@ -107,29 +153,31 @@ Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
       }
     }
   }
-  throw Failure(ExitCode::no_hand, "no index finger came to the start within " +
-                                       std::to_string(stage.time_limit_ns / 1'000'000'000) + " s");
+  throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns));
 }
 
-// True if the finger, after at least half its way, has stayed in place for as long as settle_ns.
-bool is_at_rest(const std::vector<Moment>& moments, const Point& start_m, double distance_m) {
+// True if this finger, after at least half the way, has been seen to stay in place for as long as settle_ns.
+bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m,
+                double distance_m) {
   const Moment& last = moments.back();
   if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < distance_m / 2.0) return false;
-  for (auto moment = moments.rbegin(); moment != moments.rend(); ++moment) {
+  for (auto moment = moments.rbegin(); moment != moments.rend() && moment->time >= finger_came; ++moment) {
+    if (!moment->tracked) continue;
+    if (distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;
     if (last.time - moment->time >= settle_ns) return true;
-    if (moment->tracked && distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;
   }
   return false;
 }
 
 // The path's length has been gone (which a simulated participant tells), or the finger touches the real
 // target or has come to rest (which is all that can be known of a person).
-bool has_arrived(const Stage& stage, const TargetPair& pair, Hand hand, const std::vector<Moment>& moments) {
-  if (stage.simulation != nullptr) return stage.simulation->truth(hand).done;
+bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
+                 const std::vector<Moment>& moments) {
+  if (stage.simulation != nullptr) return stage.simulation->truth(finger.hand()).done;
   const Moment& last = moments.back();
   return (last.tracked &&
           distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m) ||
-         is_at_rest(moments, stage.targets.start_m, pair.real_distance_m);
+         is_at_rest(moments, finger.came(), stage.targets.start_m, pair.real_distance_m);
 }
 
 ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, const hrt_reach_summary& summary,
@@ -167,22 +215,23 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
 }  // namespace
 
 ReachResult run_reach(Stage& stage, const TargetPair& pair) {
-  const Hand hand = stage.simulation != nullptr ? stage.hands.front() : await_finger_at_start(stage, pair);
+  const Hand first = stage.simulation != nullptr ? stage.hands.front() : await_finger_at_start(stage, pair);
   const XrTime began = next_frame(stage);
+  FingerInUse finger(stage, first, began);
   ActiveReach reach(stage, pair, began);
   if (stage.simulation != nullptr) {
     Point start_m = stage.targets.start_m;
     start_m[1] += tip_height_m;
-    stage.simulation->instruct(hand, start_m, pair.virtual_direction_deg, pair.real_distance_m);
+    stage.simulation->instruct(first, start_m, pair.virtual_direction_deg, pair.real_distance_m);
   }
 
   std::vector<Moment> moments;
-  for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, hand, moments);
+  for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, finger, moments);
        time = next_frame(stage)) {
     if (time - began > stage.time_limit_ns)
-      throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end within " +
-                                           std::to_string(stage.time_limit_ns / 1'000'000'000) + " s");
-    const Fingertip tip = stage.session.locate(hand, time);
+      throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end " +
+                                           within_s(stage.time_limit_ns));
+    const Fingertip tip = finger.locate(time);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
     const hrt_command command = reach.update(time, tip, measured_deg);
     stage.plate.command(time, command.plate_orientation_deg);
@@ -199,11 +248,13 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0,
                   .can_be_held = (command.flags & HRT_COMMAND_UNREACHABLE) == 0};
     if (stage.simulation != nullptr)
-      moment.felt_direction_deg = stage.simulation->truth(hand).perceived_direction_deg;
+      moment.felt_direction_deg = stage.simulation->truth(first).perceived_direction_deg;
     moments.push_back(moment);
     stage.on_frame(pair, moment);
   }
-  return result_of(stage, pair, hand, reach.end(), std::move(moments));
+  ReachResult result = result_of(stage, pair, first, reach.end(), std::move(moments));
+  result.changed_hands = finger.has_changed();
+  return result;
 }
 
 }  // namespace hrt::reach

@@ -36,6 +36,7 @@ struct ReachResult {
   double assumed_weight;       ///< what the controller assumed of that at the end
   bool can_be_held;            ///< with what it assumed then (HRT_COMMAND_UNREACHABLE)
   double largest_gap_deg;      ///< between real and virtual direction that can be held so (authority.h)
+  bool changed_hands;          ///< within the reach, so that two fingers made it
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate

@@ -8,7 +8,8 @@ namespace hrt::reach {
 
 class RuntimePlate : public Plate {
  public:
-  explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
+  RuntimePlate(Simulation& simulation, const XrHeadlessSession& session)
+      : simulation_(simulation), session_(session) {}
 
   void command(XrTime time, double orientation_deg) override {
     const double from_deg = simulation_.plate_orientation_deg(time);
@@ -18,11 +19,13 @@ class RuntimePlate : public Plate {
     return simulation_.plate_orientation_deg(time);
   }
   void stop(XrTime time) override {
+    if (session_.is_blocked()) return;  // a call to it might not come back either
     simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));
   }
 
  private:
   Simulation& simulation_;
+  const XrHeadlessSession& session_;
 };
 
 }  // namespace hrt::reach

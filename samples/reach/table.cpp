@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "samples/reach/text.h"
+
 namespace hrt::reach {
 namespace {
 
@@ -17,15 +19,6 @@ std::string format(const char* pattern, Values... values) {
   char line[512];
   std::snprintf(line, sizeof line, pattern, values...);
   return line;
-}
-
-// Names come from a file: what a terminal would obey, or what would break the columns, does not get through.
-std::string printable(const std::string& name, std::size_t width) {
-  std::string cut;
-  for (const char c : name.substr(0, width))
-    cut += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? '?' : c;
-  cut.resize(width, ' ');
-  return cut;
 }
 
 // Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
@@ -47,21 +40,21 @@ bool is_reached(const TargetPair& pair, const ReachResult& result) {
 Table::Table(const std::vector<TargetPair>& pairs)
     : virtual_width_(std::string_view("virtual").size()), real_width_(virtual_width_) {
   for (const TargetPair& pair : pairs) {
-    virtual_width_ = std::min(widest_name, std::max(virtual_width_, pair.virtual_name.size()));
-    real_width_ = std::min(widest_name, std::max(real_width_, pair.real_name.size()));
+    virtual_width_ = std::min(widest_name, std::max(virtual_width_, length_of(pair.virtual_name)));
+    real_width_ = std::min(widest_name, std::max(real_width_, length_of(pair.real_name)));
   }
 }
 
 void Table::print_header(std::ostream& out) const {
-  out << printable("virtual", virtual_width_) << format(" %6s  ", "deg") << printable("real", real_width_)
+  out << padded_to("virtual", virtual_width_) << format(" %6s  ", "deg") << padded_to("real", real_width_)
       << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %5s %6s\n", "deg", "final deg", "felt deg", "miss deg",
                 "miss mm", "touch", "assumed", "frames", "lost", "bound");
 }
 
 void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
-  out << printable(pair.virtual_name, virtual_width_)
+  out << padded_to(pair.virtual_name, virtual_width_)
       << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
-      << printable(pair.real_name, real_width_)
+      << padded_to(pair.real_name, real_width_)
       << format(" %+6.1f  %+9.2f %+8.2f %+8.2f %7.1f  %5s %7.3f %7d %5d %5.0f%%  %s",
                 without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
                 result.felt_direction_deg, result.miss_deg, result.miss_m * 1e3,
@@ -70,6 +63,7 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
                 is_reached(pair, result) ? "reached" : "missed");
   if (!result.can_be_held)
     out << format(" (cannot be held: with this touch, gaps up to %.1f deg can)", result.largest_gap_deg);
+  if (result.changed_hands) out << " (hands changed)";
   out << std::endl;
 }
 

@@ -50,7 +50,7 @@ XrRuntime::XrRuntime(const std::vector<std::string>& optional_extensions) {
 }
 
 XrRuntime::~XrRuntime() {
-  xrDestroyInstance(instance_);
+  if (!abandoned_) xrDestroyInstance(instance_);
 }
 
 bool XrRuntime::enabled(const std::string& extension) const {

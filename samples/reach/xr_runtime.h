@@ -31,6 +31,10 @@ class XrRuntime {
   const std::string& name() const { return name_; }
   bool enabled(const std::string& extension) const;
 
+  /// A call into the runtime does not come back: nothing may be destroyed under it any more.
+  void abandon() { abandoned_ = true; }
+  bool is_abandoned() const { return abandoned_; }
+
   /// A function of the API or of an enabled extension.
   template <class Function>
   Function function(const char* function_name) const {
@@ -47,6 +51,7 @@ class XrRuntime {
   std::string name_;
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;
+  bool abandoned_ = false;
 };
 
 }  // namespace hrt::reach

@@ -1,10 +1,12 @@
 #include "samples/reach/xr_session.h"
 
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <thread>
 
 #include "samples/reach/exit_code.h"
+#include "samples/reach/interrupt.h"
 
 namespace hrt::reach {
 namespace {
@@ -20,6 +22,12 @@ constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames h
   throw Failure(ExitCode::runtime_failed, sentence);
 }
 
+std::string within(std::chrono::milliseconds limit) {
+  char text[32];
+  std::snprintf(text, sizeof text, "within %g s", static_cast<double>(limit.count()) * 1e-3);
+  return text;
+}
+
 bool can_be_observed(const XrHandJointLocationEXT& joint) {
   constexpr XrSpaceLocationFlags needed =
       XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
@@ -30,7 +38,7 @@ bool can_be_observed(const XrHandJointLocationEXT& joint) {
 
 }  // namespace
 
-XrHeadlessSession::XrHeadlessSession(const XrRuntime& runtime, const XrPosef& plate_pose,
+XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, const XrPosef& plate_pose,
                                      std::chrono::milliseconds limit)
     : runtime_(runtime), limit_(limit) {
   try {
@@ -57,6 +65,7 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO};
   session_info.systemId = runtime_.system();
   CHECK_XR(xrCreateSession(runtime_.instance(), &session_info, &session_));
+  frame_waiter_.emplace(session_);
 
   XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
   space_info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
@@ -76,6 +85,8 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
 
 // Handles of a lost session or instance are still destroyed; what that returns then changes nothing.
 void XrHeadlessSession::destroy() {
+  if (is_blocked()) return;
+  frame_waiter_.reset();
   for (const XrHandTrackerEXT tracker : trackers_)
     if (tracker != XR_NULL_HANDLE) destroy_hand_tracker_(tracker);
   if (plate_space_ != XR_NULL_HANDLE) xrDestroySpace(plate_space_);
@@ -86,6 +97,7 @@ void XrHeadlessSession::destroy() {
 XrTime XrHeadlessSession::next_frame() {
   const auto give_up = Clock::now() + limit_;
   for (;;) {
+    throw_if_interrupted();
     poll_events();
     if (!running_) wait_until_running();
     const std::optional<XrTime> time = frame_of_runtime();
@@ -103,7 +115,7 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
     return time_now();
   }
   XrFrameState frame{XR_TYPE_FRAME_STATE};
-  const XrResult waited = xrWaitFrame(session_, nullptr, &frame);
+  const XrResult waited = wait_frame(frame);
   if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
   const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
   if (has_loop) CHECK_XR_NAMED("xrWaitFrame", waited);
@@ -119,6 +131,13 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   return frame.predictedDisplayTime;
 }
 
+XrResult XrHeadlessSession::wait_frame(XrFrameState& frame) {
+  if (const std::optional<XrResult> waited = frame_waiter_->wait(frame, limit_)) return *waited;
+  runtime_.abandon();
+  throw Failure(ExitCode::runtime_blocked, "the OpenXR runtime " + runtime_.name() +
+                                               " has not returned from xrWaitFrame " + within(limit_));
+}
+
 XrTime XrHeadlessSession::time_now() const {
   if (convert_timespec_ == nullptr)
     fail("the OpenXR runtime gives its frames no time and has no XR_KHR_convert_timespec_time to ask for it");
@@ -132,8 +151,8 @@ XrTime XrHeadlessSession::time_now() const {
 void XrHeadlessSession::wait_until_running() {
   const auto give_up = Clock::now() + limit_;
   while (!running_) {
-    if (Clock::now() > give_up)
-      fail("the OpenXR runtime did not let the session run within " + std::to_string(limit_.count()) + " ms");
+    throw_if_interrupted();
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not let the session run " + within(limit_));
     std::this_thread::sleep_for(poll_period);
     poll_events();
   }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <optional>
 
+#include "samples/reach/frame_waiter.h"
 #include "samples/reach/xr_runtime.h"
 
 namespace hrt::reach {
@@ -22,14 +23,15 @@ class XrHeadlessSession {
  public:
   /// `plate_pose`: of the plate's mount in the LOCAL reference space. `limit` bounds every wait for the
   /// runtime. Throws XrFailure.
-  XrHeadlessSession(const XrRuntime& runtime, const XrPosef& plate_pose, std::chrono::milliseconds limit);
+  XrHeadlessSession(XrRuntime& runtime, const XrPosef& plate_pose, std::chrono::milliseconds limit);
   ~XrHeadlessSession();
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
   /// Goes on to the next frame and returns its time, which is later than any before. While the runtime
   /// keeps the session from running, waits. Throws XrLost when the session has to be made anew; Failure
-  /// (ExitCode::runtime_failed) when the runtime ended it for good, or when a wait went over its limit.
+  /// (ExitCode::runtime_failed) when the runtime ended it for good, or when a wait went over its limit;
+  /// Failure (ExitCode::runtime_blocked) when xrWaitFrame did; Interrupted.
   XrTime next_frame();
 
   /// The fingertip at a time that next_frame() returned.
@@ -41,6 +43,8 @@ class XrHeadlessSession {
   XrSession handle() const { return session_; }
   XrSpace local_space() const { return local_space_; }
   XrSessionState state() const { return state_; }
+  /// xrWaitFrame did not return in time, so that this session does nothing any more.
+  bool is_blocked() const { return runtime_.is_abandoned(); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -51,11 +55,13 @@ class XrHeadlessSession {
   void change_state(XrSessionState state);
   void wait_until_running();
   std::optional<XrTime> frame_of_runtime();
+  XrResult wait_frame(XrFrameState& frame);
   XrTime time_now() const;
 
-  const XrRuntime& runtime_;
+  XrRuntime& runtime_;
   std::chrono::milliseconds limit_;
   XrSession session_ = XR_NULL_HANDLE;
+  std::optional<FrameWaiter> frame_waiter_;
   XrSpace local_space_ = XR_NULL_HANDLE;
   XrSpace plate_space_ = XR_NULL_HANDLE;
   std::array<XrHandTrackerEXT, 2> trackers_{};

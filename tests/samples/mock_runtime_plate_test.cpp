@@ -118,6 +118,33 @@ TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
   EXPECT_EQ(hash, 1643045907662805376U);
 }
 
+// All joints of a hand on a path that turns, with noise: positions, axes and velocities.
+TEST_F(MockPlate, BytesOfAPathAreThoseOfEveryHost) {
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"tracker": {"noise_mm": 1.2},
+      "hands": {"right": {"path": [
+        {"time_ms": 0, "position_m": [0.1, -0.3, -0.2], "orientation": [0.6, 0, 0, 0.8]},
+        {"time_ms": 700, "position_m": [0.2, -0.4, -0.3], "orientation": [0, -0.8, 0, -0.6]},
+        {"time_ms": 1100, "position_m": [0.15, -0.35, -0.3]}]}}})"));
+  begin_session();
+  plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+  hand = create_hand_tracker();
+  std::uint64_t hash = 0xCBF29CE484222325;  // FNV-1a
+  const auto add = [&](const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001B3;
+  };
+  for (int i = 0; i < 120; ++i) {
+    const Hand located = locate_hand(hand, plate_space, frame());
+    for (const XrHandJointLocationEXT& joint : located.joints) add(&joint.pose, sizeof joint.pose);
+    for (const XrHandJointVelocityEXT& joint : located.velocities) {
+      add(&joint.linearVelocity, sizeof joint.linearVelocity);
+      add(&joint.angularVelocity, sizeof joint.angularVelocity);
+    }
+  }
+  EXPECT_EQ(hash, 6320616707752531313U);
+}
+
 TEST_F(MockPlate, OneReachWithOneSeedGivesTheSameBytes) {
   std::array<std::vector<XrVector3f>, 2> paths;
   for (auto& path : paths) {

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "tests/samples/mock_runtime_support.h"
 
@@ -85,6 +86,10 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.calls[0].function must be the name of a function"},
       {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_POSE_INVALID"}]})",
        "script.calls[0].result must be one of \"XR_ERROR_SESSION_NOT_RUNNING\""},
+      {R"({"calls": [{"function": "xrWaitFrame"}]})",
+       "script.calls[0] must have a result, a delay_ms above 0, or both"},
+      {R"({"withhold_extensions": ["XR_EXT_none"]})",
+       "script.withhold_extensions must hold names out of \"XR_MND_headless\""},
   };
   for (const auto& [script, why] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
@@ -115,6 +120,21 @@ TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
     EXPECT_XR(fails ? XR_ERROR_RUNTIME_FAILURE : XR_SUCCESS, xrLocateSpace(local, local, 1, &location));
     EXPECT_EQ(location.locationFlags, fails ? 99U : 15U);
   }
+}
+
+// A call takes long, in real time whatever the clock, and other threads' calls do not wait for it.
+TEST_F(MockScript, CallsTakeLongOnOrder) {
+  begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 300}]})");
+  EXPECT_XR(XR_SUCCESS, wait());
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
+  std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
+  while (call_log().back().function == std::string("xrBeginFrame") &&
+         elapsed() < std::chrono::milliseconds(100))
+    EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
+  EXPECT_LT(elapsed(), std::chrono::milliseconds(250));
+  waiter.join();
+  EXPECT_GE(elapsed(), std::chrono::milliseconds(300));
 }
 
 TEST_F(MockScript, SeveralFunctionsFailOnOrderIndependently) {
@@ -470,6 +490,39 @@ TEST_F(MockEnvironment, ScriptOfTheEnvironmentAppliesFromTheFirstCall) {
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
   EXPECT_NE(read_log().find("xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
             std::string::npos);
+}
+
+std::vector<std::string> enumerated_extensions() {
+  std::uint32_t count = 0;
+  EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
+  std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
+  EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
+  std::vector<std::string> names;
+  for (const auto& property : properties) names.emplace_back(property.extensionName);
+  return names;
+}
+
+TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
+  write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time"]})");
+  const auto names = enumerated_extensions();
+  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
+  EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
+}
+
+// "XrSystemHandTrackingPropertiesEXT [...] supportsHandTracking"; "XR_ERROR_FEATURE_UNSUPPORTED must be
+// returned [...] if the system does not support hand tracking".
+TEST_F(MockScript, SystemHasNoHandTrackingOnOrder) {
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"hand_tracking": false})"));
+  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT, nullptr, XR_TRUE};
+  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
+  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
+  EXPECT_EQ(hands.supportsHandTracking, static_cast<XrBool32>(XR_FALSE));
+  begin_session();
+  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                        XR_HAND_JOINT_SET_DEFAULT_EXT};
+  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_FEATURE_UNSUPPORTED, functions->create_hand_tracker(session, &info, &tracker));
 }
 
 TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {

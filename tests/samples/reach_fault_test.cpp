@@ -2,6 +2,8 @@
 // order.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -81,6 +83,12 @@ TEST(ReachFault, FocusComesAndGoes) {
                                R"("}, {"frame": 120, "do": "session_state", "state": "FOCUSED"}]})";
     expect_all_reached(run_desk(script), script);
   }
+}
+
+TEST(ReachFault, AStateIsToldTwice) {
+  const std::string script = "{" + calm + R"(, "events": [{"frame": 1, "do": "repeat_session_state"},
+                                                          {"frame": 100, "do": "repeat_session_state"}]})";
+  expect_all_reached(run_desk(script), script);
 }
 
 TEST(ReachFault, TheRuntimeStopsTheSessionAndStartsItAgain) {
@@ -173,6 +181,71 @@ TEST(ReachFault, AFailedCallIsNamed) {
           << outcome.err;
       EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     }
+  }
+}
+
+// One sentence and nothing else, and an exit code of its own.
+void expect_refused(const Outcome& outcome, int exit_code, const std::string& sentence) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(says(outcome, sentence)) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(ReachFault, TheRuntimeLacksWhatIsNeeded) {
+  for (const std::string extension : {"XR_MND_headless", "XR_EXT_hand_tracking"})
+    expect_refused(run_desk(R"({"withhold_extensions": [")" + extension + "\"]}"), 6,
+                   "the OpenXR runtime has no " + extension + ", which hrt-reach needs");
+  expect_refused(run_desk(R"({"hand_tracking": false})"), 6, "has no hand tracking on this system");
+}
+
+TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
+  const std::string usual = run_program({desk}).out;
+  EXPECT_EQ(run_desk(R"({"withhold_extensions": ["XR_KHR_convert_timespec_time"]})").out, usual);
+  expect_refused(run_desk(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})"), 9,
+                 "has no plate to turn; --plate names another one");
+}
+
+// Then time is the monotonic clock's, if the runtime can tell what it takes that for.
+TEST(ReachFault, FramesHaveNoTimes) {
+  const Outcome outcome = run_scripted("{" + calm + R"(, "clock": "real-time", "frame_times": false})",
+                                       {desk, "--target", "goblet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].frames, 270, 70);  // 3 s at 90 Hz, on a machine that may be busy
+}
+
+TEST(ReachFault, NothingTellsTheTime) {
+  const Outcome outcome =
+      run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})");
+  EXPECT_EQ(outcome.exit_code, 7);
+  EXPECT_TRUE(says(outcome, "gives its frames no time and has no XR_KHR_convert_timespec_time"))
+      << outcome.err;
+}
+
+std::string slow_frame(int call, int delay_ms) {
+  return R"({"calls": [{"function": "xrWaitFrame", "call": )" + std::to_string(call) + R"(, "delay_ms": )" +
+         std::to_string(delay_ms) + "}]}";
+}
+
+TEST(ReachFault, AFrameComesLate) {
+  EXPECT_EQ(run_desk(slow_frame(150, 400)).out, run_program({desk}).out);
+}
+
+// Nothing can call the runtime back; what can be put in order without it is.
+TEST(ReachFault, AFrameNeverComes) {
+  for (const int call : {1, 2, 150, 300}) {
+    const std::string folder = scratch_folder();
+    const auto began = std::chrono::steady_clock::now();
+    const Outcome outcome = run_scripted(
+        slow_frame(call, 50'000),
+        {desk, "--runtime-limit", "0.3", "--record", folder + "/r.csv", "--plot", folder + "/r.svg"});
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+    EXPECT_EQ(outcome.exit_code, 11) << outcome.err;
+    EXPECT_TRUE(says(outcome, "has not returned from xrWaitFrame within 0.3 s")) << outcome.err;
+    EXPECT_EQ(rows_of(outcome).size(), call == 300 ? 1U : 0U) << outcome.out;
+    EXPECT_EQ(read_file(folder + "/r.csv").substr(read_file(folder + "/r.csv").size() - 6), "# end\n");
+    EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
   }
 }
 

@@ -1,8 +1,17 @@
 // The files that hrt-reach writes, and the plates and users that it knows beside the runtime's.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <poll.h>
+#include <pty.h>
+#include <sys/ioctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <cmath>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <numbers>
@@ -71,6 +80,90 @@ TEST(ReachPlot, ThatCannotBeWrittenIsRefusedBeforeAnyoneMoves) {
   EXPECT_EQ(outcome.out, "");
 }
 
+TEST(ReachPlot, ThatDoesNotFitOnTheDiskIsNamedWithTheReason) {
+  const Outcome outcome = run_program({desk, "--plot", "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, 10);
+  EXPECT_EQ(rows_of(outcome).size(), 3U);
+  EXPECT_NE(outcome.out.find("3 of 3 targets"), std::string::npos) << outcome.out;
+  EXPECT_EQ(outcome.err, "hrt-reach: /dev/full cannot be written: No space left on device\n");
+}
+
+TEST(ReachRecording, ThatDoesNotFitOnTheDiskIsRefusedBeforeAnyoneMoves) {
+  const Outcome outcome = run_program({desk, "--record", "/dev/full"});
+  EXPECT_EQ(outcome.exit_code, 10);
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_NE(outcome.err.find("/dev/full: No space left on device"), std::string::npos) << outcome.err;
+}
+
+// A terminal of so many columns, as the error output of a program.
+class Terminal {
+ public:
+  explicit Terminal(unsigned short columns) {
+    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    if (openpty(&own_, &programs_, nullptr, nullptr, &size) != 0)
+      throw std::runtime_error("no pseudo-terminal");
+    fcntl(own_, F_SETFD, FD_CLOEXEC);
+    fcntl(programs_, F_SETFD, FD_CLOEXEC);
+  }
+  ~Terminal() {
+    close(own_);
+    close(programs_);
+  }
+  int descriptor() const { return programs_; }
+
+  // What has been written to it, while a program runs that writes less than it can hold.
+  std::string text() const {
+    std::string text;
+    char bytes[4096];
+    for (pollfd readable{own_, POLLIN, 0}; poll(&readable, 1, 0) > 0;)
+      text.append(bytes, static_cast<std::size_t>(read(own_, bytes, sizeof bytes)));
+    return text;
+  }
+
+ private:
+  int own_ = -1, programs_ = -1;
+};
+
+// Half a second of real time, at the fastest refresh ten lines: a pseudo-terminal holds 4096 bytes.
+const std::string half_a_second = R"({"clock": "real-time", "participants": [{"speed_mm_per_s": 200}]})";
+
+TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
+  const Terminal terminal(100);
+  Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
+  EXPECT_EQ(rows_of(program.wait()).size(), 1U);
+  const std::string text = terminal.text();
+  EXPECT_GE(occurrences(text, "\r\033[Kbottle: "), 4U) << text;
+  EXPECT_GE(occurrences(text, " mm to go, moves "), 4U) << text;
+  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  EXPECT_EQ(text.substr(text.size() - 4), "\r\033[K") << text;
+}
+
+TEST(ReachStatusLine, IsNoLongerThanTheTerminalIsWide) {
+  const Terminal terminal(30);
+  Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
+  program.wait();
+  std::istringstream lines(terminal.text());
+  std::size_t shown = 0;
+  for (std::string line; std::getline(lines, line, '\r'); ++shown) EXPECT_LE(line.size(), 3U + 29U) << line;
+  EXPECT_GT(shown, 4U);
+}
+
+TEST(ReachStatusLine, IsNotShownWithoutATerminal) {
+  EXPECT_EQ(run_scripted(half_a_second, {desk, "--target", "bottle"}).err, "");
+}
+
+TEST(ReachOutput, ThatNobodyReadsEndsTheRun) {
+  const std::string command = "exec 2>&1 >/dev/full; exec " HRT_REACH_PROGRAM " " + desk;
+  setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1);
+  FILE* errors = popen(command.c_str(), "r");
+  ASSERT_NE(errors, nullptr);
+  char text[256] = "";
+  EXPECT_NE(std::fgets(text, sizeof text, errors), nullptr);
+  EXPECT_STREQ(text, "hrt-reach: the standard output cannot be written\n");
+  EXPECT_EQ(WEXITSTATUS(pclose(errors)), 10);
+  unsetenv("XR_RUNTIME_JSON");
+}
+
 TEST(ReachVerbose, PrintsALineAFrame) {
   const Outcome outcome = run_program({desk, "--target", "bottle", "--verbose"});
   ASSERT_EQ(rows_of(outcome).size(), 1U);
@@ -120,6 +213,59 @@ TEST(ReachPlate, IsUnpluggedInTheMiddleOfAReach) {
   EXPECT_NE(outcome.err.find("is unplugged"), std::string::npos) << outcome.err;
 }
 
+// Ctrl-C: the plate stops, and what has been recorded is whole.
+TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    PtyPlate device;
+    const std::string folder = scratch_folder();
+    Program program({desk, "--plate", "serial:" + device.device(), "--record", folder + "/r.csv", "--plot",
+                     folder + "/r.svg"},
+                    scripted_environment(real_time));
+    ASSERT_TRUE(eventually([&] { return device.moving_allowed(); }));
+    program.send_signal(signal);
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 130);
+    EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the reach under way counts for nothing\n");
+    EXPECT_NE(outcome.out.find("0 of 0 targets"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
+    EXPECT_FALSE(device.moving_allowed());
+    hrt_replay_report report{.struct_size = sizeof report};
+    ASSERT_EQ(hrt_replay_file((folder + "/r.csv").c_str(), &report), HRT_OK) << hrt_last_error();
+    EXPECT_EQ(report.complete, 1U);
+    EXPECT_EQ(report.first_different_line, 0U);
+    EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
+  }
+}
+
+// Whatever hangs, the second Ctrl-C ends it.
+TEST(ReachInterrupted, ASecondTimeEndsAtOnce) {
+  Program program({desk}, scripted_environment(
+                              R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));
+  ASSERT_TRUE(eventually([&] { return program.out().find("virtual") != std::string::npos; }));
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));  // until it hangs
+  program.send_signal(SIGINT);
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  program.send_signal(SIGINT);
+  EXPECT_NE(program.wait().err.find("ended by signal 2"), std::string::npos);
+}
+
+TEST(ReachPlate, FallsSilentInTheMiddleOfAReach) {
+  PtyPlate device;
+  std::thread crasher([&] {
+    eventually([&] { return device.moving_allowed(); });
+    device.fall_silent();
+  });
+  const std::string file = scratch_folder() + "/r.csv";
+  const Outcome outcome = run_scripted(
+      real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
+  crasher.join();
+  EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
+  EXPECT_NE(outcome.err.find("has not been heard for half a second"), std::string::npos) << outcome.err;
+  hrt_replay_report report{.struct_size = sizeof report};
+  ASSERT_EQ(hrt_replay_file(file.c_str(), &report), HRT_OK) << hrt_last_error();
+  EXPECT_EQ(report.complete, 1U);
+}
+
 // A person: nobody can be told to start and nobody tells the truth. The scripted hand comes to the start,
 // waits, and slides straight towards the cylinder, whatever the plate does. Plate coordinates to LOCAL space:
 // the desk's plate stands at (0.12, 0.75, -0.32), turned by 20 degrees about the vertical.
@@ -163,6 +309,43 @@ TEST(ReachOfAPerson, TakesTheHandThatComes) {
   arguments.insert(arguments.end(), {"--hand", "either"});
   const Outcome outcome = run_scripted(hand_path("left", 0.0), arguments);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+// The right finger is lost half way; the left one comes down where it was and goes on to the cylinder.
+std::string relay(const std::string& left_tracked_from, double left_height_m) {
+  std::string left = R"({"tracked": true, "path": [)" + keyframe(3000, 0.0, 0.0) + ", " +
+                     keyframe(3400, 0.0, 0.0) + ", " + keyframe(5500, 0.0, -0.06) + "]}";
+  const std::string touching = "0.757,";
+  for (std::size_t at = left.find(touching); at != std::string::npos; at = left.find(touching, at + 1))
+    left.replace(at, touching.size(), std::to_string(0.75 + left_height_m) + ",");
+  const std::string right = R"({"tracked": true, "path": [)" + keyframe(600, 0.0, 0.05) + ", " +
+                            keyframe(1500, 0.0, 0.05) + ", " + keyframe(4500, 0.0, -0.05) + "]}";
+  return R"({"hands": {"left": )" + left + R"(, "right": )" + right + R"(}, "events": [
+      {"time_ms": 0, "do": "lose_tracking", "hand": "left"},
+      {"time_ms": 3000, "do": "lose_tracking", "hand": "right"},
+      {"time_ms": )" +
+         left_tracked_from + R"(, "do": "regain_tracking", "hand": "left"}]})";
+}
+
+TEST(ReachOfAPerson, ChangesHandsOnTheWay) {
+  auto arguments = as_person;
+  arguments.insert(arguments.end(), {"--hand", "either"});
+  const Outcome outcome = run_scripted(relay("3200", 0.007), arguments);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("reached (hands changed)"), std::string::npos) << outcome.out;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
+}
+
+// Neither a hand above the plate nor one that must not be used takes over.
+TEST(ReachOfAPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
+  auto arguments = as_person;
+  arguments.insert(arguments.end(), {"--time-limit", "8"});
+  EXPECT_EQ(run_scripted(relay("3200", 0.007), arguments).exit_code, 8);
+  arguments.insert(arguments.end(), {"--hand", "either"});
+  const Outcome outcome = run_scripted(relay("3200", 0.1), arguments);
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.err.find("did not end within 8 s"), std::string::npos) << outcome.err;
 }
 
 TEST(ReachOfAPerson, WhoDoesNotComeIsNotWaitedForForever) {

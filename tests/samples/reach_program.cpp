@@ -29,9 +29,10 @@ std::vector<char*> pointers(std::vector<std::string>& strings) {
 // In the child of a process that may have threads: only calls that are safe in signal handlers. Never
 // returns.
 void become_program(char* const* arguments, char* const* environment, const char* out_file,
-                    const char* err_file) {
+                    const char* err_file, int err_given) {
   const int flags = O_WRONLY | O_CREAT | O_TRUNC;
-  const int out = open(out_file, flags, 0600), err = open(err_file, flags, 0600);
+  const int out = open(out_file, flags, 0600);
+  const int err = err_given >= 0 ? err_given : open(err_file, flags, 0600);
   if (dup2(out, STDOUT_FILENO) < 0 || dup2(err, STDERR_FILENO) < 0) _exit(126);
   execve(arguments[0], arguments, environment);
   _exit(127);
@@ -68,8 +69,9 @@ std::map<std::string, std::string> mock_environment() {
   return {{"XR_RUNTIME_JSON", HRT_MOCK_MANIFEST}};
 }
 
-Outcome run_program(const std::vector<std::string>& arguments,
-                    const std::map<std::string, std::string>& environment) {
+Program::Program(const std::vector<std::string>& arguments,
+                 const std::map<std::string, std::string>& environment, int err)
+    : folder_(scratch_folder()) {
   std::vector<std::string> argument_strings = {HRT_REACH_PROGRAM};
   argument_strings.insert(argument_strings.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment_strings = {
@@ -79,31 +81,54 @@ Outcome run_program(const std::vector<std::string>& arguments,
     if (const char* value = std::getenv(passed_on))
       environment_strings.push_back(std::string(passed_on) + "=" + value);
 
-  const std::string folder = scratch_folder(), out_file = folder + "/out", err_file = folder + "/err";
+  const std::string out_file = folder_ + "/out", err_file = folder_ + "/err";
   const std::vector<char*> argument_pointers = pointers(argument_strings);
   const std::vector<char*> environment_pointers = pointers(environment_strings);
-  const pid_t child = fork();
-  if (child == 0)
-    become_program(argument_pointers.data(), environment_pointers.data(), out_file.c_str(), err_file.c_str());
+  child_ = fork();
+  if (child_ == 0)
+    become_program(argument_pointers.data(), environment_pointers.data(), out_file.c_str(), err_file.c_str(),
+                   err);
+}
 
+void Program::send_signal(int signal) const {
+  kill(child_, signal);
+}
+
+std::string Program::out() const {
+  return read_file(folder_ + "/out");
+}
+
+std::string Program::err() const {
+  return read_file(folder_ + "/err");
+}
+
+Outcome Program::wait() {
   int status = 0;
   const auto give_up = std::chrono::steady_clock::now() + 60s;
-  while (waitpid(child, &status, WNOHANG) == 0) {
-    if (std::chrono::steady_clock::now() > give_up) kill(child, SIGKILL);
+  while (waitpid(child_, &status, WNOHANG) == 0) {
+    if (std::chrono::steady_clock::now() > give_up) kill(child_, SIGKILL);
     std::this_thread::sleep_for(2ms);
   }
-  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_file(folder + "/out"),
-                  read_file(folder + "/err")};
+  Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : -1, out(), err()};
   if (WIFSIGNALED(status)) outcome.err += "\nended by signal " + std::to_string(WTERMSIG(status));
   return outcome;
 }
 
-Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments) {
+Outcome run_program(const std::vector<std::string>& arguments,
+                    const std::map<std::string, std::string>& environment) {
+  return Program(arguments, environment).wait();
+}
+
+std::map<std::string, std::string> scripted_environment(const std::string& script) {
   const std::string file = scratch_folder() + "/script.json";
   std::ofstream(file) << script;
   auto environment = mock_environment();
   environment["HRT_MOCK_SCRIPT"] = file;
-  return run_program(arguments, environment);
+  return environment;
+}
+
+Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments) {
+  return run_program(arguments, scripted_environment(script));
 }
 
 std::vector<Row> rows_of(const Outcome& outcome) {

@@ -16,11 +16,34 @@ struct Outcome {
 /// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
 std::map<std::string, std::string> mock_environment();
 
+/// The same with this script (samples/mock_runtime/README.md) for the mock runtime.
+std::map<std::string, std::string> scripted_environment(const std::string& script);
+
+/// hrt-reach on its way.
+class Program {
+ public:
+  /// Starts it; its error output goes to `err`, if that is a file's descriptor.
+  explicit Program(const std::vector<std::string>& arguments,
+                   const std::map<std::string, std::string>& environment = mock_environment(), int err = -1);
+
+  void send_signal(int signal) const;
+  /// What it has written to its outputs so far.
+  std::string out() const;
+  std::string err() const;
+
+  /// Waits for its end. A run that takes over a minute is killed.
+  Outcome wait();
+
+ private:
+  std::string folder_;
+  int child_ = -1;
+};
+
 /// Runs hrt-reach with these arguments and this environment. A run that takes over a minute is killed.
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment = mock_environment());
 
-/// The same with this script (samples/mock_runtime/README.md) for the mock runtime.
+/// The same in scripted_environment().
 Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
 
 /// The whole file; empty if there is none.

@@ -52,7 +52,7 @@ class PtyPlate {
   std::atomic<bool> ending_ = false;
   std::atomic<bool> silent_ = false;
   std::atomic<bool> unplugged_ = false;
-  std::atomic<bool> gone_ = false;  // unplugged, and the line is closed
+  std::atomic<bool> gone_ = false;     // unplugged, and the line is closed
   std::atomic<bool> allowed_ = false;  // to move: a SET came and heartbeats go on
   std::atomic<double> orientation_deg_ = 0.0;
   bool greeted_ = false;
