@@ -24,7 +24,8 @@ _ENUMS = {
     "HRT_COMMAND_": "CommandFlags",
 }
 # Handles, whose names in C# say that they are.
-_HANDLES = {"hrt_session": "SessionHandle", "hrt_target": "TargetId", "hrt_scene": "SceneHandle"}
+_HANDLES = {"hrt_session": "SessionHandle", "hrt_target": "TargetId", "hrt_scene": "SceneHandle",
+            "hrt_calibration": "CalibrationHandle"}
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "size_t": "UIntPtr", "void": "void"}
 # Written by hand in Runtime/Values.cs.

@@ -15,7 +15,8 @@ namespace Hrt.HostTests
 
         static readonly Dictionary<string, string> handles = new Dictionary<string, string>
         {
-            {"hrt_session", "SessionHandle"}, {"hrt_target", "TargetId"}, {"hrt_scene", "SceneHandle"}
+            {"hrt_session", "SessionHandle"}, {"hrt_target", "TargetId"}, {"hrt_scene", "SceneHandle"},
+            {"hrt_calibration", "CalibrationHandle"}
         };
 
         static readonly Dictionary<string, string> enums = new Dictionary<string, string>
@@ -69,7 +70,9 @@ namespace Hrt.HostTests
         [Test]
         public void StructsCanBePinned()
         {
-            foreach (Type type in package.GetTypes().Where(t => t.IsValueType && t.IsLayoutSequential && !t.IsEnum && t.GetField("structSize") != null))
+            Type[] structs = package.GetTypes().Where(t => t.GetField("structSize") != null).ToArray();
+            Assert.Greater(structs.Length, 8);
+            foreach (Type type in structs)
                 GCHandle.Alloc(Activator.CreateInstance(type), GCHandleType.Pinned).Free();
         }
 
@@ -80,7 +83,8 @@ namespace Hrt.HostTests
             foreach (string line in lines.Where(l => l.StartsWith("constant ")))
             {
                 string[] words = line.Split(' ');
-                string digits = new string(words[2].Replace("UINT32_C", "").Where(c => c == '-' || char.IsDigit(c)).ToArray());
+                string value = words[2].Replace("UINT32_C", "");
+                string digits = new string(value.Where(c => c == '-' || char.IsDigit(c)).ToArray());
                 Assert.AreEqual(long.Parse(digits), Value(words[1].Substring("HRT_".Length)), line);
                 ++constants;
             }
@@ -111,7 +115,8 @@ namespace Hrt.HostTests
         [Test]
         public void CallbacksAreCompiledAhead()
         {
-            const BindingFlags all = BindingFlags.Static | BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public;
+            const BindingFlags all =
+                BindingFlags.Static | BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public;
             MethodInfo[] marked = package.GetTypes().SelectMany(t => t.GetMethods(all))
                 .Where(m => m.GetCustomAttribute<AOT.MonoPInvokeCallbackAttribute>() != null).ToArray();
             Assert.AreEqual(1, marked.Length);
@@ -136,8 +141,8 @@ namespace Hrt.HostTests
 
         static int SizeOf(Type type) => Marshal.SizeOf(type.IsEnum ? Enum.GetUnderlyingType(type) : type);
 
-        static string Pascal(string name) =>
-            string.Concat(name.Split('_').Select(part => part.Substring(0, 1).ToUpper() + part.Substring(1).ToLower()));
+        static string Pascal(string name) => string.Concat(
+            name.Split('_').Select(part => part.Substring(0, 1).ToUpper() + part.Substring(1).ToLower()));
 
         static string Camel(string name) => char.ToLower(name[0]) + Pascal(name).Substring(1);
     }

@@ -34,12 +34,28 @@ namespace Hrt.HostTests
         {
             using (var session = new HapticRetargetingSession())
             {
-                TargetId real = session.AddTarget(TargetRole.Real, -5), seen = session.AddTarget(TargetRole.Virtual, 5);
+                TargetId real = session.AddTarget(TargetRole.Real, -5);
+                TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
                 AssertNoGarbage(i =>
                 {
                     session.BeginReach(real, seen);
                     session.Update(StraightAhead(i));
                     session.EndReach();
+                });
+            }
+        }
+
+        [Test]
+        public void CalibrationTrialsMakeNoGarbage()
+        {
+            using (var session = new HapticRetargetingSession())
+            using (var calibration = new HapticRetargetingCalibration(session))
+            {
+                AssertNoGarbage(i =>
+                {
+                    calibration.BeginTrial(30);
+                    calibration.AddSample(StraightAhead(i));
+                    calibration.CancelTrial();
                 });
             }
         }

@@ -1,5 +1,6 @@
 // What Unity's editor does when scripts are recompiled: their domain goes, with sessions that nobody has disposed
-// of, and the library stays. Each domain takes all the sessions that there can be; one of them records until the
+// of, and the library stays. Each domain takes all the sessions and calibrations
+// that there can be; one of them records until the
 // disk is full, and the library says so from a thread of its own. Run it where files can't grow beyond 1 MiB.
 using System;
 using System.IO;
@@ -22,7 +23,9 @@ sealed class Scripts : MarshalByRefObject
         {
             sessions[i] = new HapticRetargetingSession();
             if (i == 0) sessions[i].StartRecording(path);
-            sessions[i].BeginReach(sessions[i].AddTarget(TargetRole.Real, -5), sessions[i].AddTarget(TargetRole.Virtual, 5));
+            if (i < Constants.CalibrationsMax) new HapticRetargetingCalibration(sessions[i]).BeginTrial(30);
+            sessions[i].BeginReach(sessions[i].AddTarget(TargetRole.Real, -5),
+                                   sessions[i].AddTarget(TargetRole.Virtual, 5));
         }
         DateTime end = DateTime.Now.AddSeconds(20);
         for (int i = 0; logged == null && DateTime.Now < end; ++i)
@@ -74,14 +77,15 @@ static class Reload
         for (int i = 0; i < Reloads && wrong == ""; ++i)
         {
             AppDomain domain = AppDomain.CreateDomain("scripts");
-            var scripts = (Scripts)domain.CreateInstanceAndUnwrap(typeof(Scripts).Assembly.FullName, typeof(Scripts).FullName);
+            var scripts = (Scripts)domain.CreateInstanceAndUnwrap(typeof(Scripts).Assembly.FullName,
+                                                                  typeof(Scripts).FullName);
             wrong = scripts.LeaveEverythingOpen(path);
             AppDomain.Unload(domain);
         }
         if (wrong == "") wrong = FillTheDiskUnheard(path);
         File.Delete(path);
         if (wrong != "") Console.Error.WriteLine(wrong);
-        else Console.WriteLine("{0} domains unloaded with {1} open sessions each", Reloads, Constants.SessionsMax);
+        else Console.WriteLine("{0} domains unloaded, each with {1} sessions open", Reloads, Constants.SessionsMax);
         return wrong == "" ? 0 : 1;
     }
 
@@ -94,12 +98,14 @@ static class Reload
         var status = new RecordingStatus { structSize = (uint)Marshal.SizeOf(typeof(RecordingStatus)) };
         ulong session;
         if (hrt_session_config_default(ref config, (uint)Marshal.SizeOf(typeof(SessionConfig))) != Result.Ok ||
-            hrt_session_create(ref config, out session) != Result.Ok || hrt_recording_start(session, path) != Result.Ok)
+            hrt_session_create(ref config, out session) != Result.Ok ||
+            hrt_recording_start(session, path) != Result.Ok)
             return "the library does not take a session after the scripts";
         DateTime end = DateTime.Now.AddSeconds(20);
         while (status.systemError == 0 && DateTime.Now < end)
         {
-            for (int i = 0; i < 1000; ++i) hrt_reach_update(session, ref sample, ref command); // refused, and recorded
+            // Refused, as there is no reach, and recorded.
+            for (int i = 0; i < 1000; ++i) hrt_reach_update(session, ref sample, ref command);
             Thread.Sleep(1);
             hrt_recording_get_status(session, ref status);
         }

@@ -19,7 +19,7 @@ namespace UnityEditor
     {
         public UnityEngine.Object target { get; private set; }
 
-        /// <summary>Of the class that says, in a loaded assembly, that it is this target's; null if none does.</summary>
+        /// <summary>Of the loaded class that says that it is this target's; null if none does.</summary>
         public static Editor CreateEditor(UnityEngine.Object target)
         {
             foreach (Assembly assembly in AppDomain.CurrentDomain.GetAssemblies())

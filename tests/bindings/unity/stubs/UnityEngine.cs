@@ -100,8 +100,10 @@ namespace UnityEngine
         public static Quaternion Inverse(Quaternion q) => new Quaternion(-q.x, -q.y, -q.z, q.w);
 
         public static Quaternion operator *(Quaternion a, Quaternion b) =>
-            new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y, a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
-                           a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x, a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
+            new Quaternion(a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+                           a.w * b.y + a.y * b.w + a.z * b.x - a.x * b.z,
+                           a.w * b.z + a.z * b.w + a.x * b.y - a.y * b.x,
+                           a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z);
 
         public static Vector3 operator *(Quaternion q, Vector3 v)
         {
@@ -187,12 +189,12 @@ namespace UnityEngine
             }
         }
 
-        /// <summary>Of the stub: a message method, which Unity calls by its name however it is declared; null if there
-        /// is none.</summary>
+        /// <summary>Of the stub: a message method, which Unity calls by its name however it is declared; null if
+        /// there is none.</summary>
         public Action Message(string name)
         {
-            MethodInfo method = GetType().GetMethod(
-                name, BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic, null, Type.EmptyTypes, null);
+            const BindingFlags any = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+            MethodInfo method = GetType().GetMethod(name, any, null, Type.EmptyTypes, null);
             return method == null ? null : (Action)Delegate.CreateDelegate(typeof(Action), this, method);
         }
     }
@@ -210,7 +212,9 @@ namespace UnityEngine
 
         public Vector3 position
         {
-            get => parent == null ? localPosition : parent.position + parent.rotation * Scaled(localPosition, parent.localScale);
+            get => parent == null
+                ? localPosition
+                : parent.position + parent.rotation * Scaled(localPosition, parent.localScale);
             set
             {
                 if (parent != null) throw new NotSupportedException("the stub sets positions of roots only");
@@ -381,7 +385,9 @@ namespace UnityEngine
         public static readonly List<Line> Lines = new List<Line>();
 
         public static Color color { get; set; }
-        public static void DrawLine(Vector3 from, Vector3 to) => Lines.Add(new Line { from = from, to = to, colour = color });
+
+        public static void DrawLine(Vector3 from, Vector3 to) =>
+            Lines.Add(new Line { from = from, to = to, colour = color });
 
         public static void DrawWireSphere(Vector3 centre, float radius)
         {

@@ -41,6 +41,7 @@ namespace Hrt
 
         /// <summary>The rotation, about the plate's y axis, of ridges that stand at an orientation of the
         /// library's. Unity counts clockwise where the library counts counter-clockwise.</summary>
-        public static Quaternion RidgeRotation(double orientationDeg) => Quaternion.Euler(0, (float)-orientationDeg, 0);
+        public static Quaternion RidgeRotation(double orientationDeg) =>
+            Quaternion.Euler(0, (float)-orientationDeg, 0);
     }
 }

@@ -109,7 +109,8 @@ namespace Hrt
         /// <summary>The last command of the last reach.</summary>
         public Command LastCommand { get; private set; }
 
-        /// <summary>Set this to false while the tracker does not see the finger, and its Transform is stale.</summary>
+        /// <summary>Set this to false while the tracker does not see the finger, and its Transform is
+        /// stale.</summary>
         public bool FingerTracked { get; set; } = true;
 
         /// <summary>Set this to where the device says that the plate stands, each frame; null: it is taken to
@@ -137,6 +138,25 @@ namespace Hrt
             IsReaching = false;
             ReachEnded?.Invoke(summary);
             return summary;
+        }
+
+        /// <summary>The finger and the plate of this frame, as they go into a reach; for a calibration too.</summary>
+        public Sample ReadFinger()
+        {
+            var sample = new Sample { timeNs = (long)(Time.unscaledTimeAsDouble * 1e9) };
+            if (FingerTracked && plate != null && finger != null && finger.gameObject.activeInHierarchy)
+            {
+                sample.flags = SampleFlags.WorldPosition | SampleFlags.PlatePose;
+                sample.fingerPositionM = Axes.FromUnity(finger.position);
+                sample.platePositionM = Axes.FromUnity(plate.position);
+                sample.plateRotation = Axes.FromUnity(plate.rotation);
+            }
+            if (MeasuredPlateOrientationDeg.HasValue)
+            {
+                sample.flags |= SampleFlags.PlateOrientation;
+                sample.plateOrientationDeg = MeasuredPlateOrientationDeg.Value;
+            }
+            return sample;
         }
 
         /// <summary>For each virtual target what can be held now, as the Transforms stand; also in the editor,
@@ -182,26 +202,12 @@ namespace Hrt
 
         void LateUpdate()
         {
-            if (IsReaching) Step((long)(Time.unscaledTimeAsDouble * 1e9));
+            if (IsReaching) Step(ReadFinger());
         }
 
         // Makes no garbage: it runs each frame.
-        internal void Step(long timeNs)
+        internal void Step(Sample sample)
         {
-            Sample sample = default(Sample);
-            sample.timeNs = timeNs;
-            if (FingerTracked && plate != null && finger != null && finger.gameObject.activeInHierarchy)
-            {
-                sample.flags = SampleFlags.WorldPosition | SampleFlags.PlatePose;
-                sample.fingerPositionM = Axes.FromUnity(finger.position);
-                sample.platePositionM = Axes.FromUnity(plate.position);
-                sample.plateRotation = Axes.FromUnity(plate.rotation);
-            }
-            if (MeasuredPlateOrientationDeg.HasValue)
-            {
-                sample.flags |= SampleFlags.PlateOrientation;
-                sample.plateOrientationDeg = MeasuredPlateOrientationDeg.Value;
-            }
             if (!Session.TryUpdate(sample, out Command command))
             {
                 // The command stays as it was. Said once in a reach, not in each frame.
@@ -282,7 +288,8 @@ namespace Hrt
             config.platePositionM = Axes.FromUnity(plate.position);
             config.plateRotation = Axes.FromUnity(plate.rotation);
             if (start != null)
-                config.startPositionM = Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (start.position - plate.position));
+                config.startPositionM =
+                    Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (start.position - plate.position));
             return config;
         }
 

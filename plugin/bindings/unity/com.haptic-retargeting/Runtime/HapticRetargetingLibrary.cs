@@ -6,16 +6,17 @@ using UnityEngine;
 
 namespace Hrt
 {
-    /// <summary>The native library: its version, its log, and what must be put away before managed code goes.</summary>
+    /// <summary>The native library: its version, its log, and what must be put away before managed code
+    /// goes.</summary>
     public static class HapticRetargetingLibrary
     {
-        // Sessions that this application domain has made and not destroyed. Guarded by itself.
-        static readonly HashSet<ulong> openSessions = new HashSet<ulong>();
+        // What this application domain has made and not destroyed, and how to destroy it. Guarded by itself.
+        static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
 
         // The native side keeps a pointer to this; the field keeps it from being collected.
         static readonly LogCallback onLog = OnLog;
 
-        static bool loaded;
+        static volatile bool loaded;
 
         /// <summary>The library's version.</summary>
         public static Version Version
@@ -63,11 +64,11 @@ namespace Hrt
         internal static void Load()
         {
             if (loaded) return;
-            lock (openSessions)
+            lock (open)
             {
                 if (loaded) return;
                 CheckVersion();
-                // The editor keeps the library and its sessions when it reloads the scripts' domain. What is
+                // The editor keeps the library and all that it holds when it reloads the scripts' domain. What is
                 // left of them would call a delegate that is gone.
                 AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
@@ -85,14 +86,14 @@ namespace Hrt
                 throw new HapticRetargetingException(result, Utf8.Read(Native.hrt_last_error()));
         }
 
-        internal static void Opened(SessionHandle session)
+        internal static void Opened(ulong handle, Func<ulong, Result> destroy)
         {
-            lock (openSessions) openSessions.Add(session.value);
+            lock (open) open.Add(handle, destroy);
         }
 
-        internal static void Closed(SessionHandle session)
+        internal static void Closed(ulong handle)
         {
-            lock (openSessions) openSessions.Remove(session.value);
+            lock (open) open.Remove(handle);
         }
 
         static void CheckVersion()
@@ -117,11 +118,10 @@ namespace Hrt
 
         static void Shutdown()
         {
-            lock (openSessions)
+            lock (open)
             {
-                foreach (ulong value in openSessions)
-                    Native.hrt_session_destroy(new SessionHandle { value = value });
-                openSessions.Clear();
+                foreach (KeyValuePair<ulong, Func<ulong, Result>> one in open) one.Value(one.Key);
+                open.Clear();
                 Native.hrt_set_log_callback(null, IntPtr.Zero);
             }
         }

@@ -6,44 +6,27 @@ namespace Hrt
     /// <summary>
     /// One user, one plate, and what the controller assumes of both. Add targets; then, as often as wanted,
     /// begin a reach, stream samples of the finger, end it; dispose of the session.
+    /// Disposing of it ends a reach that is under way and completes a recording.
     ///
-    /// A call that the library refuses throws a <see cref="HapticRetargetingException"/> with the library's text,
-    /// and changes nothing. Two threads must not be in calls on one session at the same time: the second gets
-    /// <see cref="Result.Busy"/>. <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>,
+    /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>,
     /// <see cref="TryUpdate"/> and <see cref="EndReach"/> make no garbage, and the library takes no lock, allocates
     /// nothing and makes no system call in them.
     /// </summary>
-    public sealed class HapticRetargetingSession : IDisposable
+    public sealed class HapticRetargetingSession : NativeObject
     {
-        SessionHandle handle;
-
         /// <summary>A session with the library's defaults.</summary>
         public HapticRetargetingSession() : this(SessionConfig.Default)
         {
         }
 
         public HapticRetargetingSession(SessionConfig config)
+            : base(value => Native.hrt_session_destroy(new SessionHandle { value = value }))
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<SessionConfig>.Value;
-            HapticRetargetingLibrary.Check(Native.hrt_session_create(ref config, out handle));
-            HapticRetargetingLibrary.Opened(handle);
+            HapticRetargetingLibrary.Check(Native.hrt_session_create(ref config, out SessionHandle handle));
+            Own(handle.value);
         }
-
-        ~HapticRetargetingSession()
-        {
-            Destroy();
-        }
-
-        /// <summary>Ends a reach that is under way, completes a recording, and forgets the session. Throws
-        /// <see cref="Result.Busy"/>, and can be called again, while another thread is in a call on it.</summary>
-        public void Dispose()
-        {
-            Check(Destroy());
-            GC.SuppressFinalize(this);
-        }
-
-        public bool IsDisposed => handle.value == 0;
 
         /// <summary>The configuration. Setting it is refused during a reach; targets stay.</summary>
         public SessionConfig Config
@@ -212,6 +195,14 @@ namespace Hrt
             Check(Native.hrt_profile_load(Handle, text, (ulong)text.Length));
         }
 
+        /// <summary>Takes what a calibration has told of the user into the configuration, and so into the profile.
+        /// Refused during a reach.</summary>
+        public void Apply(CalibrationResult calibrated)
+        {
+            calibrated.structSize = SizeOf<CalibrationResult>.Value;
+            Check(Native.hrt_calibration_apply(Handle, ref calibrated));
+        }
+
         /// <summary>Records all that crosses the interface into a CSV file, which is created or replaced; not
         /// during a reach. A full or slow disk never holds up a call: it is logged, and the status tells.</summary>
         public void StartRecording(string path)
@@ -234,14 +225,7 @@ namespace Hrt
             return status;
         }
 
-        SessionHandle Handle
-        {
-            get
-            {
-                if (handle.value == 0) throw new ObjectDisposedException(nameof(HapticRetargetingSession));
-                return handle;
-            }
-        }
+        internal SessionHandle Handle => new SessionHandle { value = Value };
 
         Result Exchange(ref Sample sample, out Command command)
         {
@@ -250,24 +234,6 @@ namespace Hrt
             Result result = Native.hrt_reach_update(Handle, ref sample, ref command);
             GC.KeepAlive(this);
             return result;
-        }
-
-        // Also what the finaliser calls: throws nothing, and may come second, after Dispose or a domain's unloading.
-        Result Destroy()
-        {
-            if (handle.value == 0) return Result.Ok;
-            Result result = Native.hrt_session_destroy(handle);
-            if (result == Result.Busy) return result;
-            HapticRetargetingLibrary.Closed(handle);
-            handle = default(SessionHandle);
-            return Result.Ok;
-        }
-
-        // Every call ends here, so that the finaliser can't run during one.
-        void Check(Result result)
-        {
-            GC.KeepAlive(this);
-            HapticRetargetingLibrary.Check(result);
         }
     }
 }

@@ -436,7 +436,7 @@ namespace Hrt
     /// valid again.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
-    public partial struct Calibration
+    public partial struct CalibrationHandle
     {
         public ulong value;
     }
@@ -703,27 +703,28 @@ namespace Hrt
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_calibration_create(
-            SessionHandle session, ref CalibrationConfig config, ref Calibration outCalibration);
+            SessionHandle session, ref CalibrationConfig config, out CalibrationHandle outCalibration);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_calibration_destroy(Calibration calibration);
+        internal static extern Result hrt_calibration_destroy(CalibrationHandle calibration);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_calibration_begin_trial(
-            Calibration calibration, double plateOrientationDeg);
+            CalibrationHandle calibration, double plateOrientationDeg);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_calibration_add_sample(Calibration calibration, ref Sample sample);
+        internal static extern Result hrt_calibration_add_sample(
+            CalibrationHandle calibration, ref Sample sample);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_calibration_end_trial(Calibration calibration);
+        internal static extern Result hrt_calibration_end_trial(CalibrationHandle calibration);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_calibration_cancel_trial(Calibration calibration);
+        internal static extern Result hrt_calibration_cancel_trial(CalibrationHandle calibration);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_calibration_solve(
-            Calibration calibration, ref CalibrationResult outResult);
+            CalibrationHandle calibration, ref CalibrationResult outResult);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_calibration_apply(

@@ -110,7 +110,8 @@ namespace Hrt
             {
                 HapticRetargetingLibrary.Load();
                 var config = default(SessionConfig);
-                HapticRetargetingLibrary.Check(Native.hrt_session_config_default(ref config, SizeOf<SessionConfig>.Value));
+                Result result = Native.hrt_session_config_default(ref config, SizeOf<SessionConfig>.Value);
+                HapticRetargetingLibrary.Check(result);
                 return config;
             }
         }
@@ -125,7 +126,8 @@ namespace Hrt
             {
                 HapticRetargetingLibrary.Load();
                 var config = default(TargetConfig);
-                HapticRetargetingLibrary.Check(Native.hrt_target_config_default(ref config, SizeOf<TargetConfig>.Value));
+                Result result = Native.hrt_target_config_default(ref config, SizeOf<TargetConfig>.Value);
+                HapticRetargetingLibrary.Check(result);
                 return config;
             }
         }
@@ -140,10 +142,35 @@ namespace Hrt
             {
                 HapticRetargetingLibrary.Load();
                 var config = default(ReachConfig);
-                HapticRetargetingLibrary.Check(Native.hrt_reach_config_default(ref config, SizeOf<ReachConfig>.Value));
+                Result result = Native.hrt_reach_config_default(ref config, SizeOf<ReachConfig>.Value);
+                HapticRetargetingLibrary.Check(result);
                 return config;
             }
         }
+    }
+
+    public partial struct CalibrationConfig
+    {
+        /// <summary>Every field with its default.</summary>
+        public static CalibrationConfig Default
+        {
+            get
+            {
+                HapticRetargetingLibrary.Load();
+                var config = default(CalibrationConfig);
+                Result result =
+                    Native.hrt_calibration_config_default(ref config, SizeOf<CalibrationConfig>.Value);
+                HapticRetargetingLibrary.Check(result);
+                return config;
+            }
+        }
+    }
+
+    public partial struct Interval
+    {
+        /// <summary>Whether the data tell it; otherwise the value is no more than the likeliest point of what was
+        /// searched.</summary>
+        public bool IsKnown => known != 0;
     }
 
     public partial struct Authority

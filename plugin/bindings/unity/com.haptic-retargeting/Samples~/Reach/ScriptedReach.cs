@@ -50,7 +50,8 @@ namespace HrtSamples
                 if (line[0] == '#') continue;
                 string[] cells = line.Split(',');
                 if (columns == null) columns = cells;
-                if (cells.Length != columns.Length) throw new FormatException("a row of the recording is cut off: " + line);
+                if (cells.Length != columns.Length)
+                    throw new FormatException("a row of the recording is cut off: " + line);
                 if (Cell(columns, cells, "call") == "update") Add(session.Update(ReadSample(columns, cells)));
             }
         }
@@ -61,22 +62,25 @@ namespace HrtSamples
             {
                 timeNs = long.Parse(Cell(columns, cells, "time_ns"), CultureInfo.InvariantCulture),
                 flags = (SampleFlags)uint.Parse(Cell(columns, cells, "sample_flags"), CultureInfo.InvariantCulture),
-                fingerPositionM = new Double3(Number(columns, cells, "sample_x_m"), Number(columns, cells, "sample_y_m"),
+                fingerPositionM = new Double3(Number(columns, cells, "sample_x_m"),
+                                              Number(columns, cells, "sample_y_m"),
                                               Number(columns, cells, "sample_z_m")),
                 plateOrientationDeg = Number(columns, cells, "measured_plate_deg")
             };
         }
 
-        // An empty cell is 0, which is right for what the flags do not name. Mono's double.Parse is off in the last bit
-        // now and then; a whole number of few digits, divided by a power of ten, is not.
+        // An empty cell is 0, which is right for what the flags do not name. Mono's double.Parse is off in the last
+        // bit now and then; a whole number of few digits, divided by a power of ten, is not.
         static double Number(string[] columns, string[] cells, string name)
         {
             string cell = Cell(columns, cells, name);
             if (cell == "") return 0;
             int exponentAt = cell.IndexOf('e'), digitsEnd = exponentAt < 0 ? cell.Length : exponentAt;
             int pointAt = cell.IndexOf('.'), decimals = pointAt < 0 ? 0 : digitsEnd - pointAt - 1;
-            int exponent = exponentAt < 0 ? 0 : int.Parse(cell.Substring(exponentAt + 1), CultureInfo.InvariantCulture);
-            long digits = long.Parse(cell.Substring(0, digitsEnd).Replace(".", ""), CultureInfo.InvariantCulture);
+            string exponentText = exponentAt < 0 ? "0" : cell.Substring(exponentAt + 1);
+            string digitsText = cell.Substring(0, digitsEnd).Replace(".", "");
+            int exponent = int.Parse(exponentText, CultureInfo.InvariantCulture);
+            long digits = long.Parse(digitsText, CultureInfo.InvariantCulture);
             if (Math.Abs(digits) > 1L << 53 || exponent > decimals || decimals - exponent > 22)
                 throw new FormatException($"{name} {cell} has more digits than are read exactly");
             double divisor = 1;

@@ -5,9 +5,10 @@ namespace HrtSamples
 {
     /// <summary>
     /// A plate, a real cylinder and three virtual objects, made from code, to see how the component is used. Put
-    /// this on an empty object in an empty scene and press play. The mouse is the finger: choose an object with 1, 2
-    /// or 3, press the button near the start, drag towards the object, release there. A mouse feels no ridges, so the
-    /// plate turns and the hand is not bent. Needs the Input Manager (Active Input Handling: old, or both).
+    /// this on an empty object in a new scene, which has a camera, and press play. The mouse is the finger: choose
+    /// an object with 1, 2 or 3, press the button near the start, drag towards the object, release there. A mouse
+    /// feels no ridges, so the plate turns and the hand is not bent. Needs the Input Manager (Active Input Handling:
+    /// old, or both).
     /// </summary>
     public sealed class Table : MonoBehaviour
     {
@@ -73,7 +74,8 @@ namespace HrtSamples
         Transform MakeTarget(string targetName, double directionDeg)
         {
             Transform target = Make(PrimitiveType.Cylinder, targetName, new Vector3(0.015f, 0.02f, 0.015f));
-            target.position = retargeting.plate.position + new Vector3(0, 0, -0.05f) + Axes.Direction(directionDeg) * 0.1f;
+            target.position = retargeting.plate.position + new Vector3(0, 0, -0.05f) +
+                              Axes.Direction(directionDeg) * 0.1f;
             return target;
         }
 

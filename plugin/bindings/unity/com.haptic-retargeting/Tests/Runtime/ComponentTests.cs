@@ -86,7 +86,7 @@ namespace Hrt.Tests
                 {
                     double right = 0.02 * Math.Sin(frame * 0.05), away = 0.1 * frame / 90;
                     component.finger.position = OnPlate(right, away);
-                    component.Step(frame * 11111111L);
+                    component.Step(At(frame * 11111111L));
                     Command expected = session.Update(new Sample
                     {
                         flags = SampleFlags.PlatePosition,
@@ -111,14 +111,15 @@ namespace Hrt.Tests
         public void APlateThatMovesDuringAReachIsFollowed()
         {
             component.BeginReach(virtualTarget);
-            component.Step(0);
+            component.Step(At(0));
             Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.1).Within(1e-6));
             component.plate.position = new Vector3(-3, 1, 4);
             component.plate.rotation = Quaternion.Euler(-30, 20, 75);
             component.finger.position = OnPlate(0, 0);
-            component.Step(11111111);
+            component.Step(At(11111111));
             Assert.That(component.LastCommand.distanceToGoM, Is.EqualTo(0.1).Within(1e-6));
-            Assert.AreEqual(CommandFlags.None, component.LastCommand.flags & (CommandFlags.Lifted | CommandFlags.OffPlate));
+            const CommandFlags away = CommandFlags.Lifted | CommandFlags.OffPlate;
+            Assert.AreEqual(CommandFlags.None, component.LastCommand.flags & away);
         }
 
         [Test]
@@ -137,12 +138,12 @@ namespace Hrt.Tests
         public void AFingerThatIsNotSeenIsADropout()
         {
             component.BeginReach(virtualTarget);
-            component.Step(0);
+            component.Step(At(0));
             component.FingerTracked = false;
-            component.Step(1000000);
+            component.Step(At(1000000));
             component.FingerTracked = true;
             component.finger.gameObject.SetActive(false);
-            component.Step(2000000);
+            component.Step(At(2000000));
             Assert.AreEqual(2, component.EndReach().droppedSamples);
         }
 
@@ -161,10 +162,10 @@ namespace Hrt.Tests
             component.onFlags.AddListener(unityFlags.Add);
 
             component.BeginReach(virtualTarget);
-            component.Step(0);
-            component.Step(0);
+            component.Step(At(0));
+            component.Step(At(0));
             component.finger.position = OnPlate(0, 0.2);
-            component.Step(1);
+            component.Step(At(1));
             component.EndReach();
 
             Assert.AreEqual(3, commands.Count);
@@ -185,7 +186,7 @@ namespace Hrt.Tests
             for (int frame = 0; frame <= 30; ++frame)
             {
                 component.finger.position = OnPlate(0, 0.1 * frame / 90);
-                component.Step(frame * 11111111L);
+                component.Step(At(frame * 11111111L));
             }
             Assert.Greater(Math.Abs(component.LastCommand.plateOrientationDeg), 10);
             Vector3 normal = component.ridges.localRotation * Vector3.forward;
@@ -193,17 +194,17 @@ namespace Hrt.Tests
             Assert.That((normal - expected).magnitude, Is.EqualTo(0).Within(1e-5));
         }
 
+        // Before the finger moves the plate stays where it stands.
         [Test]
         public void WhereThePlateReallyStandsGoesIn()
         {
             component.MeasuredPlateOrientationDeg = 33;
             component.BeginReach(virtualTarget);
-            component.Step(0);
-            component.MeasuredPlateOrientationDeg = 1000;
-            string before = HapticRetargetingLibrary.LastError;
-            Assert.IsFalse(component.Session.TryUpdate(
-                new Sample { flags = SampleFlags.PlateOrientation, plateOrientationDeg = 1000 }, out Command command));
-            StringAssert.Contains("plate_orientation_deg", HapticRetargetingLibrary.LastError);
+            component.Step(At(0));
+            Assert.AreEqual(33, component.LastCommand.plateOrientationDeg);
+            Sample sample = component.ReadFinger();
+            Assert.AreEqual(SampleFlags.PlateOrientation, sample.flags & SampleFlags.PlateOrientation);
+            Assert.AreEqual(33, sample.plateOrientationDeg);
         }
 
         [Test]
@@ -220,14 +221,17 @@ namespace Hrt.Tests
             Assert.Throws<ArgumentException>(() => component.BeginReach(real));
             Assert.Throws<ArgumentException>(() => component.BeginReach(null));
             component.finger = null;
-            StringAssert.Contains("finger", Assert.Throws<InvalidOperationException>(
-                () => component.BeginReach(virtualTarget)).Message);
+            AssertInvalid("finger is not set", () => component.BeginReach(virtualTarget));
             component.plate = null;
-            StringAssert.Contains("plate", Assert.Throws<InvalidOperationException>(() => component.Preview()).Message);
+            AssertInvalid("plate is not set", () => component.Preview());
             component.enabled = false;
             Assert.IsNull(component.Session);
-            StringAssert.Contains("enabled", Assert.Throws<InvalidOperationException>(
-                () => component.BeginReach(virtualTarget)).Message);
+            AssertInvalid("not enabled", () => component.BeginReach(virtualTarget));
+        }
+
+        static void AssertInvalid(string message, TestDelegate call)
+        {
+            StringAssert.Contains(message, Assert.Throws<InvalidOperationException>(call).Message);
         }
 
         [Test]
@@ -254,12 +258,19 @@ namespace Hrt.Tests
             for (int frame = 0; frame <= 270; ++frame)
             {
                 component.finger.position = OnPlate(0, 0.1 * frame / 270);
-                component.Step(frame * 11111111L);
+                component.Step(At(frame * 11111111L));
             }
             ReachSummary summary = component.EndReach();
             Assert.AreNotEqual(0.15, summary.tactileWeight);
             component.BeginReach(virtualTarget);
             Assert.AreEqual(summary.tactileWeight, component.Session.Config.tactileWeight);
+        }
+
+        Sample At(long timeNs)
+        {
+            Sample sample = component.ReadFinger();
+            sample.timeNs = timeNs;
+            return sample;
         }
 
         // Metres from the start, which is 5 cm from the centre towards the user.

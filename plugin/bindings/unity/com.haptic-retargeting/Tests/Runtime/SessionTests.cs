@@ -78,7 +78,8 @@ namespace Hrt.Tests
         public void TargetsAreListedByRole()
         {
             Assert.AreEqual(0, session.GetTargets().Length);
-            TargetId first = session.AddTarget(TargetRole.Real, -5), second = session.AddTarget(TargetRole.Virtual, 5);
+            TargetId first = session.AddTarget(TargetRole.Real, -5);
+            TargetId second = session.AddTarget(TargetRole.Virtual, 5);
             CollectionAssert.AreEqual(new[] {first, second}, session.GetTargets());
             CollectionAssert.AreEqual(new[] {second}, session.GetTargets(TargetRole.Virtual));
         }

@@ -1,0 +1,69 @@
+using System;
+
+namespace Hrt
+{
+    /// <summary>
+    /// What the library knows by a handle, from construction until it is disposed of, collected, or its scripts are
+    /// unloaded. A call that the library refuses throws a <see cref="HapticRetargetingException"/> with the
+    /// library's text, and changes nothing. Two threads must not be in calls on one object at the same time: the
+    /// second gets <see cref="Result.Busy"/>.
+    /// </summary>
+    public abstract class NativeObject : IDisposable
+    {
+        readonly Func<ulong, Result> destroy;
+        ulong handle;
+
+        internal NativeObject(Func<ulong, Result> destroy)
+        {
+            this.destroy = destroy;
+        }
+
+        ~NativeObject()
+        {
+            Destroy();
+        }
+
+        /// <summary>Throws <see cref="Result.Busy"/>, and can be called again, while another thread is in a call
+        /// on this.</summary>
+        public void Dispose()
+        {
+            Check(Destroy());
+            GC.SuppressFinalize(this);
+        }
+
+        public bool IsDisposed => handle == 0;
+
+        internal void Own(ulong created)
+        {
+            handle = created;
+            HapticRetargetingLibrary.Opened(created, destroy);
+        }
+
+        internal ulong Value
+        {
+            get
+            {
+                if (handle == 0) throw new ObjectDisposedException(GetType().Name);
+                return handle;
+            }
+        }
+
+        // Every call ends here, so that the finaliser can't run during one.
+        internal void Check(Result result)
+        {
+            GC.KeepAlive(this);
+            HapticRetargetingLibrary.Check(result);
+        }
+
+        // Also what the finaliser calls: throws nothing, and may come second, after a domain's unloading.
+        Result Destroy()
+        {
+            if (handle == 0) return Result.Ok;
+            Result result = destroy(handle);
+            if (result == Result.Busy) return result;
+            HapticRetargetingLibrary.Closed(handle);
+            handle = 0;
+            return Result.Ok;
+        }
+    }
+}
