@@ -375,7 +375,8 @@ TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
   refused([](auto& r) { r.bias_deg.lower = std::nan(""); }, "bias_deg is -3 in an interval from NaN");
   refused([](auto& r) { r.bias_deg = {-90.0, -91.0, -89.0, 1, 0}; }, "bias_deg is -90; allowed: -45 to 45");
   refused([](auto& r) { r.motor_variance_deg2.upper = 0.9; }, "motor_variance_deg2");
-  refused([](auto& r) { r.motor_variance_deg2.upper = INFINITY; }, "motor_variance_sd_deg2");
+  refused([](auto& r) { r.motor_variance_deg2.upper = std::numeric_limits<double>::infinity(); },
+          "motor_variance_sd_deg2");
   refused([](auto& r) { r.sensory_variance_deg2 = {0.0, 0.0, 0.0, 1, 0}; }, "sensory_variance_deg2");
   refused([](auto& r) { r.tracker_noise_m.known = 2; }, "tracker_noise_m.known is 2");
   refused([](auto& r) { r.tracker_noise_m.reserved = 1; }, "reserved");
