@@ -14,28 +14,24 @@ from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
 
 
 class Pace:
-    """Has a script that runs faster than real time wait for the disk of its recording, which would lose calls."""
+    """Has a run over an array wait for the disk of its recording, which it would outrun, so that calls were lost. Single
+    steps never wait: a plate may hang on them."""
 
-    LOOK_EVERY = 1024  # calls; the library holds 8192
+    ROWS = 1024  # between two looks; the library holds 8192
     STALLED_S = 5.0
 
     def __init__(self, session: _abi.SessionHandle) -> None:
         self._session = session
-        self._calls = 0
-        self._looked_at = 0
+        self.calls = 0
 
-    def count(self, calls: int) -> None:
-        """So many calls more have been made."""
-        self._calls += calls
-        if self._calls - self._looked_at < self.LOOK_EVERY:
-            return
-        self._looked_at = self._calls
+    def wait(self) -> None:
+        """Returns once the disk is not far behind the calls made, or has stalled."""
         status = RecordingStatus()
         give_up = time.monotonic() + self.STALLED_S
         while time.monotonic() < give_up:
             if library().hrt_recording_get_status(self._session, byref(status)) != _abi.OK:
                 return  # the recording has ended before the reach
-            if self._calls - status.rows_written - status.rows_lost <= 4 * self.LOOK_EVERY:
+            if self.calls - status.rows_written - status.rows_lost <= 4 * self.ROWS:
                 return
             time.sleep(0.001)
 
@@ -85,7 +81,7 @@ class Reach:
         """As update(), with a Sample that the caller has filled."""
         check(library().hrt_reach_update(self._session, byref(sample), byref(self._command)))
         if self._pace is not None:
-            self._pace.count(1)
+            self._pace.calls += 1
         return Command.from_buffer_copy(self._command)
 
     def run(self, samples: Array, out: Array | None = None) -> Array:
@@ -99,11 +95,12 @@ class Reach:
         expect_rows(out, "out", COMMAND)
         if len(out) != len(samples) or not out.flags.writeable:
             raise ValueError(f"out must be writeable and have {len(samples)} rows, as samples has")
-        for first in range(0, len(samples), Pace.LOOK_EVERY):
-            rows = range(first, min(first + Pace.LOOK_EVERY, len(samples)))
-            self._run_rows(rows, samples.ctypes.data, out.ctypes.data)
+        for first in range(0, len(samples), Pace.ROWS):
+            rows = range(first, min(first + Pace.ROWS, len(samples)))
             if self._pace is not None:
-                self._pace.count(len(rows))
+                self._pace.wait()
+                self._pace.calls += len(rows)
+            self._run_rows(rows, samples.ctypes.data, out.ctypes.data)
         return out
 
     def _run_rows(self, rows: range, samples_at: int, commands_at: int) -> None:
