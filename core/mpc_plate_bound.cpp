@@ -1,6 +1,7 @@
 #include "core/mpc_plate_bound.h"
 
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 namespace hrt {
@@ -8,6 +9,9 @@ namespace {
 
 // Sweeps that a problem may take. Those of a closed loop take one or two.
 constexpr int max_sweeps = 8;
+
+// A constant, so that the sweep over the usual window is unrolled.
+constexpr std::integral_constant<int, 3> papers_horizon;
 
 }  // namespace
 
@@ -27,7 +31,8 @@ void PlateBoundSolver::solve(const WindowProblem& problem, int steps_wanted, Wor
   for (int sweep = 0; sweep < max_sweeps; ++sweep) {
     sweep_backwards(problem, working_set, from, after);
     const int held_steps = held_steps_;
-    from = sweep_forwards(problem, after, working_set);
+    from = problem.horizon == papers_horizon ? sweep_forwards(problem, papers_horizon, after, working_set)
+                                             : sweep_forwards(problem, problem.horizon, after, working_set);
     if (from <= 0) {
       if (held_steps == 0 && held_steps_ == 1) after[0] = free_cost_to_go(problem.horizon - 1);
       write(problem, after, working_set, steps_wanted, solution);
@@ -67,7 +72,8 @@ void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, const Worki
 // to be clamped is not what was assumed, or -1: the costs to go after it, and what follows from there, are
 // right. An assumption that is right but for rounding stands, or bounds that are just touched would come
 // and go forever.
-int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, const CostsToGo& after,
+template <class Horizon>
+int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, const CostsToGo& after,
                                      WorkingSet& working_set) {
   const double q_perceived = problem.perceived_weight;
   const double pw = problem.proprioceptive_weight;
@@ -78,13 +84,13 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, const CostsTo
   const int held_steps = std::exchange(held_steps_, 0);
   int last_changed = -1;
   double x = problem.miss_deg;
-  for (int i = 0; i < problem.horizon; ++i) {
+  for (int i = 0; i < horizon; ++i) {
     const double k = problem.gains[i];
     const double a = k * pw;
     std::int8_t& pin = working_set.pin[i];
     double e;
     if (i >= held_steps) {
-      e = free_gain_[problem.horizon - i] * x;
+      e = free_gain_[horizon - i] * x;
     } else {
       const auto& [s, r] = after[i];
       const double total = q_perceived + s;
@@ -115,6 +121,10 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, const CostsTo
 // The first `steps` steps of the solution, once the active bounds are known.
 void PlateBoundSolver::write(const WindowProblem& problem, const CostsToGo& after,
                              const WorkingSet& working_set, int steps, WindowSolution& solution) const {
+  if (steps == 1 && working_set.pin[0]) {
+    solution.plate_deg[0] = working_set.pin[0] * problem.bound_deg;
+    return;
+  }
   double x = problem.miss_deg;
   for (int i = 0; i < steps; ++i) {
     const auto [s, r] = i < held_steps_ ? after[i] : free_cost_to_go(problem.horizon - 1 - i);
@@ -127,11 +137,8 @@ void PlateBoundSolver::write(const WindowProblem& problem, const CostsToGo& afte
       u = (s * inverse - problem.proprioceptive_weight) * x +
           (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
     }
-    const double e = k * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
     solution.plate_deg[i] = u;
-    solution.error_deg[i] = e;
-    solution.miss_deg[i] = x;
-    x -= e;
+    x -= k * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
   }
 }
 

@@ -17,8 +17,8 @@ class PlateBoundSolver {
   /// Weights and horizon as in MpcConfig, for all problems to come.
   PlateBoundSolver(int horizon, double perceived_weight, double actual_weight);
 
-  /// Solves `problem`, writing the first `steps_wanted` >= 1 entries of `solution`. `working_set` is that
-  /// of the last problem, empty at first, and no one else's.
+  /// Solves `problem`, writing the first `steps_wanted` >= 1 plate offsets of `solution`. `working_set` is
+  /// that of the last problem, empty at first, and no one else's.
   void solve(const WindowProblem& problem, int steps_wanted, WorkingSet& working_set,
              WindowSolution& solution);
 
@@ -33,7 +33,9 @@ class PlateBoundSolver {
   CostToGo free_cost_to_go(int steps_left) const { return {free_cost_[steps_left], 0.0}; }
   void sweep_backwards(const WindowProblem& problem, const WorkingSet& working_set, int from,
                        CostsToGo& after) const;
-  int sweep_forwards(const WindowProblem& problem, const CostsToGo& after, WorkingSet& working_set);
+  template <class Horizon>
+  int sweep_forwards(const WindowProblem& problem, Horizon horizon, const CostsToGo& after,
+                     WorkingSet& working_set);
   void write(const WindowProblem& problem, const CostsToGo& after, const WorkingSet& working_set, int steps,
              WindowSolution& solution) const;
 
