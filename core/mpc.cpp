@@ -70,7 +70,8 @@ Mpc::Command Mpc::solve_step_by_step(const MpcProblem& problem, MpcDiagnostics* 
   Command command{};
   const auto take = [&](double plate_deg, ActiveBound active) {
     if (i == 0) command = {plate_deg, active};
-    const double error_deg = problem.gains[i] * (w * plate_deg + (1.0 - w) * finger_deg);
+    const double error_deg =
+        problem.gains[i] * (w * ridge_normal_deg(plate_deg, 0.0) + (1.0 - w) * finger_deg);
     const double miss_deg = finger_deg - problem.real_offset_deg;
     if (diagnostics) {
       diagnostics->active[i] = active;

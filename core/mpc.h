@@ -39,7 +39,8 @@ struct MpcProblem {
   double real_offset_deg;    ///< p_R, finite
   double tactile_weight;     ///< w_T in (0, 0.5)
   /// t_k-1: where the plate stands now, finite. Read only with a rate bound. If it is farther out of the
-  /// plate bound than one step can turn, the plate returns at full rate and the bound gives way until then.
+  /// plate bound than one step can turn, the plate returns at full rate and the bound gives way until then;
+  /// beyond 90 the finger feels on the way what it feels 180 nearer.
   double plate_offset_deg;
   /// K_k .. K_k+N-1, each in [0, 1]; must point at `horizon` values. Where a gain is 0 the plate has no
   /// effect, and any orientation within the bounds is an optimum.

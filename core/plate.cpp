@@ -31,6 +31,17 @@ double nearest_equivalent_deg(double orientation_deg, double current_deg, const 
   return orientation_deg + 180.0 * half_turns;
 }
 
+double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
+                                const PlateDynamics& dynamics) {
+  const double nearest = std::floor((current_deg - 0.5 * (lowest_deg + highest_deg)) / 180.0 + 0.5);
+  const double fewest = std::ceil((dynamics.lower_stop_deg - lowest_deg) / 180.0);
+  const double most = std::floor((dynamics.upper_stop_deg - highest_deg) / 180.0);
+  if (fewest <= most) return std::clamp(nearest, fewest, most);
+  const double cut_below_deg = dynamics.lower_stop_deg - (lowest_deg + 180.0 * most);
+  const double cut_above_deg = highest_deg + 180.0 * fewest - dynamics.upper_stop_deg;
+  return cut_below_deg < cut_above_deg ? most : fewest;
+}
+
 Plate::Plate(const PlateDynamics& dynamics, double orientation_deg)
     : dynamics_(dynamics), orientation_deg_(orientation_deg), target_deg_(orientation_deg) {}
 

@@ -26,6 +26,12 @@ bool is_valid(const PlateDynamics& dynamics);
 /// between the stops, the one nearest to `current_deg`.
 double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateDynamics& dynamics);
 
+/// For a plate that shall turn anywhere from `lowest_deg` to `highest_deg` without a swing of half a turn in
+/// between: how many half turns further it does so while the stops cut the least from that range, and of
+/// those the ones nearest to `current_deg`. A whole number.
+double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
+                                const PlateDynamics& dynamics);
+
 /// Follows a plate through its commands and reports. No heap, no lock, no exception. One thread at a time.
 class Plate {
  public:

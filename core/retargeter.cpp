@@ -11,6 +11,8 @@ namespace {
 
 // Longer gaps tell no more about where the finger may be.
 constexpr double longest_gap_s = 2.0;
+// The controller's orientations mostly lie within this of the one that holds the real direction.
+constexpr double play_deg = 30.0;
 
 // What the plate can do in a model step bounds the controller too.
 MpcConfig with_plate(MpcConfig mpc, const PlateDynamics& plate, std::int64_t step_period_ns) {
@@ -53,6 +55,7 @@ void Retargeter::begin(const Reach& reach) {
   onset_ = {};
   estimator_ = Estimator(config_.estimator, config_.participant, reach.virtual_direction_deg, reach.start);
   plate_ = Plate(config_.plate, reach.plate_orientation_deg);
+  half_turns_ = plans_turns() ? half_turns_for_reach() : 0.0;
   command_ = {.plate_orientation_deg = config_.mode == ControlMode::mpc ? reach.plate_orientation_deg
                                                                         : config_.fixed_plate_orientation_deg,
               .aimed_direction_deg = reach.real_direction_deg,
@@ -242,11 +245,13 @@ void Retargeter::decide(const FingerEstimate& estimate) {
   if (config_.mode == ControlMode::mpc) command_.plate_orientation_deg = plan_deg(estimate);
 }
 
-// Has the plate turn to the decision, the short way round.
+// Has the plate turn to the decision; the short way round, unless each turn is planned.
 void Retargeter::act(const FingerEstimate& estimate) {
   decide(estimate);
-  command_.plate_orientation_deg =
-      nearest_equivalent_deg(command_.plate_orientation_deg, plate_.orientation_deg(), config_.plate);
+  if (!plans_turns()) {
+    command_.plate_orientation_deg =
+        nearest_equivalent_deg(command_.plate_orientation_deg, plate_.orientation_deg(), config_.plate);
+  }
   plate_.command(command_.plate_orientation_deg);
   command_.perceived_direction_deg = perceived_deg(estimate, plate_.orientation_at_deg(step_end_ns()));
 }
@@ -264,16 +269,38 @@ double Retargeter::plan_deg(const FingerEstimate& estimate) {
     end_ns = later_ns(end_ns, config_.step_period_ns);
     ++lead;
   }
-  const double committed_deg = ridge_normal_deg(plate_.orientation_at_deg(arrival_ns), goal_deg);
+  const double centre_deg = goal_deg + 180.0 * half_turns_;
   const Mpc::Command optimum = mpc_.solve({
       .finger_offset_deg = ahead.direction_deg - goal_deg,
       .real_offset_deg = command_.aimed_direction_deg - goal_deg,
       .tactile_weight = estimate.tactile_weight,
-      .plate_offset_deg = committed_deg - goal_deg,
+      .plate_offset_deg = plate_.orientation_at_deg(arrival_ns) - centre_deg,
       .gains = gains_.data() + lead,
   });
   command_.active = optimum.active;
-  return goal_deg + optimum.plate_offset_deg;
+  const double plate_deg = centre_deg + optimum.plate_offset_deg;
+  if (!plans_turns()) return plate_deg;
+  if (plate_deg < config_.plate.lower_stop_deg) command_.active = ActiveBound::lower;
+  if (plate_deg > config_.plate.upper_stop_deg) command_.active = ActiveBound::upper;
+  return std::clamp(plate_deg, config_.plate.lower_stop_deg, config_.plate.upper_stop_deg);
+}
+
+// A plate that takes time to turn keeps to one range of orientations during a reach: those of the others that
+// feel the same are up to half a turn away, and on the way there the finger would feel all that lie between.
+bool Retargeter::plans_turns() const {
+  return config_.mode == ControlMode::mpc && std::isfinite(mpc_.config().plate_rate_bound_deg);
+}
+
+// The range to keep to is about the orientation that holds the real direction.
+double Retargeter::half_turns_for_reach() const {
+  const double goal_deg = reach_.virtual_direction_deg;
+  const double bound_deg = config_.mpc.plate_bound_deg;
+  const double held_deg =
+      steering_authority(reach_.real_direction_deg, goal_deg, config_.participant.tactile_weight, bound_deg)
+          .plate_orientation_deg;
+  return half_turns_between_stops(std::max(held_deg - play_deg, goal_deg - bound_deg),
+                                  std::min(held_deg + play_deg, goal_deg + bound_deg),
+                                  plate_.orientation_deg(), config_.plate);
 }
 
 // theta_hat at the end of the step `lead` steps on, if it ends with the plate at `plate_orientation_deg`.

@@ -123,6 +123,8 @@ class Retargeter {
   void decide(const FingerEstimate& estimate);
   void act(const FingerEstimate& estimate);
   double plan_deg(const FingerEstimate& estimate);
+  double half_turns_for_reach() const;
+  bool plans_turns() const;
   double perceived_deg(const FingerEstimate& estimate, double plate_orientation_deg, int lead = 0) const;
   std::int64_t step_end_ns() const { return later_ns(step_start_ns_, config_.step_period_ns); }
 
@@ -136,6 +138,8 @@ class Retargeter {
   Plate plate_;
   PlateCommand command_;
   ReachSummary summary_;
+  double half_turns_ =
+      0.0;  // that the plate stands beyond the orientations about the goal; see plans_turns()
   std::int64_t step_start_ns_ = 0;
   std::int64_t now_ns_ = 0;                  // of the estimator
   std::optional<std::int64_t> position_ns_;  // of the last position

@@ -24,18 +24,31 @@ struct Chunk {
   std::uint32_t last_trial;
 };
 
-std::vector<Chunk> split(std::span<const BatchJob> jobs) {
-  std::vector<Chunk> chunks;
-  for (std::size_t job = 0; job < jobs.size(); ++job) {
-    std::uint32_t first = jobs[job].first_trial;
-    while (first < jobs[job].last_trial) {
-      const std::uint32_t last = first + std::min(chunk_trials, jobs[job].last_trial - first);
-      chunks.push_back({job, first, last});
-      first = last;
-    }
+// The chunks of all jobs, numbered one after the other.
+class Chunks {
+ public:
+  explicit Chunks(std::span<const BatchJob> jobs) : jobs_(jobs) {
+    for (std::size_t job = 0; job < jobs.size(); ++job) ends_.push_back(count() + count_of(job));
   }
-  return chunks;
-}
+
+  std::uint64_t count() const { return ends_.empty() ? 0 : ends_.back(); }
+
+  std::uint64_t count_of(std::size_t job) const {
+    const std::uint64_t trials = jobs_[job].last_trial - jobs_[job].first_trial;
+    return (trials + chunk_trials - 1) / chunk_trials;
+  }
+
+  Chunk operator[](std::uint64_t number) const {
+    const auto job = static_cast<std::size_t>(std::ranges::upper_bound(ends_, number) - ends_.begin());
+    const auto within_job = static_cast<std::uint32_t>(number - (ends_[job] - count_of(job)));
+    const std::uint32_t first = jobs_[job].first_trial + within_job * chunk_trials;
+    return {job, first, first + std::min(chunk_trials, jobs_[job].last_trial - first)};
+  }
+
+ private:
+  std::span<const BatchJob> jobs_;
+  std::vector<std::uint64_t> ends_;  // of each job, the number after its last chunk's
+};
 
 // One trial after the other through the Retargeter, for what has no table.
 BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first,
@@ -117,22 +130,22 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   struct JobState {
     std::once_flag tabulated;
     std::optional<TrialTable> table;
-    std::atomic<std::size_t> chunks_left{0};
+    std::atomic<std::uint64_t> chunks_left{0};
   };
   std::vector<JobState> states(jobs.size());
   std::vector<BatchResult> results(jobs.size());
-  const std::vector<Chunk> chunks = split(jobs);
-  for (const Chunk& chunk : chunks) ++states[chunk.job].chunks_left;
+  const Chunks chunks(jobs);
+  for (std::size_t job = 0; job < jobs.size(); ++job) states[job].chunks_left = chunks.count_of(job);
   std::uint64_t total = 0;
   for (const BatchJob& job : jobs) total += job.last_trial - job.first_trial;
 
-  std::atomic<std::size_t> next_chunk{0};
+  std::atomic<std::uint64_t> next_chunk{0};
   std::atomic<std::uint64_t> done{0};
   std::mutex results_mutex;
   const auto work = [&](const auto& after_chunk) {
     while (!(options.cancel && options.cancel->load(std::memory_order_relaxed))) {
-      const std::size_t taken = next_chunk.fetch_add(1);
-      if (taken >= chunks.size()) return;
+      const std::uint64_t taken = next_chunk.fetch_add(1);
+      if (taken >= chunks.count()) return;
       const auto [index, first, last] = chunks[taken];
       const BatchJob& job = jobs[index];
       JobState& state = states[index];
@@ -153,11 +166,12 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   std::vector<std::jthread> others;
   // Makes the other threads stop before they are joined if this one leaves by an exception.
   struct StopOnExit {
-    std::atomic<std::size_t>& next;
-    std::size_t end;
+    std::atomic<std::uint64_t>& next;
+    std::uint64_t end;
     ~StopOnExit() { next = end; }
-  } stop_on_exit{next_chunk, chunks.size()};
-  for (std::size_t i = 1; i < std::min(wanted, chunks.size()); ++i) others.emplace_back([&] { work([] {}); });
+  } stop_on_exit{next_chunk, chunks.count()};
+  for (std::uint64_t i = 1; i < std::min<std::uint64_t>(wanted, chunks.count()); ++i)
+    others.emplace_back([&] { work([] {}); });
   work([&] {
     if (options.progress) options.progress(done, total);
   });

@@ -26,9 +26,10 @@ TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const T
   Retargeter retargeter(condition.controller);
   retargeter.begin({.real_direction_deg = condition.real_direction_deg,
                     .virtual_direction_deg = condition.virtual_direction_deg,
+                    .plate_orientation_deg = condition.plate_orientation_deg,
                     .start = start,
                     .real_distance_m = condition.distance_m});
-  Plate plate(condition.plate, 0.0);
+  Plate plate(condition.plate, condition.plate_orientation_deg);
   const auto to_ns = [](double seconds) { return static_cast<std::int64_t>(std::llround(seconds * 1e9)); };
   plate.advance(to_ns(-condition.rest_s));
 

@@ -14,11 +14,12 @@ enum class SpeedProfile {
 
 /// All that a tracked reach depends on but its random numbers.
 struct TrackedCondition {
-  Participant participant;      ///< who reaches
-  double bias_deg = 0.0;        ///< the person takes the goal to lie this much further left
-  double weight_drift = 0.0;    ///< w_T changes by this from the start of the reach to its end
-  RetargeterConfig controller;  ///< what leads them, and what it assumes
-  PlateDynamics plate;          ///< the servo as it is
+  Participant participant;             ///< who reaches
+  double bias_deg = 0.0;               ///< the person takes the goal to lie this much further left
+  double weight_drift = 0.0;           ///< w_T changes by this from the start of the reach to its end
+  RetargeterConfig controller;         ///< what leads them, and what it assumes
+  PlateDynamics plate;                 ///< the servo as it is
+  double plate_orientation_deg = 0.0;  ///< where it stands before the reach
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_m = 0.1;     ///< of the path, > 0

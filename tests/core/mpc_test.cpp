@@ -112,6 +112,8 @@ TEST(Mpc, ComesBackIntoTheBoundAtFullSpeed) {
   EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[0], -130.0);
   EXPECT_DOUBLE_EQ(diagnostics.plate_offset_deg[1], -90.0);
   EXPECT_EQ(diagnostics.active[1], ActiveBound::rate_up);
+  // At -130 the ridges feel as at 50.
+  EXPECT_NEAR(diagnostics.perceived_error_deg[0], gains[0] * (0.15 * 50.0 + 0.85 * 3.0), 1e-14);
   MpcConfig shorter = config;
   shorter.horizon = 3;
   MpcProblem from_there = problem;

@@ -105,6 +105,26 @@ TEST(Plate, TheShortWayRound) {
   }
 }
 
+// From 30 to 80, between stops at +-90: only as it is, wherever the plate stands. Between stops at +-360 also
+// at 210 to 260, and from -330 to -100: the nearest, unless a stop cuts into it.
+TEST(Plate, HalfTurnsThatTheStopsLeaveRoomFor) {
+  const PlateDynamics half{.lower_stop_deg = -90.0, .upper_stop_deg = 90.0};
+  for (const double current : {-90.0, 0.0, 90.0})
+    EXPECT_EQ(half_turns_between_stops(30.0, 80.0, current, half), 0.0);
+  // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one 50.
+  EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
+  EXPECT_EQ(half_turns_between_stops(80.0, 150.0, 90.0, half), -1.0);
+
+  const PlateDynamics two{.lower_stop_deg = -360.0, .upper_stop_deg = 360.0};
+  EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 0.0, two), 0.0);
+  EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 180.0, two), 1.0);
+  EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 360.0, two), 1.0);
+  EXPECT_EQ(half_turns_between_stops(30.0, 80.0, -360.0, two), -2.0);
+  EXPECT_EQ(half_turns_between_stops(-20.0, 20.0, 355.0, two), 1.0);
+
+  EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 730.0, {}), 4.0);
+}
+
 TEST(Plate, InvalidDynamicsAreRecognised) {
   EXPECT_TRUE(is_valid(PlateDynamics{}));
   EXPECT_FALSE(is_valid(PlateDynamics{.max_speed_deg_s = 0.0}));

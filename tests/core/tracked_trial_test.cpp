@@ -60,6 +60,27 @@ TEST(TrackedTrial, AdaptiveLineOfSightReachesPeopleNobodyHasMeasured) {
   EXPECT_EQ(misses.unreachable, 0);
 }
 
+// Wherever between its stops the plate stands before the reach, and on whichever side the real target lies.
+TEST(TrackedTrial, StopsOfThePlateDoNotKeepTheFingerFromTheTarget) {
+  for (const double stop_deg : {90.0, 135.0, 180.0, 360.0}) {
+    int near = 0;
+    for (std::uint32_t trial = 0; trial < 400; ++trial) {
+      TrackedCondition condition = adaptive();
+      condition.plate = condition.controller.plate = {.max_speed_deg_s = 400.0,
+                                                      .latency_ns = 30'000'000,
+                                                      .lower_stop_deg = -stop_deg,
+                                                      .upper_stop_deg = stop_deg};
+      condition.plate_orientation_deg = uniform(-stop_deg, stop_deg, trial, 3);
+      condition.virtual_direction_deg = uniform(-12.0, 12.0, trial, 4);
+      condition.real_direction_deg = condition.virtual_direction_deg + (trial % 2 == 0 ? 10.0 : -10.0);
+      const TrackedOutcome outcome =
+          simulate_tracked_trial(condition, {.seed = 1, .condition = 0, .trial = trial});
+      near += std::abs(outcome.bearing_error_deg) <= 1.5;
+    }
+    EXPECT_GE(near, 398) << "stops at +-" << stop_deg;
+  }
+}
+
 TEST(TrackedTrial, ThePapersControllerDoesNot) {
   Misses misses = reach_all({}, 0.12, 0.25);
   EXPECT_GT(misses.quantile(0.5), 2.0);
