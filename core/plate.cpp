@@ -89,6 +89,12 @@ void Plate::command(double orientation_deg) {
   pending_count_ = slot + 1;
 }
 
+void Plate::report(double orientation_deg) {
+  const bool turns_freely = std::isinf(dynamics_.lower_stop_deg) && std::isinf(dynamics_.upper_stop_deg);
+  orientation_deg_ =
+      turns_freely ? nearest_equivalent_deg(orientation_deg, orientation_deg_, dynamics_) : orientation_deg;
+}
+
 double Plate::orientation_at_deg(std::int64_t time_ns) const {
   if (orientation_deg_ == target_deg_ && pending_count_ == 0) return orientation_deg_;
   Plate ahead = *this;

@@ -45,8 +45,12 @@ class Plate {
   /// Commands an orientation as of now.
   void command(double orientation_deg);
 
-  /// The device reports where it stands now.
-  void report(double orientation_deg) { orientation_deg_ = orientation_deg; }
+  /// The device reports where it stands now. A plate without stops may count its turns as it likes: of the
+  /// orientations that feel the same, the one nearest to where it was expected is taken.
+  void report(double orientation_deg);
+
+  /// Puts the plate there at once.
+  void put(double orientation_deg) { orientation_deg_ = target_deg_ = orientation_deg; }
 
   /// Where the plate stands now.
   double orientation_deg() const { return orientation_deg_; }

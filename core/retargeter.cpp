@@ -106,7 +106,7 @@ const PlateCommand& Retargeter::step(double finger_direction_deg) {
     estimate = estimator_.estimate();
   }
   decide(estimate);
-  plate_.report(command_.plate_orientation_deg);
+  plate_.put(command_.plate_orientation_deg);
   command_.perceived_direction_deg = perceived_deg(estimate, command_.plate_orientation_deg);
   return command_;
 }

@@ -125,6 +125,15 @@ TEST(Plate, HalfTurnsThatTheStopsLeaveRoomFor) {
   EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 730.0, {}), 4.0);
 }
 
+TEST(Plate, AReportMayCountTurnsItsOwnWay) {
+  Plate free({}, 115.0);
+  free.report(-64.0);
+  EXPECT_DOUBLE_EQ(free.orientation_deg(), 116.0);
+  Plate between_stops({.lower_stop_deg = -180.0, .upper_stop_deg = 180.0}, 115.0);
+  between_stops.report(-64.0);
+  EXPECT_DOUBLE_EQ(between_stops.orientation_deg(), -64.0);
+}
+
 TEST(Plate, InvalidDynamicsAreRecognised) {
   EXPECT_TRUE(is_valid(PlateDynamics{}));
   EXPECT_FALSE(is_valid(PlateDynamics{.max_speed_deg_s = 0.0}));

@@ -198,9 +198,9 @@ TEST_F(ReachTest, PlateIsWhereTheLastReachLeftItUnlessSaid) {
   reach.real_target = real;
   reach.virtual_target = virtual_target;
   reach.flags = HRT_REACH_PLATE_ORIENTATION;
-  reach.plate_orientation_deg = -40.0;
+  reach.plate_orientation_deg = -20.0;
   ASSERT_OK(hrt_reach_begin(session, &reach));
-  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, -30.0, 1e-9);
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, -10.0, 1e-9);
 }
 
 TEST_F(ReachTest, MeasuredPlateOrientationCounts) {
