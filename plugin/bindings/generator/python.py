@@ -3,6 +3,7 @@ and constants that belong together an enumeration."""
 
 from __future__ import annotations
 
+import re
 import textwrap
 
 from abi import Abi, Constant, Field, Function, Struct, Type
@@ -30,10 +31,10 @@ def render(abi: Abi, notice: str) -> str:
         "from typing import TYPE_CHECKING\n\n"
         "from ._struct import Struct\n",
         f'VERSION = ({version})\n"""Of the headers that this was written from."""\n'
-        + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "")
+        + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "", names)
                   for c in constants if not c.name.startswith("HRT_VERSION_")),
     ]
-    parts.extend(_enumeration(name, prefix, members) for prefix, (name, members) in enumerations.items())
+    parts.extend(_enumeration(name, prefix, members, names) for prefix, (name, members) in enumerations.items())
     parts.append("".join(_callback(f, names) for f in abi.callbacks))
     parts.extend(_struct(s, names) for s in abi.structs)
     parts.append(
@@ -63,33 +64,55 @@ def _sorted_constants(abi: Abi) -> tuple[dict[str, tuple[str, list[Constant]]], 
     return enumerations, others
 
 
-def _enumeration(name: str, prefix: str, members: list[Constant]) -> str:
+def _enumeration(name: str, prefix: str, members: list[Constant], names: dict[str, str]) -> str:
     kind = "IntFlag" if members[0].unsigned else "IntEnum"
-    text = f"class {name}({kind}):\n" + _docstring(members[0].group or f"HRT_{prefix}_*.", "    ") + "\n"
+    lines = textwrap.wrap(_told(members[0].group, names) or f"The C headers' HRT_{prefix}_*.", 104) + [""]
+    values = ""
     for member in members:
-        text += f"    {member.name.removeprefix(f'HRT_{prefix}_')} = {member.value}\n" + _docstring(member.doc, "    ")
-    return text
+        short = member.name.removeprefix(f"HRT_{prefix}_")
+        values += f"    {short} = {member.value}\n"
+        lines += textwrap.wrap(f"{short}: {_told(member.doc, names)}" if member.doc else short, 104,
+                               subsequent_indent="    ")
+    doc = "\n    ".join(lines).replace("\n    \n", "\n\n")
+    return f'class {name}({kind}):\n    """{doc}\n    """\n\n{values}'
 
 
-def _docstring(text: str, indent: str) -> str:
+def _docstring(text: str, indent: str, names: dict[str, str]) -> str:
     if not text:
         return ""
-    lines = textwrap.wrap(text.replace("\\", "\\\\"), 110 - len(indent) - 6)
+    lines = textwrap.wrap(_told(text, names).replace("\\", "\\\\"), 110 - len(indent) - 6)
     return indent + '"""' + f"\n{indent}".join(lines) + '"""\n'
 
 
 def _callback(function: Function, names: dict[str, str]) -> str:
     types = [_type(function.result, names)] + [_type(p.type, names) for p in function.parameters]
-    return f"{names[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "")
+    return f"{names[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "", names)
 
 
 def _struct(struct: Struct, names: dict[str, str]) -> str:
-    text = f"class {names[struct.name]}(Struct):\n" + _docstring(struct.doc, "    ")
-    text += "\n    if TYPE_CHECKING:\n"
+    # What help() shows has the fields too; they stand where a type checker sees them.
+    lines = textwrap.wrap(_told(struct.doc, names), 104) + [""]
+    hints, fields = "", ""
     for f in struct.fields:
-        text += f"        {f.name}: {_hint(f, names)}\n" + _docstring(f.doc, "        ")
-    fields = [f'("{f.name}", {_type(f.type, names)}{f" * {f.length}" if f.length else ""})' for f in struct.fields]
-    return text + "\n    _fields_ = (\n" + "".join(f"        {f},\n" for f in fields) + "    )\n"
+        hints += f"        {f.name}: {_hint(f, names)}\n"
+        fields += f'        ("{f.name}", {_type(f.type, names)}{f" * {f.length}" if f.length else ""}),\n'
+        if f.doc:
+            lines += textwrap.wrap(f"{f.name}: {_told(f.doc, names)}", 104, subsequent_indent="    ")
+        elif f.name not in ("struct_size", "reserved"):
+            lines.append(f.name)
+    doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
+    doc = f'    """{doc}\n    """\n' if "\n" in doc else f'    """{doc}"""\n'
+    return (f"class {names[struct.name]}(Struct):\n{doc}\n    if TYPE_CHECKING:\n{hints}\n"
+            f"    _fields_ = (\n{fields}    )\n")
+
+
+def _told(doc: str, names: dict[str, str]) -> str:
+    """What the headers say, with the names that things have here."""
+    for prefix, name in _ENUMERATIONS.items():
+        doc = doc.replace(f"HRT_{prefix}_*", name).replace(f"HRT_{prefix}_", f"{name}.")
+    doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.get(found[1], found[1]) + ".", doc)
+    doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.get(found[0], found[0]), doc)
+    return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_default\(\) fills every field)\.", "", doc)
 
 
 def _type(type_: Type, names: dict[str, str]) -> str:

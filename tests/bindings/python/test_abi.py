@@ -37,6 +37,17 @@ def test_every_function_is_declared() -> None:
         assert f"library.{name}.argtypes" in source
 
 
+def test_help_tells_units_ranges_and_defaults() -> None:
+    text = hrt.SessionConfig.__doc__ or ""
+    assert "horizon: Steps that the controller looks ahead, 1 to 50. Default 3." in text
+    assert "Control.FIXED_PLATE" in text and "HRT_" not in text and "struct_size" not in text
+    assert "OUT_OF_RANGE: A value is outside" in (hrt.ErrorCode.__doc__ or "")
+    missing = [f"{struct.__name__}.{name}" for struct in vars(_abi).values()
+               if isinstance(struct, type) and issubclass(struct, _abi.Struct) and struct is not _abi.Struct
+               for name in struct.names() if not re.search(rf"^    {name}\b", struct.__doc__ or "", re.M)]
+    assert not missing
+
+
 def test_versions_agree() -> None:
     assert hrt.__version__ == ".".join(map(str, hrt.library_version()))
 

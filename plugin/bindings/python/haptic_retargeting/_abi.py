@@ -29,147 +29,172 @@ NAME_SIZE = 64
 
 
 class ErrorCode(IntEnum):
-    """HRT_ERROR_*."""
+    """The C headers' HRT_ERROR_*.
+
+    NULL_ARGUMENT: A pointer that must not be null was null.
+    INVALID_HANDLE: The handle or id is null, was never given out, is of another session, or of something
+        destroyed.
+    STRUCT_SIZE: `struct_size` is below the first version's, or bytes beyond what this library knows are not
+        zero.
+    OUT_OF_RANGE: A value is outside its documented range, not a number, or infinite.
+    WRONG_STATE: Not now: for example an update without a reach, or a new configuration during one.
+    BUSY: Another thread is in a call on this session.
+    TIME_REVERSED: The sample's time is before that of the sample before it.
+    OUT_OF_MEMORY
+    LIMIT_REACHED: There are as many of these as there can be.
+    NOT_FOUND: Nothing has this name.
+    BUFFER_TOO_SMALL: The caller's buffer cannot hold the answer.
+    NAME_TAKEN: Another target of this session has this name.
+    SYSTEM: The operating system refused: a file, a thread.
+    BAD_FORMAT: A text is not what it should be; hrt_last_error() tells where.
+    INSUFFICIENT_DATA: The data do not tell what was asked of them; hrt_last_error() tells what is missing.
+    INTERNAL: A defect in this library; please report it with the text of hrt_last_error().
+    """
 
     NULL_ARGUMENT = -1
-    """A pointer that must not be null was null."""
     INVALID_HANDLE = -2
-    """The handle or id is null, was never given out, is of another session, or of something destroyed."""
     STRUCT_SIZE = -3
-    """`struct_size` is below the first version's, or bytes beyond what this library knows are not zero."""
     OUT_OF_RANGE = -4
-    """A value is outside its documented range, not a number, or infinite."""
     WRONG_STATE = -5
-    """Not now: for example an update without a reach, or a new configuration during one."""
     BUSY = -6
-    """Another thread is in a call on this session."""
     TIME_REVERSED = -7
-    """The sample's time is before that of the sample before it."""
     OUT_OF_MEMORY = -8
     LIMIT_REACHED = -9
-    """There are as many of these as there can be."""
     NOT_FOUND = -10
-    """Nothing has this name."""
     BUFFER_TOO_SMALL = -11
-    """The caller's buffer cannot hold the answer."""
     NAME_TAKEN = -12
-    """Another target of this session has this name."""
     SYSTEM = -13
-    """The operating system refused: a file, a thread."""
     BAD_FORMAT = -14
-    """A text is not what it should be; hrt_last_error() tells where."""
     INSUFFICIENT_DATA = -15
-    """The data do not tell what was asked of them; hrt_last_error() tells what is missing."""
     INTERNAL = -99
-    """A defect in this library; please report it with the text of hrt_last_error()."""
 
 
 class Control(IntEnum):
-    """What decides the plate's orientation."""
+    """What decides the plate's orientation.
+
+    MPC: the model-predictive controller
+    FIXED_PLATE: none, as a baseline: the plate stays where it is told to
+    """
 
     MPC = 0
-    """the model-predictive controller"""
     FIXED_PLATE = 1
-    """none, as a baseline: the plate stays where it is told to"""
 
 
 class Guidance(IntEnum):
-    """Where the finger is wanted."""
+    """Where the finger is wanted.
+
+    FIXED_DIRECTION: in the real target's direction from the start
+    LINE_OF_SIGHT: In the direction from where the finger is to where the real target is, held once less
+        than a fifth of the path remains. Takes effect when positions are streamed.
+    """
 
     FIXED_DIRECTION = 0
-    """in the real target's direction from the start"""
     LINE_OF_SIGHT = 1
-    """In the direction from where the finger is to where the real target is, held once less than a fifth
-    of the path remains. Takes effect when positions are streamed."""
 
 
 class Adaptation(IntEnum):
-    """Whether the user's share of touch and motor variance are learnt."""
+    """Whether the user's share of touch and motor variance are learnt.
+
+    OFF: no: they are taken as known
+    REACH: The share of touch within each reach, from tactile_weight and its deviation. The reach's summary
+        also tells the motor variance, from motor_variance_deg2 and its deviation.
+    CARRIED: As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and
+        tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2,
+        the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
+        at most, which leaves its deviation, and keeps it within 0.05 to 5.
+    """
 
     OFF = 0
-    """no: they are taken as known"""
     REACH = 1
-    """The share of touch within each reach, from tactile_weight and its deviation. The reach's summary
-    also tells the motor variance, from motor_variance_deg2 and its deviation."""
     CARRIED = 2
-    """As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and
-    tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2,
-    the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
-    at most, which leaves its deviation, and keeps it within 0.05 to 5."""
 
 
 class Role(IntEnum):
-    """HRT_TARGET_*."""
+    """The C headers' HRT_TARGET_*.
+
+    REAL: What a target is.
+    VIRTUAL
+    """
 
     REAL = 1
-    """What a target is."""
     VIRTUAL = 2
 
 
 class Place(IntEnum):
-    """How a target's place is given."""
+    """How a target's place is given.
+
+    DIRECTION: by `direction_deg` and `distance_m`
+    PLATE_POSITION: by `position_m` in plate coordinates
+    WORLD_POSITION: By `position_m` in the engine's world; see SessionConfig.plate_position_m.
+    """
 
     DIRECTION = 1
-    """by `direction_deg` and `distance_m`"""
     PLATE_POSITION = 2
-    """by `position_m` in plate coordinates"""
     WORLD_POSITION = 3
-    """By `position_m` in the engine's world; see hrt_session_config::plate_position_m."""
 
 
 class LogLevel(IntEnum):
-    """HRT_LOG_*."""
+    """The C headers' HRT_LOG_*.
+
+    WARNING: LogCallback: how bad it is.
+    ERROR
+    """
 
     WARNING = 1
-    """hrt_log_callback: how bad it is."""
     ERROR = 2
 
 
 class ReachFlag(IntFlag):
-    """hrt_reach_config::flags."""
+    """ReachConfig.flags.
+
+    PLATE_ORIENTATION: `plate_orientation_deg` is given; without this the plate is where the session's last
+        command left it (at first 0).
+    """
 
     PLATE_ORIENTATION = 1
-    """`plate_orientation_deg` is given; without this the plate is where the session's last command left it
-    (at first 0)."""
 
 
 class SampleFlag(IntFlag):
-    """hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and
-    WORLD_POSITION the sample is a dropout: the plate is held, and the model predicts until the finger
-    is seen again. More than one of these is an error."""
+    """Sample.flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION the
+    sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More than
+    one of these is an error.
+
+    DIRECTION: finger_direction_deg
+    PLATE_POSITION: finger_position_m, in plate coordinates
+    PLATE_ORIENTATION: plate_orientation_deg, measured by the device
+    LIFTED: The finger is off the plate, and so feels nothing: the model waits.
+    WORLD_POSITION: finger_position_m, in the engine's world
+    PLATE_POSE: plate_position_m and plate_rotation: the plate has moved in the world; else it is where the
+        session's configuration has it. Goes with WORLD_POSITION.
+    """
 
     DIRECTION = 1
-    """finger_direction_deg"""
     PLATE_POSITION = 2
-    """finger_position_m, in plate coordinates"""
     PLATE_ORIENTATION = 4
-    """plate_orientation_deg, measured by the device"""
     LIFTED = 8
-    """The finger is off the plate, and so feels nothing: the model waits."""
     WORLD_POSITION = 16
-    """finger_position_m, in the engine's world"""
     PLATE_POSE = 32
-    """plate_position_m and plate_rotation: the plate has moved in the world; else it is where the
-    session's configuration has it. Goes with WORLD_POSITION."""
 
 
 class CommandFlag(IntFlag):
-    """hrt_command::flags."""
+    """Command.flags.
+
+    HELD: between steps: nothing new was decided in this call
+    PREDICTED: the last step had no direction and was predicted
+    SATURATED: the plate's bound holds the command
+    RATE_LIMITED: the plate's speed holds the command
+    UNREACHABLE: the real direction cannot be held: see authority.h
+    LIFTED: the finger is above the plate: the model waits
+    OFF_PLATE: the finger is beyond the plate's edge
+    """
 
     HELD = 1
-    """between steps: nothing new was decided in this call"""
     PREDICTED = 2
-    """the last step had no direction and was predicted"""
     SATURATED = 4
-    """the plate's bound holds the command"""
     RATE_LIMITED = 8
-    """the plate's speed holds the command"""
     UNREACHABLE = 16
-    """the real direction cannot be held: see authority.h"""
     LIFTED = 32
-    """the finger is above the plate: the model waits"""
     OFF_PLATE = 64
-    """the finger is beyond the plate's edge"""
 
 
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
@@ -183,7 +208,10 @@ call this library, and must not throw."""
 
 
 class SessionHandle(Struct):
-    """A session's handle. Zero is never a session. A handle of a destroyed session is never valid again."""
+    """A session's handle. Zero is never a session. A handle of a destroyed session is never valid again.
+
+    value
+    """
 
     if TYPE_CHECKING:
         value: int
@@ -194,73 +222,83 @@ class SessionHandle(Struct):
 
 
 class SessionConfig(Struct):
-    """Everything that a session is made from. hrt_session_config_default() fills every field."""
+    """Everything that a session is made from.
+
+    horizon: Steps that the controller looks ahead, 1 to 50. Default 3.
+    step_period_ns: Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default
+        100 ms.
+    control: Control. Default Control.MPC.
+    guidance: Guidance. Default Guidance.FIXED_DIRECTION.
+    adaptation: Adaptation. Default Adaptation.OFF.
+    perceived_weight: Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1.
+    actual_weight: Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.
+    plate_bound_deg: The plate stays within this of the direction that the user goes for: the virtual
+        target's and bias_deg, 0.1 to 90. Default 84.5.
+    plate_max_speed_deg_s: The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit.
+        Default 0.
+    plate_max_acceleration_deg_s2: Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit.
+        Default 0.
+    plate_latency_ns: The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods.
+        Default 0.
+    plate_lower_stop_deg: The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0:
+        it turns freely. Default 0 and 0.
+    plate_upper_stop_deg
+    fixed_plate_orientation_deg: Where the plate stays under Control.FIXED_PLATE, -180 to 180. Default 0.
+    tactile_weight: Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15.
+    tactile_weight_sd: Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default
+        0.05.
+    motor_variance_deg2: Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5.
+    sensory_variance_deg2: Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1.
+    initial_variance_deg2: Variance of the user's perceived direction before the first step, 0 to 1e4.
+        Default 0.
+    tracker_noise_m: White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0:
+        learn it from the samples. Default 0.
+    start_position_m: Where reaches start, in plate coordinates; target directions are measured from here,
+        in the plane of the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the
+        user.
+    plate_radius_m: Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default
+        0.075.
+    lift_height_m: Higher than this above the plate a position is lifted, 0.0001 to 1000. Default 0.015.
+    plate_position_m: The plate's centre in the engine's world, each within 1000. Default (0, 0, 0).
+    plate_rotation: How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that
+        takes plate coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1).
+    bias_deg: The user's own bias: how much further to the left than it is they take a virtual target to
+        lie, -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in reaches.
+        Default 0. Since version 0.2.
+    motor_variance_sd_deg2: Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001
+        to 10. Default 0.5. Since version 0.2.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         horizon: int
-        """Steps that the controller looks ahead, 1 to 50. Default 3."""
         step_period_ns: int
-        """Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default 100 ms."""
         control: int
-        """HRT_CONTROL_*. Default HRT_CONTROL_MPC."""
         guidance: int
-        """HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION."""
         adaptation: int
-        """HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF."""
         reserved: int
         perceived_weight: float
-        """Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1."""
         actual_weight: float
-        """Weight of the actual error in the controller's cost, 0 to 1e6. Default 1."""
         plate_bound_deg: float
-        """The plate stays within this of the direction that the user goes for: the virtual target's and
-        bias_deg, 0.1 to 90. Default 84.5."""
         plate_max_speed_deg_s: float
-        """The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0."""
         plate_max_acceleration_deg_s2: float
-        """Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit. Default 0."""
         plate_latency_ns: int
-        """The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods. Default 0."""
         plate_lower_stop_deg: float
-        """The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0: it turns
-        freely. Default 0 and 0."""
         plate_upper_stop_deg: float
         fixed_plate_orientation_deg: float
-        """Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0."""
         tactile_weight: float
-        """Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15."""
         tactile_weight_sd: float
-        """Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default 0.05."""
         motor_variance_deg2: float
-        """Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5."""
         sensory_variance_deg2: float
-        """Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1."""
         initial_variance_deg2: float
-        """Variance of the user's perceived direction before the first step, 0 to 1e4. Default 0."""
         tracker_noise_m: float
-        """White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0: learn it
-        from the samples. Default 0."""
         start_position_m: ctypes.Array[c_double]
-        """Where reaches start, in plate coordinates; target directions are measured from here, in the
-        plane of the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the
-        user."""
         plate_radius_m: float
-        """Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default 0.075."""
         lift_height_m: float
-        """Higher than this above the plate a position is lifted, 0.0001 to 1000. Default 0.015."""
         plate_position_m: ctypes.Array[c_double]
-        """The plate's centre in the engine's world, each within 1000. Default (0, 0, 0)."""
         plate_rotation: ctypes.Array[c_double]
-        """How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that takes plate
-        coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1)."""
         bias_deg: float
-        """The user's own bias: how much further to the left than it is they take a virtual target to lie,
-        -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in reaches.
-        Default 0. Since version 0.2."""
         motor_variance_sd_deg2: float
-        """Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001 to 10. Default
-        0.5. Since version 0.2."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -297,7 +335,10 @@ class SessionConfig(Struct):
 
 class TargetHandle(Struct):
     """A target's id within its session. Zero is never a target. The id of a removed target is never valid
-    again, in no session."""
+    again, in no session.
+
+    value
+    """
 
     if TYPE_CHECKING:
         value: int
@@ -308,25 +349,26 @@ class TargetHandle(Struct):
 
 
 class TargetConfig(Struct):
-    """A target. hrt_target_config_default() fills every field. Fields that `place` does not name are not
-    read."""
+    """A target. Fields that `place` does not name are not read.
+
+    role: Role. Default Role.REAL.
+    place: Place. Default Place.DIRECTION.
+    direction_deg: Direction from the start, -180 to 180. Default 0.
+    distance_m: Distance from the start along the plate, 0.001 to 1000. Default 0.1.
+    position_m: Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start
+        in the plane of the plate; the height y is kept and not used. Default (0, 0, 0).
+    name: UTF-8, ended by a zero; unique within the session unless empty. Default empty.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         role: int
-        """HRT_TARGET_*. Default HRT_TARGET_REAL."""
         place: int
-        """HRT_PLACE_*. Default HRT_PLACE_DIRECTION."""
         reserved: int
         direction_deg: float
-        """Direction from the start, -180 to 180. Default 0."""
         distance_m: float
-        """Distance from the start along the plate, 0.001 to 1000. Default 0.1."""
         position_m: ctypes.Array[c_double]
-        """Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start in
-        the plane of the plate; the height y is kept and not used. Default (0, 0, 0)."""
         name: bytes
-        """UTF-8, ended by a zero; unique within the session unless empty. Default empty."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -341,25 +383,30 @@ class TargetConfig(Struct):
 
 
 class Authority(Struct):
-    """What can be held for one pair. Set `struct_size` before the call."""
+    """What can be held for one pair.
+
+    reachable: 1 if the finger can be held on the real target's direction, else 0.
+    real_target
+    virtual_target
+    gap_deg: Where the user goes, the virtual target's direction and SessionConfig.bias_deg, less the real
+        target's direction; in [-180, 180).
+    largest_gap_deg: The largest gap, either way, that can be held with the session's tactile weight and
+        plate bound.
+    margin_deg: largest_gap_deg less the size of the gap; negative if out of reach.
+    plate_orientation_deg: Where the plate must stand to hold it; on its bound if out of reach.
+    settling_direction_deg: Where the finger settles: the real target's direction if it can be held.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         reachable: int
-        """1 if the finger can be held on the real target's direction, else 0."""
         real_target: TargetHandle
         virtual_target: TargetHandle
         gap_deg: float
-        """Where the user goes, the virtual target's direction and hrt_session_config::bias_deg, less the
-        real target's direction; in [-180, 180)."""
         largest_gap_deg: float
-        """The largest gap, either way, that can be held with the session's tactile weight and plate bound."""
         margin_deg: float
-        """largest_gap_deg less the size of the gap; negative if out of reach."""
         plate_orientation_deg: float
-        """Where the plate must stand to hold it; on its bound if out of reach."""
         settling_direction_deg: float
-        """Where the finger settles: the real target's direction if it can be held."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -375,18 +422,21 @@ class Authority(Struct):
 
 
 class ReachConfig(Struct):
-    """What a reach is. hrt_reach_config_default() fills every field."""
+    """What a reach is.
+
+    flags: ReachFlag. Default 0.
+    real_target: Its direction and the one that the user goes for, the virtual target's and
+        SessionConfig.bias_deg, are less than 90 degrees apart. Default null: to be set.
+    virtual_target
+    plate_orientation_deg: Where the plate stands before the reach, -360 to 360. Default 0.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         flags: int
-        """HRT_REACH_*. Default 0."""
         real_target: TargetHandle
-        """Its direction and the one that the user goes for, the virtual target's and
-        hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set."""
         virtual_target: TargetHandle
         plate_orientation_deg: float
-        """Where the plate stands before the reach, -360 to 360. Default 0."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -399,24 +449,27 @@ class ReachConfig(Struct):
 
 class Sample(Struct):
     """One sample of the tracked finger. Set it to zero, then `struct_size` and what is known. Fields that
-    `flags` does not name are not read, whatever is in them."""
+    `flags` does not name are not read, whatever is in them.
+
+    flags: SampleFlag.
+    time_ns: The caller's monotonic clock; any origin. Not before the last sample's; the same time again is
+        taken.
+    finger_direction_deg: The direction in which the finger moves, -180 to 180; taken as exact.
+    finger_position_m: The fingertip, each within 1000. Of a tracked pose this is the position; how the
+        finger is turned is not asked for.
+    plate_orientation_deg: Where the plate stands, -360 to 360.
+    plate_position_m: The plate in the world, as in SessionConfig.
+    plate_rotation
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         flags: int
-        """HRT_SAMPLE_*."""
         time_ns: int
-        """The caller's monotonic clock; any origin. Not before the last sample's; the same time again is
-        taken."""
         finger_direction_deg: float
-        """The direction in which the finger moves, -180 to 180; taken as exact."""
         finger_position_m: ctypes.Array[c_double]
-        """The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is
-        turned is not asked for."""
         plate_orientation_deg: float
-        """Where the plate stands, -360 to 360."""
         plate_position_m: ctypes.Array[c_double]
-        """The plate in the world, as in hrt_session_config."""
         plate_rotation: ctypes.Array[c_double]
 
     _fields_ = (
@@ -432,29 +485,31 @@ class Sample(Struct):
 
 
 class Command(Struct):
-    """What the plate is to do now, and why. Set `struct_size` before the call."""
+    """What the plate is to do now, and why.
+
+    flags: CommandFlag.
+    step: The model step, from 0; -1 before the finger moves.
+    plate_orientation_deg: Turn the plate here. Ridges repeat every 180 degrees: of the orientations that
+        feel the same this is the nearest that the plate's stops allow.
+    finger_direction_deg: The finger's direction in the last step, observed or predicted.
+    perceived_direction_deg: The direction that the user feels, as the model predicts it under this command.
+    aimed_direction_deg: Where the finger is wanted; see SessionConfig.guidance.
+    distance_to_go_m: Along the plate to the real target; from the start until a position is streamed.
+    tactile_weight: The share of touch that the controller assumes.
+    tactile_weight_sd: Its standard deviation; 0: it is taken as known.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         flags: int
-        """HRT_COMMAND_*."""
         step: int
-        """The model step, from 0; -1 before the finger moves."""
         plate_orientation_deg: float
-        """Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the same
-        this is the nearest that the plate's stops allow."""
         finger_direction_deg: float
-        """The finger's direction in the last step, observed or predicted."""
         perceived_direction_deg: float
-        """The direction that the user feels, as the model predicts it under this command."""
         aimed_direction_deg: float
-        """Where the finger is wanted; see hrt_session_config::guidance."""
         distance_to_go_m: float
-        """Along the plate to the real target; from the start until a position is streamed."""
         tactile_weight: float
-        """The share of touch that the controller assumes."""
         tactile_weight_sd: float
-        """Its standard deviation; 0: it is taken as known."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -471,41 +526,50 @@ class Command(Struct):
 
 
 class ReachSummary(Struct):
-    """What became of a reach. Set `struct_size` before the call."""
+    """What became of a reach.
+
+    samples: Samples taken in, and of these the dropouts and what was left out as an outlier.
+    dropped_samples
+    steps: Model steps with samples, and steps without, which were predicted.
+    predicted_steps
+    saturated_steps: Of the steps with samples, those whose command the plate's bound or its speed held.
+    rate_limited_steps
+    final_direction_deg: The finger's direction in the last step, and that less the real target's.
+    final_miss_deg
+    perceived_direction_deg: What the user felt in the last step, and that less where they went: the virtual
+        target's direction and SessionConfig.bias_deg.
+    perceived_error_deg
+    distance_to_target_m: From the last position along the plate to the real target; from the start if none
+        was streamed.
+    tactile_weight: What the controller assumed at the end; see Command.
+    tactile_weight_sd
+    tracker_noise_m: White noise of each coordinate of the tracked positions, standard deviation, as learnt
+        or configured.
+    motor_variance_deg2: The user's motor variance as this reach corrects what the configuration assumes.
+        Since version 0.2.
+    motor_variance_sd_deg2: Its standard deviation; close to SessionConfig.motor_variance_sd_deg2 if the
+        reach could not tell; 0: it is taken as known. Since version 0.2.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         reserved: int
         samples: int
-        """Samples taken in, and of these the dropouts and what was left out as an outlier."""
         dropped_samples: int
         steps: int
-        """Model steps with samples, and steps without, which were predicted."""
         predicted_steps: int
         saturated_steps: int
-        """Of the steps with samples, those whose command the plate's bound or its speed held."""
         rate_limited_steps: int
         final_direction_deg: float
-        """The finger's direction in the last step, and that less the real target's."""
         final_miss_deg: float
         perceived_direction_deg: float
-        """What the user felt in the last step, and that less where they went: the virtual target's
-        direction and hrt_session_config::bias_deg."""
         perceived_error_deg: float
         distance_to_target_m: float
-        """From the last position along the plate to the real target; from the start if none was streamed."""
         tactile_weight: float
-        """What the controller assumed at the end; see hrt_command."""
         tactile_weight_sd: float
         tracker_noise_m: float
-        """White noise of each coordinate of the tracked positions, standard deviation, as learnt or
-        configured."""
         motor_variance_deg2: float
-        """The user's motor variance as this reach corrects what the configuration assumes. Since version
-        0.2."""
         motor_variance_sd_deg2: float
-        """Its standard deviation; close to hrt_session_config::motor_variance_sd_deg2 if the reach could
-        not tell; 0: it is taken as known. Since version 0.2."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -530,8 +594,10 @@ class ReachSummary(Struct):
 
 
 class CalibrationHandle(Struct):
-    """A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never valid
-    again."""
+    """A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never valid again.
+
+    value
+    """
 
     if TYPE_CHECKING:
         value: int
@@ -542,18 +608,20 @@ class CalibrationHandle(Struct):
 
 
 class CalibrationConfig(Struct):
-    """What a calibration is. hrt_calibration_config_default() fills every field."""
+    """What a calibration is.
+
+    max_trials: Trials that it can hold, 10 to 10000. Default 200.
+    max_samples: Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at
+        creation. Default 100000: 18 minutes at 90 Hz.
+    goal_direction_deg: Where the user is told to go, -180 to 180. Default 0: straight ahead.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         max_trials: int
-        """Trials that it can hold, 10 to 10000. Default 200."""
         max_samples: int
-        """Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at creation.
-        Default 100000: 18 minutes at 90 Hz."""
         reserved: int
         goal_direction_deg: float
-        """Where the user is told to go, -180 to 180. Default 0: straight ahead."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -565,15 +633,20 @@ class CalibrationConfig(Struct):
 
 
 class Interval(Struct):
-    """An estimate with the ends of its 95 % interval. This struct never grows."""
+    """An estimate with the ends of its 95 % interval. This struct never grows.
+
+    value
+    lower
+    upper
+    known: 1, or 0: the data can't tell. Then the interval is what was searched, and the value no more than
+        its likeliest point.
+    """
 
     if TYPE_CHECKING:
         value: float
         lower: float
         upper: float
         known: int
-        """1, or 0: the data can't tell. Then the interval is what was searched, and the value no more than
-        its likeliest point."""
         reserved: int
 
     _fields_ = (
@@ -586,25 +659,27 @@ class Interval(Struct):
 
 
 class CalibrationResult(Struct):
-    """What the slides tell of the user. The fields are those of hrt_session_config. Set `struct_size`
-    before the call."""
+    """What the slides tell of the user. The fields are those of SessionConfig.
+
+    trials: Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone count.
+    trials_used
+    tactile_weight: Always known; otherwise hrt_calibration_solve() refuses.
+    bias_deg: Always known.
+    motor_variance_deg2: Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly is.
+    sensory_variance_deg2: As motor_variance_deg2.
+    tracker_noise_m: Always known.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         reserved: int
         trials: int
-        """Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone count."""
         trials_used: int
         tactile_weight: Interval
-        """Always known; otherwise hrt_calibration_solve() refuses."""
         bias_deg: Interval
-        """Always known."""
         motor_variance_deg2: Interval
-        """Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly is."""
         sensory_variance_deg2: Interval
-        """As motor_variance_deg2."""
         tracker_noise_m: Interval
-        """Always known."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -620,19 +695,21 @@ class CalibrationResult(Struct):
 
 
 class Allocator(Struct):
-    """Where the library's memory comes from. The functions may be called from any thread, at the same
-    time; they must not call this library, and must not throw."""
+    """Where the library's memory comes from. The functions may be called from any thread, at the same time;
+    they must not call this library, and must not throw.
+
+    context: Passed to both functions; never read.
+    allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
+        can't.
+    release: Takes back what allocate() returned.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         reserved: int
         context: int | None
-        """Passed to both functions; never read."""
         allocate: ctypes._FuncPointer
-        """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
-        can't."""
         release: ctypes._FuncPointer
-        """Takes back what allocate() returned."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -644,17 +721,20 @@ class Allocator(Struct):
 
 
 class RecordingStatus(Struct):
-    """How a recording does. Set `struct_size` before the call."""
+    """How a recording does.
+
+    system_error: The errno of the first write that failed, after which nothing more is written; 0: none
+        did.
+    rows_written: Calls recorded, as far as the operating system has taken them.
+    rows_lost: Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it is
+        complete.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         system_error: int
-        """The errno of the first write that failed, after which nothing more is written; 0: none did."""
         rows_written: int
-        """Calls recorded, as far as the operating system has taken them."""
         rows_lost: int
-        """Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it is
-        complete."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -665,22 +745,23 @@ class RecordingStatus(Struct):
 
 
 class ReplayReport(Struct):
-    """What a replay found. Set `struct_size` before the call."""
+    """What a replay found.
+
+    complete: 1 if the recording is whole: it has its end, and no rows were lost; else 0, and what precedes
+        the gap was replayed.
+    rows: Rows replayed.
+    first_different_line: The line of the file, from 1, of the first row that came out otherwise than
+        recorded; 0: all came out the same, bit for bit.
+    hash: FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
+        error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         complete: int
-        """1 if the recording is whole: it has its end, and no rows were lost; else 0, and what precedes
-        the gap was replayed."""
         rows: int
-        """Rows replayed."""
         first_different_line: int
-        """The line of the file, from 1, of the first row that came out otherwise than recorded; 0: all
-        came out the same, bit for bit."""
         hash: int
-        """FNV-1a of the commands as replayed, which is the same on every host: of each row "update"
-        without error, flags as 8 bytes, step, and the seven numbers after them, least significant byte
-        first."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -692,7 +773,10 @@ class ReplayReport(Struct):
 
 
 class SceneHandle(Struct):
-    """A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid again."""
+    """A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid again.
+
+    value
+    """
 
     if TYPE_CHECKING:
         value: int
@@ -703,20 +787,24 @@ class SceneHandle(Struct):
 
 
 class SceneInfo(Struct):
-    """The plate of a scene. Set `struct_size` before the call."""
+    """The plate of a scene.
+
+    target_count: How many targets the scene has, real and virtual.
+    plate_position_m: The plate in the world, as in SessionConfig.
+    plate_rotation
+    plate_radius_m
+    plate_max_speed_deg_s: Of the plate's servo; 0 if the file does not tell.
+    start_position_m: In plate coordinates.
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         target_count: int
-        """How many targets the scene has, real and virtual."""
         plate_position_m: ctypes.Array[c_double]
-        """The plate in the world, as in hrt_session_config."""
         plate_rotation: ctypes.Array[c_double]
         plate_radius_m: float
         plate_max_speed_deg_s: float
-        """Of the plate's servo; 0 if the file does not tell."""
         start_position_m: ctypes.Array[c_double]
-        """In plate coordinates."""
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -730,23 +818,28 @@ class SceneInfo(Struct):
 
 
 class SceneTarget(Struct):
-    """A target of a scene. Set `struct_size` before the call."""
+    """A target of a scene.
+
+    role: Role.
+    served_by: Of a virtual target: the index of the real one that serves it; of a real one -1.
+    position_m: In plate coordinates; y is the height above the plate.
+    world_position_m
+    direction_deg: Seen from the start, along the plate.
+    distance_m
+    radius_m: 0 if the file does not tell.
+    name
+    """
 
     if TYPE_CHECKING:
         struct_size: int
         role: int
-        """HRT_TARGET_*."""
         served_by: int
-        """Of a virtual target: the index of the real one that serves it; of a real one -1."""
         reserved: int
         position_m: ctypes.Array[c_double]
-        """In plate coordinates; y is the height above the plate."""
         world_position_m: ctypes.Array[c_double]
         direction_deg: float
-        """Seen from the start, along the plate."""
         distance_m: float
         radius_m: float
-        """0 if the file does not tell."""
         name: bytes
 
     _fields_ = (
