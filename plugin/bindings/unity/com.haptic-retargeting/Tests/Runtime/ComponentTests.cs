@@ -108,6 +108,19 @@ namespace Hrt.Tests
         }
 
         [Test]
+        public void OneReachAtATime()
+        {
+            var refusal = Assert.Throws<HapticRetargetingException>(() => component.EndReach());
+            Assert.AreEqual(Result.WrongState, refusal.Result);
+            component.BeginReach(virtualTarget);
+            refusal = Assert.Throws<HapticRetargetingException>(() => component.BeginReach(virtualTarget));
+            Assert.AreEqual(Result.WrongState, refusal.Result);
+            Assert.IsTrue(component.IsReaching);
+            component.EndReach();
+            component.BeginReach(real, virtualTarget);
+        }
+
+        [Test]
         public void APlateThatMovesDuringAReachIsFollowed()
         {
             component.BeginReach(virtualTarget);
