@@ -58,6 +58,11 @@ namespace Hrt
         [Tooltip("From a command to the plate's first motion, 0 to 1000 milliseconds.")]
         public double plateLatencyMs;
 
+        [Tooltip("Of the servo, degrees, the upper at least 180 above the lower; both 0: it turns freely.")]
+        public double plateLowerStopDeg;
+
+        public double plateUpperStopDeg;
+
         [Header("User")]
         [Tooltip("Share of touch in the direction that the user feels, 0.001 to 0.499.")]
         public double tactileWeight = 0.15;
@@ -278,6 +283,8 @@ namespace Hrt
             config.plateRadiusM = plateRadiusM;
             config.plateMaxSpeedDegS = plateMaxSpeedDegS;
             config.plateLatencyNs = (long)(plateLatencyMs * 1e6);
+            config.plateLowerStopDeg = plateLowerStopDeg;
+            config.plateUpperStopDeg = plateUpperStopDeg;
             return config;
         }
 
@@ -293,11 +300,12 @@ namespace Hrt
             return config;
         }
 
-        // Adds targets, moves them to where their Transforms are now, and removes those that are no longer listed.
+        // Adds targets, moves them to where their Transforms are now, and removes those that are no longer listed or
+        // are destroyed.
         static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
                                Dictionary<Transform, TargetId> ids)
         {
-            foreach (Transform gone in ids.Keys.Where(target => !targets.Contains(target)).ToList())
+            foreach (Transform gone in ids.Keys.Where(id => id == null || !targets.Contains(id)).ToList())
             {
                 session.RemoveTarget(ids[gone]);
                 ids.Remove(gone);

@@ -258,7 +258,40 @@ namespace Hrt.Tests
             component.virtualTargets.Remove(other);
             UnityEngine.Object.DestroyImmediate(other.gameObject);
             component.BeginReach(virtualTarget);
+            component.EndReach();
             Assert.AreEqual(2, component.Session.GetTargets().Length);
+
+            other = MakeTarget("cone", 5);
+            component.realTargets.Add(other);
+            component.BeginReach(other, virtualTarget);
+            component.EndReach();
+            UnityEngine.Object.DestroyImmediate(other.gameObject);
+            component.BeginReach(virtualTarget);
+            Assert.AreEqual(2, component.Session.GetTargets().Length);
+        }
+
+        [Test]
+        public void FieldsAreTakenWhenEnabled()
+        {
+            component.enabled = false;
+            component.plateRadiusM = 0.1;
+            component.plateMaxSpeedDegS = 400;
+            component.plateLatencyMs = 30;
+            component.plateLowerStopDeg = -100;
+            component.plateUpperStopDeg = 90;
+            component.tactileWeight = 0.2;
+            component.adaptation = Adaptation.Carried;
+            component.guidance = Guidance.FixedDirection;
+            component.enabled = true;
+            SessionConfig config = component.Session.Config;
+            Assert.AreEqual(0.1, config.plateRadiusM);
+            Assert.AreEqual(400, config.plateMaxSpeedDegS);
+            Assert.AreEqual(30000000, config.plateLatencyNs);
+            Assert.AreEqual(-100, config.plateLowerStopDeg);
+            Assert.AreEqual(90, config.plateUpperStopDeg);
+            Assert.AreEqual(0.2, config.tactileWeight);
+            Assert.AreEqual(Adaptation.Carried, config.adaptation);
+            Assert.AreEqual(Guidance.FixedDirection, config.guidance);
         }
 
         [Test]
