@@ -181,6 +181,7 @@ int64_t to_godot_error(hrt_result result) {
       return 13;  // ERR_FILE_CANT_WRITE
     case HRT_ERROR_LIMIT_REACHED:
       return 20;  // ERR_CANT_CREATE
+    case HRT_ERROR_INSUFFICIENT_DATA:
     case HRT_ERROR_TIME_REVERSED:
       return 30;  // ERR_INVALID_DATA
     case HRT_ERROR_NULL_ARGUMENT:
@@ -387,11 +388,14 @@ Value PlateNode::end(const Value*) {
   if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
   reaching_ = false;
   summary_ = summary;
-  if (config_.adaptation == HRT_ADAPTATION_CARRIED) {  // the reach has changed what is known of the user
-    config_.tactile_weight = summary.tactile_weight;
-    config_.tactile_weight_sd = std::max(summary.tactile_weight_sd, 0.01);
-    configured_.tactile_weight = config_.tactile_weight;
-    configured_.tactile_weight_sd = config_.tactile_weight_sd;
+  // What the reach has learnt of the user, under HRT_ADAPTATION_CARRIED. Other properties may wait to be
+  // applied.
+  hrt_session_get_config(session_, &configured_);
+  if (configured_.adaptation == HRT_ADAPTATION_CARRIED) {
+    config_.tactile_weight = configured_.tactile_weight;
+    config_.tactile_weight_sd = configured_.tactile_weight_sd;
+    config_.motor_variance_deg2 = configured_.motor_variance_deg2;
+    config_.motor_variance_sd_deg2 = configured_.motor_variance_sd_deg2;
   }
   engine_.emit(kReachEnded, summary.final_miss_deg);
   return int64_t{0};

@@ -1,0 +1,166 @@
+#include "HapticConversions.h"
+
+#include <cmath>
+#include <string>
+
+namespace HapticConversions
+{
+	static_assert(static_cast<int>(EHapticControl::ModelPredictive) == HRT_CONTROL_MPC);
+	static_assert(static_cast<int>(EHapticControl::FixedPlate) == HRT_CONTROL_FIXED_PLATE);
+	static_assert(static_cast<int>(EHapticGuidance::FixedDirection) == HRT_GUIDANCE_FIXED_DIRECTION);
+	static_assert(static_cast<int>(EHapticGuidance::LineOfSight) == HRT_GUIDANCE_LINE_OF_SIGHT);
+	static_assert(static_cast<int>(EHapticAdaptation::Off) == HRT_ADAPTATION_OFF);
+	static_assert(static_cast<int>(EHapticAdaptation::Reach) == HRT_ADAPTATION_REACH);
+	static_assert(static_cast<int>(EHapticAdaptation::Carried) == HRT_ADAPTATION_CARRIED);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Held) == HRT_COMMAND_HELD);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Predicted) == HRT_COMMAND_PREDICTED);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Saturated) == HRT_COMMAND_SATURATED);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::RateLimited) == HRT_COMMAND_RATE_LIMITED);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Unreachable) == HRT_COMMAND_UNREACHABLE);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Lifted) == HRT_COMMAND_LIFTED);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::OffPlate) == HRT_COMMAND_OFF_PLATE);
+
+	static constexpr double CentimetresPerMetre = 100.0;
+
+	void ToMetres(const FVector& Centimetres, double (&OutMetres)[3])
+	{
+		OutMetres[0] = Centimetres.Y / CentimetresPerMetre;
+		OutMetres[1] = Centimetres.Z / CentimetresPerMetre;
+		OutMetres[2] = 0.0 - Centimetres.X / CentimetresPerMetre;
+	}
+
+	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4])
+	{
+		OutRotation[0] = 0.0 - Rotation.Y;
+		OutRotation[1] = 0.0 - Rotation.Z;
+		OutRotation[2] = Rotation.X;
+		OutRotation[3] = Rotation.W;
+	}
+
+	int64_t ToNanoseconds(double Seconds)
+	{
+		// Beyond this, and for what is not a number, the plugin's own refusal is provoked: llround is undefined there.
+		constexpr double Largest = 9e9;
+		return std::abs(Seconds) < Largest ? static_cast<int64_t>(std::llround(Seconds * 1e9)) : INT64_MIN;
+	}
+
+	bool IsPose(const FTransform& Transform)
+	{
+		return Transform.GetScale3D().Equals(FVector(1.0, 1.0, 1.0), 1e-3);
+	}
+
+	hrt_session_config ToConfig(const FHapticSettings& Settings, const FTransform& Plate)
+	{
+		hrt_session_config Config;
+		hrt_session_config_default(&Config, sizeof Config);
+		// A negative number becomes one that is out of range.
+		Config.horizon = static_cast<uint32_t>(Settings.Horizon);
+		Config.step_period_ns = ToNanoseconds(Settings.StepPeriod);
+		Config.control = static_cast<uint32_t>(Settings.Control);
+		Config.guidance = static_cast<uint32_t>(Settings.Guidance);
+		Config.adaptation = static_cast<uint32_t>(Settings.Adaptation);
+		Config.perceived_weight = Settings.PerceivedWeight;
+		Config.actual_weight = Settings.ActualWeight;
+		Config.plate_bound_deg = Settings.PlateBound;
+		Config.plate_max_speed_deg_s = Settings.PlateMaxSpeed;
+		Config.plate_max_acceleration_deg_s2 = Settings.PlateMaxAcceleration;
+		Config.plate_latency_ns = ToNanoseconds(Settings.PlateLatency);
+		Config.plate_lower_stop_deg = Turned(Settings.PlateUpperStopYaw);
+		Config.plate_upper_stop_deg = Turned(Settings.PlateLowerStopYaw);
+		Config.fixed_plate_orientation_deg = Turned(Settings.FixedPlateYaw);
+		Config.tactile_weight = Settings.TactileWeight;
+		Config.tactile_weight_sd = Settings.TactileWeightSd;
+		Config.bias_deg = Turned(Settings.BiasYaw);
+		Config.motor_variance_deg2 = Settings.MotorVariance;
+		Config.motor_variance_sd_deg2 = Settings.MotorVarianceSd;
+		Config.sensory_variance_deg2 = Settings.SensoryVariance;
+		Config.initial_variance_deg2 = Settings.InitialVariance;
+		Config.tracker_noise_m = Settings.TrackerNoise / CentimetresPerMetre;
+		ToMetres(Settings.StartPosition, Config.start_position_m);
+		Config.plate_radius_m = Settings.PlateRadius / CentimetresPerMetre;
+		Config.lift_height_m = Settings.LiftHeight / CentimetresPerMetre;
+		ToMetres(Plate.GetLocation(), Config.plate_position_m);
+		ToQuaternion(Plate.GetRotation(), Config.plate_rotation);
+		return Config;
+	}
+
+	void TakeUser(const hrt_session_config& Config, FHapticSettings& Settings)
+	{
+		Settings.TactileWeight = Config.tactile_weight;
+		Settings.TactileWeightSd = Config.tactile_weight_sd;
+		Settings.BiasYaw = Turned(Config.bias_deg);
+		Settings.MotorVariance = Config.motor_variance_deg2;
+		Settings.MotorVarianceSd = Config.motor_variance_sd_deg2;
+		Settings.SensoryVariance = Config.sensory_variance_deg2;
+		Settings.InitialVariance = Config.initial_variance_deg2;
+		Settings.TrackerNoise = Config.tracker_noise_m * CentimetresPerMetre;
+	}
+
+	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name)
+	{
+		hrt_target_config Config;
+		hrt_target_config_default(&Config, sizeof Config);
+		Config.role = Role == EHapticTargetRole::Real ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
+		// A name that does not fit has no zero at its end, which the plugin refuses.
+		std::string(TCHAR_TO_UTF8(*Name)).copy(Config.name, sizeof Config.name);
+		return Config;
+	}
+
+	FHapticTarget FromTarget(hrt_target Target)
+	{
+		FHapticTarget Result;
+		Result.Id = static_cast<int64>(Target.value);
+		return Result;
+	}
+
+	FHapticCommand FromCommand(const hrt_command& Command)
+	{
+		FHapticCommand Result;
+		Result.Flags = static_cast<int32>(Command.flags);
+		Result.Step = Command.step;
+		Result.PlateYaw = Turned(Command.plate_orientation_deg);
+		Result.FingerYaw = Turned(Command.finger_direction_deg);
+		Result.PerceivedYaw = Turned(Command.perceived_direction_deg);
+		Result.AimedYaw = Turned(Command.aimed_direction_deg);
+		Result.DistanceToGo = Command.distance_to_go_m * CentimetresPerMetre;
+		Result.TactileWeight = Command.tactile_weight;
+		Result.TactileWeightSd = Command.tactile_weight_sd;
+		return Result;
+	}
+
+	FHapticSummary FromSummary(const hrt_reach_summary& Summary)
+	{
+		FHapticSummary Result;
+		Result.Samples = Summary.samples;
+		Result.DroppedSamples = Summary.dropped_samples;
+		Result.Steps = Summary.steps;
+		Result.PredictedSteps = Summary.predicted_steps;
+		Result.SaturatedSteps = Summary.saturated_steps;
+		Result.RateLimitedSteps = Summary.rate_limited_steps;
+		Result.FinalYaw = Turned(Summary.final_direction_deg);
+		Result.FinalMissYaw = Turned(Summary.final_miss_deg);
+		Result.PerceivedYaw = Turned(Summary.perceived_direction_deg);
+		Result.PerceivedErrorYaw = Turned(Summary.perceived_error_deg);
+		Result.DistanceToTarget = Summary.distance_to_target_m * CentimetresPerMetre;
+		Result.TactileWeight = Summary.tactile_weight;
+		Result.TactileWeightSd = Summary.tactile_weight_sd;
+		Result.TrackerNoise = Summary.tracker_noise_m * CentimetresPerMetre;
+		Result.MotorVariance = Summary.motor_variance_deg2;
+		Result.MotorVarianceSd = Summary.motor_variance_sd_deg2;
+		return Result;
+	}
+
+	FHapticAuthority FromAuthority(const hrt_authority& Authority)
+	{
+		FHapticAuthority Result;
+		Result.bReachable = Authority.reachable != 0;
+		Result.RealTarget = FromTarget(Authority.real_target);
+		Result.VirtualTarget = FromTarget(Authority.virtual_target);
+		Result.GapYaw = Turned(Authority.gap_deg);
+		Result.LargestGap = Authority.largest_gap_deg;
+		Result.Margin = Authority.margin_deg;
+		Result.PlateYaw = Turned(Authority.plate_orientation_deg);
+		Result.SettlingYaw = Turned(Authority.settling_direction_deg);
+		return Result;
+	}
+}

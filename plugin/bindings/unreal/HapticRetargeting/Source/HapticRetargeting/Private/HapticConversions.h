@@ -1,0 +1,30 @@
+// Between Unreal's terms and those of the C interface.
+//
+// Unreal's axes are left-handed, X away from the user, Y right, Z up; the plate's are right-handed, x right, y up, z
+// towards the user. So (x, y, z) = (Y, Z, -X) / 100, a reflection, under which a rotation's axis changes its sign too.
+#pragma once
+
+#include "HapticRetargetingTypes.h"
+#include "haptic_retargeting/haptic_retargeting.h"
+
+namespace HapticConversions
+{
+	void ToMetres(const FVector& Centimetres, double (&OutMetres)[3]);
+	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4]);
+	int64_t ToNanoseconds(double Seconds);
+	/** A yaw as a direction, and the other way round; never -0. */
+	inline double Turned(double Degrees) { return 0.0 - Degrees; }
+
+	/** Whether a transform only moves and turns. */
+	bool IsPose(const FTransform& Transform);
+	hrt_session_config ToConfig(const FHapticSettings& Settings, const FTransform& Plate);
+	/** What a configuration has of the user and the tracker. */
+	void TakeUser(const hrt_session_config& Config, FHapticSettings& Settings);
+	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name);
+	inline hrt_target ToTarget(const FHapticTarget& Target) { return {static_cast<uint64_t>(Target.Id)}; }
+
+	FHapticTarget FromTarget(hrt_target Target);
+	FHapticCommand FromCommand(const hrt_command& Command);
+	FHapticSummary FromSummary(const hrt_reach_summary& Summary);
+	FHapticAuthority FromAuthority(const hrt_authority& Authority);
+}

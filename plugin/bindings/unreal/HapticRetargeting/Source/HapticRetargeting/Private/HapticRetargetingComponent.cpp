@@ -1,0 +1,266 @@
+#include "HapticRetargetingComponent.h"
+
+#include "HapticConversions.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+
+DEFINE_LOG_CATEGORY(LogHapticRetargeting);
+
+using namespace HapticConversions;
+
+/** Whether a call of the plugin succeeded; else the log has been told why not. */
+bool UHapticRetargetingComponent::Succeeded(hrt_result Result) const
+{
+	if (Result == HRT_OK)
+	{
+		return true;
+	}
+	UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), UTF8_TO_TCHAR(hrt_last_error()));
+	return false;
+}
+
+/** Brings the session to the settings and the component's place, between reaches. */
+bool UHapticRetargetingComponent::Configure()
+{
+	if (bReaching)
+	{
+		return true;
+	}
+	if (!IsPose(GetComponentTransform()))
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: moved and turned"));
+		return false;
+	}
+	const hrt_session_config Config = ToConfig(Settings, GetComponentTransform());
+	if (Session.value == 0)
+	{
+		if (!Succeeded(hrt_session_create(&Config, &Session)))
+		{
+			return false;
+		}
+	}
+	else if (std::memcmp(&Config, &Configured, sizeof Config) != 0)
+	{
+		if (!Succeeded(hrt_session_set_config(Session, &Config)))
+		{
+			return false;
+		}
+	}
+	Configured = Config;
+	return true;
+}
+
+bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTarget& OutTarget)
+{
+	hrt_target Target{};
+	if (!Configure() || !Succeeded(hrt_target_add(Session, &Config, &Target)))
+	{
+		return false;
+	}
+	OutTarget = FromTarget(Target);
+	return true;
+}
+
+bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance,
+	FHapticTarget& OutTarget)
+{
+	hrt_target_config Config = ToTarget(Role, Name);
+	Config.direction_deg = Turned(Yaw);
+	Config.distance_m = Distance / 100.0;
+	return Add(Config, OutTarget);
+}
+
+bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location,
+	FHapticTarget& OutTarget)
+{
+	hrt_target_config Config = ToTarget(Role, Name);
+	Config.place = HRT_PLACE_WORLD_POSITION;
+	ToMetres(Location, Config.position_m);
+	return Add(Config, OutTarget);
+}
+
+bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
+{
+	return Succeeded(hrt_target_remove(Session, ToTarget(Target)));
+}
+
+bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual,
+	FHapticAuthority& OutAuthority)
+{
+	hrt_authority Authority{};
+	Authority.struct_size = sizeof Authority;
+	if (!Configure() || !Succeeded(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
+	{
+		return false;
+	}
+	OutAuthority = FromAuthority(Authority);
+	return true;
+}
+
+bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority)
+{
+	hrt_authority Authority{};
+	Authority.struct_size = sizeof Authority;
+	if (!Configure() || !Succeeded(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
+	{
+		return false;
+	}
+	OutAuthority = FromAuthority(Authority);
+	return true;
+}
+
+bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
+{
+	hrt_reach_config Config;
+	hrt_reach_config_default(&Config, sizeof Config);
+	Config.real_target = ToTarget(Real);
+	Config.virtual_target = ToTarget(Virtual);
+	if (!Configure() || !Succeeded(hrt_reach_begin(Session, &Config)))
+	{
+		return false;
+	}
+	Command = {};
+	bReaching = true;
+	return true;
+}
+
+bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double Time)
+{
+	const FTransform Plate = GetComponentTransform();
+	hrt_sample Sample{};
+	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+	Sample.time_ns = ToNanoseconds(Time);
+	ToMetres(Location, Sample.finger_position_m);
+	ToMetres(Plate.GetLocation(), Sample.plate_position_m);
+	ToQuaternion(Plate.GetRotation(), Sample.plate_rotation);
+	return UpdateSample(Sample);
+}
+
+bool UHapticRetargetingComponent::UpdateLost(double Time)
+{
+	hrt_sample Sample{};
+	Sample.time_ns = ToNanoseconds(Time);
+	return UpdateSample(Sample);
+}
+
+bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
+{
+	hrt_sample Sample = Filled;
+	Sample.struct_size = sizeof Sample;
+	hrt_command Decided{};
+	Decided.struct_size = sizeof Decided;
+	if (!Succeeded(hrt_reach_update(Session, &Sample, &Decided)))
+	{
+		return false;
+	}
+	const uint32_t Changed = (Decided.flags ^ Command.flags) & ~HRT_COMMAND_HELD;
+	Command = Decided;
+	if (Changed != 0)
+	{
+		OnFlagsChanged.Broadcast(static_cast<int32>(Decided.flags));
+	}
+	if ((Decided.flags & HRT_COMMAND_HELD) == 0)
+	{
+		OnPlateCommanded.Broadcast(Turned(Decided.plate_orientation_deg));
+	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
+{
+	hrt_reach_summary Summary{};
+	Summary.struct_size = sizeof Summary;
+	if (!Succeeded(hrt_reach_end(Session, &Summary)))
+	{
+		return false;
+	}
+	bReaching = false;
+	if (Configured.adaptation == HRT_ADAPTATION_CARRIED)
+	{
+		// The reach has changed what is known of the user.
+		hrt_session_get_config(Session, &Configured);
+		TakeUser(Configured, Settings);
+	}
+	OutSummary = FromSummary(Summary);
+	OnReachEnded.Broadcast(OutSummary);
+	return true;
+}
+
+FHapticCommand UHapticRetargetingComponent::GetCommand() const
+{
+	return Command.struct_size == 0 ? FHapticCommand() : FromCommand(Command);
+}
+
+bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
+{
+	uint64_t Length = 0;
+	if (!Configure() || !Succeeded(hrt_profile_save(Session, 0, nullptr, &Length)))
+	{
+		return false;
+	}
+	std::string Json(Length + 1, '\0');
+	if (!Succeeded(hrt_profile_save(Session, Json.size(), Json.data(), &Length)))
+	{
+		return false;
+	}
+	OutJson = UTF8_TO_TCHAR(Json.c_str());
+	return true;
+}
+
+bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
+{
+	const std::string Text = TCHAR_TO_UTF8(*Json);
+	if (!Configure() || !Succeeded(hrt_profile_load(Session, Text.data(), Text.size())))
+	{
+		return false;
+	}
+	hrt_session_get_config(Session, &Configured);
+	TakeUser(Configured, Settings);
+	return true;
+}
+
+bool UHapticRetargetingComponent::StartRecording(const FString& Path)
+{
+	return Configure() && Succeeded(hrt_recording_start(Session, TCHAR_TO_UTF8(*Path)));
+}
+
+bool UHapticRetargetingComponent::StopRecording()
+{
+	hrt_recording_status Status{};
+	Status.struct_size = sizeof Status;
+	if (!Succeeded(hrt_recording_stop(Session, &Status)))
+	{
+		return false;
+	}
+	if (Status.rows_lost != 0)
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the recording lacks calls: the disk was too slow or failed"));
+		return false;
+	}
+	return true;
+}
+
+void UHapticRetargetingComponent::CloseSession()
+{
+	if (Session.value != 0)
+	{
+		hrt_session_destroy(Session);
+		Session = {};
+		bReaching = false;
+	}
+}
+
+void UHapticRetargetingComponent::OnComponentDestroyed(bool bDestroyingHierarchy)
+{
+	CloseSession();
+	Super::OnComponentDestroyed(bDestroyingHierarchy);
+}
+
+/** Also comes to components that were never part of a level. */
+void UHapticRetargetingComponent::BeginDestroy()
+{
+	CloseSession();
+	Super::BeginDestroy();
+}

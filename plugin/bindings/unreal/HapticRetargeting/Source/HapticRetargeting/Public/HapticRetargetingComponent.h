@@ -1,0 +1,112 @@
+// A session of the plugin, as a component: a user and a plate.
+#pragma once
+
+#include "Components/SceneComponent.h"
+#include "CoreMinimal.h"
+#include "haptic_retargeting/haptic_retargeting.h"
+#include "HapticRetargetingTypes.h"
+#include "HapticRetargetingComponent.generated.h"
+
+DECLARE_LOG_CATEGORY_EXTERN(LogHapticRetargeting, Log, All);
+
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticPlateCommanded, double, PlateYaw);
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticFlagsChanged, int32, Flags);
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticReachEnded, const FHapticSummary&, Summary);
+
+/**
+ * Put it where the plate is: its transform is the plate's, X away from the user, Y right, Z up, and it may move. Do not
+ * scale it. Calls that are refused return false, change nothing, and log what was wrong and what is allowed.
+ */
+UCLASS(ClassGroup = "Haptic Retargeting", meta = (BlueprintSpawnableComponent))
+class HAPTICRETARGETING_API UHapticRetargetingComponent : public USceneComponent
+{
+	GENERATED_BODY()
+
+public:
+	/** Checked when they are first needed; during a reach they wait until its end. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
+	FHapticSettings Settings;
+
+	/** The controller has decided: turn the plate here. */
+	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
+	FHapticPlateCommanded OnPlateCommanded;
+
+	/** The command is saturated, predicted, lifted ... or no longer. */
+	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
+	FHapticFlagsChanged OnFlagsChanged;
+
+	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
+	FHapticReachEnded OnReachEnded;
+
+	/** Adds a target by its direction and distance in cm from the start. Names are unique, or empty. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance, FHapticTarget& OutTarget);
+
+	/** Adds a target by its place in the world. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location, FHapticTarget& OutTarget);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool RemoveTarget(const FHapticTarget& Target);
+
+	/** What can be held, told before anyone moves. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
+
+	/** Of the real target that serves a virtual one best. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
+
+	/** The fingertip in the world, at a time in seconds that does not run backwards. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool UpdateFinger(const FVector& Location, double Time);
+
+	/** The tracker does not see the finger. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool UpdateLost(double Time);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool EndReach(FHapticSummary& OutSummary);
+
+	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
+	bool IsReaching() const { return bReaching; }
+
+	/** Of the reach under way, or else the last. */
+	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
+	FHapticCommand GetCommand() const;
+
+	/** What is known of the user, as JSON. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool SaveProfile(FString& OutJson);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool LoadProfile(const FString& Json);
+
+	/** Records all calls to a file that is created or replaced. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool StartRecording(const FString& Path);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool StopRecording();
+
+	/** For C++: a sample as the C interface has it, in the plate's coordinates, and the command likewise. */
+	bool UpdateSample(const hrt_sample& Sample);
+	const hrt_command& GetRawCommand() const { return Command; }
+
+	virtual void OnComponentDestroyed(bool bDestroyingHierarchy) override;
+	virtual void BeginDestroy() override;
+
+private:
+	bool Succeeded(hrt_result Result) const;
+	bool Configure();
+	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
+	void CloseSession();
+
+	hrt_session Session{};
+	hrt_session_config Configured{};
+	hrt_command Command{};
+	bool bReaching = false;
+};

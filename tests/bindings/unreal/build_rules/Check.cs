@@ -1,0 +1,75 @@
+// Runs the plugin's build rules as for each platform, and looks up what they name in the plugin's folder.
+//
+//   Check.exe PLUGIN_FOLDER
+
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using UnrealBuildTool;
+
+static class Check
+{
+	static int Failures;
+
+	static void Expect(bool Right, string What)
+	{
+		if (!Right)
+		{
+			++Failures;
+			Console.WriteLine("FAIL: " + What);
+		}
+	}
+
+	static HapticRetargetingLibrary Rules(UnrealTargetPlatform Platform)
+	{
+		return new HapticRetargetingLibrary(new ReadOnlyTargetRules { Platform = Platform });
+	}
+
+	static void CheckLinux()
+	{
+		HapticRetargetingLibrary Linux = Rules(UnrealTargetPlatform.Linux);
+		Expect(Linux.Type == ModuleRules.ModuleType.External, "an external module");
+		string Header = Path.Combine(Linux.PublicSystemIncludePaths.Single(), "haptic_retargeting/haptic_retargeting.h");
+		Expect(File.Exists(Header), Header + " exists");
+		foreach (string Named in Linux.PublicAdditionalLibraries.Concat(Linux.RuntimeDependencies.Files))
+		{
+			Expect(File.Exists(Named), Named + " exists");
+		}
+		Expect(Linux.RuntimeDependencies.Files.Count == 2, "the library is staged by both names");
+	}
+
+	static void CheckWindows()
+	{
+		HapticRetargetingLibrary Windows = Rules(UnrealTargetPlatform.Win64);
+		Expect(Path.GetFileName(Windows.PublicAdditionalLibraries.Single()) == "haptic_retargeting.lib", "import library");
+		string Dll = Windows.RuntimeDependencies.Files.Single();
+		Expect(Windows.PublicDelayLoadDLLs.Single() == Path.GetFileName(Dll), "the DLL that is staged is loaded late");
+		Expect(Path.GetDirectoryName(Dll) == Path.Combine(Windows.ModuleDirectory, "Win64"), "from where the module loads it");
+	}
+
+	static void CheckOthers()
+	{
+		try
+		{
+			Rules(UnrealTargetPlatform.Mac);
+			Expect(false, "a platform without library is refused");
+		}
+		catch (BuildException Error)
+		{
+			Expect(Error.Message.Contains("Mac"), "the refusal names the platform");
+		}
+	}
+
+	static int Main(string[] Arguments)
+	{
+		ModuleRules.Folder = Path.Combine(Arguments[0], "Source/ThirdParty/HapticRetargetingLibrary");
+		CheckLinux();
+		CheckWindows();
+		CheckOthers();
+		HapticRetargeting Module = new HapticRetargeting(new ReadOnlyTargetRules { Platform = UnrealTargetPlatform.Linux });
+		Expect(Module.PublicDependencyModuleNames.Contains("HapticRetargetingLibrary"), "the module has the library");
+		Console.WriteLine(Failures == 0 ? "PASS" : "FAIL");
+		return Failures == 0 ? 0 : 1;
+	}
+}

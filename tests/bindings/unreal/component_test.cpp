@@ -1,0 +1,393 @@
+// The Unreal component, compiled against stubs of the engine's types; see stubs/CoreMinimal.h for what that
+// shows.
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <cinttypes>
+#include <cstddef>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <sstream>
+
+#include "HAL/PlatformProcess.h"
+#include "HapticConversions.h"
+#include "HapticRetargetingComponent.h"
+#include "Modules/ModuleManager.h"
+
+IModuleInterface* MakeModule();
+
+namespace {
+
+constexpr auto kReal = EHapticTargetRole::Real;
+constexpr auto kVirtual = EHapticTargetRole::Virtual;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+std::string last_log() {
+  return FLogCategory::Lines.empty() ? "" : FLogCategory::Lines.back();
+}
+
+class Component : public testing::Test {
+ protected:
+  void SetUp() override { FLogCategory::Lines.clear(); }
+  void TearDown() override { component_.BeginDestroy(); }
+
+  void begin() {
+    FHapticTarget real, felt;
+    ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real));
+    ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt));
+    ASSERT_TRUE(component_.BeginReach(real, felt)) << last_log();
+  }
+
+  UHapticRetargetingComponent component_;
+};
+
+/** Moved, and turned about no axis of its own. */
+FTransform somewhere() {
+  const double third = 1 / std::sqrt(3.0);
+  return {FQuat(FVector(third, -third, third), 2.0), FVector(120, -45, 80)};
+}
+
+std::array<double, 3> metres(const FVector& centimetres) {
+  double out[3];
+  HapticConversions::ToMetres(centimetres, out);
+  return {out[0], out[1], out[2]};
+}
+
+// X away from the user, Y right, Z up; and x right, y up, z towards the user.
+TEST(UnrealAxes, AreTurnedIntoThePlates) {
+  EXPECT_EQ(metres(FVector(100, 0, 0)), (std::array<double, 3>{0, 0, -1}));
+  EXPECT_EQ(metres(FVector(0, 100, 0)), (std::array<double, 3>{1, 0, 0}));
+  EXPECT_EQ(metres(FVector(0, 0, 100)), (std::array<double, 3>{0, 1, 0}));
+}
+
+// A quarter turn to the right, in Unreal from X to Y, is one from -z to x about -y.
+TEST(UnrealAxes, TurnRotationsTheOtherWay) {
+  double rotation[4];
+  HapticConversions::ToQuaternion(FQuat(FVector(0, 0, 1), std::numbers::pi / 2), rotation);
+  EXPECT_DOUBLE_EQ(rotation[0], 0);
+  EXPECT_DOUBLE_EQ(rotation[1], -std::sqrt(0.5));
+  EXPECT_DOUBLE_EQ(rotation[2], 0);
+  EXPECT_DOUBLE_EQ(rotation[3], std::sqrt(0.5));
+}
+
+// To place a point in Unreal's world and convert it is to convert it and place it in the plugin's.
+TEST(UnrealAxes, ConvertPosesAsTheyConvertPoints) {
+  const FTransform plate = somewhere();
+  double q[4];
+  HapticConversions::ToQuaternion(plate.GetRotation(), q);
+  for (const FVector& point : {FVector(1, 0, 0), FVector(0, 2, 0), FVector(0, 0, 3), FVector(-4, 5, 6)}) {
+    const auto [x, y, z] = metres(point);
+    // v + 2 q x (q x v + w v)
+    const double tx = q[1] * z - q[2] * y + q[3] * x;
+    const double ty = q[2] * x - q[0] * z + q[3] * y;
+    const double tz = q[0] * y - q[1] * x + q[3] * z;
+    const auto origin = metres(plate.GetLocation());
+    const auto world = metres(plate.TransformPosition(point));
+    EXPECT_NEAR(world[0], origin[0] + x + 2 * (q[1] * tz - q[2] * ty), 1e-12);
+    EXPECT_NEAR(world[1], origin[1] + y + 2 * (q[2] * tx - q[0] * tz), 1e-12);
+    EXPECT_NEAR(world[2], origin[2] + z + 2 * (q[0] * ty - q[1] * tx), 1e-12);
+  }
+}
+
+TEST(UnrealSettings, AreTheLibrarysDefaults) {
+  hrt_session_config defaults;
+  hrt_session_config_default(&defaults, sizeof defaults);
+  const hrt_session_config config = HapticConversions::ToConfig(FHapticSettings(), FTransform());
+  EXPECT_EQ(std::memcmp(&config, &defaults, sizeof config), 0);
+}
+
+// Each set to something else, each must show: a field that the component does not know would keep its
+// default.
+TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
+  FHapticSettings s;
+  s.Control = EHapticControl::FixedPlate;
+  s.Guidance = EHapticGuidance::LineOfSight;
+  s.Adaptation = EHapticAdaptation::Carried;
+  s.Horizon = 4;
+  s.StepPeriod = 0.05;
+  s.PerceivedWeight = s.ActualWeight = 2;
+  s.PlateBound = 80;
+  s.PlateMaxSpeed = 300;
+  s.PlateMaxAcceleration = 5000;
+  s.PlateLatency = 0.01;
+  s.PlateLowerStopYaw = -100;
+  s.PlateUpperStopYaw = 110;
+  s.FixedPlateYaw = 12;
+  s.PlateRadius = 8;
+  s.LiftHeight = 2;
+  s.StartPosition = FVector(-4, 1, 0.5);
+  s.TactileWeight = 0.2;
+  s.TactileWeightSd = 0.04;
+  s.BiasYaw = 3;
+  s.MotorVariance = 0.6;
+  s.MotorVarianceSd = 0.4;
+  s.SensoryVariance = 0.2;
+  s.InitialVariance = 0.3;
+  s.TrackerNoise = 0.1;
+  const hrt_session_config config = HapticConversions::ToConfig(s, somewhere());
+  hrt_session session;
+  ASSERT_EQ(hrt_session_create(&config, &session), HRT_OK) << hrt_last_error();
+  hrt_session_destroy(session);
+  EXPECT_EQ(config.step_period_ns, 50'000'000);
+  EXPECT_EQ(config.plate_lower_stop_deg, -110);
+  EXPECT_EQ(config.plate_upper_stop_deg, 100);
+  EXPECT_EQ(config.fixed_plate_orientation_deg, -12);
+  EXPECT_DOUBLE_EQ(config.start_position_m[2], 0.04);
+
+  hrt_session_config defaults;
+  hrt_session_config_default(&defaults, sizeof defaults);
+  const auto same = [&](size_t offset, size_t size) {
+    return std::memcmp(reinterpret_cast<const char*>(&config) + offset,
+                       reinterpret_cast<const char*>(&defaults) + offset, size) == 0;
+  };
+  for (size_t offset = 0; offset < sizeof config; offset += 4) {
+    const bool number = offset >= offsetof(hrt_session_config, perceived_weight) ||
+                        offset == offsetof(hrt_session_config, step_period_ns);
+    if (offset == offsetof(hrt_session_config, struct_size) ||
+        offset == offsetof(hrt_session_config, reserved))
+      continue;
+    EXPECT_FALSE(same(offset, number ? 8 : 4)) << "the word at " << offset << " is as by default";
+    if (number) offset += 4;
+  }
+}
+
+TEST_F(Component, CallsRightPositive) {
+  FHapticTarget right, ahead;
+  ASSERT_TRUE(component_.AddTargetAt(kReal, TEXT("right"), FVector(-5, 10, 2), right));
+  ASSERT_TRUE(component_.AddTargetAt(kVirtual, TEXT("ahead"), FVector(5, 0, 0), ahead));
+  FHapticAuthority authority;
+  ASSERT_TRUE(component_.GetAuthority(right, ahead, authority));
+  EXPECT_NEAR(authority.GapYaw, -90, 1e-9);
+  EXPECT_FALSE(authority.bReachable);
+  ASSERT_TRUE(component_.RemoveTarget(right));
+  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("near"), 3, 10, right));
+  ASSERT_TRUE(component_.GetBestAuthority(ahead, authority));
+  EXPECT_EQ(authority.RealTarget.Id, right.Id);
+  EXPECT_NEAR(authority.GapYaw, -3, 1e-9);
+  EXPECT_TRUE(authority.bReachable);
+}
+
+/** The command after a slide that goes 0.6 mm a frame to the right, on a plate that is where it is put. */
+FHapticCommand slide_on(const FTransform& plate) {
+  UHapticRetargetingComponent component;
+  component.SetWorldTransform(plate);
+  FHapticTarget real, felt;
+  EXPECT_TRUE(component.AddTargetAt(kReal, TEXT("real"), plate.TransformPosition(FVector(5, 1, 0)), real));
+  EXPECT_TRUE(
+      component.AddTargetAt(kVirtual, TEXT("felt"), plate.TransformPosition(FVector(5, -0.5, 0)), felt));
+  EXPECT_TRUE(component.BeginReach(real, felt));
+  for (int frame = 0; frame <= 270; ++frame) {
+    const double part = frame / 270.0;
+    EXPECT_TRUE(component.UpdateFinger(plate.TransformPosition(FVector(-5 + 10 * part, 0.8 * part, 0.2)),
+                                       frame / 90.0));
+  }
+  const FHapticCommand command = component.GetCommand();
+  component.BeginDestroy();
+  return command;
+}
+
+TEST(UnrealPlate, MayStandAnywhere) {
+  const FHapticCommand here = slide_on(FTransform());
+  const FHapticCommand there = slide_on(somewhere());
+  EXPECT_GT(here.FingerYaw, 3) << "a finger that goes right";
+  EXPECT_LT(here.PlateYaw, -5) << "the plate turns left of what is felt to send the hand right";
+  EXPECT_GT(here.DistanceToGo, 0.1);
+  EXPECT_LT(here.DistanceToGo, 0.5) << "centimetres";
+  EXPECT_NEAR(there.FingerYaw, here.FingerYaw, 1e-6);
+  EXPECT_NEAR(there.PlateYaw, here.PlateYaw, 1e-6);
+  EXPECT_NEAR(there.DistanceToGo, here.DistanceToGo, 1e-6);
+}
+
+TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
+  std::vector<double> yaws;
+  std::vector<int32> flags;
+  std::vector<double> misses;
+  component_.OnPlateCommanded.Add([&](double yaw) { yaws.push_back(yaw); });
+  component_.OnFlagsChanged.Add([&](int32 changed) { flags.push_back(changed); });
+  component_.OnReachEnded.Add([&](const FHapticSummary& summary) { misses.push_back(summary.FinalMissYaw); });
+  begin();
+  EXPECT_TRUE(component_.IsReaching());
+  hrt_sample sample{};
+  sample.flags = HRT_SAMPLE_DIRECTION;
+  ASSERT_TRUE(component_.UpdateSample(sample));
+  sample.time_ns = 50'000'000;
+  ASSERT_TRUE(component_.UpdateSample(sample));
+  EXPECT_EQ(yaws, std::vector<double>{component_.GetCommand().PlateYaw})
+      << "one step, and a sample between steps";
+  EXPECT_TRUE(flags.empty());
+  ASSERT_TRUE(component_.UpdateLost(0.25));
+  ASSERT_EQ(flags.size(), 1u);
+  EXPECT_TRUE(flags[0] & static_cast<int32>(EHapticCommandFlags::Predicted));
+  FHapticSummary summary;
+  ASSERT_TRUE(component_.EndReach(summary));
+  EXPECT_EQ(summary.Samples, 3);
+  EXPECT_EQ(misses, std::vector<double>{summary.FinalMissYaw});
+  EXPECT_FALSE(component_.IsReaching());
+}
+
+TEST_F(Component, RefusesAndSaysWhy) {
+  FHapticSummary summary;
+  EXPECT_FALSE(component_.EndReach(summary));
+  FHapticTarget target;
+  target.Id = 7;
+  component_.Settings.Horizon = -1;
+  EXPECT_FALSE(component_.AddTarget(kReal, TEXT("a"), 0, 10, target));
+  EXPECT_NE(last_log().find("LogHapticRetargeting: Error: hrt_session_create: horizon"), std::string::npos)
+      << last_log();
+  EXPECT_EQ(target.Id, 7);
+  component_.Settings.Horizon = 3;
+  const std::u16string longest(63, u'a');
+  EXPECT_FALSE(component_.AddTarget(kReal, (longest + u"a").c_str(), 0, 10, target));
+  EXPECT_TRUE(component_.AddTarget(kReal, longest.c_str(), 0, 10, target));
+  EXPECT_TRUE(component_.AddTarget(kReal, TEXT("\u00e9lan"), 0, 10, target));
+  EXPECT_FALSE(component_.AddTarget(kReal, TEXT("far"), kNan, 10, target));
+  begin();
+  EXPECT_TRUE(component_.UpdateFinger(FVector(), 1));
+  EXPECT_FALSE(component_.UpdateFinger(FVector(), 0.9));
+  EXPECT_FALSE(component_.UpdateFinger(FVector(kNan, 0, 0), 2));
+  for (const double time : {kNan, -1e300, 1e300})
+    EXPECT_FALSE(component_.UpdateFinger(FVector(), time)) << time;
+  EXPECT_TRUE(component_.UpdateFinger(FVector(), 2));
+  ASSERT_TRUE(component_.EndReach(summary));
+  component_.SetWorldTransform(FTransform(FQuat(), FVector(), FVector(2, 2, 2)));
+  EXPECT_FALSE(component_.BeginReach(target, target));
+  EXPECT_NE(last_log().find("scaled"), std::string::npos) << last_log();
+}
+
+TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
+  component_.Settings.TactileWeight = 0.2;
+  FString profile;
+  ASSERT_TRUE(component_.SaveProfile(profile));
+  UHapticRetargetingComponent other;
+  ASSERT_TRUE(other.LoadProfile(profile));
+  EXPECT_EQ(other.Settings.TactileWeight, 0.2);
+  EXPECT_FALSE(other.LoadProfile(TEXT("{")));
+  other.BeginDestroy();
+
+  component_.Settings.Adaptation = EHapticAdaptation::Carried;
+  begin();
+  for (int frame = 0; frame <= 270; ++frame)
+    ASSERT_TRUE(component_.UpdateFinger(FVector(-5 + frame / 27.0, 0, 0.2), frame / 90.0));
+  FHapticSummary summary;
+  ASSERT_TRUE(component_.EndReach(summary));
+  EXPECT_EQ(component_.Settings.TactileWeight, summary.TactileWeight);
+  EXPECT_NE(component_.Settings.TactileWeight, 0.2);
+}
+
+TEST_F(Component, Records) {
+  const std::string path = testing::TempDir() + "/unreal_recording.csv";
+  ASSERT_TRUE(component_.StartRecording(Stub::ToUtf16(path).c_str()));
+  begin();
+  ASSERT_TRUE(component_.StopRecording()) << last_log();
+  std::string line;
+  std::ifstream file(path);
+  std::getline(file, line);
+  EXPECT_EQ(line, "# haptic retargeting recording, version 1");
+  EXPECT_FALSE(component_.StopRecording());
+  EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
+}
+
+// Of sessions a process has 64.
+TEST(UnrealComponents, EndTheirSessions) {
+  for (int i = 0; i < 200; ++i) {
+    UHapticRetargetingComponent component;
+    FHapticTarget target;
+    ASSERT_TRUE(component.AddTarget(kReal, TEXT("real"), 0, 10, target)) << last_log();
+    if (i % 2)
+      component.OnComponentDestroyed(false);
+    else
+      component.BeginDestroy();
+  }
+}
+
+#if PLATFORM_WINDOWS
+TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
+  const std::unique_ptr<IModuleInterface> module(MakeModule());
+  module->StartupModule();
+  ASSERT_EQ(FPlatformProcess::Opened.size(), 1u);
+  EXPECT_EQ(
+      FPlatformProcess::Opened[0],
+      "plugins/HapticRetargeting/Source/ThirdParty/HapticRetargetingLibrary/Win64/haptic_retargeting.dll");
+  module->ShutdownModule();
+  FPlatformProcess::Missing = true;
+  module->StartupModule();
+  EXPECT_NE(last_log().find("haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
+}
+#else
+TEST(UnrealModule, LeavesLoadingToTheLinker) {
+  const std::unique_ptr<IModuleInterface> module(MakeModule());
+  module->StartupModule();
+  EXPECT_TRUE(FPlatformProcess::Opened.empty());
+  module->ShutdownModule();
+}
+#endif
+
+uint64_t hash_word(uint64_t hash, uint64_t word) {
+  for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;
+  return hash;
+}
+
+uint64_t hash_command(uint64_t hash, const hrt_command& command) {
+  hash = hash_word(hash, command.flags);
+  hash = hash_word(hash, static_cast<uint64_t>(command.step));
+  for (const double number : {command.plate_orientation_deg, command.finger_direction_deg,
+                              command.perceived_direction_deg, command.aimed_direction_deg,
+                              command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd})
+    hash = hash_word(hash, std::bit_cast<uint64_t>(number));
+  return hash;
+}
+
+// The reach that every host runs: plugin/bindings/README.md.
+TEST_F(Component, RunsTheReachOfAllHosts) {
+  FHapticSettings& settings = component_.Settings;
+  settings.Horizon = 20;
+  settings.Guidance = EHapticGuidance::LineOfSight;
+  settings.Adaptation = EHapticAdaptation::Reach;
+  settings.PlateMaxSpeed = 200;
+  settings.PlateMaxAcceleration = 20000;
+  settings.PlateLatency = 0.03;
+  settings.PlateLowerStopYaw = -360;
+  settings.PlateUpperStopYaw = 360;
+  begin();
+
+  std::ifstream recording(HRT_REACH);
+  std::map<std::string, size_t> columns;
+  uint64_t hash = 0xcbf29ce484222325u;
+  for (std::string line; std::getline(recording, line);) {
+    if (line.starts_with('#')) continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    cells.resize(64);
+    if (columns.empty())
+      for (size_t i = 0; i < cells.size(); ++i) columns.emplace(cells[i], i);
+    if (cells[columns.at("call")] != "update") continue;
+    const auto real = [&](const char* name) { return std::strtod(cells[columns.at(name)].c_str(), nullptr); };
+    hrt_sample sample{};
+    sample.flags = static_cast<uint32_t>(real("sample_flags"));
+    sample.time_ns = std::strtoll(cells[columns.at("time_ns")].c_str(), nullptr, 10);
+    sample.finger_position_m[0] = real("sample_x_m");
+    sample.finger_position_m[1] = real("sample_y_m");
+    sample.finger_position_m[2] = real("sample_z_m");
+    sample.plate_orientation_deg = real("measured_plate_deg");
+    ASSERT_TRUE(component_.UpdateSample(sample)) << last_log();
+    hash = hash_command(hash, component_.GetRawCommand());
+  }
+  FHapticSummary summary;
+  ASSERT_TRUE(component_.EndReach(summary));
+
+  std::string expected;
+  std::ifstream(HRT_REACH_HASH) >> expected;
+  char found[32];
+  std::snprintf(found, sizeof found, "0x%016" PRIx64, hash);
+  std::printf("hash %s\n", found);
+  EXPECT_EQ(found, expected);
+}
+
+}  // namespace

@@ -1,0 +1,3 @@
+#define HAPTICRETARGETING_API
+#undef GENERATED_BODY
+#define GENERATED_BODY() using Super = USceneComponent;
