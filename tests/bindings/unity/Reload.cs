@@ -1,52 +1,10 @@
-// What Unity's editor does when scripts are recompiled: their domain goes, with sessions that nobody has disposed
-// of, and the library stays. Each domain takes all the sessions and calibrations
-// that there can be; one of them records until the
-// disk is full, and the library says so from a thread of its own. Run it where files can't grow beyond 1 MiB.
+// What Unity's editor does when scripts are recompiled: their domain goes, with all that they have left open, and the
+// library stays.
 using System;
 using System.IO;
 using System.Runtime.InteropServices;
 using System.Threading;
 using Hrt;
-using UnityEngine;
-
-sealed class Scripts : MarshalByRefObject
-{
-    volatile string logged;
-    volatile Thread logThread;
-
-    /// <summary>What is wrong; empty if nothing is.</summary>
-    public string LeaveEverythingOpen(string path)
-    {
-        Debug.Logged += Hear;
-        var sessions = new HapticRetargetingSession[Constants.SessionsMax];
-        for (int i = 0; i < sessions.Length; ++i)
-        {
-            sessions[i] = new HapticRetargetingSession();
-            if (i == 0) sessions[i].StartRecording(path);
-            if (i < Constants.CalibrationsMax) new HapticRetargetingCalibration(sessions[i]).BeginTrial(30);
-            sessions[i].BeginReach(sessions[i].AddTarget(TargetRole.Real, -5),
-                                   sessions[i].AddTarget(TargetRole.Virtual, 5));
-        }
-        DateTime end = DateTime.Now.AddSeconds(20);
-        for (int i = 0; logged == null && DateTime.Now < end; ++i)
-        {
-            sessions[0].Update(new Sample { timeNs = i });
-            if (i % 1000 == 0) Thread.Sleep(1);
-        }
-        if (logged == null) return "nothing was logged of a disk that is full";
-        if (!logged.StartsWith("error: Haptic retargeting: the recording ends here")) return "logged: " + logged;
-        if (logThread == Thread.CurrentThread) return "logged on the caller's thread";
-        return "";
-    }
-
-    void Hear(string level, string text)
-    {
-        if (level == "warning") return; // calls lost on the way, as the disk is slower than this loop
-        logThread = Thread.CurrentThread;
-        logged = level + ": " + text;
-        throw new InvalidOperationException("of a listener, which must not reach the library");
-    }
-}
 
 static class Reload
 {

@@ -2,7 +2,6 @@
 // compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when told to.
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using System.Reflection;
 
 namespace AOT
@@ -267,7 +266,7 @@ namespace UnityEngine
             return component;
         }
 
-        public T GetComponent<T>() where T : Behaviour => behaviours.OfType<T>().FirstOrDefault();
+        public T GetComponent<T>() where T : Behaviour => (T)behaviours.Find(behaviour => behaviour is T);
 
         public void SetActive(bool active)
         {

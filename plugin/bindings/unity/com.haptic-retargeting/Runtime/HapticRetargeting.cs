@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using UnityEngine;
 using UnityEngine.Events;
 
@@ -172,18 +171,20 @@ namespace Hrt
             SessionConfig config = Placed(Session == null ? Configuration() : Session.Config);
             using (var session = new HapticRetargetingSession(config))
             {
-                var reals = new Dictionary<Transform, TargetId>();
-                var virtuals = new Dictionary<Transform, TargetId>();
-                SetTargets(session, realTargets, TargetRole.Real, reals);
-                SetTargets(session, virtualTargets, TargetRole.Virtual, virtuals);
+                var ids = new Dictionary<Transform, TargetId>();
+                var reals = new Dictionary<ulong, Transform>();
+                SetTargets(session, realTargets, TargetRole.Real, ids);
+                foreach (KeyValuePair<Transform, TargetId> real in ids) reals[real.Value.value] = real.Key;
+                ids.Clear();
+                SetTargets(session, virtualTargets, TargetRole.Virtual, ids);
                 if (reals.Count == 0) return pairings;
-                foreach (KeyValuePair<Transform, TargetId> target in virtuals)
+                foreach (KeyValuePair<Transform, TargetId> target in ids)
                 {
                     Authority authority = session.QueryBestAuthority(target.Value);
                     pairings.Add(new Pairing
                     {
                         virtualTarget = target.Key,
-                        realTarget = reals.First(real => real.Value == authority.realTarget).Key,
+                        realTarget = reals[authority.realTarget.value],
                         authority = authority
                     });
                 }
@@ -305,10 +306,11 @@ namespace Hrt
         static void SetTargets(HapticRetargetingSession session, List<Transform> targets, TargetRole role,
                                Dictionary<Transform, TargetId> ids)
         {
-            foreach (Transform gone in ids.Keys.Where(id => id == null || !targets.Contains(id)).ToList())
+            foreach (Transform known in new List<Transform>(ids.Keys))
             {
-                session.RemoveTarget(ids[gone]);
-                ids.Remove(gone);
+                if (known != null && targets.Contains(known)) continue;
+                session.RemoveTarget(ids[known]);
+                ids.Remove(known);
             }
             foreach (Transform target in targets)
             {
