@@ -125,6 +125,28 @@ constexpr std::array kAuthority{
 };
 static_assert(complete(kAuthority, 0, sizeof(Authority)));
 
+#define INTERVAL(type, member)                                                                             \
+  Field{#member, FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, value)},              \
+      Field{#member "_lower", FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, lower)}, \
+      Field{#member "_upper", FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, upper)}, \
+      Field {                                                                                              \
+#member "_known", FieldKind::kUint32, offsetof(type, member) + offsetof(hrt_interval, known)           \
+  }
+
+using Calibration = hrt_calibration_result;
+constexpr std::array kCalibration{
+    FIELD(Calibration, trials),
+    FIELD(Calibration, trials_used),
+    INTERVAL(Calibration, tactile_weight),
+    INTERVAL(Calibration, bias_deg),
+    INTERVAL(Calibration, motor_variance_deg2),
+    INTERVAL(Calibration, sensory_variance_deg2),
+    INTERVAL(Calibration, tracker_noise_m),
+};
+static_assert(complete(kCalibration, sizeof(Calibration::reserved) + 5 * sizeof(hrt_interval::reserved),
+                       sizeof(Calibration)));
+
+#undef INTERVAL
 #undef FIELD
 #undef CHOICE
 
@@ -153,6 +175,10 @@ std::span<const Field> summary_fields() {
 }
 std::span<const Field> authority_fields() {
   return kAuthority;
+}
+
+std::span<const Field> calibration_fields() {
+  return kCalibration;
 }
 
 Type type_of(const Field& field) {
@@ -202,6 +228,11 @@ bool set_field(void* object, const Field& field, const Value& value) {
     write(object, field, *integer);
   }
   return true;
+}
+
+bool is_different(const void* object, const void* other, const Field& field) {
+  return std::memcmp(static_cast<const char*>(object) + field.offset,
+                     static_cast<const char*>(other) + field.offset, size_of(field.kind)) != 0;
 }
 
 Record to_record(const void* object, std::span<const Field> fields) {

@@ -27,6 +27,7 @@ Type type_of(const Field& field);
 Value get_field(const void* object, const Field& field);
 /** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
 bool set_field(void* object, const Field& field, const Value& value);
+bool is_different(const void* object, const void* other, const Field& field);
 Record to_record(const void* object, std::span<const Field> fields);
 
 /** The properties: hrt_session_config but for the plate's pose, which is the node's own. */
@@ -34,5 +35,7 @@ std::span<const Field> config_fields();
 std::span<const Field> command_fields();
 std::span<const Field> summary_fields();
 std::span<const Field> authority_fields();
+/** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
+std::span<const Field> calibration_fields();
 
 }  // namespace hrt_godot

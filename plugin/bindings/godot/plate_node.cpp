@@ -35,6 +35,8 @@ constexpr Argument kSample[] = {{"flags", Type::kInt},
                                 {"finger_y_m", Type::kReal},
                                 {"finger_z_m", Type::kReal},
                                 {"plate_orientation_deg", Type::kReal}};
+constexpr Argument kGoal[] = {{"goal_direction_deg", Type::kReal}};
+constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
 constexpr Argument kJson[] = {{"json", Type::kString}};
 constexpr Argument kPath[] = {{"path", Type::kString}};
 
@@ -59,6 +61,14 @@ const Method kMethods[] = {
     {"get_summary", Type::kRecord, Record{}, {}, &PlateNode::get_summary},
     {"get_authority", Type::kRecord, Record{}, kPair, &PlateNode::get_authority},
     {"get_best_authority", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_best_authority},
+    {"begin_calibration", Type::kInt, kError, kGoal, &PlateNode::begin_calibration},
+    {"begin_trial", Type::kInt, kError, kPlate, &PlateNode::begin_trial},
+    {"add_trial_sample", Type::kInt, kError, kFinger, &PlateNode::add_trial_sample},
+    {"end_trial", Type::kInt, kError, {}, &PlateNode::end_trial},
+    {"cancel_trial", Type::kInt, kError, {}, &PlateNode::cancel_trial},
+    {"solve_calibration", Type::kRecord, Record{}, {}, &PlateNode::solve_calibration},
+    {"apply_calibration", Type::kInt, kError, {}, &PlateNode::apply_calibration},
+    {"end_calibration", Type::kInt, kError, {}, &PlateNode::end_calibration},
     {"load_profile", Type::kInt, kError, kJson, &PlateNode::load_profile},
     {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
     {"start_recording", Type::kInt, kError, kPath, &PlateNode::start_recording},
@@ -206,6 +216,7 @@ PlateNode::PlateNode(Engine& engine) : engine_(engine) {
 }
 
 PlateNode::~PlateNode() {
+  if (calibration_.value) hrt_calibration_destroy(calibration_);
   if (session_.value) hrt_session_destroy(session_);
 }
 
@@ -330,16 +341,22 @@ Value PlateNode::begin_reach(const hrt_reach_config& config) {
   return to_godot_error(result_);
 }
 
-Value PlateNode::update(const Value* arguments) {
+/** A sample of the fingertip in the world, with the plate where the node is. */
+bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
   const Vector3& position = std::get<Vector3>(arguments[0]);
-  hrt_sample sample{};
-  sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
-  sample.time_ns = to_int(arguments[1]);
-  sample.finger_position_m[0] = position.x;
-  sample.finger_position_m[1] = position.y;
-  sample.finger_position_m[2] = position.z;
-  if (!read_pose(sample.plate_position_m, sample.plate_rotation)) return to_godot_error(result_);
-  return send(sample);
+  out_sample = {};
+  out_sample.struct_size = sizeof out_sample;
+  out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  out_sample.time_ns = to_int(arguments[1]);
+  out_sample.finger_position_m[0] = position.x;
+  out_sample.finger_position_m[1] = position.y;
+  out_sample.finger_position_m[2] = position.z;
+  return read_pose(out_sample.plate_position_m, out_sample.plate_rotation);
+}
+
+Value PlateNode::update(const Value* arguments) {
+  hrt_sample sample;
+  return finger_sample(arguments, sample) ? send(sample) : to_godot_error(result_);
 }
 
 Value PlateNode::update_lost(const Value* arguments) {
@@ -388,15 +405,7 @@ Value PlateNode::end(const Value*) {
   if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
   reaching_ = false;
   summary_ = summary;
-  // What the reach has learnt of the user, under HRT_ADAPTATION_CARRIED. Other properties may wait to be
-  // applied.
-  hrt_session_get_config(session_, &configured_);
-  if (configured_.adaptation == HRT_ADAPTATION_CARRIED) {
-    config_.tactile_weight = configured_.tactile_weight;
-    config_.tactile_weight_sd = configured_.tactile_weight_sd;
-    config_.motor_variance_deg2 = configured_.motor_variance_deg2;
-    config_.motor_variance_sd_deg2 = configured_.motor_variance_sd_deg2;
-  }
+  take_changes();  // under HRT_ADAPTATION_CARRIED there are some
   engine_.emit(kReachEnded, summary.final_miss_deg);
   return int64_t{0};
 }
@@ -430,10 +439,75 @@ Value PlateNode::get_best_authority(const Value* arguments) {
   return to_record(&authority, authority_fields());
 }
 
+Value PlateNode::begin_calibration(const Value* arguments) {
+  hrt_calibration_config config;
+  hrt_calibration_config_default(&config, sizeof config);
+  config.goal_direction_deg = to_real(arguments[0]);
+  hrt_calibration calibration{};
+  if (!configure() || !ok(hrt_calibration_create(session_, &config, &calibration)))
+    return to_godot_error(result_);
+  if (calibration_.value) hrt_calibration_destroy(calibration_);
+  calibration_ = calibration;
+  user_ = {};
+  return int64_t{0};
+}
+
+Value PlateNode::begin_trial(const Value* arguments) {
+  ok(hrt_calibration_begin_trial(calibration_, to_real(arguments[0])));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::add_trial_sample(const Value* arguments) {
+  hrt_sample sample;
+  if (finger_sample(arguments, sample)) ok(hrt_calibration_add_sample(calibration_, &sample));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::end_trial(const Value*) {
+  ok(hrt_calibration_end_trial(calibration_));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::cancel_trial(const Value*) {
+  ok(hrt_calibration_cancel_trial(calibration_));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::solve_calibration(const Value*) {
+  hrt_calibration_result user{};
+  user.struct_size = sizeof user;
+  if (!ok(hrt_calibration_solve(calibration_, &user))) return Record{};
+  user_ = user;
+  return to_record(&user_, calibration_fields());
+}
+
+Value PlateNode::apply_calibration(const Value*) {
+  if (!user_.struct_size) {
+    engine_.push_error("apply_calibration: no calibration is solved; call solve_calibration() first");
+    return to_godot_error(HRT_ERROR_WRONG_STATE);
+  }
+  if (configure() && ok(hrt_calibration_apply(session_, &user_))) take_changes();
+  return to_godot_error(result_);
+}
+
+Value PlateNode::end_calibration(const Value*) {
+  if (ok(hrt_calibration_destroy(calibration_))) calibration_ = {};
+  return to_godot_error(result_);
+}
+
+/** Takes what the plugin itself has changed of the configuration, which is what it has learnt of the user,
+ * into the properties; others may have been set and wait. */
+void PlateNode::take_changes() {
+  const hrt_session_config before = configured_;
+  hrt_session_get_config(session_, &configured_);
+  for (const Field& field : config_fields())
+    if (is_different(&before, &configured_, field))
+      set_field(&config_, field, get_field(&configured_, field));
+}
+
 Value PlateNode::load_profile(const Value* arguments) {
   const std::string& json = to_text(arguments[0]);
-  if (configure() && ok(hrt_profile_load(session_, json.data(), json.size())))
-    if (ok(hrt_session_get_config(session_, &config_))) configured_ = config_;
+  if (configure() && ok(hrt_profile_load(session_, json.data(), json.size()))) take_changes();
   return to_godot_error(result_);
 }
 

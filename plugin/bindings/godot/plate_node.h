@@ -82,6 +82,14 @@ class PlateNode {
   Value get_summary(const Value* arguments);
   Value get_authority(const Value* arguments);
   Value get_best_authority(const Value* arguments);
+  Value begin_calibration(const Value* arguments);
+  Value begin_trial(const Value* arguments);
+  Value add_trial_sample(const Value* arguments);
+  Value end_trial(const Value* arguments);
+  Value cancel_trial(const Value* arguments);
+  Value solve_calibration(const Value* arguments);
+  Value apply_calibration(const Value* arguments);
+  Value end_calibration(const Value* arguments);
   Value load_profile(const Value* arguments);
   Value save_profile(const Value* arguments);
   Value start_recording(const Value* arguments);
@@ -94,10 +102,14 @@ class PlateNode {
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
   Value add_target(const hrt_target_config& config);
   Value begin_reach(const hrt_reach_config& config);
+  bool finger_sample(const Value* arguments, hrt_sample& out_sample);
   Value send(const hrt_sample& sample);
+  void take_changes();
 
   Engine& engine_;
   hrt_session session_{};
+  hrt_calibration calibration_{};
+  hrt_calibration_result user_{};    ///< struct_size 0: no calibration is solved
   hrt_session_config config_;        ///< the properties and the node's pose
   hrt_session_config configured_{};  ///< what the session has of them
   hrt_command command_{};            ///< struct_size 0: none yet in this reach

@@ -16,6 +16,7 @@ func _ready():
 	check_signals()
 	check_refusals()
 	check_adaptation_and_profile()
+	check_calibration()
 	check_recording()
 	check_freed()
 	print("FAIL %d of %d" % [failures, checks] if failures else "PASS %d" % checks)
@@ -200,9 +201,57 @@ func check_adaptation_and_profile():
 	plate.begin(plate.add_real_target("real", -5, 0.1), plate.add_virtual_target("felt", 5, 0.1))
 	for frame in 270:
 		plate.update(Vector3(0, 0, 0.05 - frame * 0.1 / 270), frame * 11111111)
+	plate.horizon = 4
 	plate.end()
+	check_equal(plate.horizon, 4, "a property set during a reach that learns")
 	check_equal(plate.tactile_weight, plate.get_summary().tactile_weight, "what a reach has learnt, carried")
 	check(plate.tactile_weight != 0.2, "something is learnt")
+
+# A simulated user whose share of touch is known slides over a plate at rest.
+func check_calibration():
+	var plate = new_plate()
+	expect_error("hrt_calibration_begin_trial")
+	check_equal(plate.begin_trial(0), ERR_DOES_NOT_EXIST, "a trial without a calibration")
+	check_equal(plate.begin_calibration(0), OK, "begin")
+	expect_error("hrt_calibration_solve")
+	check(plate.solve_calibration().empty(), "a solution without trials")
+	expect_error("apply_calibration: no calibration is solved")
+	check_equal(plate.apply_calibration(), ERR_UNAVAILABLE, "nothing to apply")
+	var random = RandomNumberGenerator.new()
+	random.seed = 1
+	for round_of_trials in 4:
+		for plate_deg in [-60.0, -30.0, 0.0, 30.0, 60.0]:
+			slide(plate, plate_deg, random)
+	check_equal(plate.begin_trial(0), OK, "a trial more")
+	check_equal(plate.cancel_trial(), OK, "and not")
+	var found = plate.solve_calibration()
+	check_equal(found.trials_used, 20, "trials used")
+	check(found.tactile_weight_lower < 0.15 and 0.15 < found.tactile_weight_upper,
+			"the interval of the tactile weight: %s" % [found])
+	check(found.tactile_weight_upper - found.tactile_weight_lower < 0.1, "is narrow: %s" % [found])
+	check_equal(found.tactile_weight_known, 1, "known")
+	check_equal(plate.apply_calibration(), OK, "apply")
+	check_equal(plate.tactile_weight, found.tactile_weight, "tactile weight, applied")
+	check_equal(plate.bias_deg, found.bias_deg, "bias, applied")
+	check_equal(plate.end_calibration(), OK, "end")
+	expect_error("hrt_calibration_destroy")
+	check_equal(plate.end_calibration(), ERR_DOES_NOT_EXIST, "end twice")
+
+func slide(plate, plate_deg, random):
+	var user = preload("res://user.gd").new(0.0)
+	var finger = Vector3(0, 0.002, 0.05)
+	check_equal(plate.begin_trial(plate_deg), OK, "begin of a trial")
+	for frame in 315:
+		var seconds = frame / 90.0 - 0.5
+		if seconds > 0:
+			var step = user.next_step_s
+			user.feel_until(seconds, plate_deg)
+			if user.next_step_s != step:
+				user.direction_deg += random.randfn(0, 0.7)
+			finger += Vector3(0, 0, -1).rotated(Vector3.UP, deg2rad(user.direction_deg)) * 0.1 / 270
+		var seen = finger + Vector3(random.randfn(0, 0.0003), 0, random.randfn(0, 0.0003))
+		check_equal(plate.add_trial_sample(seen, frame * 11111111), OK, "sample")
+	check_equal(plate.end_trial(), OK, "end of a trial")
 
 func check_recording():
 	var plate = new_plate()

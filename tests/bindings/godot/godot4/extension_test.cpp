@@ -138,6 +138,16 @@ TEST_F(Extension, RefusesWhatIsWrong) {
   EXPECT_TRUE(std::get<Dictionary>(call("get_authority", {int64_t{1}, int64_t{2}}))->values.empty());
 }
 
+TEST_F(Extension, RefusesACalibrationThatCannotTell) {
+  ASSERT_EQ(call_int("begin_calibration", {0.0}), kOk);
+  ASSERT_EQ(call_int("begin_trial", {30.0}), kOk);
+  ASSERT_EQ(call_int("add_trial_sample", {Vector3{0, 0, 0.05f}, int64_t{0}}), kOk);
+  ASSERT_EQ(call_int("end_trial"), kOk);
+  EXPECT_TRUE(std::get<Dictionary>(call("solve_calibration"))->values.empty());
+  EXPECT_NE(last_error().find("hrt_calibration_solve"), std::string::npos) << last_error();
+  EXPECT_EQ(call_int("apply_calibration"), 2);  // ERR_UNAVAILABLE; and the node ends its calibration
+}
+
 TEST(ExtensionEntry, RefusesAnEngineThatLacksAFunction) {
   Engine engine;
   engine.lacking = "classdb_register_extension_class2";
