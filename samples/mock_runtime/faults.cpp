@@ -215,7 +215,7 @@ std::vector<XrResult> legal_errors(FunctionId function) {
   std::vector<XrResult> errors = row.further;
   const auto add = [&](std::initializer_list<XrResult> more) { errors.insert(errors.end(), more); };
   if (row.group == Group::none) return errors;
-  add({XR_ERROR_RUNTIME_FAILURE});
+  if (row.group != Group::destroys) add({XR_ERROR_RUNTIME_FAILURE});
   if (row.group == Group::global) add({XR_ERROR_OUT_OF_MEMORY, XR_ERROR_VALIDATION_FAILURE});
   if (row.group == Group::destroys) add({XR_ERROR_HANDLE_INVALID});
   if (row.group == Group::instance || row.group == Group::session)

@@ -117,7 +117,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
                  "Variance of the user's motor noise that it assumes, degrees squared a step [0.5]")
-      ->check(between(0.0, 1e4, "a number from 0 to 10000"));
+      ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
   app.add_option("--record", options.record,
                  "Record all that the plugin is told and says into this CSV file");
   app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");

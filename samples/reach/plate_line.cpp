@@ -8,6 +8,8 @@ namespace hrt::reach {
 namespace {
 
 constexpr std::size_t max_number = 12;
+constexpr double most_angle_deg = 360.0;
+constexpr double most_speed_deg_s = 1e6;
 constexpr char hex_digits[] = "0123456789ABCDEF";
 
 unsigned char sum_of(std::string_view body) {
@@ -35,10 +37,16 @@ std::optional<double> number_of(std::string_view word) {
   return value;
 }
 
+std::optional<double> angle_of(std::string_view word) {
+  const std::optional<double> angle_deg = number_of(word);
+  return angle_deg && std::abs(*angle_deg) <= most_angle_deg ? angle_deg : std::nullopt;
+}
+
 std::optional<PlateMessage> parse_greeting(const std::vector<std::string_view>& words) {
   if (words.size() != 5 || words[1] != "1") return std::nullopt;
-  const auto least = number_of(words[2]), most = number_of(words[3]), speed = number_of(words[4]);
-  if (!least || !most || !speed || *least >= *most || *speed <= 0.0) return std::nullopt;
+  const auto least = angle_of(words[2]), most = angle_of(words[3]), speed = number_of(words[4]);
+  if (!least || !most || !speed || *least >= *most || *speed <= 0.0 || *speed > most_speed_deg_s)
+    return std::nullopt;
   return PlateGreeting{*least, *most, *speed};
 }
 
@@ -80,7 +88,7 @@ std::optional<PlateMessage> parse_plate_message(std::string_view body) {
   if (words[0] == "PLATE") return parse_greeting(words);
   if (words[0] == "STOPPED") return parse_stopped(words);
   if (words[0] == "AT" && words.size() == 2)
-    if (const std::optional<double> orientation_deg = number_of(words[1]))
+    if (const std::optional<double> orientation_deg = angle_of(words[1]))
       return PlateReport{*orientation_deg};
   return std::nullopt;
 }

@@ -24,6 +24,7 @@ constexpr auto greeting_period = 200ms;  // a plate that starts up may not hear 
 constexpr auto beat_period = 50ms;       // half of what the protocol asks for
 constexpr auto silence_limit = 500ms;
 constexpr std::size_t most_unsent = 1024;
+constexpr int most_reads = 64;  // at a time: who talks without end is not listened to without end
 
 std::string set_line(double orientation_deg) {
   std::array<char, 32> text{};
@@ -114,13 +115,13 @@ void SerialPlate::stop(XrTime) {
 
 void SerialPlate::listen() {
   std::array<char, 256> bytes{};
-  for (;;) {
+  for (int i = 0; i < most_reads; ++i) {
     const ssize_t count = read(line_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count < 0 && (errno == EAGAIN || errno == EWOULDBLOCK)) return;
     if (count <= 0) fail("is unplugged");
-    for (ssize_t i = 0; i < count; ++i) {
-      const std::optional<std::string_view> line = reader_.take(bytes[static_cast<std::size_t>(i)]);
+    for (ssize_t k = 0; k < count; ++k) {
+      const std::optional<std::string_view> line = reader_.take(bytes[static_cast<std::size_t>(k)]);
       if (!line) continue;
       const std::optional<std::string_view> body = decode_line(*line);
       const std::optional<PlateMessage> message = body ? parse_plate_message(*body) : std::nullopt;

@@ -86,6 +86,8 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.calls[0].function must be the name of a function"},
       {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_POSE_INVALID"}]})",
        "script.calls[0].result must be one of \"XR_ERROR_SESSION_NOT_RUNNING\""},
+      {R"({"calls": [{"function": "xrDestroySession", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
+       "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
       {R"({"calls": [{"function": "xrWaitFrame"}]})",
        "script.calls[0] must have a result, a delay_ms above 0, or both"},
       {R"({"withhold_extensions": ["XR_EXT_none"]})",
