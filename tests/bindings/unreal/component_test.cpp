@@ -13,6 +13,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <random>
 #include <sstream>
 
 #include "HAL/PlatformProcess.h"
@@ -280,6 +281,54 @@ TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
+/** A slide of a user whose share of touch is 0.2 and whose bias is 2 degrees to the right, over a plate at
+ * rest. At rest what they feel, 0.2 T + 0.8 P, is where they go; `noise` is what keeps any two slides apart.
+ */
+void slide(UHapticRetargetingComponent& component, double plate_yaw, std::mt19937& random) {
+  std::normal_distribution<double> noise;
+  const double bias = 2;
+  double yaw = (bias - 0.2 * plate_yaw) / 0.8;
+  FVector finger(-5, 0, 0.2);
+  ASSERT_TRUE(component.BeginTrial(plate_yaw)) << last_log();
+  for (int frame = 0; frame < 315; ++frame) {
+    if (frame > 45) {
+      if (frame % 9 == 0) yaw = (bias - 0.2 * plate_yaw) / 0.8 + 0.7 * noise(random);
+      const double radians = yaw * std::numbers::pi / 180;
+      finger = finger + FVector(std::cos(radians), std::sin(radians), 0) * (10 / 270.0);
+    }
+    const FVector seen = finger + FVector(noise(random), noise(random), 0) * 0.03;
+    ASSERT_TRUE(component.AddTrialSample(seen, frame / 90.0)) << last_log();
+  }
+  ASSERT_TRUE(component.EndTrial());
+}
+
+TEST_F(Component, CalibratesAUser) {
+  EXPECT_FALSE(component_.BeginTrial(0));
+  ASSERT_TRUE(component_.BeginCalibration(0));
+  FHapticCalibration user;
+  EXPECT_FALSE(component_.SolveCalibration(user));
+  EXPECT_FALSE(component_.ApplyCalibration());
+  EXPECT_NE(last_log().find("no calibration is solved"), std::string::npos) << last_log();
+  std::mt19937 random(1);
+  for (int round = 0; round < 4; ++round)
+    for (const double plate_yaw : {-60, -30, 0, 30, 60}) slide(component_, plate_yaw, random);
+  ASSERT_TRUE(component_.BeginTrial(0));
+  ASSERT_TRUE(component_.CancelTrial());
+  ASSERT_TRUE(component_.SolveCalibration(user)) << last_log();
+  EXPECT_EQ(user.TrialsUsed, 20);
+  EXPECT_TRUE(user.TactileWeight.bKnown);
+  EXPECT_NEAR(user.TactileWeight.Value, 0.2, 0.02);
+  EXPECT_NEAR(user.BiasYaw.Value, 2, 0.5);
+  EXPECT_LT(user.BiasYaw.Lower, user.BiasYaw.Value);
+  EXPECT_GT(user.BiasYaw.Upper, user.BiasYaw.Value);
+  EXPECT_NEAR(user.TrackerNoise.Value, 0.03, 0.01);
+  ASSERT_TRUE(component_.ApplyCalibration()) << last_log();
+  EXPECT_EQ(component_.Settings.TactileWeight, user.TactileWeight.Value);
+  EXPECT_EQ(component_.Settings.BiasYaw, user.BiasYaw.Value);
+  EXPECT_TRUE(component_.EndCalibration());
+  EXPECT_FALSE(component_.EndCalibration());
+}
+
 TEST_F(Component, Records) {
   const std::string path = testing::TempDir() + "/unreal_recording.csv";
   ASSERT_TRUE(component_.StartRecording(Stub::ToUtf16(path).c_str()));
@@ -293,12 +342,13 @@ TEST_F(Component, Records) {
   EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
 }
 
-// Of sessions a process has 64.
+// Of sessions a process has 64, of calibrations 16.
 TEST(UnrealComponents, EndTheirSessions) {
   for (int i = 0; i < 200; ++i) {
     UHapticRetargetingComponent component;
     FHapticTarget target;
     ASSERT_TRUE(component.AddTarget(kReal, TEXT("real"), 0, 10, target)) << last_log();
+    ASSERT_TRUE(component.BeginCalibration(0)) << last_log();
     if (i % 2)
       component.OnComponentDestroyed(false);
     else

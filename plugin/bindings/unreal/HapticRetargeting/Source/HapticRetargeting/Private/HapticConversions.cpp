@@ -150,6 +150,32 @@ namespace HapticConversions
 		return Result;
 	}
 
+	static FHapticInterval FromInterval(const hrt_interval& Interval, double Scale)
+	{
+		FHapticInterval Result;
+		Result.Value = Interval.value * Scale;
+		Result.Lower = Interval.lower * Scale;
+		Result.Upper = Interval.upper * Scale;
+		Result.bKnown = Interval.known != 0;
+		return Result;
+	}
+
+	FHapticCalibration FromCalibration(const hrt_calibration_result& User)
+	{
+		FHapticCalibration Result;
+		Result.Trials = static_cast<int32>(User.trials);
+		Result.TrialsUsed = static_cast<int32>(User.trials_used);
+		Result.TactileWeight = FromInterval(User.tactile_weight, 1.0);
+		Result.BiasYaw.Value = Turned(User.bias_deg.value);
+		Result.BiasYaw.Lower = Turned(User.bias_deg.upper);
+		Result.BiasYaw.Upper = Turned(User.bias_deg.lower);
+		Result.BiasYaw.bKnown = User.bias_deg.known != 0;
+		Result.MotorVariance = FromInterval(User.motor_variance_deg2, 1.0);
+		Result.SensoryVariance = FromInterval(User.sensory_variance_deg2, 1.0);
+		Result.TrackerNoise = FromInterval(User.tracker_noise_m, CentimetresPerMetre);
+		return Result;
+	}
+
 	FHapticAuthority FromAuthority(const hrt_authority& Authority)
 	{
 		FHapticAuthority Result;

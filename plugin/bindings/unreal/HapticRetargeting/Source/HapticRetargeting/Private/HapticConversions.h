@@ -26,5 +26,6 @@ namespace HapticConversions
 	FHapticTarget FromTarget(hrt_target Target);
 	FHapticCommand FromCommand(const hrt_command& Command);
 	FHapticSummary FromSummary(const hrt_reach_summary& Summary);
+	FHapticCalibration FromCalibration(const hrt_calibration_result& User);
 	FHapticAuthority FromAuthority(const hrt_authority& Authority);
 }

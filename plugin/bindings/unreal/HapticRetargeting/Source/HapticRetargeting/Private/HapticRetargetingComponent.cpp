@@ -126,16 +126,22 @@ bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FH
 	return true;
 }
 
-bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double Time)
+hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
-	const FTransform Plate = GetComponentTransform();
+	const FTransform& Plate = GetComponentTransform();
 	hrt_sample Sample{};
+	Sample.struct_size = sizeof Sample;
 	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
 	Sample.time_ns = ToNanoseconds(Time);
 	ToMetres(Location, Sample.finger_position_m);
 	ToMetres(Plate.GetLocation(), Sample.plate_position_m);
 	ToQuaternion(Plate.GetRotation(), Sample.plate_rotation);
-	return UpdateSample(Sample);
+	return Sample;
+}
+
+bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double Time)
+{
+	return UpdateSample(FingerSample(Location, Time));
 }
 
 bool UHapticRetargetingComponent::UpdateLost(double Time)
@@ -179,9 +185,7 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 	bReaching = false;
 	if (Configured.adaptation == HRT_ADAPTATION_CARRIED)
 	{
-		// The reach has changed what is known of the user.
-		hrt_session_get_config(Session, &Configured);
-		TakeUser(Configured, Settings);
+		TakeUserFromSession();
 	}
 	OutSummary = FromSummary(Summary);
 	OnReachEnded.Broadcast(OutSummary);
@@ -191,6 +195,91 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 FHapticCommand UHapticRetargetingComponent::GetCommand() const
 {
 	return Command.struct_size == 0 ? FHapticCommand() : FromCommand(Command);
+}
+
+bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
+{
+	hrt_calibration_config Config;
+	hrt_calibration_config_default(&Config, sizeof Config);
+	Config.goal_direction_deg = Turned(GoalYaw);
+	hrt_calibration Begun{};
+	if (!Configure() || !Succeeded(hrt_calibration_create(Session, &Config, &Begun)))
+	{
+		return false;
+	}
+	if (Calibration.value != 0)
+	{
+		hrt_calibration_destroy(Calibration);
+	}
+	Calibration = Begun;
+	User = {};
+	return true;
+}
+
+bool UHapticRetargetingComponent::BeginTrial(double PlateYaw)
+{
+	return Succeeded(hrt_calibration_begin_trial(Calibration, Turned(PlateYaw)));
+}
+
+bool UHapticRetargetingComponent::AddTrialSample(const FVector& Location, double Time)
+{
+	const hrt_sample Sample = FingerSample(Location, Time);
+	return Succeeded(hrt_calibration_add_sample(Calibration, &Sample));
+}
+
+bool UHapticRetargetingComponent::EndTrial()
+{
+	return Succeeded(hrt_calibration_end_trial(Calibration));
+}
+
+bool UHapticRetargetingComponent::CancelTrial()
+{
+	return Succeeded(hrt_calibration_cancel_trial(Calibration));
+}
+
+bool UHapticRetargetingComponent::SolveCalibration(FHapticCalibration& OutCalibration)
+{
+	hrt_calibration_result Solved{};
+	Solved.struct_size = sizeof Solved;
+	if (!Succeeded(hrt_calibration_solve(Calibration, &Solved)))
+	{
+		return false;
+	}
+	User = Solved;
+	OutCalibration = FromCalibration(User);
+	return true;
+}
+
+bool UHapticRetargetingComponent::ApplyCalibration()
+{
+	if (User.struct_size == 0)
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("no calibration is solved; call SolveCalibration first"));
+		return false;
+	}
+	if (!Configure() || !Succeeded(hrt_calibration_apply(Session, &User)))
+	{
+		return false;
+	}
+	TakeUserFromSession();
+	return true;
+}
+
+bool UHapticRetargetingComponent::EndCalibration()
+{
+	if (!Succeeded(hrt_calibration_destroy(Calibration)))
+	{
+		return false;
+	}
+	Calibration = {};
+	return true;
+}
+
+/** Takes what the plugin has learnt of the user into the settings. */
+void UHapticRetargetingComponent::TakeUserFromSession()
+{
+	hrt_session_get_config(Session, &Configured);
+	TakeUser(Configured, Settings);
 }
 
 bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
@@ -216,8 +305,7 @@ bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
 	{
 		return false;
 	}
-	hrt_session_get_config(Session, &Configured);
-	TakeUser(Configured, Settings);
+	TakeUserFromSession();
 	return true;
 }
 
@@ -244,6 +332,11 @@ bool UHapticRetargetingComponent::StopRecording()
 
 void UHapticRetargetingComponent::CloseSession()
 {
+	if (Calibration.value != 0)
+	{
+		hrt_calibration_destroy(Calibration);
+		Calibration = {};
+	}
 	if (Session.value != 0)
 	{
 		hrt_session_destroy(Session);

@@ -78,6 +78,38 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
+	/** Forgets a calibration that there may be, and begins another: the user is told to go to Goal Yaw. Have them slide
+	 *  eight to ten times over the plate at rest at each of -60, -30, 0, 30 and 60 degrees, in random order, after half a
+	 *  second at rest. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool BeginCalibration(double GoalYaw);
+
+	/** The plate stands at Plate Yaw until the trial ends. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool BeginTrial(double PlateYaw);
+
+	/** The fingertip in the world, at rest and then sliding. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool AddTrialSample(const FVector& Location, double Time);
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool EndTrial();
+
+	/** As when the user has slipped. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool CancelTrial();
+
+	/** Takes half a second for 20000 samples. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool SolveCalibration(FHapticCalibration& OutCalibration);
+
+	/** What was solved last becomes the settings. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool ApplyCalibration();
+
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool EndCalibration();
+
 	/** What is known of the user, as JSON. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool SaveProfile(FString& OutJson);
@@ -103,9 +135,14 @@ private:
 	bool Succeeded(hrt_result Result) const;
 	bool Configure();
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
+	hrt_sample FingerSample(const FVector& Location, double Time) const;
+	void TakeUserFromSession();
 	void CloseSession();
 
 	hrt_session Session{};
+	hrt_calibration Calibration{};
+	/** Its struct_size is 0 while nothing is solved. */
+	hrt_calibration_result User{};
 	hrt_session_config Configured{};
 	hrt_command Command{};
 	bool bReaching = false;

@@ -303,3 +303,53 @@ struct FHapticAuthority
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double SettlingYaw = 0.0;
 };
+
+/** An estimate with the ends of its 95 % interval. */
+USTRUCT(BlueprintType)
+struct FHapticInterval
+{
+	GENERATED_BODY()
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Value = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Lower = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Upper = 0.0;
+
+	/** False: the data cannot tell. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	bool bKnown = false;
+};
+
+/** What slides over a plate at rest tell of the user; the names are those of the settings. */
+USTRUCT(BlueprintType)
+struct FHapticCalibration
+{
+	GENERATED_BODY()
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 Trials = 0;
+
+	/** Those with a slide of 3 cm or more, which alone count. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 TrialsUsed = 0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval TactileWeight;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval BiasYaw;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval MotorVariance;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval SensoryVariance;
+
+	/** cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval TrackerNoise;
+};
