@@ -1,4 +1,5 @@
-#include "core/trigonometry.h"
+#include <cstring>
+
 #include "plugin/src/checked.h"
 #include "plugin/src/session.h"
 
@@ -13,32 +14,14 @@ constexpr hrt_reach_config default_reach_config{
     .plate_orientation_deg = 0.0,
 };
 
-// The reach that a configuration and its targets make.
-hrt_result resolve(const Session& session, const hrt_reach_config& config, Reach* out) {
-  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION));
-  const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
-  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
-
-  const hrt_target_config* real_target = nullptr;
-  const hrt_target_config* virtual_target = nullptr;
-  HRT_RETURN_IF_FAILED(
-      find_target(session.targets, "real_target", config.real_target, HRT_TARGET_REAL, &real_target));
-  HRT_RETURN_IF_FAILED(find_target(session.targets, "virtual_target", config.virtual_target,
-                                   HRT_TARGET_VIRTUAL, &virtual_target));
-  const Bearing real = view(session.config(), *real_target);
-  const double virtual_direction_deg = view(session.config(), *virtual_target).direction_deg;
-  const auto& start_m = session.config().start_position_m;
-  *out = {
-      // The short way round from the virtual direction.
-      .real_direction_deg =
-          virtual_direction_deg - wrap_deg(virtual_direction_deg - real.direction_deg, 360.0),
-      .virtual_direction_deg = virtual_direction_deg,
-      .plate_orientation_deg =
-          orientation_given ? config.plate_orientation_deg : session.plate_orientation_deg(),
-      .start = {.right_m = start_m[0], .away_m = -start_m[2]},
-      .real_distance_m = real.distance_m,
-  };
-  return HRT_OK;
+// Takes note of a call that is refused because of an argument that can't be read or written.
+template <class Struct>
+hrt_result refuse(const Session& session, hrt_result result, Refused::Argument argument,
+                  const Struct* given) {
+  Refused refused{argument, 0};
+  if (given) std::memcpy(&refused.struct_size, given, sizeof refused.struct_size);
+  session.record({result, refused});
+  return result;
 }
 
 }  // namespace
@@ -54,20 +37,21 @@ hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struc
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
   return with_session("hrt_reach_begin", session, [&](Session& s) -> hrt_result {
     hrt_reach_config known = default_reach_config;
-    HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
-    HRT_RETURN_IF_FAILED(s.check_no_reach());
+    if (const hrt_result result = read_struct("config", config, &known); result != HRT_OK)
+      return refuse(s, result, Refused::Argument::config, config);
     hrt::Reach reach;
-    HRT_RETURN_IF_FAILED(resolve(s, known, &reach));
-    return s.begin(reach);
+    return s.begin(known, &reach);
   });
 }
 
 hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                             hrt_command* out_command) noexcept {
   return with_session("hrt_reach_update", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_output("out_command", out_command));
+    if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
+      return refuse(s, result, Refused::Argument::out_command, out_command);
     hrt_sample known{};
-    HRT_RETURN_IF_FAILED(read_struct("sample", sample, &known));
+    if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
+      return refuse(s, result, Refused::Argument::sample, sample);
     hrt_command command{};
     HRT_RETURN_IF_FAILED(s.update(known, &command));
     write_struct(command, out_command);
@@ -77,7 +61,8 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
 
 hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) noexcept {
   return with_session("hrt_reach_end", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_output("out_summary", out_summary));
+    if (const hrt_result result = check_output("out_summary", out_summary); result != HRT_OK)
+      return refuse(s, result, Refused::Argument::out_summary, out_summary);
     hrt_reach_summary summary{};
     HRT_RETURN_IF_FAILED(s.end(&summary));
     write_struct(summary, out_summary);

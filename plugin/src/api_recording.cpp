@@ -46,7 +46,7 @@ hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
     HRT_RETURN_IF_FAILED(s.check_no_reach());
     if (s.recorder)
       return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
-    s.recorder = std::make_unique<Recorder>(path, s.config(), s.targets.all());
+    s.recorder = std::make_unique<Recorder>(path, s.config(), s.targets, s.plate_orientation_deg());
     return HRT_OK;
   });
 }

@@ -123,7 +123,8 @@ hrt_result register_scene(const Scene& scene, Session& session, std::uint32_t ca
   }
   HRT_RETURN_IF_FAILED(session.set_config(config));
   for (const std::uint64_t id : addition.keep()) {
-    session.record({.call = TargetChanged{TargetChanged::Change::added, id, *session.targets.find(id)}});
+    session.record({.call = TargetChanged{TargetChanged::Change::added, session.targets.number(id),
+                                          *session.targets.find(id)}});
     if (out_targets) (out_targets++)->value = id;
   }
   return HRT_OK;

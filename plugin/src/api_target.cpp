@@ -41,7 +41,8 @@ hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
     hrt_target_config checked;
     HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
     HRT_RETURN_IF_FAILED(s.targets.add(checked, &out_target->value));
-    s.record({.call = TargetChanged{TargetChanged::Change::added, out_target->value, checked}});
+    s.record(
+        {.call = TargetChanged{TargetChanged::Change::added, s.targets.number(out_target->value), checked}});
     return HRT_OK;
   });
 }
@@ -51,7 +52,7 @@ hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_targ
     hrt_target_config checked;
     HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
     HRT_RETURN_IF_FAILED(s.targets.set(target.value, checked));
-    s.record({.call = TargetChanged{TargetChanged::Change::set, target.value, checked}});
+    s.record({.call = TargetChanged{TargetChanged::Change::set, s.targets.number(target.value), checked}});
     return HRT_OK;
   });
 }
@@ -69,7 +70,7 @@ hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_con
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
   return with_session("hrt_target_remove", session, [&](Session& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.targets.remove(target.value));
-    s.record({.call = TargetChanged{TargetChanged::Change::removed, target.value, {}}});
+    s.record({.call = TargetChanged{TargetChanged::Change::removed, s.targets.number(target.value), {}}});
     return HRT_OK;
   });
 }

@@ -1,12 +1,14 @@
 #include "plugin/src/json.h"
 
 #include <algorithm>
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "plugin/src/checked.h"
 #include "plugin/src/session_config.h"
+#include "plugin/src/targets.h"
 
 namespace hrt::plugin {
 namespace {
@@ -144,6 +146,13 @@ hrt_result read_array(const Field& field, std::size_t size, double* out) {
   return HRT_OK;
 }
 
+hrt_result read_name(const Field& field, char (&out)[HRT_NAME_SIZE]) {
+  if (!field.is_text || field.text.size() >= sizeof out)
+    return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a text of up to ", sizeof out - 1, " bytes");
+  std::memcpy(out, field.text.data(), field.text.size());
+  return HRT_OK;
+}
+
 hrt_result read_field(const Field& field, hrt_session_config* config) {
   const std::string& key = field.key;
   if (key == "horizon") return read_unsigned(field, &config->horizon);
@@ -204,6 +213,36 @@ hrt_result read_config(std::string_view text, hrt_session_config* out) {
   for (const Field& field : fields) HRT_RETURN_IF_FAILED(read_field(field, &config));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   *out = config;
+  return HRT_OK;
+}
+
+hrt_result read_target(std::string_view text, hrt_target_config* out) {
+  std::vector<Field> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
+  constexpr std::size_t needed = 6;
+  if (fields.size() != needed)
+    return fail(HRT_ERROR_BAD_FORMAT, "the target has ", fields.size(), " fields; ", needed, " are needed");
+  hrt_target_config target{};
+  target.struct_size = sizeof target;
+  for (const Field& field : fields) {
+    if (field.key == "name") {
+      HRT_RETURN_IF_FAILED(read_name(field, target.name));
+    } else if (field.key == "role") {
+      HRT_RETURN_IF_FAILED(read_unsigned(field, &target.role));
+    } else if (field.key == "place") {
+      HRT_RETURN_IF_FAILED(read_unsigned(field, &target.place));
+    } else if (field.key == "direction_deg") {
+      HRT_RETURN_IF_FAILED(read_number(field, &target.direction_deg));
+    } else if (field.key == "distance_m") {
+      HRT_RETURN_IF_FAILED(read_number(field, &target.distance_m));
+    } else if (field.key == "position_m") {
+      HRT_RETURN_IF_FAILED(read_array(field, 3, target.position_m));
+    } else {
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a target");
+    }
+  }
+  HRT_RETURN_IF_FAILED(check_target_fields(&target));
+  *out = target;
   return HRT_OK;
 }
 

@@ -21,13 +21,14 @@ void append(const Record& record, std::FILE* file) {
 
 }  // namespace
 
-Recorder::Recorder(const char* path, const hrt_session_config& config,
-                   const std::map<std::uint64_t, hrt_target_config>& targets)
+Recorder::Recorder(const char* path, const hrt_session_config& config, const Targets& targets,
+                   double plate_orientation_deg)
     : ring_(std::make_unique<Entry[]>(capacity)), file_(open_file(path, FileMode::write)) {
   std::fwrite(recording_header().data(), 1, recording_header().size(), file_.get());
   append({.call = ConfigSet{config}}, file_.get());
-  for (const auto& [id, target] : targets)
-    append({.call = TargetChanged{TargetChanged::Change::added, id, target}}, file_.get());
+  append({.call = PlateStands{plate_orientation_deg}}, file_.get());
+  for (const auto& [id, target] : targets.all())
+    append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
   if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()))
     throw std::system_error(errno, std::generic_category(), path);
   writer_ = std::thread([this] { write_all(); });

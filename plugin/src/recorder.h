@@ -3,12 +3,12 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <thread>
 
 #include "plugin/src/file.h"
 #include "plugin/src/recording_format.h"
+#include "plugin/src/targets.h"
 
 namespace hrt::plugin {
 
@@ -25,8 +25,8 @@ class Recorder {
  public:
   /// Creates or replaces the file and writes what the session is before anything happens. Throws
   /// std::system_error, std::bad_alloc.
-  Recorder(const char* path, const hrt_session_config& config,
-           const std::map<std::uint64_t, hrt_target_config>& targets);
+  Recorder(const char* path, const hrt_session_config& config, const Targets& targets,
+           double plate_orientation_deg);
   /// Writes what is left, and waits for the disk to take it.
   ~Recorder();
   Recorder(const Recorder&) = delete;

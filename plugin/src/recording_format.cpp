@@ -1,6 +1,8 @@
 #include "plugin/src/recording_format.h"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "plugin/src/checked.h"
 
@@ -8,22 +10,51 @@ namespace hrt::plugin {
 namespace {
 
 constexpr std::string_view header =
-    "# haptic retargeting recording, version 1\n"
+    "# haptic retargeting recording, version 2\n"
     "# Lines that begin with # are comments. Each other line is a call; what a call does not have is empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the "
     "user\n"
     "# (or the engine's world, as sample_flags tells). Numbers are in full precision. Flags and results: "
     "reach.h,\n"
-    "# base.h. Of a row \"begin\", measured_plate_deg is where the plate stood before the reach.\n"
+    "# base.h. Columns up to struct_size hold what went in: targets by their numbers in the comments, 0 for "
+    "none;\n"
+    "# refused_argument is one that was null or, with struct_size, had a wrong size. The others hold what "
+    "came "
+    "out;\n"
+    "# plate_orientation_deg of a row \"begin\" is where the plate stood.\n"
     "call,result,time_ns,sample_flags,sample_direction_deg,sample_x_m,sample_y_m,sample_z_m,measured_plate_"
-    "deg,"
-    "plate_x_m,plate_y_m,plate_z_m,plate_qx,plate_qy,plate_qz,plate_qw,"
+    "deg,plate_x_m,plate_y_m,plate_z_m,plate_qx,plate_qy,plate_qz,plate_qw,"
+    "reach_flags,real_target,virtual_target,refused_argument,struct_size,"
     "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
     "command_flags,step,plate_orientation_deg,finger_direction_deg,perceived_direction_deg,aimed_direction_"
-    "deg,"
-    "distance_to_go_m,tactile_weight,tactile_weight_sd\n";
+    "deg,distance_to_go_m,tactile_weight,tactile_weight_sd,"
+    "samples,dropped_samples,steps,predicted_steps,saturated_steps,rate_limited_steps,"
+    "final_miss_deg,perceived_error_deg,tracker_noise_m,motor_variance_deg2,motor_variance_sd_deg2\n";
 
-constexpr std::size_t columns = 30;
+// The columns, by what they are of.
+constexpr std::size_t sample_columns = 14;   // from time_ns
+constexpr std::size_t begin_columns = 3;     // from reach_flags
+constexpr std::size_t refused_columns = 2;   // from refused_argument
+constexpr std::size_t reach_columns = 5;     // from real_direction_deg
+constexpr std::size_t command_columns = 9;   // from command_flags
+constexpr std::size_t summary_columns = 11;  // from samples
+constexpr std::size_t measured_plate_column = 8;
+constexpr std::size_t begin_column = 2 + sample_columns;
+constexpr std::size_t refused_column = begin_column + begin_columns;
+constexpr std::size_t columns =
+    refused_column + refused_columns + reach_columns + command_columns + summary_columns;
+
+struct ArgumentName {
+  Refused::Argument argument;
+  std::string_view name;
+  std::string_view call;
+};
+constexpr ArgumentName argument_names[] = {
+    {Refused::Argument::config, "config", "begin"},
+    {Refused::Argument::sample, "sample", "update"},
+    {Refused::Argument::out_command, "out_command", "update"},
+    {Refused::Argument::out_summary, "out_summary", "end"},
+};
 
 /// Writes one row, column by column.
 class Row {
@@ -64,13 +95,11 @@ void write(const ConfigSet& set, hrt_result, RecordText& out) {
   out << config_comment << json.view() << "\n";
 }
 
+constexpr std::string_view verbs[] = {"added", "set", "removed"};
+
 void write(const TargetChanged& changed, hrt_result, RecordText& out) {
-  using Change = TargetChanged::Change;
-  const char* verb = changed.change == Change::added ? "added"
-                     : changed.change == Change::set ? "set"
-                                                     : "removed";
-  out << "# target " << verb << " " << changed.id;
-  if (changed.change != Change::removed) {
+  out << target_comment << verbs[static_cast<std::size_t>(changed.change)] << " " << changed.number;
+  if (changed.change != TargetChanged::Change::removed) {
     JsonText json;
     write_target(changed.config, json);
     out << " " << json.view();
@@ -78,12 +107,36 @@ void write(const TargetChanged& changed, hrt_result, RecordText& out) {
   out << "\n";
 }
 
-void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
-  const Reach& reach = begun.reach;
+void write(const PlateStands& plate, hrt_result, RecordText& out) {
+  out << plate_comment << plate.orientation_deg << "\n";
+}
+
+void write(const Refused& refused, hrt_result result, RecordText& out) {
+  const ArgumentName& argument = argument_names[static_cast<std::size_t>(refused.argument)];
   Row row(out);
-  row.put("begin").put(result).skip(6).put(reach.plate_orientation_deg).skip(7);
+  row.put(argument.call).put(result).skip(sample_columns + begin_columns).put(argument.name);
+  if (result == HRT_ERROR_NULL_ARGUMENT) {
+    row.skip(1);
+  } else {
+    row.put(refused.struct_size);
+  }
+  row.skip(reach_columns + command_columns + summary_columns);
+}
+
+void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
+  Row row(out);
+  row.put("begin").put(result).skip(measured_plate_column - 2);
+  row.put_if((begun.flags & HRT_REACH_PLATE_ORIENTATION) != 0, {begun.plate_orientation_deg});
+  row.skip(begin_column - measured_plate_column - 1);
+  row.put(begun.flags).put(begun.real_number).put(begun.virtual_number).skip(refused_columns);
+  if (result != HRT_OK) {
+    row.skip(reach_columns + command_columns + summary_columns);
+    return;
+  }
+  const Reach& reach = begun.reach;
   row.put(reach.real_direction_deg).put(reach.virtual_direction_deg).put(reach.real_distance_m);
-  row.put(reach.start.right_m).put(reach.start.away_m).skip(9);
+  row.put(reach.start.right_m).put(reach.start.away_m);
+  row.skip(2).put(reach.plate_orientation_deg).skip(command_columns - 3 + summary_columns);
 }
 
 void write(const Updated& updated, hrt_result result, RecordText& out) {
@@ -96,9 +149,9 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   row.put_if(has(HRT_SAMPLE_PLATE_ORIENTATION), {sample.plate_orientation_deg});
   row.put_if(has(HRT_SAMPLE_PLATE_POSE), sample.plate_position_m);
   row.put_if(has(HRT_SAMPLE_PLATE_POSE), sample.plate_rotation);
-  row.skip(5);
+  row.skip(begin_columns + refused_columns + reach_columns);
   if (result != HRT_OK) {
-    row.skip(9);
+    row.skip(command_columns + summary_columns);
     return;
   }
   const hrt_command& command = updated.command;
@@ -107,30 +160,37 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
       .put(command.plate_orientation_deg)
       .put(command.finger_direction_deg);
   row.put(command.perceived_direction_deg).put(command.aimed_direction_deg).put(command.distance_to_go_m);
-  row.put(command.tactile_weight).put(command.tactile_weight_sd);
+  row.put(command.tactile_weight).put(command.tactile_weight_sd).skip(summary_columns);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   Row row(out);
-  row.put("end").put(result).skip(19);
+  row.put("end").put(result).skip(sample_columns + begin_columns + refused_columns + reach_columns);
   if (result != HRT_OK) {
-    row.skip(9);
+    row.skip(command_columns + summary_columns);
     return;
   }
   const hrt_reach_summary& summary = ended.summary;
-  row.skip(1).put(summary.steps + summary.predicted_steps).skip(1).put(summary.final_direction_deg);
-  row.put(summary.perceived_direction_deg).skip(1).put(summary.distance_to_target_m);
-  row.put(summary.tactile_weight).put(summary.tactile_weight_sd);
+  row.skip(3).put(summary.final_direction_deg).put(summary.perceived_direction_deg).skip(1);
+  row.put(summary.distance_to_target_m).put(summary.tactile_weight).put(summary.tactile_weight_sd);
+  row.put(summary.samples).put(summary.dropped_samples).put(summary.steps).put(summary.predicted_steps);
+  row.put(summary.saturated_steps).put(summary.rate_limited_steps);
+  row.put(summary.final_miss_deg).put(summary.perceived_error_deg).put(summary.tracker_noise_m);
+  row.put(summary.motor_variance_deg2).put(summary.motor_variance_sd_deg2);
+}
+
+template <class What, class Number>
+hrt_result read_number(const What& what, std::string_view text, Number* out) {
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *out);
+  if (!text.empty() && error == std::errc() && end == text.data() + text.size()) return HRT_OK;
+  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", text.substr(0, 40), "\", which is not a number");
 }
 
 template <class Number>
 hrt_result read_cell(std::size_t column, std::string_view cell, Number* out) {
-  if (cell.empty()) return HRT_OK;
-  const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), *out);
-  if (error != std::errc() || end != cell.data() + cell.size())
-    return fail(HRT_ERROR_BAD_FORMAT, "column ", column + 1, " is \"", cell.substr(0, 40),
-                "\", which is not a number");
-  return HRT_OK;
+  Text<32> what;
+  what << "column " << column + 1;
+  return cell.empty() ? HRT_OK : read_number(what.view(), cell, out);
 }
 
 using Cells = std::array<std::string_view, columns>;
@@ -153,15 +213,28 @@ hrt_result read_cells(const Cells& cells, std::size_t first, double (&out)[n]) {
 }
 
 hrt_result read_begin(const Cells& cells, Record* out) {
-  Reach reach{};
-  HRT_RETURN_IF_FAILED(read_cell(8, cells[8], &reach.plate_orientation_deg));
-  HRT_RETURN_IF_FAILED(read_cell(16, cells[16], &reach.real_direction_deg));
-  HRT_RETURN_IF_FAILED(read_cell(17, cells[17], &reach.virtual_direction_deg));
-  HRT_RETURN_IF_FAILED(read_cell(18, cells[18], &reach.real_distance_m));
-  HRT_RETURN_IF_FAILED(read_cell(19, cells[19], &reach.start.right_m));
-  HRT_RETURN_IF_FAILED(read_cell(20, cells[20], &reach.start.away_m));
-  out->call = ReachBegun{reach};
+  ReachBegun begun{};
+  HRT_RETURN_IF_FAILED(
+      read_cell(measured_plate_column, cells[measured_plate_column], &begun.plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(read_cell(begin_column, cells[begin_column], &begun.flags));
+  HRT_RETURN_IF_FAILED(read_cell(begin_column + 1, cells[begin_column + 1], &begun.real_number));
+  HRT_RETURN_IF_FAILED(read_cell(begin_column + 2, cells[begin_column + 2], &begun.virtual_number));
+  out->call = begun;
   return HRT_OK;
+}
+
+// A refused call, if the row has an argument for which it was.
+hrt_result read_refused(const Cells& cells, Record* out) {
+  const std::string_view name = cells[refused_column];
+  for (const ArgumentName& known : argument_names) {
+    if (known.name != name || known.call != cells[0]) continue;
+    Refused refused{known.argument, 0};
+    HRT_RETURN_IF_FAILED(read_cell(refused_column + 1, cells[refused_column + 1], &refused.struct_size));
+    out->call = refused;
+    return HRT_OK;
+  }
+  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", name.substr(0, 40), "\", which \"",
+              cells[0].substr(0, 40), "\" does not have");
 }
 
 hrt_result read_update(const Cells& cells, Record* out) {
@@ -192,6 +265,7 @@ hrt_result read_row(std::string_view line, Record* out) {
   Cells cells;
   HRT_RETURN_IF_FAILED(split(line, &cells));
   HRT_RETURN_IF_FAILED(read_cell(1, cells[1], &out->result));
+  if (!cells[refused_column].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
   if (cells[0] == "update") return read_update(cells, out);
   if (cells[0] == "end") {
@@ -200,6 +274,27 @@ hrt_result read_row(std::string_view line, Record* out) {
   }
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", cells[0].substr(0, 40),
               "\"; allowed: begin, update, end");
+}
+
+hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
+  const auto next_word = [&rest] {
+    const std::string_view word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(std::min(word.size() + 1, rest.size()));
+    return word;
+  };
+  const std::string_view verb = next_word();
+  const auto known = std::find(std::begin(verbs), std::end(verbs), verb);
+  if (known == std::end(verbs))
+    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", verb.substr(0, 40),
+                "\"; allowed: added, set, removed");
+  *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
+  HRT_RETURN_IF_FAILED(read_number("the target's number", next_word(), &out->number));
+  return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
+}
+
+hrt_result read_plate_stands(std::string_view rest, PlateStands* out) {
+  HRT_RETURN_IF_FAILED(read_number("the plate's orientation", rest, &out->orientation_deg));
+  return check_range("the plate's orientation", out->orientation_deg, -1e9, 1e9);
 }
 
 }  // namespace hrt::plugin

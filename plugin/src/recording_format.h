@@ -16,15 +16,26 @@ struct ConfigSet {
   hrt_session_config config;
 };
 
+/// Targets have the numbers that Targets::number() gives them: the same in every run, and small enough for
+/// any reader of tables.
 struct TargetChanged {
   enum class Change : std::uint8_t { added, set, removed };
   Change change;
-  std::uint64_t id;
+  std::uint64_t number;
   hrt_target_config config;  ///< not of a removed one
 };
 
+/// Where the plate stands before anything happens.
+struct PlateStands {
+  double orientation_deg;
+};
+
 struct ReachBegun {
-  Reach reach;  ///< as resolved from its targets
+  std::uint32_t flags;
+  double plate_orientation_deg;  ///< if flags say that it is given
+  std::uint64_t real_number;     ///< 0: none of this session's targets
+  std::uint64_t virtual_number;
+  Reach reach;  ///< what targets and configuration make of it; only if the call succeeded
 };
 
 struct Updated {
@@ -36,10 +47,17 @@ struct ReachEnded {
   hrt_reach_summary summary;  ///< only if the call succeeded
 };
 
+/// A call of which an argument was null or had a size that is none: nothing of it was read.
+struct Refused {
+  enum class Argument : std::uint8_t { config, sample, out_command, out_summary };
+  Argument argument;
+  std::uint32_t struct_size;  ///< as given, unless it was null
+};
+
 /// One call that crossed the boundary.
 struct Record {
   hrt_result result = HRT_OK;
-  std::variant<ConfigSet, TargetChanged, ReachBegun, Updated, ReachEnded> call;
+  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, ReachEnded, Refused> call;
 };
 
 using RecordText = Text<4096>;
@@ -50,12 +68,18 @@ std::string_view recording_header();
 /// The line of a record, with its line feed: a comment for what configures, a row of the table for the rest.
 void write_record(const Record& record, RecordText& out);
 
-/// Comments at a place where rows were lost, and at the end.
+/// What comments begin with.
 inline constexpr std::string_view config_comment = "# config ";
+inline constexpr std::string_view target_comment = "# target ";
+inline constexpr std::string_view plate_comment = "# plate ";
 inline constexpr std::string_view lost_comment = "# lost ";
 inline constexpr std::string_view end_comment = "# end";
 
-/// Reads a row of the table: what went into the call. What came out of it is not read.
+/// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
 hrt_result read_row(std::string_view line, Record* out);
+
+/// Reads the rest of a comment about a target, or about the plate. Checked but for what depends on others.
+hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
+hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
 
 }  // namespace hrt::plugin

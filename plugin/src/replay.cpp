@@ -1,7 +1,9 @@
 #include "plugin/src/replay.h"
 
 #include <bit>
+#include <map>
 #include <optional>
+#include <utility>
 
 #include "plugin/src/checked.h"
 #include "plugin/src/recording_format.h"
@@ -32,21 +34,62 @@ class Hash {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
+/// The ids of a session's targets, by their numbers in the recording.
+using TargetIds = std::map<std::uint64_t, std::uint64_t>;
+
 /// Makes the record's call, and puts what came out of it in place of what was recorded.
 class Rerun {
  public:
-  Rerun(Session& session, Hash& hash, Record& record) : session_(session), hash_(hash), record_(record) {}
-  void operator()(ReachBegun& call) { record_.result = session_.begin(call.reach); }
+  Rerun(Session& session, const TargetIds& ids, Hash& hash, Record& record)
+      : session_(session), ids_(ids), hash_(hash), record_(record) {}
+  void operator()(ReachBegun& call) {
+    record_.result = session_.begin(
+        {
+            .struct_size = sizeof(hrt_reach_config),
+            .flags = call.flags,
+            .real_target = target(call.real_number),
+            .virtual_target = target(call.virtual_number),
+            .plate_orientation_deg = call.plate_orientation_deg,
+        },
+        &call.reach);
+  }
   void operator()(Updated& call) {
     record_.result = session_.update(call.sample, &call.command);
     if (record_.result == HRT_OK) hash_.add(call.command);
   }
   void operator()(ReachEnded& call) { record_.result = session_.end(&call.summary); }
+  void operator()(Refused& call) {
+    if (record_.result == HRT_ERROR_NULL_ARGUMENT) return;
+    const hrt_result result = check_size(call);
+    // A size that is right was refused for bytes beyond what the library knew, which are not recorded.
+    record_.result = result == HRT_OK ? HRT_ERROR_STRUCT_SIZE : result;
+  }
   void operator()(ConfigSet&) {}
   void operator()(TargetChanged&) {}
+  void operator()(PlateStands&) {}
 
  private:
+  hrt_target target(std::uint64_t number) const {
+    const auto found = ids_.find(number);
+    return {found == ids_.end() ? 0 : found->second};
+  }
+
+  static hrt_result check_size(const Refused& call) {
+    switch (call.argument) {
+      case Refused::Argument::config:
+        return check_struct_size<hrt_reach_config>("config", call.struct_size);
+      case Refused::Argument::sample:
+        return check_struct_size<hrt_sample>("sample", call.struct_size);
+      case Refused::Argument::out_command:
+        return check_struct_size<hrt_command>("out_command", call.struct_size);
+      case Refused::Argument::out_summary:
+        return check_struct_size<hrt_reach_summary>("out_summary", call.struct_size);
+    }
+    return HRT_OK;
+  }
+
   Session& session_;
+  const TargetIds& ids_;
   Hash& hash_;
   Record& record_;
 };
@@ -60,8 +103,12 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {
+    if (text.starts_with("# haptic retargeting recording, version 1\n"))
+      return fail(
+          HRT_ERROR_BAD_FORMAT,
+          "the recording is of version 1, which version 0.1 of the library replays; this one replays 2");
     if (!starts_with_and_drops(text, recording_header()))
-      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 1 does");
+      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 2 does");
     for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
     while (!text.empty() && !finished_) {
       ++line_number_;
@@ -78,6 +125,8 @@ class Replay {
  private:
   hrt_result take(std::string_view line) {
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
+    if (starts_with_and_drops(line, target_comment)) return take_target(line);
+    if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
     if (line.starts_with(lost_comment)) {
       finished_ = true;
     } else if (line == end_comment) {
@@ -97,11 +146,43 @@ class Replay {
     return HRT_OK;
   }
 
+  hrt_result check_session() const {
+    return session_ ? HRT_OK : fail(HRT_ERROR_BAD_FORMAT, "this comes before the configuration");
+  }
+
+  hrt_result take_target(std::string_view rest) {
+    HRT_RETURN_IF_FAILED(check_session());
+    TargetChanged changed;
+    HRT_RETURN_IF_FAILED(read_target_changed(rest, &changed));
+    std::uint64_t& id = target_ids_[changed.number];
+    if ((changed.change == TargetChanged::Change::added) != (id == 0))
+      return fail(HRT_ERROR_BAD_FORMAT, "target ", changed.number,
+                  id == 0 ? " is not there" : " is there already");
+    switch (changed.change) {
+      case TargetChanged::Change::added:
+        return session_->targets.add(changed.config, &id);
+      case TargetChanged::Change::set:
+        return session_->targets.set(id, changed.config);
+      case TargetChanged::Change::removed:
+        return session_->targets.remove(std::exchange(id, 0));
+    }
+    return HRT_OK;
+  }
+
+  hrt_result take_plate(std::string_view rest) {
+    HRT_RETURN_IF_FAILED(check_session());
+    HRT_RETURN_IF_FAILED(session_->check_no_reach());
+    PlateStands plate{};
+    HRT_RETURN_IF_FAILED(read_plate_stands(rest, &plate));
+    session_->set_plate_orientation_deg(plate.orientation_deg);
+    return HRT_OK;
+  }
+
   hrt_result take_row(std::string_view line) {
-    if (!session_) return fail(HRT_ERROR_BAD_FORMAT, "a row before the configuration");
+    HRT_RETURN_IF_FAILED(check_session());
     Record record;
     HRT_RETURN_IF_FAILED(read_row(line, &record));
-    std::visit(Rerun(*session_, hash_, record), record.call);
+    std::visit(Rerun(*session_, target_ids_, hash_, record), record.call);
     ++report_.rows;
     // Numbers are written so that different bits give different texts.
     RecordText again;
@@ -120,6 +201,7 @@ class Replay {
   }
 
   std::optional<Session> session_;
+  TargetIds target_ids_;  // 0: removed
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/trigonometry.h"
 #include "plugin/src/checked.h"
 #include "plugin/src/finger_sample.h"
 
@@ -28,9 +29,18 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   return HRT_OK;
 }
 
-hrt_result Session::begin(const Reach& reach) {
-  const hrt_result result = try_begin(reach);
-  record({result, ReachBegun{reach}});
+hrt_result Session::begin(const hrt_reach_config& config, Reach* out_reach) {
+  ReachBegun begun{
+      .flags = config.flags,
+      .plate_orientation_deg = config.plate_orientation_deg,
+      .real_number = targets.find(config.real_target.value) ? targets.number(config.real_target.value) : 0,
+      .virtual_number =
+          targets.find(config.virtual_target.value) ? targets.number(config.virtual_target.value) : 0,
+      .reach = {},
+  };
+  const hrt_result result = try_begin(config, &begun.reach);
+  record({result, begun});
+  *out_reach = begun.reach;
   return result;
 }
 
@@ -46,8 +56,37 @@ hrt_result Session::end(hrt_reach_summary* summary) {
   return result;
 }
 
-hrt_result Session::try_begin(const Reach& reach) {
+// The reach that a configuration and its targets make.
+hrt_result Session::resolve(const hrt_reach_config& config, Reach* out) const {
+  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION));
+  const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
+  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
+
+  const hrt_target_config* real_target = nullptr;
+  const hrt_target_config* virtual_target = nullptr;
+  HRT_RETURN_IF_FAILED(
+      find_target(targets, "real_target", config.real_target, HRT_TARGET_REAL, &real_target));
+  HRT_RETURN_IF_FAILED(
+      find_target(targets, "virtual_target", config.virtual_target, HRT_TARGET_VIRTUAL, &virtual_target));
+  const Bearing real = view(config_, *real_target);
+  const double virtual_direction_deg = view(config_, *virtual_target).direction_deg;
+  const auto& start_m = config_.start_position_m;
+  *out = {
+      // The short way round from the virtual direction.
+      .real_direction_deg =
+          virtual_direction_deg - wrap_deg(virtual_direction_deg - real.direction_deg, 360.0),
+      .virtual_direction_deg = virtual_direction_deg,
+      .plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_,
+      .start = {.right_m = start_m[0], .away_m = -start_m[2]},
+      .real_distance_m = real.distance_m,
+  };
+  return HRT_OK;
+}
+
+hrt_result Session::try_begin(const hrt_reach_config& config, Reach* out) {
   HRT_RETURN_IF_FAILED(check_no_reach());
+  Reach reach{};
+  HRT_RETURN_IF_FAILED(resolve(config, &reach));
   if (!(reach.real_distance_m >= least_distance_m))
     return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", reach.real_distance_m,
                 " m from the start; at least ", least_distance_m, " is needed");
@@ -62,6 +101,7 @@ hrt_result Session::try_begin(const Reach& reach) {
   plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   reaching_ = true;
   sampled_ = false;
+  *out = reach;
   return HRT_OK;
 }
 

@@ -24,9 +24,10 @@ class Session {
 
   /// Where the last command left the plate.
   double plate_orientation_deg() const { return plate_orientation_deg_; }
+  void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
 
-  hrt_result begin(const Reach& reach);
-  /// `sample` has been read, not checked.
+  /// What a caller gave has been read, not checked.
+  hrt_result begin(const hrt_reach_config& config, Reach* out_reach);
   hrt_result update(const hrt_sample& sample, hrt_command* command);
   hrt_result end(hrt_reach_summary* summary);
   hrt_result check_no_reach() const;
@@ -41,7 +42,8 @@ class Session {
   }
 
  private:
-  hrt_result try_begin(const Reach& reach);
+  hrt_result resolve(const hrt_reach_config& config, Reach* out) const;
+  hrt_result try_begin(const hrt_reach_config& config, Reach* out);
   hrt_result try_update(const hrt_sample& sample, hrt_command* command);
   hrt_result try_end(hrt_reach_summary* summary);
   hrt_command command(std::uint32_t finger_flags) const;

@@ -61,7 +61,7 @@ hrt_result check_name(char (&name)[HRT_NAME_SIZE]) {
 
 }  // namespace
 
-hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config) {
+hrt_result check_target_fields(hrt_target_config* config) {
   HRT_RETURN_IF_FAILED(check_range<unsigned>("role", config->role, HRT_TARGET_REAL, HRT_TARGET_VIRTUAL));
   HRT_RETURN_IF_FAILED(
       check_range<unsigned>("place", config->place, HRT_PLACE_DIRECTION, HRT_PLACE_WORLD_POSITION));
@@ -72,13 +72,20 @@ hrt_result check_target_config(const hrt_session_config& session_config, hrt_tar
         check_range("distance_m", config->distance_m, least_distance_m, largest_coordinate_m));
   } else {
     HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
-    const Bearing bearing = view(session_config, *config);
-    if (bearing.at_start)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
-                  " m from the start in the plane of the plate; at least ", least_distance_m, " is needed");
   }
   return check_name(config->name);
 }
+
+hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config) {
+  HRT_RETURN_IF_FAILED(check_target_fields(config));
+  const Bearing bearing = view(session_config, *config);
+  if (bearing.at_start)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
+                " m from the start in the plane of the plate; at least ", least_distance_m, " is needed");
+  return HRT_OK;
+}
+
+Targets::Targets() : before_first_(next_id.load() - 1) {}
 
 hrt_result Targets::add(const hrt_target_config& checked_config, std::uint64_t* out_id) {
   if (by_id_.size() >= HRT_TARGETS_MAX)

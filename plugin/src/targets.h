@@ -15,6 +15,7 @@ namespace hrt::plugin {
 /// a greater one was added later.
 class Targets {
  public:
+  Targets();
   hrt_result add(const hrt_target_config& checked_config, std::uint64_t* out_id);
   hrt_result set(std::uint64_t id, const hrt_target_config& checked_config);
   hrt_result remove(std::uint64_t id);
@@ -26,12 +27,19 @@ class Targets {
 
   const std::map<std::uint64_t, hrt_target_config>& all() const { return by_id_; }
 
+  /// A number that stands for one of these targets' ids in recordings: from 1 in a process of one session.
+  std::uint64_t number(std::uint64_t id) const { return id - before_first_; }
+
  private:
   std::map<std::uint64_t, hrt_target_config> by_id_;
   std::map<std::string, std::uint64_t, std::less<>> by_name_;
+  std::uint64_t before_first_;  // the last id that was given out before
 };
 
-/// Fails naming the first field that is out of its range. Clears what follows the name's zero.
+/// Fails naming the first field that is out of its range by itself. Clears what follows the name's zero.
+hrt_result check_target_fields(hrt_target_config* config);
+
+/// The same, and fails too if the target is too near to where the session's reaches start.
 hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config);
 
 /// A target in the plane of the plate, seen from where the session's reaches start.

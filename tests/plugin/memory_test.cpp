@@ -173,7 +173,7 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   auto report = output<hrt_replay_report>();
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;
-  for (int i = 0; i < 12 && std::getline(file, line); ++i) text += line + "\n";
+  for (int i = 0; i < 16 && std::getline(file, line); ++i) text += line + "\n";
   refuse_each_request(allocator, [&] { return hrt_replay_text(text.data(), text.size(), &report); });
   EXPECT_GT(report.rows, 0u);
 }

@@ -196,6 +196,174 @@ TEST_F(RecordingTest, FirstDifferenceIsFound) {
   EXPECT_EQ(replay(text).first_different_line, static_cast<uint64_t>(line));
 }
 
+/// The cells of a row.
+std::vector<std::string> split(const std::string& row) {
+  std::istringstream line(row);
+  std::vector<std::string> cells;
+  for (std::string cell; std::getline(line, cell, ',');) cells.push_back(cell);
+  if (row.ends_with(",")) cells.emplace_back();
+  return cells;
+}
+
+std::string join(const std::vector<std::string>& cells) {
+  std::string row;
+  for (const std::string& cell : cells) row += (&cell == cells.data() ? "" : ",") + cell;
+  return row;
+}
+
+// Whatever came out of a call is compared: each cell of a row in turn is made another.
+TEST_F(RecordingTest, EveryNumberThatCameOutIsCompared) {
+  const std::string text = recording();
+  std::istringstream lines(text);
+  std::vector<std::string> names;
+  std::vector<std::string> seen;
+  std::size_t at = 0, compared = 0;
+  for (std::string line; std::getline(lines, line); at += line.size() + 1) {
+    if (line.starts_with("#")) continue;
+    const std::vector<std::string> cells = split(line);
+    if (names.empty()) {
+      names = cells;
+      continue;
+    }
+    if (cells[1] != "0" || std::count(seen.begin(), seen.end(), cells[0]) > 0) continue;
+    seen.push_back(cells[0]);  // the first row of each call
+    const auto first_out = std::find(names.begin(), names.end(), "real_direction_deg") - names.begin();
+    for (std::size_t i = 1; i < cells.size(); ++i) {
+      if (cells[i].empty() || (i > 1 && i < static_cast<std::size_t>(first_out))) continue;
+      std::vector<std::string> others = cells;
+      others[i] = cells[i] == "1" ? "2" : "1";
+      std::string other = text;
+      other.replace(at, line.size(), join(others));
+      const auto line_number =
+          static_cast<uint64_t>(1 + std::count(text.begin(), text.begin() + static_cast<long>(at), '\n'));
+      EXPECT_EQ(replay(other).first_different_line, line_number) << cells[0] << " " << names[i];
+      ++compared;
+    }
+  }
+  EXPECT_EQ(seen, (std::vector<std::string>{"begin", "update", "end"}));
+  // Result and reach, result and command, result and summary.
+  EXPECT_EQ(compared, (1u + 5u + 1u) + (1u + 9u) + (1u + 5u + 11u));
+}
+
+// Calls that are refused for their arguments are calls too.
+TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0),
+                   behind = add(HRT_TARGET_REAL, 170.0);
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  std::vector<std::string> expected;
+  const auto begins = [&](auto change, hrt_result result) {
+    hrt_reach_config config;
+    ASSERT_OK(hrt_reach_config_default(&config, sizeof config));
+    config.real_target = real;
+    config.virtual_target = cup;
+    change(config);
+    EXPECT_EQ(hrt_reach_begin(session, &config), result) << hrt_last_error();
+    expected.push_back("begin," + std::to_string(result));
+  };
+  begins([](auto& c) { c.real_target.value = 0; }, HRT_ERROR_INVALID_HANDLE);
+  begins([](auto& c) { c.virtual_target.value = ~0ull; }, HRT_ERROR_INVALID_HANDLE);
+  begins([&](auto& c) { c.real_target = cup; }, HRT_ERROR_OUT_OF_RANGE);
+  begins([&](auto& c) { c.real_target = behind; }, HRT_ERROR_OUT_OF_RANGE);
+  begins([](auto& c) { c.flags = 6; }, HRT_ERROR_OUT_OF_RANGE);
+  begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = std::nan(""); }, HRT_ERROR_OUT_OF_RANGE);
+  begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = -361.0; }, HRT_ERROR_OUT_OF_RANGE);
+  begins([](auto& c) { c.struct_size = 8; }, HRT_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
+  expected.push_back("begin,-1");
+  begins([](auto& c) { c.flags = 1, c.plate_orientation_deg = 10.0; }, HRT_OK);
+
+  auto command = output<hrt_command>();
+  const auto updates = [&](const hrt_sample* sample, hrt_command* out, hrt_result result) {
+    EXPECT_EQ(hrt_reach_update(session, sample, out), result);
+    expected.push_back("update," + std::to_string(result));
+  };
+  hrt_sample sample = direction_sample(0, 1.0);
+  updates(&sample, &command, HRT_OK);
+  updates(nullptr, &command, HRT_ERROR_NULL_ARGUMENT);
+  updates(&sample, nullptr, HRT_ERROR_NULL_ARGUMENT);
+  command.struct_size = 80 - 16;
+  updates(&sample, &command, HRT_ERROR_STRUCT_SIZE);
+  command = output<hrt_command>();
+  sample.struct_size = 88;  // enough for a command, not for a sample
+  updates(&sample, &command, HRT_ERROR_STRUCT_SIZE);
+  struct {
+    hrt_sample sample;
+    double further;
+  } later{direction_sample(0, 1.0), 3.0};
+  later.sample.struct_size = sizeof later;
+  updates(&later.sample, &command, HRT_ERROR_STRUCT_SIZE);
+  sample = direction_sample(0, 1.0);
+  sample.flags = 3;
+  updates(&sample, &command, HRT_ERROR_OUT_OF_RANGE);
+
+  auto summary = output<hrt_reach_summary>();
+  const auto ends = [&](hrt_reach_summary* out, hrt_result result) {
+    EXPECT_EQ(hrt_reach_end(session, out), result);
+    expected.push_back("end," + std::to_string(result));
+  };
+  ends(nullptr, HRT_ERROR_NULL_ARGUMENT);
+  summary.struct_size = 0;
+  ends(&summary, HRT_ERROR_STRUCT_SIZE);
+  summary = output<hrt_reach_summary>();
+  ends(&summary, HRT_OK);
+  ends(&summary, HRT_ERROR_WRONG_STATE);
+  EXPECT_EQ(stop().rows_written, expected.size());
+
+  const std::string text = read(path());
+  std::istringstream rows(rows_of(text));
+  std::string row;
+  std::getline(rows, row);
+  for (const std::string& call : expected) {
+    ASSERT_TRUE(std::getline(rows, row));
+    EXPECT_TRUE(row.starts_with(call + ",")) << row;
+  }
+  EXPECT_FALSE(std::getline(rows, row));
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.rows, expected.size());
+  EXPECT_EQ(report.first_different_line, 0u);
+
+  // Had one of them been taken, the replay would say so.
+  for (const std::string call : {"\nbegin,-2,", "\nbegin,-3,", "\nbegin,-4,", "\nupdate,-1,", "\nend,-3,"}) {
+    std::string other = text;
+    const std::size_t place = other.find(call);
+    ASSERT_NE(place, std::string::npos) << call;
+    other.replace(place, call.size(), call.substr(0, call.find(',')) + ",-9,");
+    EXPECT_NE(replay(other).first_different_line, 0u) << call;
+  }
+}
+
+// A recording that starts late starts from where plate, targets and what was learnt are then.
+TEST_F(RecordingTest, MayStartAnyTimeBetweenReaches) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 100.0;
+  config.adaptation = HRT_ADAPTATION_CARRIED;
+  create(config);
+  const hrt_target gone = add(HRT_TARGET_REAL, 1.0), real = add(HRT_TARGET_REAL, -5.0),
+                   cup = add(HRT_TARGET_VIRTUAL, 5.0);
+  ASSERT_OK(hrt_target_remove(session, gone));
+  const auto reach = [&] {
+    ASSERT_OK(begin(real, cup));
+    for (int step = 0; step < 9; ++step) update(direction_sample(step * 100 * ms, 8.0 - 2.0 * step));
+    end();
+  };
+  reach();
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  reach();
+  const hrt_target_config moved = target_config(HRT_TARGET_REAL, -6.0);
+  ASSERT_OK(hrt_target_set(session, real, &moved));
+  reach();
+  stop();
+  const std::string text = read(path());
+  EXPECT_NE(text.find("\n# target added 2 {"), std::string::npos);
+  EXPECT_EQ(text.find("\n# plate 0\n"), std::string::npos);
+  EXPECT_EQ(replay(text).complete, 1u);
+  EXPECT_EQ(replay(text).first_different_line, 0u);
+  std::string other = text;
+  other.replace(other.find("\n# plate "), 9, "\n# plate 1");
+  EXPECT_NE(replay(other).first_different_line, 0u);
+}
+
 TEST_F(RecordingTest, OpensAsATable) {
   std::istringstream rows(rows_of(recording()));
   std::string line;
@@ -232,11 +400,39 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
       golden.substr(header.size(), golden.find('\n', header.size()) + 1 - header.size());
   refused("", "does not begin");
   refused("time,x\n1,2\n", "does not begin");
-  refused(header + "update,0\n", "line 7: a row before the configuration");
-  refused(header + "# config {}\n", "line 7: the configuration has 0 fields");
-  refused(header + config + "update,0\n", "line 8: the row has 2 columns");
-  refused(header + config + "jump,0" + std::string(28, ',') + "\n", "line 8: the row's call is \"jump\"");
-  refused(header + config + "update,0,soon" + std::string(27, ',') + "\n", "line 8: column 3 is \"soon\"");
+  refused("# haptic retargeting recording, version 1\n", "is of version 1, which");
+  refused("# haptic retargeting recording, version 3\n", "does not begin as a recording of version 2");
+  refused(header + "update,0\n", "line 9: this comes before the configuration");
+  refused(header + "# config {}\n", "line 9: the configuration has 0 fields");
+  const auto refused_after_config = [&](const std::string& line, const std::string& part) {
+    refused(header + config + line + "\n", ("line 10: " + part).c_str());
+  };
+  refused_after_config("update,0", "the row has 2 columns; 46 are needed");
+  refused_after_config("jump,0" + std::string(44, ','), "the row's call is \"jump\"");
+  refused_after_config("update,0,soon" + std::string(43, ','), "column 3 is \"soon\"");
+  refused_after_config("begin,0" + std::string(14, ',') + ",-1" + std::string(29, ','),
+                       "column 17 is \"-1\"");
+  refused_after_config("begin,0" + std::string(17, ',') + ",sample" + std::string(26, ','),
+                       "the refused argument is \"sample\", which \"begin\" does not have");
+  refused_after_config("# plate ", "the plate's orientation is \"\"");
+  refused_after_config("# plate nan", "the plate's orientation is NaN");
+  refused_after_config("# plate 1 ", "the plate's orientation is \"1 \"");
+  refused_after_config("# target lost 1", "the target is \"lost\"; allowed: added, set, removed");
+  refused_after_config("# target added", "the target's number is \"\"");
+  refused_after_config("# target added 1 {}", "the target has 0 fields; 6 are needed");
+  refused_after_config("# target set 1", "the text is not a JSON object");
+  refused_after_config("# target removed 1", "target 1 is not there");
+  const auto target = [](const std::string& name, const std::string& place) {
+    return "{\"name\":" + name + ",\"role\":1," + place +
+           ",\"direction_deg\":-5,\"distance_m\":0.1,\"position_m\":[0,0,0]}";
+  };
+  refused_after_config("# target added 1 " + target("\"a\"", "\"place\":4"), "place is 4");
+  refused_after_config("# target added 1 " + target("7", "\"place\":1"), "name is not a text");
+  refused_after_config("# target added 1 " + target('"' + std::string(64, 'x') + '"', "\"place\":1"),
+                       "name is not a text of up to 63 bytes");
+  refused_after_config("# target added 1 " + target("\"a\"", "\"plaice\":1"), "\"plaice\" is not a field");
+  const std::string added = "# target added 1 " + target("\"a\"", "\"place\":1");
+  refused(header + config + added + "\n" + added + "\n", "line 11: target 1 is there already");
   auto report = output<hrt_replay_report>();
   expect_error(hrt_replay_file("/no/such/file", &report), HRT_ERROR_SYSTEM, "/no/such/file");
 }

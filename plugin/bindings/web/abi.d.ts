@@ -417,7 +417,7 @@ export interface hrt_replay_report {
   complete: number;
   /** Rows replayed. */
   rows: bigint;
-  /** The line of the file, from 1, of the first row that came out otherwise than recorded; 0: all came out the same, bit for bit. */
+  /** The line of the file, from 1, of the first row that came out otherwise than recorded, in its result or any number; 0: all came out the same, bit for bit. */
   first_different_line: bigint;
   /** FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first. */
   hash: bigint;

@@ -1,8 +1,9 @@
 /*
  * Recordings: all that crosses this interface, in a file, as it happens; and replaying them.
  *
- * A recording is CSV with comments (#), numbers in full precision, one row for each begin, update and end, so
- * that R, pandas and MATLAB open it as it is. A thread of the library's own writes it: a slow disk or a full
+ * A recording is CSV with comments (#), numbers in full precision, one row for each begin, update and end of
+ * the session, refused ones too, so that R, pandas and MATLAB open it as it is; comments hold configuration,
+ * targets and where the plate stands. A thread of the library's own writes it: a slow disk or a full
  * one never holds up a call, loses rows instead, and is reported.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
@@ -47,15 +48,16 @@ typedef struct hrt_replay_report {
   uint32_t complete;
   /** Rows replayed. */
   uint64_t rows;
-  /** The line of the file, from 1, of the first row that came out otherwise than recorded; 0: all came out
-   *  the same, bit for bit. */
+  /** The line of the file, from 1, of the first row that came out otherwise than recorded, in its
+   *  result or any number; 0: all came out the same, bit for bit. */
   uint64_t first_different_line;
   /** FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
    *  error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first. */
   uint64_t hash;
 } hrt_replay_report;
 
-/** Runs the recorded calls again and compares. Errors: BAD_FORMAT naming the line. [any-thread] */
+/** Runs the recorded calls again and compares results, commands and summaries. Errors: BAD_FORMAT naming the
+ *  line, or the version if it is that of a library of 0.1. [any-thread] */
 HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
                                    hrt_replay_report* out_report) HRT_NOEXCEPT;
 

@@ -45,6 +45,18 @@ def test_checked_in_recordings_are_read() -> None:
     assert np.allclose(in_world.position_m, in_world.samples["finger_position_m"])
 
 
+def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:
+    lines = REACH.read_text().splitlines(keepends=True)
+    header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
+    row = ["update", "-3", *[""] * (len(header) - 2)]
+    row[header.index("refused_argument")], row[header.index("struct_size")] = "sample", "8"
+    at = next(i for i, line in enumerate(lines) if line.startswith("update"))
+    (tmp_path / "refused.csv").write_text("".join([*lines[:at], ",".join(row) + "\n", *lines[at:]]))
+    (with_refused,), (without,) = hrt.read_recording(tmp_path / "refused.csv").reaches, hrt.read_recording(REACH).reaches
+    assert with_refused.samples.tobytes() == without.samples.tobytes()
+    assert hrt.replay(tmp_path / "refused.csv").first_different_line == 0
+
+
 def test_world_is_turned_into_plate_coordinates() -> None:
     # The plate at (1, 2, 3), turned by 90 degrees about y: its x axis is the world's -z, its z axis the world's x.
     turned = (0, np.sqrt(0.5), 0, np.sqrt(0.5))
@@ -54,16 +66,16 @@ def test_world_is_turned_into_plate_coordinates() -> None:
 
 @pytest.mark.parametrize(("old", "new", "text"), [
     ("# haptic", "# some", "line 1: not a recording"),
-    ("call,result", "call,outcome", "line 6: the column result is missing"),
-    ("begin,0", "start,0", "line 10: the row's call is 'start'"),
-    (",,-5,5,0.1,", ",,-5,,0.1,", "line 10: virtual_direction_deg is missing"),
-    ("update,0,198125676", "update,0,soon", "line 28: .*'soon'"),
-    ("update,0,198125676", "update,0,9" + 20 * "9", "line 28: time_ns is 9+, which is beyond int64"),
-    ("update,0,198125676,", "update,0,", "line 28: the row has 29 columns; 30"),
-    ('"horizon":20', '"horizon":"twenty"', "line 7"),
-    ('"horizon":20', '"horizon":-3', "line 7: SessionConfig.horizon is -3: beyond uint"),
-    ("# config {", "# config [", "line 7"),
-    ("# config {", "# setup {", "line 10: a row before the configuration"),
+    ("call,result", "call,outcome", "line 8: the column result is missing"),
+    ("begin,0", "start,0", "line 13: the row's call is 'start'"),
+    (",,-5,5,0.1,", ",,-5,,0.1,", "line 13: virtual_direction_deg is missing"),
+    ("update,0,198125676", "update,0,soon", "line 31: .*'soon'"),
+    ("update,0,198125676", "update,0,9" + 20 * "9", "line 31: time_ns is 9+, which is beyond int64"),
+    ("update,0,198125676,", "update,0,", "line 31: the row has 45 columns; 46"),
+    ('"horizon":20', '"horizon":"twenty"', "line 9"),
+    ('"horizon":20', '"horizon":-3', "line 9: SessionConfig.horizon is -3: beyond uint"),
+    ("# config {", "# config [", "line 9"),
+    ("# config {", "# setup {", "line 13: a row before the configuration"),
 ])
 def test_what_is_not_a_recording_is_refused_by_line(tmp_path: Path, old: str, new: str, text: str) -> None:
     good = REACH.read_text()

@@ -751,7 +751,7 @@ class ReplayReport(Struct):
         the gap was replayed.
     rows: Rows replayed.
     first_different_line: The line of the file, from 1, of the first row that came out otherwise than
-        recorded; 0: all came out the same, bit for bit.
+        recorded, in its result or any number; 0: all came out the same, bit for bit.
     hash: FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
         error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first.
     """

@@ -121,7 +121,9 @@ _COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("s
 _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
-_NEEDED_COLUMNS = ("call", *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
+_TEXTS = ("call", "refused_argument")
+
+_NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
 
 _Row = dict[str, Any]
 
@@ -184,8 +186,8 @@ def _read(lines: Iterable[str]) -> Recording:
     complete = False
     number = 0
     for number, line in enumerate(lines, 1):
-        if number == 1 and not line.startswith("# haptic retargeting recording, version 1"):
-            raise RecordingError("line 1: not a recording of version 1")
+        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 2":
+            raise RecordingError("line 1: not a recording of version 2")
         if not line.endswith("\n"):
             break  # cut off within the line
         line = line.rstrip("\r\n")
@@ -232,7 +234,7 @@ def _row(header: list[str], line: str) -> _Row:
     cells = line.split(",")
     if len(cells) != len(header):
         raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
-    return {name: cell if name == "call" else _number(name, cell) for name, cell in zip(header, cells)}
+    return {name: cell if name in _TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
 
 
 def _number(name: str, cell: str) -> float | None:
@@ -257,7 +259,7 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
             if row[column] is None:
                 raise ValueError(f"{column} is missing")
         reaches.append(_Rows(config, row))
-    elif row["call"] == "update" and reaches and not reaches[-1].ended:
+    elif row["call"] == "update" and not row["refused_argument"] and reaches and not reaches[-1].ended:
         reaches[-1].updates.append(row)
     elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
         reaches[-1].ended = True

@@ -263,7 +263,7 @@ func check_recording():
 	check_equal(plate.stop_recording(), OK, "stop")
 	var file = File.new()
 	check_equal(file.open(path, File.READ), OK, "open")
-	check_equal(file.get_line(), "# haptic retargeting recording, version 1", "first line")
+	check_equal(file.get_line(), "# haptic retargeting recording, version 2", "first line")
 	expect_error("hrt_recording_stop")
 	check_equal(plate.stop_recording(), ERR_UNAVAILABLE, "stop twice")
 	expect_error("hrt_recording_start")

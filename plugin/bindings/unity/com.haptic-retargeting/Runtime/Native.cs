@@ -540,8 +540,8 @@ namespace Hrt
         public uint complete;
         /// <summary>Rows replayed.</summary>
         public ulong rows;
-        /// <summary>The line of the file, from 1, of the first row that came out otherwise than recorded; 0:
-        /// all came out the same, bit for bit.</summary>
+        /// <summary>The line of the file, from 1, of the first row that came out otherwise than recorded, in
+        /// its result or any number; 0: all came out the same, bit for bit.</summary>
         public ulong firstDifferentLine;
         /// <summary>FNV-1a of the commands as replayed, which is the same on every host: of each row "update"
         /// without error, flags as 8 bytes, step, and the seven numbers after them, least significant byte
