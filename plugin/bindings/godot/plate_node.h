@@ -53,6 +53,8 @@ struct Method {
   Value (PlateNode::*function)(const Value* arguments);
 };
 std::span<const Method> methods();
+/** Arguments that a call is looked at for; one more than any method has, so that too many are noticed. */
+inline constexpr size_t kArgumentsMax = 8;
 
 class PlateNode {
  public:

@@ -1,9 +1,11 @@
 // The class HapticRetargeting for Godot 3: a NativeScript of a Spatial, through GDNative's C interface.
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <exception>
 #include <new>
-#include <vector>
+#include <span>
 
 #include "../plate_node.h"
 #include "gdnative.h"
@@ -203,11 +205,11 @@ godot_variant call(godot_object*, void* method, void* instance, int count,
                    godot_variant** arguments) noexcept {
   if (!instance) return to_variant({});
   try {
-    std::vector<Value> values;
-    values.reserve(static_cast<size_t>(count));
-    for (int i = 0; i < count; ++i) values.push_back(to_value(*arguments[i]));
-    return to_variant(
-        static_cast<Instance*>(instance)->node().call(*static_cast<const Method*>(method), values));
+    std::array<Value, kArgumentsMax> values;
+    const size_t size = std::min(static_cast<size_t>(count), values.size());
+    for (size_t i = 0; i < size; ++i) values[i] = to_value(*arguments[i]);
+    return to_variant(static_cast<Instance*>(instance)->node().call(*static_cast<const Method*>(method),
+                                                                    std::span(values.data(), size)));
   } catch (const std::exception& error) {
     static_cast<Instance*>(instance)->push_error(error.what());
     return to_variant({});

@@ -1,10 +1,13 @@
 // The class HapticRetargeting for Godot 4: a Node3D, through GDExtension's C interface.
 
+#include <algorithm>
+#include <array>
 #include <cstring>
 #include <deque>
 #include <exception>
 #include <memory>
 #include <new>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -298,11 +301,11 @@ void call(void* callable, void* instance, const gde_variant* const* arguments, i
           gde_variant* out_return, gde_call_error*) noexcept {
   if (!instance) return;
   try {
-    std::vector<Value> values;
-    values.reserve(static_cast<size_t>(count));
-    for (int64_t i = 0; i < count; ++i) values.push_back(to_value(*arguments[i]));
-    const Value result =
-        (*static_cast<const Callable*>(callable))(static_cast<Instance*>(instance)->node(), values);
+    std::array<Value, kArgumentsMax> values;
+    const size_t size = std::min(static_cast<size_t>(count), values.size());
+    for (size_t i = 0; i < size; ++i) values[i] = to_value(*arguments[i]);
+    const Value result = (*static_cast<const Callable*>(callable))(static_cast<Instance*>(instance)->node(),
+                                                                   std::span(values.data(), size));
     engine.variant_destroy(out_return);
     to_variant(out_return, result);
   } catch (const std::exception& error) {
@@ -314,11 +317,10 @@ void ptrcall(void* data, void* instance, const void* const* arguments, void* out
   if (!instance) return;
   const Callable& callable = *static_cast<const Callable*>(data);
   try {
-    std::vector<Value> values;
-    values.reserve(callable.arguments.size());
-    for (size_t i = 0; i < callable.arguments.size(); ++i)
-      values.push_back(from_type(arguments[i], callable.arguments[i].type));
-    const Value result = callable(static_cast<Instance*>(instance)->node(), values);
+    std::array<Value, kArgumentsMax> values;
+    const size_t size = callable.arguments.size();
+    for (size_t i = 0; i < size; ++i) values[i] = from_type(arguments[i], callable.arguments[i].type);
+    const Value result = callable(static_cast<Instance*>(instance)->node(), std::span(values.data(), size));
     if (callable.returns == Type::kNil) return;
     destroy(out_return, callable.returns);
     to_type(out_return, result);

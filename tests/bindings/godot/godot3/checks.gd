@@ -178,6 +178,8 @@ func check_refusals():
 	check_equal(plate.update("here", 2000), ERR_INVALID_PARAMETER, "an argument of another type")
 	expect_error("called with (null, int); it is update(world_position: Vector3, time_ns: int)")
 	check_equal(plate.update(self, 2000), ERR_INVALID_PARAMETER, "an argument of a type that no method takes")
+	expect_error("called with (int, int, int, int, int, int, int, int); it is update_sample(flags: int")
+	check_equal(plate.callv("update_sample", range(20)), ERR_INVALID_PARAMETER, "far too many arguments")
 	expect_error("flags 16; allowed: sums of 1 direction")
 	check_equal(plate.update_sample(16, 2000, 0.0, 0.0, 0.0, 0.0, 0.0), ERR_INVALID_PARAMETER, "flags")
 	check_equal(plate.update(Vector3(), 2000), OK, "update after refusals")
