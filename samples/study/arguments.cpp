@@ -1,8 +1,11 @@
 #include "samples/study/arguments.h"
 
+#include <CLI/CLI.hpp>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <thread>
 
@@ -70,6 +73,28 @@ bool takes_value(const CLI::Option* option) {
   return option->get_items_expected_max() > 0;
 }
 
+class HelpFormatter : public CLI::Formatter {
+ public:
+  HelpFormatter() { column_width(34); }
+  std::string make_option_opts(const CLI::Option* option) const override {
+    return takes_value(option) ? " VALUE" : "";
+  }
+  std::string make_option_desc(const CLI::Option* option) const override;
+  std::string make_description(const CLI::App* app) const override { return app->get_description() + "\n\n"; }
+};
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  std::string text = option->get_description();
+  if (!takes_value(option)) return text;
+  text += "\nMust be " + option->get_type_name() + '.';
+  const std::string standard = option->get_default_str();
+  if (!standard.empty())
+    text += (option->get_type_name().size() + standard.size() < 60 ? " Default: " : "\nDefault: ") +
+            standard + '.';
+  if (option->get_required()) text += " Required.";
+  return text;
+}
+
 }  // namespace
 
 bool NumberRange::contains(double value) const {
@@ -82,6 +107,14 @@ std::string NumberRange::text() const {
   if (whole) return "a whole number from " + number(low) + " to " + number(high);
   return std::string("a number in ") + (low_allowed ? "[" : "(") + number(low) + ", " + number(high) +
          (high_allowed ? "]" : ")") + (infinity_allowed ? ", or inf" : "");
+}
+
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help,
+                      const std::string& footer, const std::function<void()>& run) {
+  CLI::App* command = app.add_subcommand(name, help);
+  command->footer(footer);
+  command->callback(run);
+  return *command;
 }
 
 CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string& allowed,
@@ -172,28 +205,16 @@ std::string not_allowed(const std::string& name, std::string_view text, const st
   return name + ": '" + std::string(text) + "' is not allowed; it must be " + what;
 }
 
-HelpFormatter::HelpFormatter() {
-  column_width(34);
+void require(CLI::Option* option) {
+  option->required();
 }
 
-std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-  return takes_value(option) ? " VALUE" : "";
+void show_default(CLI::Option* option, const std::string& text) {
+  option->default_str(text);
 }
 
-std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
-  std::string text = option->get_description();
-  if (!takes_value(option)) return text;
-  text += "\nMust be " + option->get_type_name() + '.';
-  const std::string standard = option->get_default_str();
-  if (!standard.empty())
-    text += (option->get_type_name().size() + standard.size() < 60 ? " Default: " : "\nDefault: ") +
-            standard + '.';
-  if (option->get_required()) text += " Required.";
-  return text;
-}
-
-std::string HelpFormatter::make_description(const CLI::App* app) const {
-  return app->get_description() + "\n\n";
+void format_help(CLI::App& app) {
+  app.formatter(std::make_shared<HelpFormatter>());
 }
 
 }  // namespace hrt::study

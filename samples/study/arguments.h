@@ -2,8 +2,6 @@
 // the help and the error message both state.
 #pragma once
 
-#include <CLI/CLI.hpp>
-
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -11,6 +9,12 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+// CLI11 takes seconds to compile: only arguments.cpp and main.cpp include it.
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace hrt::study {
 
@@ -41,6 +45,10 @@ inline constexpr NumberRange direction_range{-180.0, 180.0};
 inline constexpr NumberRange gap_range{-90.0, 90.0, false, false};
 inline constexpr NumberRange plate_bound_range{0.0, 90.0, false};
 inline constexpr NumberRange plate_rate_bound_range{0.0, 360.0, false, true, true};
+
+/// Adds a subcommand whose help ends with `footer`; `run` is called once all arguments are read.
+CLI::App& add_command(CLI::App& app, const std::string& name, const std::string& help,
+                      const std::string& footer, const std::function<void()>& run);
 
 /// Adds `name VALUE`. `take` stores the text's value, or returns false if it is not `allowed`: that, and the
 /// default, are what the help and the error message say.
@@ -81,13 +89,13 @@ CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string&
 /// "NAME: 'TEXT' is not allowed; it must be WHAT".
 std::string not_allowed(const std::string& name, std::string_view text, const std::string& what);
 
-/// Help with the range and the default of each option on a line of their own.
-class HelpFormatter : public CLI::Formatter {
- public:
-  HelpFormatter();
-  std::string make_option_opts(const CLI::Option* option) const override;
-  std::string make_option_desc(const CLI::Option* option) const override;
-  std::string make_description(const CLI::App* app) const override;
-};
+/// The option must be given.
+void require(CLI::Option* option);
+
+/// The help shows this as the default; nothing if empty.
+void show_default(CLI::Option* option, const std::string& text);
+
+/// Has the help show range and default of each option on a line of their own.
+void format_help(CLI::App& app);
 
 }  // namespace hrt::study

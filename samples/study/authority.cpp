@@ -77,29 +77,28 @@ std::string json(const Options& options) {
 }  // namespace
 
 void add_authority(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "authority", "The gaps between real and virtual target that can be held, over the tactile weight.");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "authority", "The gaps between real and virtual target that can be held, over the tactile weight.",
       "Offsets are from the virtual direction; the real one lies at minus the gap.\n"
       "\n"
       "Examples:\n"
       "  hrt-study authority\n"
-      "  hrt-study authority --tactile-weight 0.05:0.45:9 --gap 10 --format csv --out map.csv");
-  const auto options = std::make_shared<Options>();
-  add_numbers(*command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+      "  hrt-study authority --tactile-weight 0.05:0.45:9 --gap 10 --format csv --out map.csv",
+      [options] {
+        const Output output("--out", options->out);
+        output.write(options->format == "csv"    ? csv(*options)
+                     : options->format == "json" ? json(*options)
+                                                 : text(*options));
+      });
+  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Shares of touch in the felt direction (w_T).");
-  add_numbers(*command, "--gap", &options->gaps_deg, gap_range, "Gaps: virtual minus real direction, deg.");
-  add_number(*command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
+  add_numbers(command, "--gap", &options->gaps_deg, gap_range, "Gaps: virtual minus real direction, deg.");
+  add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg.");
-  add_choice(*command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written",
+  add_choice(command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output.");
-  command->callback([options] {
-    const Output output("--out", options->out);
-    output.write(options->format == "csv"    ? csv(*options)
-                 : options->format == "json" ? json(*options)
-                                             : text(*options));
-  });
 }
 
 }  // namespace hrt::study

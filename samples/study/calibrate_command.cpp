@@ -88,35 +88,38 @@ void run(Options options) {
 }  // namespace
 
 void add_calibrate(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("calibrate", "A participant's parameters from slides over a plate at rest.");
-  command->footer(
-      "FILE is CSV with a header that names " + std::string(calibration_header) +
-      ":\na row a tracked position of the fingertip (right of and away along the mid-line), the rows of a "
-      "trial\ntogether, its time increasing. Lines that start with # and other columns are passed over.\n"
-      "\n"
-      "Let the person slide to one target, eight to ten times at each of the plate orientations -60, -30, "
-      "0,\n"
-      "30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are\n"
-      "ten such slides at three orientations that span 40 deg. If the data can't tell, there is a reason on\n"
-      "standard error, and the exit code is 1.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study calibrate me.csv --plot me.svg --profile me.json\n"
-      "  hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json");
   const auto options = std::make_shared<Options>();
-  add_path(*command, "FILE", &options->data, "a file that can be read", "The data, CSV.")->required();
-  add_number(*command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
+  CLI::App& command = add_command(
+      app, "calibrate", "A participant's parameters from slides over a plate at rest.",
+      "FILE is CSV with a header that names " + std::string(calibration_header) +
+          ":\na row a tracked position of the fingertip (right of and away along the mid-line), the rows of "
+          "a "
+          "trial\ntogether, its time increasing. Lines that start with # and other columns are passed over.\n"
+          "\n"
+          "Let the person slide to one target, eight to ten times at each of the plate orientations -60, "
+          "-30, "
+          "0,\n"
+          "30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed "
+          "are\n"
+          "ten such slides at three orientations that span 40 deg. If the data can't tell, there is a reason "
+          "on\n"
+          "standard error, and the exit code is 1.\n"
+          "\n"
+          "Examples:\n"
+          "  hrt-study calibrate me.csv --plot me.svg --profile me.json\n"
+          "  hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json",
+      [options] { run(*options); });
+  require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
+  add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
              "Where the person was told to go, deg.");
-  add_number(*command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
-  add_choice(*command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_path(*command, "--plot", &options->plot, "a file whose name ends with .svg or .png",
+  add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
+  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
+  add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",
            "Draw directions and residuals there. Needs gnuplot.");
-  add_path(*command, "--profile", &options->profile, "a file in a folder that can be written",
+  add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
            "Write a profile there that the plugin loads (hrt_profile_load).");
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written",
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output.");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace hrt::study

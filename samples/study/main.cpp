@@ -49,7 +49,7 @@ int main(int argc, char** argv) {
       "a real target while the participant feels that they go to a virtual one.\n"
       "Every result is of simulation; there was no human trial.",
       "hrt-study");
-  app.formatter(std::make_shared<HelpFormatter>());
+  format_help(app);
   app.footer(
       "Start with:\n"
       "  hrt-study table1                 the paper's Table I beside the model\n"

@@ -14,8 +14,8 @@ constexpr NumberRange whole(double low, double high) {
 }
 
 // An open value is filled in by make_condition().
-CLI::Option* describe(CLI::Option* option, const Parameter& parameter) {
-  return std::isnan(parameter.default_value) ? option->default_str("that of --tactile-weight") : option;
+void describe(CLI::Option* option, const Parameter& parameter) {
+  if (std::isnan(parameter.default_value)) show_default(option, "that of --tactile-weight");
 }
 
 }  // namespace

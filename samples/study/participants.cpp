@@ -137,43 +137,43 @@ std::string session_csv(const Session& session) {
 }
 
 void add_participants(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "participants", "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.");
-  command->footer(
-      "Each row is a tracked position: " + std::string(calibration_header) +
-      ".\nTime 0 is when the finger starts to move; before it the finger rests on the plate.\n"
-      "Several tactile weights make as many participants, each a file participant_N.csv in the folder.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv\n"
-      "  hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/");
   const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "participants", "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
+      "Each row is a tracked position: " + std::string(calibration_header) +
+          ".\nTime 0 is when the finger starts to move; before it the finger rests on the plate.\n"
+          "Several tactile weights make as many participants, each a file participant_N.csv in the folder.\n"
+          "\n"
+          "Examples:\n"
+          "  hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate "
+          "me.csv\n"
+          "  hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/",
+      [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
-  add_numbers(*command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
-  add_number(*command, "--bias", &condition.bias_deg, {-45.0, 45.0},
+  add_number(command, "--bias", &condition.bias_deg, {-45.0, 45.0},
              "The participant takes the goal to lie this much further left, deg.");
-  add_number(*command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
+  add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
-  add_number(*command, "--sensory-variance", &condition.participant.sensory_variance_deg2,
+  add_number(command, "--sensory-variance", &condition.participant.sensory_variance_deg2,
              positive_variance_range, "Variance of what is felt (sigma_h^2), deg^2.");
-  add_number(*command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0},
+  add_number(command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0},
              "Where the participant is told to go, deg.");
-  add_numbers(*command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0},
+  add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0},
               "Plate orientations, deg.");
-  add_integer(*command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
-  add_number(*command, "--distance", &options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
-  add_number(*command, "--duration", &condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
-  add_number(*command, "--rest", &condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
-  add_number(*command, "--step-period", &condition.step_period_s, {0.001, 10.0},
+  add_integer(command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
+  add_number(command, "--distance", &options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
+  add_number(command, "--duration", &condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
+  add_number(command, "--rest", &condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");
+  add_number(command, "--step-period", &condition.step_period_s, {0.001, 10.0},
              "Of the participant's steps, s.");
-  add_number(*command, "--tracker-noise", &options->tracker_noise_mm, {0.0, 100.0},
+  add_number(command, "--tracker-noise", &options->tracker_noise_mm, {0.0, 100.0},
              "Standard deviation of each tracked coordinate, mm.");
-  add_number(*command, "--rate", &condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");
-  add_seed(*command, &options->session.seed);
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written, or a folder",
+  add_number(command, "--rate", &condition.tracker_rate_hz, {1.0, 10'000.0}, "Of the tracker, Hz.");
+  add_seed(command, &options->session.seed);
+  add_path(command, "--out", &options->out, "a file in a folder that can be written, or a folder",
            "Write there instead of to standard output.");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace hrt::study

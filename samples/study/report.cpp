@@ -49,24 +49,22 @@ void run(const Options& options) {
 }  // namespace
 
 void add_report(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.",
       "Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which holds all\n"
       "pictures itself. Needs gnuplot. Files of these names are replaced.\n"
       "\n"
       "Examples:\n"
       "  hrt-study report --out report\n"
-      "  hrt-study report --out quick --trials 1000");
-  const auto options = std::make_shared<Options>();
-  add_path(*command, "--out", &options->out, "a folder that can be written",
-           "Folder for the files; made if missing.")
-      ->required();
-  add_trials(*command, &options->table.trials,
+      "  hrt-study report --out quick --trials 1000",
+      [options] { run(*options); });
+  require(add_path(command, "--out", &options->out, "a folder that can be written",
+                   "Folder for the files; made if missing."));
+  add_trials(command, &options->table.trials,
              "Trials of each cell of Table I; half as many for each point of the frontier.");
-  add_seed(*command, &options->table.seed);
-  add_threads(*command, &options->table.threads);
-  command->callback([options] { run(*options); });
+  add_seed(command, &options->table.seed);
+  add_threads(command, &options->table.threads);
 }
 
 }  // namespace hrt::study

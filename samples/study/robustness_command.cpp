@@ -162,9 +162,9 @@ void run(const Options& options) {
 }  // namespace
 
 void add_robustness(CLI::App& app) {
-  CLI::App* command = app.add_subcommand(
-      "robustness", "Four controllers on people, trackers and plates that are not as they assume.");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "robustness", "Four controllers on people, trackers and plates that are not as they assume.",
       "The controllers: the paper's, which assumes w_T = 0.15 and a plate that follows at once; one that\n"
       "learns w_T within the reach; that one aimed along the line of sight to the real target; and one that\n"
       "is told w_T, variances, step period and tracker noise (no bias: there is nothing to tell it to). All "
@@ -178,16 +178,15 @@ void add_robustness(CLI::App& app) {
       "Examples:\n"
       "  hrt-study robustness\n"
       "  hrt-study robustness --trials 5000 --format csv > robustness.csv\n"
-      "  hrt-study robustness --out robustness");
-  const auto options = std::make_shared<Options>();
-  add_integer(*command, "--trials", &options->robustness.trials, 1, 1'000'000, "Trials of each line.");
-  add_seed(*command, &options->robustness.seed);
-  add_threads(*command, &options->robustness.threads);
-  add_choice(*command, "--format", &options->format, {"text", "csv", "json"},
+      "  hrt-study robustness --out robustness",
+      [options] { run(*options); });
+  add_integer(command, "--trials", &options->robustness.trials, 1, 1'000'000, "Trials of each line.");
+  add_seed(command, &options->robustness.seed);
+  add_threads(command, &options->robustness.threads);
+  add_choice(command, "--format", &options->format, {"text", "csv", "json"},
              "What to write to standard output.");
-  add_path(*command, "--out", &options->out, "a folder that can be written",
+  add_path(command, "--out", &options->out, "a folder that can be written",
            "Folder for numbers, pictures and page; made if missing.");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace hrt::study

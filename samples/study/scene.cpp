@@ -121,28 +121,27 @@ std::string json(const Scene& scene, const Options& options) {
 }  // namespace
 
 void add_scene(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("scene", "What a glTF scene holds, and which of its pairs can be held.");
-  command->footer(
-      "scene/README.md tells what a designer writes into the file.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study scene samples/scenes/desk.gltf\n"
-      "  hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json");
   const auto options = std::make_shared<Options>();
-  add_path(*command, "FILE", &options->file, "a glTF file, .gltf or .glb", "The scene.")->required();
-  add_numbers(*command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+  CLI::App& command =
+      add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
+                  "scene/README.md tells what a designer writes into the file.\n"
+                  "\n"
+                  "Examples:\n"
+                  "  hrt-study scene samples/scenes/desk.gltf\n"
+                  "  hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json",
+                  [options] {
+                    const Output output("--out", options->out);
+                    const Scene scene = load_scene(options->file);
+                    output.write(options->format == "json" ? json(scene, *options) : text(scene, *options));
+                  });
+  require(add_path(command, "FILE", &options->file, "a glTF file, .gltf or .glb", "The scene."));
+  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Shares of touch in the felt direction (w_T).");
-  add_number(*command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
+  add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg.");
-  add_choice(*command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written",
+  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output.");
-  command->callback([options] {
-    const Output output("--out", options->out);
-    const Scene scene = load_scene(options->file);
-    output.write(options->format == "json" ? json(scene, *options) : text(scene, *options));
-  });
 }
 
 }  // namespace hrt::study

@@ -119,9 +119,9 @@ void run(const Options& options) {
 }  // namespace
 
 void add_sweep(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("sweep", "Every combination of lists of values, as CSV; in parts, and resumable.");
-  command->footer(
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "sweep", "Every combination of lists of values, as CSV; in parts, and resumable.",
       "Every option that takes a list makes the grid larger by the number of its values. A row of the CSV "
       "is\n"
       "one point of the grid: all it depends on, then what came of its trials. Point i takes the random\n"
@@ -135,26 +135,25 @@ void add_sweep(CLI::App& app) {
       "  hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv\n"
       "  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000\n"
       "  hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv\n"
-      "  cat part1.csv part2.csv part3.csv > whole.csv");
-  const auto options = std::make_shared<Options>();
-  add_numbers(*command, "--gap", &options->grid.gaps_deg, gap_range,
+      "  cat part1.csv part2.csv part3.csv > whole.csv",
+      [options] { run(*options); });
+  add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range,
               "Gap: virtual minus real direction, deg.");
-  add_numbers(*command, "--virtual", &options->grid.virtual_directions_deg, direction_range,
+  add_numbers(command, "--virtual", &options->grid.virtual_directions_deg, direction_range,
               "Direction of the virtual target, deg.");
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    add_parameter(*command, parameters[i], &options->grid.values[i]);
-  add_trials(*command, &options->trials, "Trials of each point.");
-  add_seed(*command, &options->seed);
-  add_threads(*command, &options->threads);
-  add_value(*command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(most_parts), "1/1",
+    add_parameter(command, parameters[i], &options->grid.values[i]);
+  add_trials(command, &options->trials, "Trials of each point.");
+  add_seed(command, &options->seed);
+  add_threads(command, &options->threads);
+  add_value(command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(most_parts), "1/1",
             "Which part of how many to do.", [options](const std::string& text) {
               const std::optional<Part> part = parse_part(text);
               if (part) options->part = *part;
               return part.has_value();
             });
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written",
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output; needed to resume.");
-  command->callback([options] { run(*options); });
 }
 
 }  // namespace hrt::study

@@ -196,37 +196,36 @@ std::string json_page(const Table1& table) {
 }  // namespace
 
 void add_table1(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("table1", "The paper's Table I and its other claims beside what the model gives.");
-  command->footer(
-      "A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's\n"
-      "50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study table1\n"
-      "  hrt-study table1 --trials 50 --seed 7\n"
-      "  hrt-study table1 --trials 1000000 --format json --out table1.json");
   struct CommandOptions {
     Table1Options table;
     std::string format = "text";
     std::string out;
   };
   const auto options = std::make_shared<CommandOptions>();
-  add_trials(*command, &options->table.trials, "Trials of each cell.");
-  add_seed(*command, &options->table.seed);
-  add_integer(*command, "--horizon", &options->table.horizon, 1, max_horizon,
+  CLI::App& command = add_command(
+      app, "table1", "The paper's Table I and its other claims beside what the model gives.",
+      "A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's\n"
+      "50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.\n"
+      "\n"
+      "Examples:\n"
+      "  hrt-study table1\n"
+      "  hrt-study table1 --trials 50 --seed 7\n"
+      "  hrt-study table1 --trials 1000000 --format json --out table1.json",
+      [options] {
+        const Output output("--out", options->out);
+        const Table1 table = simulate_table1(options->table);
+        output.write(options->format == "csv"    ? csv(table)
+                     : options->format == "json" ? json_page(table)
+                                                 : page_text(table));
+      });
+  add_trials(command, &options->table.trials, "Trials of each cell.");
+  add_seed(command, &options->table.seed);
+  add_integer(command, "--horizon", &options->table.horizon, 1, max_horizon,
               "Steps that the controller looks ahead.");
-  add_threads(*command, &options->table.threads);
-  add_choice(*command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
-  add_path(*command, "--out", &options->out, "a file in a folder that can be written",
+  add_threads(command, &options->table.threads);
+  add_choice(command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output.");
-  command->callback([options] {
-    const Output output("--out", options->out);
-    const Table1 table = simulate_table1(options->table);
-    output.write(options->format == "csv"    ? csv(table)
-                 : options->format == "json" ? json_page(table)
-                                             : page_text(table));
-  });
 }
 
 }  // namespace hrt::study
