@@ -108,6 +108,21 @@ struct FQuat
 	}
 };
 
+/** Degrees. */
+struct FRotator
+{
+	double Pitch = 0.0, Yaw = 0.0, Roll = 0.0;
+
+	FRotator() = default;
+	FRotator(double InPitch, double InYaw, double InRoll) : Pitch(InPitch), Yaw(InYaw), Roll(InRoll) {}
+};
+
+struct FPlatformTime
+{
+	static inline double Now = 0.0;
+	static double Seconds() { return Now; }
+};
+
 class FTransform
 {
 public:
@@ -147,3 +162,4 @@ private:
 	private:                                                                         \
 		std::vector<std::function<void(Type)>> Handlers;                             \
 	}
+#define AddDynamic(Object, Function) Add([Object](auto Argument) { (Object->*Function)(Argument); })
