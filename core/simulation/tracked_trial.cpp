@@ -25,7 +25,7 @@ TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const T
   const PlatePoint start{0.0, 0.0};
   Retargeter retargeter(condition.controller);
   retargeter.begin({.real_direction_deg = condition.real_direction_deg,
-                    .virtual_direction_deg = condition.virtual_direction_deg,
+                    .virtual_direction_deg = condition.virtual_direction_deg + condition.assumed_bias_deg,
                     .plate_orientation_deg = condition.plate_orientation_deg,
                     .start = start,
                     .real_distance_m = condition.distance_m});

@@ -16,6 +16,7 @@ enum class SpeedProfile {
 struct TrackedCondition {
   Participant participant;             ///< who reaches
   double bias_deg = 0.0;               ///< the person takes the goal to lie this much further left
+  double assumed_bias_deg = 0.0;       ///< what the controller takes bias_deg for
   double weight_drift = 0.0;           ///< w_T changes by this from the start of the reach to its end
   RetargeterConfig controller;         ///< what leads them, and what it assumes
   PlateDynamics plate;                 ///< the servo as it is

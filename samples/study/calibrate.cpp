@@ -75,17 +75,23 @@ std::string calibration_json(const CalibrationReport& report) {
 }
 
 std::string calibration_profile(const Calibration& calibration) {
-  // No data make w_T surer than this: people change from one reach to the next.
-  constexpr double least_sd = 0.001;
+  // No data make these surer than this, as in hrt_calibration_apply(): people change.
+  constexpr double least_weight_sd = 0.01;
+  constexpr double least_motor_variance_sd_deg2 = 0.1;
+  const auto sd = [](const Interval& interval, double least) {
+    return std::max((interval.upper - interval.lower) / (2.0 * 1.96), least);
+  };
   const Interval& weight = calibration.tactile_weight;
   nlohmann::ordered_json profile{
-      {"format", "haptic retargeting profile"},
-      {"version", 1},
-      {"tactile_weight", weight.value},
-      {"tactile_weight_sd", std::max((weight.upper - weight.lower) / (2.0 * 1.96), least_sd)}};
+      {"format", "haptic retargeting profile"}, {"version", 1},
+      {"tactile_weight", weight.value},         {"tactile_weight_sd", sd(weight, least_weight_sd)},
+      {"bias_deg", calibration.bias_deg.value}, {"tracker_noise_m", calibration.tracker_noise_m.value}};
   const Interval& motor = calibration.motor_variance_deg2;
   const Interval& sensory = calibration.sensory_variance_deg2;
-  if (motor.known) profile["motor_variance_deg2"] = motor.value;
+  if (motor.known) {
+    profile["motor_variance_deg2"] = motor.value;
+    profile["motor_variance_sd_deg2"] = sd(motor, least_motor_variance_sd_deg2);
+  }
   if (sensory.known) profile["sensory_variance_deg2"] = sensory.value;
   return profile.dump(2) + '\n';
 }

@@ -12,7 +12,9 @@ figure { margin: 2rem 0; border-top: 1px solid #ccc; padding-top: 1rem; }
 figcaption { max-width: 60rem; }
 table { border-collapse: collapse; margin: 1rem 0; }
 th, td { padding: .15rem .8rem; text-align: right; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child, td.words { text-align: left; }
+td { white-space: nowrap; }
+th:first-child, td:first-child, .words { text-align: left; }
+td.words { white-space: normal; }
 tr.mean td { border-bottom: 2px solid #888; font-weight: bold; }
 tr.last td { border-bottom: 2px solid #888; }
 .note { border: 2px solid #111; padding: .5rem 1rem; font-weight: bold; }

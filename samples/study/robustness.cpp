@@ -92,6 +92,7 @@ RobustnessCell simulate(const Case& the_case, Controller controller, const Robus
     const Setting setting = the_case.setting(options.seed, trial);
     TrackedCondition condition = setting.condition;
     condition.controller = make_controller(controller, setting);
+    if (controller == Controller::told) condition.assumed_bias_deg = condition.bias_deg;
     const TrackedOutcome outcome =
         simulate_tracked_trial(condition, {.seed = options.seed, .condition = 0, .trial = trial});
     near_direction += std::abs(outcome.final_direction_deg - condition.real_direction_deg) <= tolerance_deg;

@@ -17,7 +17,7 @@ enum class Controller {
   paper,           ///< assumes w_T = 0.15, a fixed direction and a plate that follows at once
   adaptive,        ///< learns w_T within the reach and knows its plate
   adaptive_sight,  ///< that, aimed along the line of sight: what the plugin does with tracked positions
-  told,            ///< as that, but told the person's w_T, variances and step period, and the tracker's noise
+  told,  ///< as that, but told the person's w_T, bias, variances and step period, and the tracker's noise
 };
 inline constexpr std::array controllers{Controller::paper, Controller::adaptive, Controller::adaptive_sight,
                                         Controller::told};

@@ -93,8 +93,9 @@ std::string table_rows(Rows rows) {
     for (std::size_t i = 0; i < controllers.size(); ++i) {
       const RobustnessCell& cell = row.cells[i];
       html += i + 1 == controllers.size() ? "<tr class=\"last\">" : "<tr>";
-      html += table_cells({i == 0 ? row.label() : "", controller_title(controllers[i]),
-                           fixed(cell.miss_median_mm, 2), fixed(cell.miss_95_mm, 2),
+      html += table_cells({i == 0 ? row.label() : ""}) + "<td class=\"words\">" +
+              escaped(controller_title(controllers[i])) + "</td>";
+      html += table_cells({fixed(cell.miss_median_mm, 2), fixed(cell.miss_95_mm, 2),
                            fixed(cell.bearing_percent, 1), fixed(cell.direction_percent, 1),
                            fixed(cell.felt_error_deg, 2), fixed(cell.unreachable_percent, 1)}) +
               "</tr>\n";
@@ -138,8 +139,8 @@ std::string robustness_page(const RobustnessOptions& options, const std::vector<
       " a line (seed " + std::to_string(options.seed) +
       "), by noisy tracked positions: the paper's, which assumes w_T = 0.15 and a plate that follows at "
       "once; one that learns w_T within the reach; that one aimed along the line of sight to the real "
-      "target, as the plugin does; and one that is told w_T, variances, step period and tracker noise (no "
-      "bias: there is nothing to tell it to). " +
+      "target, as the plugin does; and one that is told w_T, bias, variances, step period and tracker "
+      "noise. " +
       escaped(middle_case_words()) +
       " Each section varies one thing. Felt error is the mean absolute difference of the direction that is "
       "felt from the virtual one in the last step.</p>\n";

@@ -115,7 +115,9 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_EQ(profile["format"], "haptic retargeting profile");
   EXPECT_EQ(profile["version"], 1);
   EXPECT_EQ(profile["tactile_weight"], page["tactile_weight"]["value"]);
-  EXPECT_GT(profile["tactile_weight_sd"], 0.0);
+  EXPECT_GE(profile["tactile_weight_sd"], 0.01);
+  EXPECT_EQ(profile["bias_deg"], page["bias_deg"]["value"]);
+  EXPECT_NEAR(profile["tracker_noise_m"], 0.0012, 0.00005);
   EXPECT_EQ(profile.contains("motor_variance_deg2"), page["motor_variance_deg2"]["known"].get<bool>());
 
   const std::string picture = read_file(folder.path / "me.svg");

@@ -51,6 +51,15 @@ TEST(StudyRobustness, KnowingTheTruthHelpsLittle) {
             cell(row, Controller::adaptive).miss_median_mm);
 }
 
+// A bias to the side of the real target, which makes the gap smaller, is led as well as none once it is
+// known.
+TEST(StudyRobustness, ABiasThatIsKnownCostsNothing) {
+  const RobustnessRow biased = rows_of("bias_deg", 200).front();
+  ASSERT_EQ(biased.value, -3.0);
+  EXPECT_EQ(cell(biased, Controller::told).bearing_percent, 100.0);
+  EXPECT_LT(cell(biased, Controller::told).miss_median_mm, 0.2);
+}
+
 // By hand: 84.5 * 0.08 / 0.92 = 7.348 deg can be held of 10, and 100 mm * sin(2.652 deg) = 4.627 mm remain.
 TEST(StudyRobustness, SaysWhatCannotBeHeld) {
   const RobustnessRow numb = rows_of("tactile_weight", 20).front();
