@@ -35,14 +35,14 @@ constexpr bool complete(const std::array<Field, N>& fields, size_t left_out, siz
   return size == struct_size;
 }
 
-#define FIELD(type, member)                                              \
-  Field {                                                                \
-#member, kind_of < decltype(type::member)>(), offsetof(type, member) \
-  }
-#define CHOICE(type, member, choices)                                             \
-  Field {                                                                         \
-#member, kind_of < decltype(type::member)>(), offsetof(type, member), choices \
-  }
+template <typename Member>
+constexpr Field make_field(const char* name, size_t offset, const char* choices = nullptr) {
+  return {name, kind_of<Member>(), offset, choices};
+}
+
+#define FIELD(type, member) make_field<decltype(type::member)>(#member, offsetof(type, member))
+#define CHOICE(type, member, choices) \
+  make_field<decltype(type::member)>(#member, offsetof(type, member), choices)
 
 using Config = hrt_session_config;
 constexpr std::array kConfig{
@@ -125,13 +125,12 @@ constexpr std::array kAuthority{
 };
 static_assert(complete(kAuthority, 0, sizeof(Authority)));
 
+#define PART(type, member, part, suffix)                   \
+  make_field<decltype(hrt_interval::part)>(#member suffix, \
+                                           offsetof(type, member) + offsetof(hrt_interval, part))
 #define INTERVAL(type, member)                                                                             \
-  Field{#member, FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, value)},              \
-      Field{#member "_lower", FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, lower)}, \
-      Field{#member "_upper", FieldKind::kDouble, offsetof(type, member) + offsetof(hrt_interval, upper)}, \
-      Field {                                                                                              \
-#member "_known", FieldKind::kUint32, offsetof(type, member) + offsetof(hrt_interval, known)           \
-  }
+  PART(type, member, value, ""), PART(type, member, lower, "_lower"), PART(type, member, upper, "_upper"), \
+      PART(type, member, known, "_known")
 
 using Calibration = hrt_calibration_result;
 constexpr std::array kCalibration{
@@ -147,6 +146,7 @@ static_assert(complete(kCalibration, sizeof(Calibration::reserved) + 5 * sizeof(
                        sizeof(Calibration)));
 
 #undef INTERVAL
+#undef PART
 #undef FIELD
 #undef CHOICE
 

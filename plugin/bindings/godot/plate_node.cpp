@@ -116,7 +116,7 @@ bool is_rigid(const Pose& pose) {
   const Vector3 cross{x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
   const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 1e-3; };
   return near(dot(x, x), 1) && near(dot(y, y), 1) && near(dot(z, z), 1) && near(dot(x, y), 0) &&
-         near(dot(cross, z), 1);
+         near(dot(y, z), 0) && near(dot(z, x), 0) && near(dot(cross, z), 1);
 }
 
 /** The unit quaternion x, y, z, w of a rotation, by Shepperd's method: the largest of its four parts from the
@@ -141,8 +141,7 @@ std::array<double, 4> to_quaternion(const Pose& pose) {
   return quaternion;
 }
 
-/** A target by direction and distance from the start. Names that do not fit are cut where the plugin sees
- *  that they are not ended, and refuses them. */
+/** A name that does not fit has no zero at its end, which the plugin refuses. */
 hrt_target_config target_config(uint32_t role, const std::string& name) {
   hrt_target_config config;
   hrt_target_config_default(&config, sizeof config);
@@ -199,9 +198,8 @@ int64_t to_godot_error(hrt_result result) {
     case HRT_ERROR_NAME_TAKEN:
       return 32;  // ERR_ALREADY_EXISTS
     case HRT_ERROR_INVALID_HANDLE:
-      return 33;  // ERR_DOES_NOT_EXIST
     case HRT_ERROR_NOT_FOUND:
-      return 33;
+      return 33;  // ERR_DOES_NOT_EXIST
     case HRT_ERROR_BAD_FORMAT:
       return 43;  // ERR_PARSE_ERROR
     case HRT_ERROR_BUSY:
@@ -275,9 +273,7 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   if (!is_rigid(pose)) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
     engine_.push_error(
-        "the node's global transform is scaled, sheared or mirrored; allowed: moved and turned, as the "
-        "plate's "
-        "pose");
+        "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate");
     return false;
   }
   position_m[0] = pose.origin.x;

@@ -217,8 +217,12 @@ godot_variant call(godot_object*, void* method, void* instance, int count,
 }
 
 void set(godot_object*, void* property, void* instance, godot_variant* value) noexcept {
-  if (instance)
+  if (!instance) return;
+  try {
     static_cast<Instance*>(instance)->node().set(*static_cast<const Field*>(property), to_value(*value));
+  } catch (const std::exception& error) {
+    static_cast<Instance*>(instance)->push_error(error.what());
+  }
 }
 
 godot_variant get(godot_object*, void* property, void* instance) noexcept {

@@ -122,7 +122,7 @@ func check_axes():
 				outputs[0][field], outputs[1][field]])
 
 	turned.scale = Vector3(2, 2, 2)
-	expect_error("the node's global transform is scaled, sheared or mirrored")
+	expect_error("the node is scaled, sheared or mirrored in the world")
 	check_equal(turned.begin(1, 2), ERR_PARAMETER_RANGE_ERROR, "begin on a scaled plate")
 
 func hear(argument, name):
