@@ -14,7 +14,9 @@ namespace {
 
 constexpr double angles_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
 
-std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, int trials_an_angle) {
+// At 30 Hz, as what a fit takes grows with its samples.
+std::vector<CalibrationTrial> simulate(CalibrationCondition condition, int trials_an_angle) {
+  condition.tracker_rate_hz = 30.0;
   std::vector<CalibrationTrial> trials;
   std::uint32_t trial = 0;
   for (const double angle_deg : angles_deg) {
