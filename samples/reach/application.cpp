@@ -31,8 +31,6 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
   config.tactile_weight = options.tactile_weight;
   config.adaptation = options.adaptive ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
   config.guidance = options.adaptive ? HRT_GUIDANCE_LINE_OF_SIGHT : HRT_GUIDANCE_FIXED_DIRECTION;
-  if (options.plate.kind == PlateChoice::Kind::servo)
-    config.plate_max_speed_deg_s = options.plate.servo_speed_deg_per_s;
   config.motor_variance_deg2 = options.motor_variance_deg2;
   return load_targets(plugin, options.scene, config);
 }
@@ -155,6 +153,7 @@ class Run {
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
     if (simulation && options_.plate.kind != PlateChoice::Kind::runtime)
       plate = std::make_unique<FollowedPlate>(std::move(plate), *simulation);
+    if (const std::optional<PlateLimits> limits = plate->limits()) plan_with(*limits);
     is_simulated_ = simulation.has_value();
     print_header_once(runtime);
 
@@ -176,6 +175,19 @@ class Run {
       if (plot_.is_open() && plotted_.size() <= most_plotted) plotted_.push_back({pairs_[next_], result});
     }
     session.end();
+  }
+
+  // What the device says of itself counts more than what the scene says of it.
+  void plan_with(const PlateLimits& limits) {
+    constexpr double least_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
+    hrt_session_config config{.struct_size = sizeof config};
+    plugin_.check(plugin_.hrt_session_get_config(targets_.session, &config));
+    config.plate_max_speed_deg_s = limits.speed_deg_s;
+    if (limits.most_deg - limits.least_deg >= least_turn_deg) {
+      config.plate_lower_stop_deg = limits.least_deg;
+      config.plate_upper_stop_deg = limits.most_deg;
+    }
+    plugin_.check(plugin_.hrt_session_set_config(targets_.session, &config));
   }
 
   // Whose numbers these are.

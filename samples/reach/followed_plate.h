@@ -15,6 +15,7 @@ class FollowedPlate : public Plate {
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
       : plate_(std::move(plate)), simulation_(simulation) {}
 
+  std::optional<PlateLimits> limits() const override { return plate_->limits(); }
   void service(XrTime time) override {
     plate_->service(time);
     if (const std::optional<double> orientation_deg = plate_->orientation_deg(time))

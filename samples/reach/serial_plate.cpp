@@ -96,7 +96,7 @@ void SerialPlate::service(XrTime) {
 }
 
 void SerialPlate::command(XrTime, double orientation_deg) {
-  const double within_deg = orientation_within(limits_.least_deg, limits_.most_deg, orientation_deg,
+  const double within_deg = orientation_within(greeting_.least_deg, greeting_.most_deg, orientation_deg,
                                                orientation_deg_.value_or(orientation_deg));
   std::string line = set_line(within_deg);
   if (line == last_set_) return;
@@ -136,7 +136,7 @@ void SerialPlate::listen() {
 void SerialPlate::take(const PlateMessage& message) {
   heard_ = Clock::now();
   if (const auto* greeting = std::get_if<PlateGreeting>(&message)) {
-    limits_ = *greeting;
+    greeting_ = *greeting;
     greeted_ = true;
   } else if (const auto* report = std::get_if<PlateReport>(&message)) {
     orientation_deg_ = report->orientation_deg;

@@ -19,12 +19,14 @@ class SerialPlate : public Plate {
   SerialPlate(const SerialPlate&) = delete;
   SerialPlate& operator=(const SerialPlate&) = delete;
 
+  std::optional<PlateLimits> limits() const override {
+    return PlateLimits{greeting_.speed_deg_s, greeting_.least_deg, greeting_.most_deg};
+  }
   void service(XrTime time) override;
   void command(XrTime time, double orientation_deg) override;
   std::optional<double> orientation_deg(XrTime time) override;
   void stop(XrTime time) override;
 
-  const PlateGreeting& limits() const { return limits_; }
   /// Lines that arrived and were not in the protocol.
   int ignored_lines() const { return ignored_lines_; }
   /// How often the plate stopped because it had not heard from us in time.
@@ -46,7 +48,7 @@ class SerialPlate : public Plate {
   int line_ = -1;
   LineReader reader_;
   std::string unsent_;
-  PlateGreeting limits_{};
+  PlateGreeting greeting_{};
   bool greeted_ = false;
   std::optional<double> orientation_deg_;
   Clock::time_point heard_;

@@ -11,6 +11,7 @@ class SimulatedServo : public Plate {
   /// Stands at 0 and tells where it stands within 90 degrees; turns at `speed_deg_per_s` > 0.
   explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
 
+  std::optional<PlateLimits> limits() const override { return PlateLimits{speed_deg_per_s_, 0.0, 0.0}; }
   void service(XrTime time) override { turn_until(time); }
   void command(XrTime time, double orientation_deg) override;
   std::optional<double> orientation_deg(XrTime time) override;

@@ -88,8 +88,7 @@ void Tally::add(const TargetPair& pair, const ReachResult& result) {
 
 void print_summary(std::ostream& out, const Tally& tally) {
   out << format(
-      "%d of %d targets that can be held were reached; %d of %d moved within %.1f deg of "
-      "its direction in the last step",
+      "%d of %d targets that can be held were reached; in %d of %d reaches the last step was within %.1f deg",
       tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable, tolerance_deg);
   if (tally.holdable < tally.reaches)
     out << format("; %d more cannot be held", tally.reaches - tally.holdable);

@@ -57,12 +57,6 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
   std::vector<hrt_target> ids(info.target_count);
   plugin.check(plugin.hrt_session_create(&config, &set.session));
   plugin.check(plugin.hrt_scene_register(scene.handle(), set.session, info.target_count, ids.data()));
-  if (config.plate_max_speed_deg_s > 0.0) {
-    hrt_session_config registered{.struct_size = sizeof registered};
-    plugin.check(plugin.hrt_session_get_config(set.session, &registered));
-    registered.plate_max_speed_deg_s = config.plate_max_speed_deg_s;
-    plugin.check(plugin.hrt_session_set_config(set.session, &registered));
-  }
 
   for (std::uint32_t i = 0; i < info.target_count; ++i) {
     const hrt_scene_target seen = scene.target(i);

@@ -36,8 +36,8 @@ struct TargetSet {
   std::vector<TargetPair> pairs;  ///< one a virtual target, in the scene's order
 };
 
-/// Loads the scene and makes the session from `config`, in which the scene sets the start, the plate and,
-/// if `config` has none, its speed. Throws Failure: ExitCode::scene, ExitCode::plugin.
+/// Loads the scene and makes the session from `config`, in which the scene sets the start and the plate.
+/// Throws Failure: ExitCode::scene, ExitCode::plugin.
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,
                        const hrt_session_config& config);
 

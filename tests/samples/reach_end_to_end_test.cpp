@@ -90,7 +90,7 @@ TEST(ReachEndToEnd, HitsAsOftenAsThePaperSays) {
   const auto hits =
       std::count_if(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.miss_deg) <= 1.5; });
   EXPECT_NEAR(static_cast<double>(hits) / 300.0, 0.928, 0.06);
-  EXPECT_NE(outcome.out.find("; " + std::to_string(hits) + " of 300 moved within 1.5 deg"), std::string::npos)
+  EXPECT_NE(outcome.out.find("; in " + std::to_string(hits) + " of 300 reaches"), std::string::npos)
       << outcome.out.substr(outcome.out.rfind("reached:"));
   EXPECT_EQ(outcome.exit_code, 0);  // all ended inside the target
 }

@@ -200,6 +200,15 @@ TEST(ReachPlate, IsAtTheEndOfASerialLine) {
   EXPECT_EQ(device.heard().back(), "STOP");
 }
 
+// The controller plans with what the device says it can do, and so knows that it is late all the time.
+TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
+  PtyPlate device({.greeting = "PLATE 1 -90.00 90.00 5.00"});
+  const Outcome outcome =
+      run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()});
+  ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
+  EXPECT_GT(rows_of(outcome)[0].bound_percent, 50) << outcome.out;
+}
+
 TEST(ReachPlate, IsUnpluggedInTheMiddleOfAReach) {
   PtyPlate device;
   std::thread unplugger([&] {

@@ -143,7 +143,7 @@ std::vector<Row> rows_of(const Outcome& outcome) {
     if (std::regex_match(line, match, pattern))
       rows.push_back({match[1], std::stod(match[2]), std::stod(match[4]), std::stod(match[5]),
                       std::stod(match[6]), std::stod(match[7]), std::stod(match[8]), match[9],
-                      std::stod(match[10]), std::stoi(match[11]), std::stoi(match[12]),
+                      std::stod(match[10]), std::stoi(match[11]), std::stoi(match[12]), std::stoi(match[13]),
                       match[14] == "reached"});
   return rows;
 }

@@ -62,6 +62,7 @@ struct Row {
   double assumed;
   int frames;
   int lost;
+  int bound_percent;
   bool reached;
 };
 std::vector<Row> rows_of(const Outcome& outcome);

@@ -66,9 +66,9 @@ TEST(OrientationWithin, TakesTheNearestLimitIfNothingIsFeltTheSame) {
 TEST(SerialPlate, LearnsLimitsAndOrientation) {
   PtyPlate device({.greeting = "PLATE 1 -80.00 85.00 300.00"});
   SerialPlate plate(device.device());
-  EXPECT_EQ(plate.limits().least_deg, -80.0);
-  EXPECT_EQ(plate.limits().most_deg, 85.0);
-  EXPECT_EQ(plate.limits().speed_deg_s, 300.0);
+  EXPECT_EQ(plate.limits()->least_deg, -80.0);
+  EXPECT_EQ(plate.limits()->most_deg, 85.0);
+  EXPECT_EQ(plate.limits()->speed_deg_s, 300.0);
   plate.command(0, 12.345);
   EXPECT_TRUE(eventually([&] {
     plate.service(0);
