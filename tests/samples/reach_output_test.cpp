@@ -153,7 +153,10 @@ TEST(ReachStatusLine, IsNotShownWithoutATerminal) {
 }
 
 TEST(ReachOutput, ThatNobodyReadsEndsTheRun) {
-  const std::string command = "exec 2>&1 >/dev/full; exec " HRT_REACH_PROGRAM " " + desk;
+  const std::string command =
+      "exec 2>&1 >/dev/full; LSAN_OPTIONS=print_suppressions=0:suppressions=" HRT_LEAK_SUPPRESSIONS
+      " exec " HRT_REACH_PROGRAM " " +
+      desk;
   setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1);
   FILE* errors = popen(command.c_str(), "r");
   ASSERT_NE(errors, nullptr);
