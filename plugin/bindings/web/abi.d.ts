@@ -96,7 +96,7 @@ export declare const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
 export declare const HRT_ADAPTATION_OFF = 0;
 /** The share of touch within each reach, from tactile_weight and its deviation. The reach's summary also tells the motor variance, from motor_variance_deg2 and its deviation. */
 export declare const HRT_ADAPTATION_REACH = 1;
-/** As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2, the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two at most, which leaves its deviation, and keeps it within 0.05 to 5. */
+/** As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2, the latter no less than 0.1, as people change. One reach changes the motor variance by a factor of two at most, in which case its deviation stays; it is kept within 0.05 to 5. */
 export declare const HRT_ADAPTATION_CARRIED = 2;
 /** Targets that a session can hold. */
 export declare const HRT_TARGETS_MAX = 1000000;

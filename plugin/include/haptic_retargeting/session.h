@@ -37,8 +37,8 @@ typedef struct hrt_session {
 #define HRT_ADAPTATION_REACH 1
 /** As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and tactile_weight_sd,
  *  the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2, the latter no less than
- *  0.1, as people change. A reach changes the motor variance by a factor of two at most, which leaves its
- *  deviation, and keeps it within 0.05 to 5. */
+ *  0.1, as people change. One reach changes the motor variance by a factor of two at most, in which
+ *  case its deviation stays; it is kept within 0.05 to 5. */
 #define HRT_ADAPTATION_CARRIED 2
 
 /** Everything that a session is made from. hrt_session_config_default() fills every field. */

@@ -100,8 +100,8 @@ class Adaptation(IntEnum):
         also tells the motor variance, from motor_variance_deg2 and its deviation.
     CARRIED: As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and
         tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2,
-        the latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
-        at most, which leaves its deviation, and keeps it within 0.05 to 5.
+        the latter no less than 0.1, as people change. One reach changes the motor variance by a factor of
+        two at most, in which case its deviation stays; it is kept within 0.05 to 5.
     """
 
     OFF = 0

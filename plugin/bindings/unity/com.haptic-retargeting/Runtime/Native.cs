@@ -99,8 +99,8 @@ namespace Hrt
         Reach = 1,
         /// <summary>As REACH; and what a reach has learnt becomes the configuration's: tactileWeight and
         /// tactileWeightSd, the latter no less than 0.01, and motorVarianceDeg2 and motorVarianceSdDeg2, the
-        /// latter no less than 0.1, as people change. A reach changes the motor variance by a factor of two
-        /// at most, which leaves its deviation, and keeps it within 0.05 to 5.</summary>
+        /// latter no less than 0.1, as people change. One reach changes the motor variance by a factor of two
+        /// at most, in which case its deviation stays; it is kept within 0.05 to 5.</summary>
         Carried = 2,
     }
 
