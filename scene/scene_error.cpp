@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cstdio>
 
 namespace hrt {
 
@@ -28,9 +29,14 @@ std::string in_quotes(std::string_view text) {
 
 std::string number_text(double value) {
   std::array<char, 32> digits{};
+#if defined(__cpp_lib_to_chars)
   const auto written =
       std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6);
   return {digits.data(), written.ptr};
+#else  // of integers alone; the same in the "C" locale
+  const int length = std::snprintf(digits.data(), digits.size(), "%g", value);
+  return {digits.data(), static_cast<std::size_t>(length)};
+#endif
 }
 
 std::string in_brackets(std::size_t index) {

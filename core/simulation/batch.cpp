@@ -12,6 +12,21 @@
 namespace hrt {
 namespace {
 
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool has_threads = false;
+#else
+constexpr bool has_threads = true;
+#endif
+
+// Joins its threads at the end. (std::jthread is not yet in every C++ library.)
+struct JoiningThreads : std::vector<std::thread> {
+  ~JoiningThreads() { join(); }
+  void join() {
+    for (std::thread& thread : *this) thread.join();
+    clear();
+  }
+};
+
 constexpr double units_per_deg = 0x1p20;
 // 2^32 trials of at most this many units keep the sum within 63 bits.
 constexpr double largest_deg = 1000.0;
@@ -39,7 +54,8 @@ class Chunks {
   }
 
   Chunk operator[](std::uint64_t number) const {
-    const auto job = static_cast<std::size_t>(std::ranges::upper_bound(ends_, number) - ends_.begin());
+    const auto job =
+        static_cast<std::size_t>(std::upper_bound(ends_.begin(), ends_.end(), number) - ends_.begin());
     const auto within_job = static_cast<std::uint32_t>(number - (ends_[job] - count_of(job)));
     const std::uint32_t first = jobs_[job].first_trial + within_job * chunk_trials;
     return {job, first, first + std::min(chunk_trials, jobs_[job].last_trial - first)};
@@ -161,9 +177,10 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
     }
   };
 
-  const std::size_t wanted =
-      options.threads > 0 ? options.threads : std::max(1u, std::thread::hardware_concurrency());
-  std::vector<std::jthread> others;
+  const std::size_t wanted = !has_threads          ? 1
+                             : options.threads > 0 ? options.threads
+                                                   : std::max(1u, std::thread::hardware_concurrency());
+  JoiningThreads others;
   // Makes the other threads stop before they are joined if this one leaves by an exception.
   struct StopOnExit {
     std::atomic<std::uint64_t>& next;
@@ -175,7 +192,7 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   work([&] {
     if (options.progress) options.progress(done, total);
   });
-  others.clear();
+  others.join();
   if (options.progress && done == total) options.progress(done, total);
   return results;
 }

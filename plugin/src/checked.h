@@ -26,11 +26,11 @@ inline constexpr std::uint32_t largest_struct_size = 4096;
 
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
-  // Every version ends with a whole field, and so at a multiple of 8.
-  static_assert(sizeof(Struct) % 8 == 0);
-  if (size >= first_size<Struct> && size <= largest_struct_size && size % 8 == 0) return HRT_OK;
+  // Every version ends with a whole field, and so at a multiple of this: 8, or 4 for pointers of 4 bytes.
+  constexpr std::uint32_t alignment = alignof(Struct);
+  if (size >= first_size<Struct> && size <= largest_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
-              ", at least ", first_size<Struct>, " and a multiple of 8 is needed");
+              ", at least ", first_size<Struct>, " and a multiple of ", alignment, " is needed");
 }
 
 /// Reads a struct of any version into `*known`, which holds the defaults.

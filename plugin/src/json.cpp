@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "plugin/src/checked.h"
+#include "plugin/src/decimal.h"
 #include "plugin/src/session_config.h"
 #include "plugin/src/targets.h"
 
@@ -75,7 +76,13 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
   }
-  bool number_float(number_float_t value, const string_t&) override { return number(value, false, 0); }
+  bool number_float(number_float_t value, const string_t& text) override {
+    // `value` comes from strtod(), which is not exact everywhere. (In a locale with a comma the text has one,
+    // and is not read.)
+    double exact = value;
+    read_decimal(text, &exact);
+    return number(exact, false, 0);
+  }
   bool string(string_t& value) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;
     fields.back().is_text = true;

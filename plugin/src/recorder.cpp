@@ -13,6 +13,12 @@ static_assert(std::is_trivially_copyable_v<Record>, "push() must not allocate");
 
 namespace {
 
+#if defined(__EMSCRIPTEN__) && !defined(__EMSCRIPTEN_PTHREADS__)
+constexpr bool has_threads = false;  // who calls writes the file, whenever the ring is full and at the end
+#else
+constexpr bool has_threads = true;
+#endif
+
 void append(const Record& record, std::FILE* file) {
   RecordText line;
   write_record(record, line);
@@ -31,7 +37,7 @@ Recorder::Recorder(const char* path, const hrt_session_config& config, const Tar
     append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
   if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()))
     throw std::system_error(errno, std::generic_category(), path);
-  writer_ = std::thread([this] { write_all(); });
+  if (has_threads) writer_ = std::thread([this] { write_all(); });
 }
 
 Recorder::~Recorder() {
@@ -41,6 +47,7 @@ Recorder::~Recorder() {
 void Recorder::push(const Record& record) noexcept {
   const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
   const std::uint64_t lost = lost_.load(std::memory_order_relaxed);
+  if (!has_threads && pushed - taken_.load() == capacity) drain();
   if (pushed - taken_.load(std::memory_order_acquire) == capacity) {
     lost_.store(lost + 1, std::memory_order_relaxed);
     return;
@@ -53,9 +60,11 @@ void Recorder::push(const Record& record) noexcept {
 }
 
 RecorderStatus Recorder::stop() {
+  if (stopping_.exchange(true)) return status();
   if (writer_.joinable()) {
-    stopping_.store(true, std::memory_order_release);
     writer_.join();
+  } else {
+    write_all();
   }
   return status();
 }

@@ -181,8 +181,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
 
 template <class What, class Number>
 hrt_result read_number(const What& what, std::string_view text, Number* out) {
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), *out);
-  if (!text.empty() && error == std::errc() && end == text.data() + text.size()) return HRT_OK;
+  if (read_decimal(text, out)) return HRT_OK;
   return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", text.substr(0, 40), "\", which is not a number");
 }
 

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <type_traits>
 
+#include "plugin/src/decimal.h"
+
 namespace hrt::plugin {
 
 template <std::size_t capacity>
@@ -32,11 +34,14 @@ class Text {
     if constexpr (std::is_floating_point_v<Number>) {
       if (std::isnan(number)) return *this << std::string_view("NaN");
       if (std::isinf(number)) return *this << std::string_view(number > 0 ? "Inf" : "-Inf");
+      char digits[longest_decimal];
+      return *this << std::string_view(digits, write_decimal(double{number}, digits));
+    } else {
+      char digits[32];
+      const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+      return error == std::errc() ? *this << std::string_view(digits, static_cast<std::size_t>(end - digits))
+                                  : *this;
     }
-    char digits[32];
-    const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
-    return error == std::errc() ? *this << std::string_view(digits, static_cast<std::size_t>(end - digits))
-                                : *this;
   }
 
  private:

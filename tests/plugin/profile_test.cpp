@@ -11,10 +11,11 @@ using ProfileTest = SessionTest;
 std::string save(hrt_session session) {
   uint64_t length = 0;
   EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
-  std::string text(length + 1, '?');
-  EXPECT_OK(hrt_profile_save(session, length + 1, text.data(), &length));
-  EXPECT_EQ(text[length], '\0');
-  text.resize(length);
+  std::string text(static_cast<std::size_t>(length) + 1, '?');
+  EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
+  EXPECT_EQ(text.back(), '\0');
+  text.pop_back();
+  EXPECT_EQ(text.size(), length);
   return text;
 }
 

@@ -1,0 +1,14 @@
+// Put in front of every C++ source for WebAssembly: what emscripten 3.1.6's C++ library lacks of C++20.
+#pragma once
+
+#if defined(__cplusplus)
+#include <version>
+#if !defined(__cpp_lib_bit_cast)
+namespace std {
+template <class To, class From>
+constexpr To bit_cast(const From& from) noexcept {
+  return __builtin_bit_cast(To, from);
+}
+}  // namespace std
+#endif
+#endif

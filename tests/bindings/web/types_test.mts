@@ -1,0 +1,54 @@
+// What a host writes in TypeScript; compiled, never run. @ts-expect-error: the next line must not compile.
+import * as hrt from "haptic-retargeting";
+
+async function host(bytes: ArrayBuffer): Promise<number> {
+  const library = await hrt.load(new URL("https://localhost/haptic_retargeting.wasm"));
+  const session: hrt.Session = library.createSession({ horizon: 20, plate_latency_ns: 30_000_000 });
+  const real: hrt.TargetId = session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });
+  const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
+  session.configure({ start_position_m: [0, 0, 0.05], plate_latency_ns: 1n });
+  const margin: number = session.authority(real, virtual).margin_deg;
+  const best: bigint = session.bestAuthority(virtual).real_target;
+
+  session.startRecording();
+  session.beginReach(best, virtual, 10);
+  session.sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
+  session.sample.time_ns = performance.now() * 1e6;
+  session.sample.finger_position_m[0] = margin;
+  session.update();
+  const plate: number = session.command.plate_orientation_deg + session.command.step;
+  const samples: bigint = session.endReach().samples;
+  const report = library.replay(session.stopRecording());
+  const same: boolean = report.hash === samples;
+
+  const calibration = session.createCalibration({ goal_direction_deg: 1 });
+  calibration.beginTrial(30);
+  calibration.sample.time_ns = 0;
+  calibration.addSample();
+  calibration.endTrial();
+  const result = calibration.solve();
+  const known: number = result.tactile_weight.known;
+  session.applyCalibration(result);
+  session.loadProfile(session.profile);
+  const names: string[] = library.loadScene(bytes, "desk").targets.map((target) => target.name);
+
+  // @ts-expect-error: no such field
+  library.createSession({ horizont: 3 });
+  // @ts-expect-error: the library's to fill
+  library.createSession({ struct_size: 248 });
+  // @ts-expect-error: not a text
+  library.createSession({ horizon: "3" });
+  // @ts-expect-error: the plugin's to write
+  session.command.flags = 1;
+  // @ts-expect-error: ids are not numbers
+  session.removeTarget(1);
+
+  try {
+    session.update();
+  } catch (error) {
+    if (error instanceof hrt.HapticRetargetingError) return error.code + error.codeName.length;
+  }
+  return plate + known + names.length + (same ? 1 : 0);
+}
+
+export default host;
