@@ -63,7 +63,7 @@ hrt_session_config default_session_config() {
       .horizon = static_cast<std::uint32_t>(core.mpc.horizon),
       .step_period_ns = core.step_period_ns,
       .control = HRT_CONTROL_MPC,
-      .guidance = HRT_GUIDANCE_FIXED_DIRECTION,
+      .guidance = HRT_GUIDANCE_LINE_OF_SIGHT,
       .adaptation = HRT_ADAPTATION_OFF,
       .reserved = 0,
       .perceived_weight = core.mpc.perceived_weight,

@@ -77,6 +77,21 @@ TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
 
 // The plate lies in the world at (1, 2, 3), turned by 90 degrees to the left about the world's up axis, so
 // that its mid-line, -z, is the world's -x. Going from (1, 2, 3) along -x is going straight ahead.
+// Half way along the mid-line to a target 100 mm away at -5 degrees, which stands at (8.7, 99.6) mm, the line
+// of sight is at -atan(8.716 / 49.619) = -9.96 degrees. Directions alone do not tell where the finger is.
+TEST_F(ReachTest, AimsAlongTheLineOfSightWherePositionsTellIt) {
+  create(session_config());
+  begin_reach();
+  EXPECT_EQ(update(direction_sample(0, 0.0)).aimed_direction_deg, -5.0);
+  end();
+  create(session_config());
+  begin_reach();
+  hrt_command command{};
+  for (int i = 0; i <= 150; ++i)
+    command = update(position_sample(i * step_ns / 10, 0.0, -0.05 + 0.05 * i / 150.0));
+  EXPECT_NEAR(command.aimed_direction_deg, -9.96, 0.05);
+}
+
 TEST_F(ReachTest, WorldPositionsAreTakenToThePlate) {
   double on_plate_deg[21];
   begin_reach();

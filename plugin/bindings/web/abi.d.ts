@@ -88,7 +88,7 @@ export declare const HRT_CONTROL_FIXED_PLATE = 1;
 /** Where the finger is wanted. */
 /** in the real target's direction from the start */
 export declare const HRT_GUIDANCE_FIXED_DIRECTION = 0;
-/** In the direction from where the finger is to where the real target is, held once less than a fifth of the path remains. Takes effect when positions are streamed. */
+/** In the direction from where the finger is to where the real target is, held once less than a fifth of the path remains. Takes effect when positions are streamed; with directions alone it is as above. */
 export declare const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
 
 /** Whether the user's share of touch and motor variance are learnt. */
@@ -164,7 +164,7 @@ export interface hrt_session_config {
   step_period_ns: bigint;
   /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
   control: number;
-  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION. */
+  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_LINE_OF_SIGHT. */
   guidance: number;
   /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF. */
   adaptation: number;

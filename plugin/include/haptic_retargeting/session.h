@@ -27,7 +27,7 @@ typedef struct hrt_session {
 /** Where the finger is wanted. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0 /**< in the real target's direction from the start */
 /** In the direction from where the finger is to where the real target is, held once less than a fifth of
- *  the path remains. Takes effect when positions are streamed. */
+ *  the path remains. Takes effect when positions are streamed; with directions alone it is as above. */
 #define HRT_GUIDANCE_LINE_OF_SIGHT 1
 
 /** Whether the user's share of touch and motor variance are learnt. */
@@ -50,7 +50,7 @@ typedef struct hrt_session_config {
   int64_t step_period_ns;
   /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
   uint32_t control;
-  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_FIXED_DIRECTION. */
+  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_LINE_OF_SIGHT. */
   uint32_t guidance;
   /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF. */
   uint32_t adaptation;

@@ -108,7 +108,7 @@ TEST(UnrealSettings, AreTheLibrarysDefaults) {
 TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
   FHapticSettings s;
   s.Control = EHapticControl::FixedPlate;
-  s.Guidance = EHapticGuidance::LineOfSight;
+  s.Guidance = EHapticGuidance::FixedDirection;
   s.Adaptation = EHapticAdaptation::Carried;
   s.Horizon = 4;
   s.StepPeriod = 0.05;

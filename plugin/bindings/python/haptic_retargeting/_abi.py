@@ -85,7 +85,8 @@ class Guidance(IntEnum):
 
     FIXED_DIRECTION: in the real target's direction from the start
     LINE_OF_SIGHT: In the direction from where the finger is to where the real target is, held once less
-        than a fifth of the path remains. Takes effect when positions are streamed.
+        than a fifth of the path remains. Takes effect when positions are streamed; with directions alone it
+        is as above.
     """
 
     FIXED_DIRECTION = 0
@@ -228,7 +229,7 @@ class SessionConfig(Struct):
     step_period_ns: Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default
         100 ms.
     control: Control. Default Control.MPC.
-    guidance: Guidance. Default Guidance.FIXED_DIRECTION.
+    guidance: Guidance. Default Guidance.LINE_OF_SIGHT.
     adaptation: Adaptation. Default Adaptation.OFF.
     perceived_weight: Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1.
     actual_weight: Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.

@@ -85,7 +85,8 @@ namespace Hrt
         /// <summary>in the real target's direction from the start</summary>
         FixedDirection = 0,
         /// <summary>In the direction from where the finger is to where the real target is, held once less
-        /// than a fifth of the path remains. Takes effect when positions are streamed.</summary>
+        /// than a fifth of the path remains. Takes effect when positions are streamed; with directions alone
+        /// it is as above.</summary>
         LineOfSight = 1,
     }
 
@@ -198,7 +199,7 @@ namespace Hrt
         public long stepPeriodNs;
         /// <summary>Control. Default Control.Mpc.</summary>
         public Control control;
-        /// <summary>Guidance. Default Guidance.FixedDirection.</summary>
+        /// <summary>Guidance. Default Guidance.LineOfSight.</summary>
         public Guidance guidance;
         /// <summary>Adaptation. Default Adaptation.Off.</summary>
         public Adaptation adaptation;

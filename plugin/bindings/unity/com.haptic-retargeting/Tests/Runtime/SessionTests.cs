@@ -133,7 +133,7 @@ namespace Hrt.Tests
             Command command = default(Command);
             for (int frame = 0; frame <= 270; ++frame) command = session.Update(StraightAhead(frame));
             Assert.AreEqual(29, command.step);
-            Assert.AreEqual(57, Math.Round(command.plateOrientationDeg));
+            Assert.AreEqual(90, Math.Round(command.plateOrientationDeg));
             ReachSummary summary = session.EndReach();
             Assert.AreEqual(271, summary.samples);
         }

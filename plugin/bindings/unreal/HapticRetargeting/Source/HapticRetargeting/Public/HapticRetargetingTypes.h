@@ -73,7 +73,7 @@ struct FHapticSettings
 	EHapticControl Control = EHapticControl::ModelPredictive;
 
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
-	EHapticGuidance Guidance = EHapticGuidance::FixedDirection;
+	EHapticGuidance Guidance = EHapticGuidance::LineOfSight;
 
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
 	EHapticAdaptation Adaptation = EHapticAdaptation::Off;
