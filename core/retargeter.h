@@ -55,7 +55,7 @@ bool is_valid(const Reach& reach);
 
 /// What the plate is to do, and why. Until the finger moves, the plate stays where the reach found it.
 struct PlateCommand {
-  double plate_orientation_deg = 0.0;      ///< T; the nearest of those that feel the same
+  double plate_orientation_deg = 0.0;      ///< T; of those that feel the same, as core/README.md tells
   double finger_direction_deg = 0.0;       ///< P of this step, estimated or predicted
   double perceived_direction_deg = 0.0;    ///< theta_hat at the end of this step
   double aimed_direction_deg = 0.0;        ///< where the finger is wanted, within what can be held
@@ -74,7 +74,7 @@ struct PlateCommand {
 struct ReachSummary {
   std::int64_t steps = 0;               ///< model steps with samples
   std::int64_t predicted_steps = 0;     ///< model steps without
-  std::int64_t saturated_steps = 0;     ///< of steps, those whose command the plate bound held
+  std::int64_t saturated_steps = 0;     ///< of steps, those whose command the plate bound or a stop held
   std::int64_t rate_limited_steps = 0;  ///< of steps, those whose command the rate bound held
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates

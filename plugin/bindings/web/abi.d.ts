@@ -45,7 +45,7 @@ export declare const HRT_LOG_ERROR = 2;
 /** `plate_orientation_deg` is given; without this the plate is where the session's last command left it (at first 0). */
 export declare const HRT_REACH_PLATE_ORIENTATION = 1;
 
-/** hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More than one of these is an error. */
+/** hrt_sample::flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at most one may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. */
 /** finger_direction_deg */
 export declare const HRT_SAMPLE_DIRECTION = 1;
 /** finger_position_m, in plate coordinates */
@@ -64,7 +64,7 @@ export declare const HRT_SAMPLE_PLATE_POSE = 32;
 export declare const HRT_COMMAND_HELD = 1;
 /** the last step had no direction and was predicted */
 export declare const HRT_COMMAND_PREDICTED = 2;
-/** the plate's bound holds the command */
+/** the plate's bound or a stop holds the command */
 export declare const HRT_COMMAND_SATURATED = 4;
 /** the plate's speed holds the command */
 export declare const HRT_COMMAND_RATE_LIMITED = 8;
@@ -173,7 +173,7 @@ export interface hrt_session_config {
   perceived_weight: number;
   /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
   actual_weight: number;
-  /** The plate stays within this of the direction that the user goes for: the virtual target's and bias_deg, 0.1 to 90. Default 84.5. */
+  /** The plate stays within this of the direction that the user goes for, the virtual target's and bias_deg, or of what feels the same; 0.1 to 90. Default 84.5. */
   plate_bound_deg: number;
   /** The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0. */
   plate_max_speed_deg_s: number;
@@ -279,7 +279,7 @@ export interface hrt_sample {
   finger_direction_deg: number;
   /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not asked for. */
   finger_position_m: number[];
-  /** Where the plate stands, -360 to 360. */
+  /** Where the plate stands, -360 to 360. A plate without stops may count its turns as it likes: of the orientations that feel the same, the one nearest to where it is expected is taken. With stops it is taken as it is. */
   plate_orientation_deg: number;
   /** The plate in the world, as in hrt_session_config. */
   plate_position_m: number[];
@@ -293,7 +293,7 @@ export interface hrt_command {
   flags: number;
   /** The model step, from 0; -1 before the finger moves. */
   step: bigint;
-  /** Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the same this is the nearest that the plate's stops allow. */
+  /** Turn the plate here. Ridges repeat every 180 degrees. If the session's configuration gives the plate no highest speed or acceleration, this is the nearest of the orientations that feel the same and lie between the stops. If it does, the plate keeps to one half turn for a whole reach, so that it swings round at the start or not at all; a command beyond a stop is held at the stop. */
   plate_orientation_deg: number;
   /** The finger's direction in the last step, observed or predicted. */
   finger_direction_deg: number;
@@ -319,7 +319,7 @@ export interface hrt_reach_summary {
   /** Model steps with samples, and steps without, which were predicted. */
   steps: bigint;
   predicted_steps: bigint;
-  /** Of the steps with samples, those whose command the plate's bound or its speed held. */
+  /** Of the steps with samples, those whose command the plate's bound, a stop, or its speed held. */
   saturated_steps: bigint;
   rate_limited_steps: bigint;
   /** The finger's direction in the last step, and that less the real target's. */

@@ -4,7 +4,7 @@
  * Contract of every call in these headers:
  *  - It returns hrt_result. HRT_OK is 0 and every error is negative; on an error nothing changes,
  *    neither the session nor the outputs, and hrt_last_error() says what was wrong and what is allowed.
- *  - It never throws, aborts or terminates.
+ *  - It never throws, aborts or terminates; hrt_scene_load_file() tells of one exception.
  *  - Its tag tells the thread rule:
  *      [any-thread]  at any time, from any thread.
  *      [one-thread]  from any thread, but two threads must not be in calls on one session at the same

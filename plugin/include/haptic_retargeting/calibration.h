@@ -107,7 +107,7 @@ HRT_API hrt_result hrt_calibration_cancel_trial(hrt_calibration calibration) HRT
  *  microseconds a sample, half a second for 20000: not for a thread that draws frames. Errors:
  *  INSUFFICIENT_DATA if the trials can't tell, naming what is needed: at least 10 slides of 30 mm, at three
  *  plate orientations that span 40 degrees, a tactile weight whose interval is within 0.02 to 0.48;
- *  WRONG_STATE  during a trial, OUT_OF_MEMORY. [one-thread] */
+ *  WRONG_STATE during a trial, OUT_OF_MEMORY. [one-thread] */
 HRT_API hrt_result hrt_calibration_solve(hrt_calibration calibration,
                                          hrt_calibration_result* out_result) HRT_NOEXCEPT;
 

@@ -25,7 +25,7 @@ typedef struct hrt_allocator {
 } hrt_allocator;
 
 /** Has all memory come from `allocator` from now on; null: from the C library, as at first. The struct is
- *  copied. Errors: WRONG_STATE while the library holds memory, so while a session exists.
+ *  copied. Errors: WRONG_STATE while the library holds memory, as for a session, a calibration or a scene.
  *  [any-thread], but not while another thread is in any call of this library. */
 HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEPT;
 

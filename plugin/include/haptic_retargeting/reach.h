@@ -29,9 +29,9 @@ typedef struct hrt_reach_config {
   double plate_orientation_deg;
 } hrt_reach_config;
 
-/** hrt_sample::flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION
- *  the sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More
- *  than one of these is an error. */
+/** hrt_sample::flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at most
+ *  one may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and the model
+ *  predicts until the finger is seen again. */
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, measured by the device */
@@ -55,7 +55,9 @@ typedef struct hrt_sample {
   /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not
    *  asked for. */
   double finger_position_m[3];
-  /** Where the plate stands, -360 to 360. */
+  /** Where the plate stands, -360 to 360. A plate without stops may count its turns as it likes: of the
+   *  orientations that feel the same, the one nearest to where it is expected is taken. With stops it is
+   *  taken as it is. */
   double plate_orientation_deg;
   /** The plate in the world, as in hrt_session_config. */
   double plate_position_m[3];
@@ -65,7 +67,7 @@ typedef struct hrt_sample {
 /** hrt_command::flags. */
 #define HRT_COMMAND_HELD UINT32_C(1)         /**< between steps: nothing new was decided in this call */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< the last step had no direction and was predicted */
-#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound holds the command */
+#define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop holds the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed holds the command */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the real direction cannot be held: see authority.h */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger is above the plate: the model waits */
@@ -78,8 +80,10 @@ typedef struct hrt_command {
   uint32_t flags;
   /** The model step, from 0; -1 before the finger moves. */
   int64_t step;
-  /** Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the same this is the
-   *  nearest that the plate's stops allow. */
+  /** Turn the plate here. Ridges repeat every 180 degrees. If the session's configuration gives
+   *  the plate no highest speed or acceleration, this is the nearest of the orientations that feel the same
+   *  and lie between the stops. If it does, the plate keeps to one half turn for a whole reach, so that it
+   *  swings round at the start or not at all; a command beyond a stop is held at the stop. */
   double plate_orientation_deg;
   /** The finger's direction in the last step, observed or predicted. */
   double finger_direction_deg;
@@ -105,7 +109,7 @@ typedef struct hrt_reach_summary {
   /** Model steps with samples, and steps without, which were predicted. */
   int64_t steps;
   int64_t predicted_steps;
-  /** Of the steps with samples, those whose command the plate's bound or its speed held. */
+  /** Of the steps with samples, those whose command the plate's bound, a stop, or its speed held. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
   /** The finger's direction in the last step, and that less the real target's. */

@@ -59,8 +59,8 @@ typedef struct hrt_session_config {
   double perceived_weight;
   /** Weight of the actual error in the controller's cost, 0 to 1e6. Default 1. */
   double actual_weight;
-  /** The plate stays within this of the direction that the user goes for: the virtual target's and bias_deg,
-   *  0.1 to 90. Default 84.5. */
+  /** The plate stays within this of the direction that the user goes for, the virtual target's and bias_deg,
+   *  or of what feels the same; 0.1 to 90. Default 84.5. */
   double plate_bound_deg;
   /** The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default 0. */
   double plate_max_speed_deg_s;

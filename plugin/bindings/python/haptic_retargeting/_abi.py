@@ -156,9 +156,9 @@ class ReachFlag(IntFlag):
 
 
 class SampleFlag(IntFlag):
-    """Sample.flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and WORLD_POSITION the
-    sample is a dropout: the plate is held, and the model predicts until the finger is seen again. More than
-    one of these is an error.
+    """Sample.flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at most one
+    may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and the model
+    predicts until the finger is seen again.
 
     DIRECTION: finger_direction_deg
     PLATE_POSITION: finger_position_m, in plate coordinates
@@ -182,7 +182,7 @@ class CommandFlag(IntFlag):
 
     HELD: between steps: nothing new was decided in this call
     PREDICTED: the last step had no direction and was predicted
-    SATURATED: the plate's bound holds the command
+    SATURATED: the plate's bound or a stop holds the command
     RATE_LIMITED: the plate's speed holds the command
     UNREACHABLE: the real direction cannot be held: see authority.h
     LIFTED: the finger is above the plate: the model waits
@@ -233,8 +233,8 @@ class SessionConfig(Struct):
     adaptation: Adaptation. Default Adaptation.OFF.
     perceived_weight: Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1.
     actual_weight: Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.
-    plate_bound_deg: The plate stays within this of the direction that the user goes for: the virtual
-        target's and bias_deg, 0.1 to 90. Default 84.5.
+    plate_bound_deg: The plate stays within this of the direction that the user goes for, the virtual
+        target's and bias_deg, or of what feels the same; 0.1 to 90. Default 84.5.
     plate_max_speed_deg_s: The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit.
         Default 0.
     plate_max_acceleration_deg_s2: Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit.
@@ -458,7 +458,9 @@ class Sample(Struct):
     finger_direction_deg: The direction in which the finger moves, -180 to 180; taken as exact.
     finger_position_m: The fingertip, each within 1000. Of a tracked pose this is the position; how the
         finger is turned is not asked for.
-    plate_orientation_deg: Where the plate stands, -360 to 360.
+    plate_orientation_deg: Where the plate stands, -360 to 360. A plate without stops may count its turns as
+        it likes: of the orientations that feel the same, the one nearest to where it is expected is taken.
+        With stops it is taken as it is.
     plate_position_m: The plate in the world, as in SessionConfig.
     plate_rotation
     """
@@ -490,8 +492,11 @@ class Command(Struct):
 
     flags: CommandFlag.
     step: The model step, from 0; -1 before the finger moves.
-    plate_orientation_deg: Turn the plate here. Ridges repeat every 180 degrees: of the orientations that
-        feel the same this is the nearest that the plate's stops allow.
+    plate_orientation_deg: Turn the plate here. Ridges repeat every 180 degrees. If the session's
+        configuration gives the plate no highest speed or acceleration, this is the nearest of the
+        orientations that feel the same and lie between the stops. If it does, the plate keeps to one half
+        turn for a whole reach, so that it swings round at the start or not at all; a command beyond a stop
+        is held at the stop.
     finger_direction_deg: The finger's direction in the last step, observed or predicted.
     perceived_direction_deg: The direction that the user feels, as the model predicts it under this command.
     aimed_direction_deg: Where the finger is wanted; see SessionConfig.guidance.
@@ -533,7 +538,8 @@ class ReachSummary(Struct):
     dropped_samples
     steps: Model steps with samples, and steps without, which were predicted.
     predicted_steps
-    saturated_steps: Of the steps with samples, those whose command the plate's bound or its speed held.
+    saturated_steps: Of the steps with samples, those whose command the plate's bound, a stop, or its speed
+        held.
     rate_limited_steps
     final_direction_deg: The finger's direction in the last step, and that less the real target's.
     final_miss_deg

@@ -133,9 +133,9 @@ namespace Hrt
         PlateOrientation = 1,
     }
 
-    /// <summary>Sample.flags: which fields hold something. With none of DIRECTION, PLATE_POSITION and
-    /// WORLD_POSITION the sample is a dropout: the plate is held, and the model predicts until the finger is
-    /// seen again. More than one of these is an error.</summary>
+    /// <summary>Sample.flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at
+    /// most one may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and
+    /// the model predicts until the finger is seen again.</summary>
     [Flags]
     public enum SampleFlags : uint
     {
@@ -164,7 +164,7 @@ namespace Hrt
         Held = 1,
         /// <summary>the last step had no direction and was predicted</summary>
         Predicted = 2,
-        /// <summary>the plate's bound holds the command</summary>
+        /// <summary>the plate's bound or a stop holds the command</summary>
         Saturated = 4,
         /// <summary>the plate's speed holds the command</summary>
         RateLimited = 8,
@@ -208,8 +208,8 @@ namespace Hrt
         public double perceivedWeight;
         /// <summary>Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.</summary>
         public double actualWeight;
-        /// <summary>The plate stays within this of the direction that the user goes for: the virtual target's
-        /// and biasDeg, 0.1 to 90. Default 84.5.</summary>
+        /// <summary>The plate stays within this of the direction that the user goes for, the virtual target's
+        /// and biasDeg, or of what feels the same; 0.1 to 90. Default 84.5.</summary>
         public double plateBoundDeg;
         /// <summary>The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default
         /// 0.</summary>
@@ -356,7 +356,9 @@ namespace Hrt
         /// <summary>The fingertip, each within 1000. Of a tracked pose this is the position; how the finger
         /// is turned is not asked for.</summary>
         public Double3 fingerPositionM;
-        /// <summary>Where the plate stands, -360 to 360.</summary>
+        /// <summary>Where the plate stands, -360 to 360. A plate without stops may count its turns as it
+        /// likes: of the orientations that feel the same, the one nearest to where it is expected is taken.
+        /// With stops it is taken as it is.</summary>
         public double plateOrientationDeg;
         /// <summary>The plate in the world, as in SessionConfig.</summary>
         public Double3 platePositionM;
@@ -373,8 +375,11 @@ namespace Hrt
         public CommandFlags flags;
         /// <summary>The model step, from 0; -1 before the finger moves.</summary>
         public long step;
-        /// <summary>Turn the plate here. Ridges repeat every 180 degrees: of the orientations that feel the
-        /// same this is the nearest that the plate's stops allow.</summary>
+        /// <summary>Turn the plate here. Ridges repeat every 180 degrees. If the session's configuration
+        /// gives the plate no highest speed or acceleration, this is the nearest of the orientations that
+        /// feel the same and lie between the stops. If it does, the plate keeps to one half turn for a whole
+        /// reach, so that it swings round at the start or not at all; a command beyond a stop is held at the
+        /// stop.</summary>
         public double plateOrientationDeg;
         /// <summary>The finger's direction in the last step, observed or predicted.</summary>
         public double fingerDirectionDeg;
@@ -405,7 +410,7 @@ namespace Hrt
         /// <summary>Model steps with samples, and steps without, which were predicted.</summary>
         public long steps;
         public long predictedSteps;
-        /// <summary>Of the steps with samples, those whose command the plate's bound or its speed
+        /// <summary>Of the steps with samples, those whose command the plate's bound, a stop, or its speed
         /// held.</summary>
         public long saturatedSteps;
         public long rateLimitedSteps;

@@ -51,7 +51,7 @@ enum class EHapticCommandFlags : uint8
 	Held = 1,
 	/** The last step had no direction and was predicted. */
 	Predicted = 2,
-	/** The plate's bound holds the command. */
+	/** The plate's bound or a stop holds the command. */
 	Saturated = 4,
 	/** The plate's speed holds the command. */
 	RateLimited = 8,
