@@ -39,6 +39,7 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
   if (fewest <= most) return std::clamp(nearest, fewest, most);
   const double cut_below_deg = dynamics.lower_stop_deg - (lowest_deg + 180.0 * most);
   const double cut_above_deg = highest_deg + 180.0 * fewest - dynamics.upper_stop_deg;
+  if (cut_below_deg == cut_above_deg) return std::clamp(nearest, most, fewest);
   return cut_below_deg < cut_above_deg ? most : fewest;
 }
 

@@ -54,10 +54,15 @@ void Retargeter::begin(const Reach& reach) {
   gains_ = GainWindow(config_.participant, config_.mpc.horizon + max_lead);
   onset_ = {};
   estimator_ = Estimator(config_.estimator, config_.participant, reach.virtual_direction_deg, reach.start);
-  plate_ = Plate(config_.plate, reach.plate_orientation_deg);
+  // No plate stands beyond its stops, wherever it is said to.
+  const double stands_deg =
+      std::clamp(reach.plate_orientation_deg, config_.plate.lower_stop_deg, config_.plate.upper_stop_deg);
+  plate_ = Plate(config_.plate, stands_deg);
   half_turns_ = plans_turns() ? half_turns_for_reach() : 0.0;
-  command_ = {.plate_orientation_deg = config_.mode == ControlMode::mpc ? reach.plate_orientation_deg
-                                                                        : config_.fixed_plate_orientation_deg,
+  command_ = {.plate_orientation_deg = config_.mode == ControlMode::mpc
+                                           ? stands_deg
+                                           : nearest_equivalent_deg(config_.fixed_plate_orientation_deg,
+                                                                    stands_deg, config_.plate),
               .aimed_direction_deg = reach.real_direction_deg,
               .tactile_weight = config_.participant.tactile_weight,
               .tactile_weight_sd = estimator_.estimate().tactile_weight_sd,
@@ -245,10 +250,10 @@ void Retargeter::decide(const FingerEstimate& estimate) {
   if (config_.mode == ControlMode::mpc) command_.plate_orientation_deg = plan_deg(estimate);
 }
 
-// Has the plate turn to the decision; the short way round, unless each turn is planned.
+// Has the plate turn to the decision; the short way round, unless the way is settled for the whole reach.
 void Retargeter::act(const FingerEstimate& estimate) {
   decide(estimate);
-  if (!plans_turns()) {
+  if (config_.mode == ControlMode::mpc && !plans_turns()) {
     command_.plate_orientation_deg =
         nearest_equivalent_deg(command_.plate_orientation_deg, plate_.orientation_deg(), config_.plate);
   }

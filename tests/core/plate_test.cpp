@@ -114,6 +114,9 @@ TEST(Plate, HalfTurnsThatTheStopsLeaveRoomFor) {
   // At 40 to 110 the upper stop cuts 20, at -140 to -70 the lower one 50.
   EXPECT_EQ(half_turns_between_stops(40.0, 110.0, -90.0, half), 0.0);
   EXPECT_EQ(half_turns_between_stops(80.0, 150.0, 90.0, half), -1.0);
+  // At 60 to 120 and at -120 to -60 the stops cut 30 alike.
+  EXPECT_EQ(half_turns_between_stops(60.0, 120.0, 80.0, half), 0.0);
+  EXPECT_EQ(half_turns_between_stops(60.0, 120.0, -80.0, half), -1.0);
 
   const PlateDynamics two{.lower_stop_deg = -360.0, .upper_stop_deg = 360.0};
   EXPECT_EQ(half_turns_between_stops(30.0, 80.0, 0.0, two), 0.0);

@@ -209,6 +209,47 @@ TEST(Retargeter, ASampleSentTwiceCountsOnce) {
   EXPECT_EQ(run(1), run(3));
 }
 
+// Between stops at 90 and 270 there is no 0, but 180 feels the same.
+TEST(Retargeter, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
+  RetargeterConfig config{
+      .plate = {.max_speed_deg_s = 400.0, .lower_stop_deg = 90.0, .upper_stop_deg = 270.0}};
+  const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
+  Retargeter stays(config);
+  stays.begin(reach);
+  EXPECT_EQ(stays.update({.time_ns = 0}).plate_orientation_deg, 90.0);
+
+  config.mode = ControlMode::fixed_plate;
+  Retargeter fixed(config);
+  fixed.begin(reach);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(fixed
+                  .update({.time_ns = i * 100 * ms,
+                           .observation = i == 0 ? Observation::none : Observation::direction,
+                           .direction_deg = 0.0})
+                  .plate_orientation_deg,
+              180.0);
+  }
+}
+
+// 90 and -90 are as near to a plate at 0 as each other: what it reports must not toggle between them.
+TEST(Retargeter, AFixedPlateTurnsOneWay) {
+  Retargeter fixed({.mode = ControlMode::fixed_plate,
+                    .fixed_plate_orientation_deg = 90.0,
+                    .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}});
+  fixed.begin({.real_direction_deg = -5, .virtual_direction_deg = 5});
+  const double first_deg = fixed.command().plate_orientation_deg;
+  EXPECT_EQ(std::abs(first_deg), 90.0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(fixed
+                  .update({.time_ns = i * 100 * ms,
+                           .observation = Observation::direction,
+                           .direction_deg = 0.0,
+                           .plate_orientation_deg = i % 2 == 0 ? 0.1 : -0.1})
+                  .plate_orientation_deg,
+              first_deg);
+  }
+}
+
 TEST(Retargeter, ThePlateStaysUntilTheFingerMoves) {
   Retargeter retargeter{RetargeterConfig{}};
   retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
