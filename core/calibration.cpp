@@ -22,6 +22,9 @@ constexpr double likelihood_drop = 3.841458820694124;
 // A position that the tracker made up counts for no more than this.
 constexpr double most_surprise = 25.0;
 
+// In a gap of more steps than this the model has long settled.
+constexpr std::uint64_t most_steps_between_samples = 64;
+
 // A slide with its motion found: samples from `moving` on are after the onset.
 struct Slide {
   const CalibrationTrial* trial;
@@ -171,17 +174,23 @@ double log_likelihood(const Slide& slide, const Participant& participant, double
   GainWindow gains(participant, 1);
   double sum = 0.0;
   std::int64_t now_ns = slide.start_ns;
-  std::int64_t step_end_ns = later_ns(slide.start_ns, period_ns);
+  std::int64_t step_start_ns = slide.start_ns;
+  const auto period = static_cast<std::uint64_t>(period_ns);
   for (std::size_t i = slide.moving; i < slide.trial->samples.size(); ++i) {
     const TimedPoint& sample = slide.trial->samples[i];
-    while (sample.time_ns >= step_end_ns) {
-      estimator.move(static_cast<double>(elapsed_ns(now_ns, step_end_ns)) * 1e-9);
+    const std::uint64_t ended = elapsed_ns(step_start_ns, sample.time_ns) / period;
+    for (std::uint64_t step = 0; step < std::min(ended, most_steps_between_samples); ++step) {
+      step_start_ns += period_ns;
+      estimator.move(static_cast<double>(elapsed_ns(now_ns, step_start_ns)) * 1e-9);
       const double gain = gains.data()[0];
       estimator.end_step(ridge_normal_deg(slide.trial->plate_orientation_deg, goal_deg), gain,
                          participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2);
       gains.advance();
-      now_ns = step_end_ns;
-      step_end_ns = later_ns(step_end_ns, period_ns);
+      now_ns = step_start_ns;
+    }
+    if (ended > most_steps_between_samples) {
+      const std::uint64_t skipped = ended - most_steps_between_samples;
+      step_start_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(step_start_ns) + skipped * period);
     }
     estimator.move(static_cast<double>(elapsed_ns(now_ns, sample.time_ns)) * 1e-9);
     now_ns = sample.time_ns;

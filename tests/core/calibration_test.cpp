@@ -83,6 +83,19 @@ TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
   EXPECT_NE(refused(trials).find("w_T is -3.2"), std::string::npos) << refused(trials);
 }
 
+// Paths do not depend on when they were seen. A gap of 292 years has 10^16 steps of 1 ms.
+TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
+  auto trials = simulate({}, 3);
+  const CalibrationConfig config{.step_period_ns = 1'000'000};
+  const Calibration timely = calibrated(trials, config);
+  trials[7].samples.back().time_ns = std::numeric_limits<std::int64_t>::max();
+  const Calibration late = calibrated(trials, config);
+  EXPECT_EQ(late.tactile_weight.value, timely.tactile_weight.value);
+  EXPECT_EQ(late.bias_deg.value, timely.bias_deg.value);
+  EXPECT_TRUE(std::isfinite(late.motor_variance_deg2.value));
+  EXPECT_TRUE(std::isfinite(late.sensory_variance_deg2.value));
+}
+
 // The calibration's promise: unbiased under tracker noise, with intervals that mean what they say. 24 people
 // of 15 slides; binomial bounds on the number of 95 % intervals that cover the truth.
 TEST(Calibration, IntervalsCoverTheTruth) {
