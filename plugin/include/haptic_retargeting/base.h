@@ -10,7 +10,8 @@
  *      [one-thread]  from any thread, but two threads must not be in calls on one session at the same
  *                    time; the second of them gets HRT_ERROR_BUSY and nothing is corrupted.
  *      [real-time]   as [one-thread]; also takes no lock, allocates nothing, makes no system call, does
- *                    no input or output, and takes bounded time, on its error paths too.
+ *                    no input or output, and takes bounded time, on its error paths too. On Windows
+ *                    a thread's first call allocates the room for its error text.
  *
  * Structs begin with `struct_size`, to be set to sizeof the struct as the caller was compiled with it
  * (the *_default() calls do). A caller compiled against an older header passes a smaller struct, whose
