@@ -99,8 +99,11 @@ inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);
 }
 
+/// Of the plate: ten turns either way.
+inline constexpr double most_orientation_deg = 3600.0;
+
 inline hrt_result check_plate_orientation(double orientation_deg) {
-  return check_range("plate_orientation_deg", orientation_deg, -360.0, 360.0);
+  return check_range("plate_orientation_deg", orientation_deg, -most_orientation_deg, most_orientation_deg);
 }
 
 inline constexpr double largest_coordinate_m = 1000.0;

@@ -175,7 +175,7 @@ hrt_result Session::try_end(hrt_reach_summary* out_summary) {
 
 void Session::carry(const FingerEstimate& estimate) {
   config_.tactile_weight = estimate.tactile_weight;
-  config_.tactile_weight_sd = std::max(estimate.tactile_weight_sd, least_carried_weight_sd);
+  config_.tactile_weight_sd = std::clamp(estimate.tactile_weight_sd, least_carried_weight_sd, most_weight_sd);
   const double learnt_deg2 = estimate.motor_variance_deg2;
   const double assumed_deg2 = config_.motor_variance_deg2;
   const double limited_deg2 = std::clamp(learnt_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);

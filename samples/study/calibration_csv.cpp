@@ -22,7 +22,7 @@ constexpr std::array<Column, 5> columns{{
     {"time_s", {.low = -1e9, .high = 1e9}},
     {"right_m", {.low = -10.0, .high = 10.0}},
     {"away_m", {.low = -10.0, .high = 10.0}},
-    {"plate_orientation_deg", {.low = -360.0, .high = 360.0}},
+    {"plate_orientation_deg", {.low = -3600.0, .high = 3600.0}},
 }};
 enum { trial, time, right_of_midline, away, plate };
 

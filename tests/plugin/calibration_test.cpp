@@ -224,7 +224,7 @@ TEST_F(CalibrationTest, CallsOutOfOrderAreRefused) {
 
 TEST_F(CalibrationTest, BadArgumentsAreRefused) {
   const double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {std::nan(""), infinity, -infinity, 360.1})
+  for (const double bad : {std::nan(""), infinity, -infinity, 3600.1})
     expect_error(hrt_calibration_begin_trial(calibration, bad), HRT_ERROR_OUT_OF_RANGE,
                  "plate_orientation_deg");
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));

@@ -200,6 +200,21 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
 }
 
+// With nothing seen but a first direction, w_T becomes less sure; not less than can be configured.
+TEST_F(LearningTest, WhatIsCarriedCanBeConfigured) {
+  hrt_session_config assumed = adapting(HRT_ADAPTATION_CARRIED);
+  assumed.tactile_weight_sd = 0.49;
+  set(assumed);
+  begin_reach();
+  update(direction_sample(0, 0.0));
+  hrt_sample dropout = direction_sample(20 * step_ns, 0.0);
+  dropout.flags = 0;
+  update(dropout);
+  end();
+  EXPECT_EQ(config().tactile_weight_sd, 0.49);
+  set(config());
+}
+
 // A person who takes the target to lie 3 degrees further right, or left, than it is.
 TEST_F(LearningTest, KnownBiasIsMadeUpFor) {
   for (const double bias_deg : {-3.0, 3.0}) {

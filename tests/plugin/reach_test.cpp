@@ -279,6 +279,23 @@ TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
   }
 }
 
+// The only equivalents of 5 to 95 between these stops are those two half turns on and more.
+TEST_F(ReachTest, StopsMayBeTurnsAway) {
+  hrt_session_config config = session_config();
+  config.plate_lower_stop_deg = 3400.0;
+  config.plate_upper_stop_deg = 3600.0;
+  create(config);
+  begin_reach();
+  for (int i = 0; i < 10; ++i) {
+    hrt_sample sample = direction_sample(i * step_ns, 0.0);
+    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.plate_orientation_deg = 3600.0 - i;
+    const double plate_deg = update(sample).plate_orientation_deg;
+    EXPECT_GE(plate_deg, 3400.0);
+    EXPECT_LE(plate_deg, 3600.0);
+  }
+}
+
 TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
   auto command = output<hrt_command>();
   auto summary = output<hrt_reach_summary>();
@@ -331,7 +348,7 @@ TEST_F(ReachTest, BadSamplesAreRefusedAndChangeNothing) {
     refused(position_sample(1, bad * 10.0, 0.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m");
     hrt_sample measured = direction_sample(1, 0.0);
     measured.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-    measured.plate_orientation_deg = bad * 2.0;
+    measured.plate_orientation_deg = bad * 20.0;
     refused(measured, HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
   }
   hrt_sample sample = direction_sample(1, 0.0);

@@ -264,7 +264,7 @@ export interface hrt_reach_config {
   /** Its direction and the one that the user goes for, the virtual target's and hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   real_target: bigint;
   virtual_target: bigint;
-  /** Where the plate stands before the reach, -360 to 360. Default 0. */
+  /** Where the plate stands before the reach, -3600 to 3600. Default 0. */
   plate_orientation_deg: number;
 }
 
@@ -279,7 +279,7 @@ export interface hrt_sample {
   finger_direction_deg: number;
   /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not asked for. */
   finger_position_m: number[];
-  /** Where the plate stands, -360 to 360. A plate without stops may count its turns as it likes: of the orientations that feel the same, the one nearest to where it is expected is taken. With stops it is taken as it is. */
+  /** Where the plate stands, -3600 to 3600. A plate without stops may count its turns as it likes: of the orientations that feel the same, the one nearest to where it is expected is taken. With stops it is taken as it is. */
   plate_orientation_deg: number;
   /** The plate in the world, as in hrt_session_config. */
   plate_position_m: number[];

@@ -83,7 +83,7 @@ HRT_API hrt_result hrt_calibration_create(hrt_session session, const hrt_calibra
  *  another thread is in a call on this calibration. [one-thread] */
 HRT_API hrt_result hrt_calibration_destroy(hrt_calibration calibration) HRT_NOEXCEPT;
 
-/** Begins a trial: the plate stands at `plate_orientation_deg`, -360 to 360, until the trial ends. Errors:
+/** Begins a trial: the plate stands at `plate_orientation_deg`, -3600 to 3600, until the trial ends. Errors:
  *  OUT_OF_RANGE, WRONG_STATE during a trial, LIMIT_REACHED. [real-time] */
 HRT_API hrt_result hrt_calibration_begin_trial(hrt_calibration calibration,
                                                double plate_orientation_deg) HRT_NOEXCEPT;

@@ -25,7 +25,7 @@ typedef struct hrt_reach_config {
    *  hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   hrt_target real_target;
   hrt_target virtual_target;
-  /** Where the plate stands before the reach, -360 to 360. Default 0. */
+  /** Where the plate stands before the reach, -3600 to 3600. Default 0. */
   double plate_orientation_deg;
 } hrt_reach_config;
 
@@ -55,7 +55,7 @@ typedef struct hrt_sample {
   /** The fingertip, each within 1000. Of a tracked pose this is the position; how the finger is turned is not
    *  asked for. */
   double finger_position_m[3];
-  /** Where the plate stands, -360 to 360. A plate without stops may count its turns as it likes: of the
+  /** Where the plate stands, -3600 to 3600. A plate without stops may count its turns as it likes: of the
    *  orientations that feel the same, the one nearest to where it is expected is taken. With stops it is
    *  taken as it is. */
   double plate_orientation_deg;

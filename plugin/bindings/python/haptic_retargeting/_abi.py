@@ -429,7 +429,7 @@ class ReachConfig(Struct):
     real_target: Its direction and the one that the user goes for, the virtual target's and
         SessionConfig.bias_deg, are less than 90 degrees apart. Default null: to be set.
     virtual_target
-    plate_orientation_deg: Where the plate stands before the reach, -360 to 360. Default 0.
+    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600. Default 0.
     """
 
     if TYPE_CHECKING:
@@ -458,9 +458,9 @@ class Sample(Struct):
     finger_direction_deg: The direction in which the finger moves, -180 to 180; taken as exact.
     finger_position_m: The fingertip, each within 1000. Of a tracked pose this is the position; how the
         finger is turned is not asked for.
-    plate_orientation_deg: Where the plate stands, -360 to 360. A plate without stops may count its turns as
-        it likes: of the orientations that feel the same, the one nearest to where it is expected is taken.
-        With stops it is taken as it is.
+    plate_orientation_deg: Where the plate stands, -3600 to 3600. A plate without stops may count its turns
+        as it likes: of the orientations that feel the same, the one nearest to where it is expected is
+        taken. With stops it is taken as it is.
     plate_position_m: The plate in the world, as in SessionConfig.
     plate_rotation
     """

@@ -335,7 +335,7 @@ namespace Hrt
         /// SessionConfig.biasDeg, are less than 90 degrees apart. Default null: to be set.</summary>
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>Where the plate stands before the reach, -360 to 360. Default 0.</summary>
+        /// <summary>Where the plate stands before the reach, -3600 to 3600. Default 0.</summary>
         public double plateOrientationDeg;
     }
 
@@ -356,7 +356,7 @@ namespace Hrt
         /// <summary>The fingertip, each within 1000. Of a tracked pose this is the position; how the finger
         /// is turned is not asked for.</summary>
         public Double3 fingerPositionM;
-        /// <summary>Where the plate stands, -360 to 360. A plate without stops may count its turns as it
+        /// <summary>Where the plate stands, -3600 to 3600. A plate without stops may count its turns as it
         /// likes: of the orientations that feel the same, the one nearest to where it is expected is taken.
         /// With stops it is taken as it is.</summary>
         public double plateOrientationDeg;
