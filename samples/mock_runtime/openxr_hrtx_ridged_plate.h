@@ -73,9 +73,8 @@ typedef struct XrReachTruthHRTX {
 typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
 /* The participants, and the noise, come from this seed from now on; the next reach counts as number
-** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same bit for
-*bit.
-** At first the seed is 1, or the script's, and the number 0. */
+** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same to the
+** last bit. At first the seed is 1, or the script's, and the number 0. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed,
                                                          uint32_t nextReach);
 

@@ -184,7 +184,7 @@ export interface hrt_session_config {
   /** The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0: it turns freely. Default 0 and 0. */
   plate_lower_stop_deg: number;
   plate_upper_stop_deg: number;
-  /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0. */
+  /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180: there, or at what feels the same between the stops and is nearer to where it stands. Default 0. */
   fixed_plate_orientation_deg: number;
   /** Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15. */
   tactile_weight: number;
@@ -264,7 +264,7 @@ export interface hrt_reach_config {
   /** Its direction and the one that the user goes for, the virtual target's and hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   real_target: bigint;
   virtual_target: bigint;
-  /** Where the plate stands before the reach, -3600 to 3600. Default 0. */
+  /** Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as at the stop. Default 0. */
   plate_orientation_deg: number;
 }
 

@@ -72,7 +72,8 @@ typedef struct hrt_session_config {
    *  Default 0 and 0. */
   double plate_lower_stop_deg;
   double plate_upper_stop_deg;
-  /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180. Default 0. */
+  /** Where the plate stays under HRT_CONTROL_FIXED_PLATE, -180 to 180: there, or at what feels
+   *  the same between the stops and is nearer to where it stands. Default 0. */
   double fixed_plate_orientation_deg;
   /** Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15. */
   double tactile_weight;

@@ -244,7 +244,8 @@ class SessionConfig(Struct):
     plate_lower_stop_deg: The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0:
         it turns freely. Default 0 and 0.
     plate_upper_stop_deg
-    fixed_plate_orientation_deg: Where the plate stays under Control.FIXED_PLATE, -180 to 180. Default 0.
+    fixed_plate_orientation_deg: Where the plate stays under Control.FIXED_PLATE, -180 to 180: there, or at
+        what feels the same between the stops and is nearer to where it stands. Default 0.
     tactile_weight: Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15.
     tactile_weight_sd: Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default
         0.05.
@@ -429,7 +430,8 @@ class ReachConfig(Struct):
     real_target: Its direction and the one that the user goes for, the virtual target's and
         SessionConfig.bias_deg, are less than 90 degrees apart. Default null: to be set.
     virtual_target
-    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600. Default 0.
+    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as
+        at the stop. Default 0.
     """
 
     if TYPE_CHECKING:

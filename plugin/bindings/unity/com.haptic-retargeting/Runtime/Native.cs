@@ -224,7 +224,8 @@ namespace Hrt
         /// turns freely. Default 0 and 0.</summary>
         public double plateLowerStopDeg;
         public double plateUpperStopDeg;
-        /// <summary>Where the plate stays under Control.FixedPlate, -180 to 180. Default 0.</summary>
+        /// <summary>Where the plate stays under Control.FixedPlate, -180 to 180: there, or at what feels the
+        /// same between the stops and is nearer to where it stands. Default 0.</summary>
         public double fixedPlateOrientationDeg;
         /// <summary>Share of touch in the direction that the user feels, 0.001 to 0.499. Default
         /// 0.15.</summary>
@@ -335,7 +336,8 @@ namespace Hrt
         /// SessionConfig.biasDeg, are less than 90 degrees apart. Default null: to be set.</summary>
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>Where the plate stands before the reach, -3600 to 3600. Default 0.</summary>
+        /// <summary>Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as at the
+        /// stop. Default 0.</summary>
         public double plateOrientationDeg;
     }
 
