@@ -264,7 +264,7 @@ export interface hrt_reach_config {
   /** Its direction and the one that the user goes for, the virtual target's and hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   real_target: bigint;
   virtual_target: bigint;
-  /** Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as at the stop. Default 0. */
+  /** Where the plate stands before the reach, -3600 to 3600; beyond a stop means at the stop. Default 0. */
   plate_orientation_deg: number;
 }
 

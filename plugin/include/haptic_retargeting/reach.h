@@ -25,7 +25,7 @@ typedef struct hrt_reach_config {
    *  hrt_session_config::bias_deg, are less than 90 degrees apart. Default null: to be set. */
   hrt_target real_target;
   hrt_target virtual_target;
-  /** Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as at the stop. Default 0. */
+  /** Where the plate stands before the reach, -3600 to 3600; beyond a stop means at the stop. Default 0. */
   double plate_orientation_deg;
 } hrt_reach_config;
 

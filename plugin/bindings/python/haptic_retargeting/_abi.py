@@ -430,8 +430,8 @@ class ReachConfig(Struct):
     real_target: Its direction and the one that the user goes for, the virtual target's and
         SessionConfig.bias_deg, are less than 90 degrees apart. Default null: to be set.
     virtual_target
-    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as
-        at the stop. Default 0.
+    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600; beyond a stop means at
+        the stop. Default 0.
     """
 
     if TYPE_CHECKING:

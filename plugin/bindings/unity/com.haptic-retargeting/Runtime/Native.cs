@@ -336,8 +336,8 @@ namespace Hrt
         /// SessionConfig.biasDeg, are less than 90 degrees apart. Default null: to be set.</summary>
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>Where the plate stands before the reach, -3600 to 3600; beyond a stop counts as at the
-        /// stop. Default 0.</summary>
+        /// <summary>Where the plate stands before the reach, -3600 to 3600; beyond a stop means at the stop.
+        /// Default 0.</summary>
         public double plateOrientationDeg;
     }
 
