@@ -50,6 +50,8 @@ void Plate::advance(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
     now_ns_ = time_ns;
+    // A command from before the clock was known.
+    if (pending_count_ > 0) pending_[0].effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
   }
   if (time_ns <= now_ns_) return;
   if (elapsed_ns(now_ns_, time_ns) > static_cast<std::uint64_t>(longest_motion_ns)) {
@@ -85,9 +87,15 @@ void Plate::command(double orientation_deg) {
   }
   if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : target_deg_))
     return;
-  const int slot = std::min(pending_count_, static_cast<int>(pending_.size()) - 1);
-  pending_[slot] = {later_ns(now_ns_, dynamics_.latency_ns), orientation_deg};
-  pending_count_ = slot + 1;
+  const std::int64_t effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
+  // As many as are kept, further apart than this, span more than the latency.
+  const auto apart_ns =
+      static_cast<std::uint64_t>(dynamics_.latency_ns) / static_cast<std::uint64_t>(pending_.size() - 1);
+  if (pending_count_ > 0 && elapsed_ns(pending_[pending_count_ - 1].effective_ns, effective_ns) <= apart_ns) {
+    pending_[pending_count_ - 1].orientation_deg = orientation_deg;
+    return;
+  }
+  pending_[pending_count_++] = {effective_ns, orientation_deg};
 }
 
 void Plate::report(double orientation_deg) {

@@ -76,7 +76,8 @@ class Plate {
   double target_deg_;
   std::int64_t now_ns_ = 0;
   bool timed_ = false;
-  // Commands under way, oldest first. When full, the newest is replaced: it is late by one sample.
+  // Commands under way, oldest first. Of those that follow each other within 1/63 of the latency only the
+  // last is kept, early by no more than that.
   std::array<Command, 64> pending_{};
   int pending_count_ = 0;
 };

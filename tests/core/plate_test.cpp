@@ -76,6 +76,30 @@ TEST(Plate, ReportsReplaceTheModel) {
   EXPECT_NEAR(plate.orientation_deg(), 14.0, 1e-9);
 }
 
+// A command each millisecond, 100 ms late: more are under way than are kept, and the plate still follows to
+// within two of them.
+TEST(Plate, FollowsMoreCommandsThanItKeeps) {
+  Plate plate({.latency_ns = 100 * ms}, 0.0);
+  for (int i = 0; i <= 400; ++i) {
+    plate.advance(i * ms);
+    EXPECT_NEAR(plate.orientation_deg(), std::max(i - 100, 0), 2.0) << i;
+    plate.command(i);
+  }
+}
+
+TEST(Plate, ACommandBeforeTheFirstTimeCountsFromThere) {
+  for (const std::int64_t origin_ns : {-5'000'000 * ms, 5'000'000 * ms}) {
+    Plate plate({.latency_ns = 100 * ms}, 0.0);
+    plate.command(5.0);
+    plate.command(10.0);
+    plate.advance(origin_ns);
+    plate.advance(origin_ns + 99 * ms);
+    EXPECT_EQ(plate.orientation_deg(), 0.0);
+    plate.advance(origin_ns + 101 * ms);
+    EXPECT_EQ(plate.orientation_deg(), 10.0);
+  }
+}
+
 TEST(Plate, SurvivesTheEndOfTimeAndManyCommands) {
   Plate plate({.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 500.0, .latency_ns = 1000 * ms}, 0.0);
   plate.advance(std::numeric_limits<std::int64_t>::min());
