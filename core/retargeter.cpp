@@ -11,7 +11,8 @@ namespace {
 
 // Longer gaps tell no more about where the finger may be.
 constexpr double longest_gap_s = 2.0;
-// The controller's orientations mostly lie within this of the one that holds the real direction.
+// Towards the goal the controller's orientations mostly lie within this of the one that holds the real
+// direction.
 constexpr double play_deg = 30.0;
 
 // What the plate can do in a model step bounds the controller too.
@@ -296,16 +297,19 @@ bool Retargeter::plans_turns() const {
   return config_.mode == ControlMode::mpc && std::isfinite(mpc_.config().plate_rate_bound_deg);
 }
 
-// The range to keep to is about the orientation that holds the real direction.
+// The range to keep to is about the orientation that holds the real direction, and as far beyond it as the
+// bound lets the plate go: the first steps ask for more than what holds.
 double Retargeter::half_turns_for_reach() const {
   const double goal_deg = reach_.virtual_direction_deg;
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double held_deg =
       steering_authority(reach_.real_direction_deg, goal_deg, config_.participant.tactile_weight, bound_deg)
           .plate_orientation_deg;
-  return half_turns_between_stops(std::max(held_deg - play_deg, goal_deg - bound_deg),
-                                  std::min(held_deg + play_deg, goal_deg + bound_deg),
-                                  plate_.orientation_deg(), config_.plate);
+  const double least_deg = held_deg < goal_deg ? goal_deg - bound_deg : held_deg - play_deg;
+  const double most_deg = held_deg > goal_deg ? goal_deg + bound_deg : held_deg + play_deg;
+  return half_turns_between_stops(std::max(least_deg, goal_deg - bound_deg),
+                                  std::min(most_deg, goal_deg + bound_deg), plate_.orientation_deg(),
+                                  config_.plate);
 }
 
 // theta_hat at the end of the step `lead` steps on, if it ends with the plate at `plate_orientation_deg`.

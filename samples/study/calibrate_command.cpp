@@ -111,7 +111,8 @@ void add_calibrate(CLI::App& app) {
       [options] { run(*options); });
   require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
   add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
-             "Where the person was told to go, deg.");
+             "Where the person was told to go, deg; best 0: off the mid-line the motor variance comes out "
+             "too large.");
   add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
   add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
   add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",

@@ -81,6 +81,26 @@ TEST(TrackedTrial, StopsOfThePlateDoNotKeepTheFingerFromTheTarget) {
   }
 }
 
+// w_T = 0.2 holds a gap of 12 degrees at 48 from the goal of -80: at -32, 2 beyond the lower stop, or at 148,
+// 2 below the upper one. The first steps ask for up to 84.5: for 184.5, beyond the upper stop, or for 4.5.
+// Only the first half turn has room for them.
+TEST(TrackedTrial, TheHalfTurnWithRoomForTheFirstStepsIsTaken) {
+  int near = 0;
+  for (std::uint32_t trial = 0; trial < 100; ++trial) {
+    TrackedCondition condition = adaptive();
+    condition.participant.tactile_weight = condition.controller.participant.tactile_weight = 0.2;
+    condition.plate = condition.controller.plate = {
+        .max_speed_deg_s = 400.0, .lower_stop_deg = -30.0, .upper_stop_deg = 150.0};
+    condition.plate_orientation_deg = uniform(-30.0, 150.0, trial, 3);
+    condition.virtual_direction_deg = -80.0;
+    condition.real_direction_deg = -92.0;
+    const TrackedOutcome outcome =
+        simulate_tracked_trial(condition, {.seed = 1, .condition = 0, .trial = trial});
+    near += std::abs(outcome.bearing_error_deg) <= 1.5;
+  }
+  EXPECT_GE(near, 98);
+}
+
 TEST(TrackedTrial, ThePapersControllerDoesNot) {
   Misses misses = reach_all({}, 0.12, 0.25);
   EXPECT_GT(misses.quantile(0.5), 2.0);
