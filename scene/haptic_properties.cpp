@@ -143,6 +143,12 @@ class Reader {
   const std::string& where_;
 };
 
+// A key as a message shows it: printable, and no longer than a name in quotes.
+std::string shown(const std::string& key) {
+  const std::string quoted = in_quotes(key);
+  return quoted.substr(1, quoted.size() - 2);
+}
+
 }  // namespace
 
 bool is_haptic(const nlohmann::json& extras) {
@@ -159,7 +165,7 @@ HapticProperties haptic_properties(const nlohmann::json& extras, const std::stri
   std::vector<Property> flat;
   for (const auto& [key, value] : extras.items()) {
     if (key.starts_with(flat_prefix)) {
-      flat.push_back({key.substr(flat_prefix.size()), "extras." + key, &value});
+      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown(key), &value});
     }
   }
   const auto nested = extras.find(nested_key);
@@ -174,7 +180,7 @@ HapticProperties haptic_properties(const nlohmann::json& extras, const std::stri
   }
   std::vector<Property> properties;
   for (const auto& [key, value] : nested->items()) {
-    properties.push_back({key, "extras.haptic." + key, &value});
+    properties.push_back({key, "extras.haptic." + shown(key), &value});
   }
   return Reader(std::move(properties), where).read();
 }

@@ -210,6 +210,13 @@ TEST(SceneRefusal, Properties) {
             "test.gltf: node \"Real\": extras.haptic.served_by is not a property of this role; allowed are "
             "role, name, "
             "radius_m");
+  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/ra\rdius", 0.01),
+            "test.gltf: node \"Real\": extras.haptic.ra?dius is not a property of this role; allowed are "
+            "role, name, "
+            "radius_m");
+  EXPECT_EQ(refusal_with(("/nodes/1/extras/haptic/" + std::string(3000, 'r')).c_str(), 0.01),
+            "test.gltf: node \"Real\": extras.haptic." + std::string(80, 'r') +
+                "... is not a property of this role; allowed are role, name, radius_m");
   EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", ""),
             "test.gltf: node \"Real\": extras.haptic.name has 0 bytes; allowed are 1 to 255");
   EXPECT_EQ(refusal_with("/nodes/1/name", 5),
