@@ -138,8 +138,8 @@ class Retargeter {
   Plate plate_;
   PlateCommand command_;
   ReachSummary summary_;
-  double half_turns_ =
-      0.0;  // that the plate stands beyond the orientations about the goal; see plans_turns()
+  // That the plate keeps to in this reach, beyond the orientations about the goal; see plans_turns().
+  double half_turns_ = 0.0;
   std::int64_t step_start_ns_ = 0;
   std::int64_t now_ns_ = 0;                  // of the estimator
   std::optional<std::int64_t> position_ns_;  // of the last position

@@ -63,7 +63,7 @@ hrt_result check_nothing_held() {
   const std::int64_t held = blocks_held.load();
   if (held == 0) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
-              " blocks of memory; destroy its sessions first");
+              " blocks of memory; destroy its sessions, scenes and calibrations first");
 }
 
 constexpr std::size_t plain = alignof(std::max_align_t);
