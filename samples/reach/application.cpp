@@ -12,13 +12,13 @@
 
 #include "samples/reach/followed_plate.h"
 #include "samples/reach/interrupt.h"
+#include "samples/reach/output/status_line.h"
+#include "samples/reach/output/svg_plot.h"
+#include "samples/reach/output/table.h"
 #include "samples/reach/reach.h"
 #include "samples/reach/runtime_plate.h"
 #include "samples/reach/serial_plate.h"
 #include "samples/reach/simulated_servo.h"
-#include "samples/reach/status_line.h"
-#include "samples/reach/svg_plot.h"
-#include "samples/reach/table.h"
 
 namespace hrt::reach {
 namespace {

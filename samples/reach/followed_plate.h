@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "samples/reach/plate.h"
-#include "samples/reach/simulation.h"
+#include "samples/reach/xr/simulation.h"
 
 namespace hrt::reach {
 

@@ -6,7 +6,7 @@
 #include "samples/reach/exit_code.h"
 #include "samples/reach/interrupt.h"
 #include "samples/reach/options.h"
-#include "samples/reach/xr_check.h"
+#include "samples/reach/xr/check.h"
 
 int main(int argc, char** argv) {
   using hrt::reach::ExitCode;

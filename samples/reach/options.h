@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/reach/xr_session.h"
+#include "samples/reach/xr/session.h"
 
 namespace hrt::reach {
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "samples/reach/plate.h"
-#include "samples/reach/simulation.h"
 #include "samples/reach/targets.h"
-#include "samples/reach/xr_session.h"
+#include "samples/reach/xr/session.h"
+#include "samples/reach/xr/simulation.h"
 
 namespace hrt::reach {
 

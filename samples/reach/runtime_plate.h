@@ -2,7 +2,7 @@
 #pragma once
 
 #include "samples/reach/plate.h"
-#include "samples/reach/simulation.h"
+#include "samples/reach/xr/simulation.h"
 
 namespace hrt::reach {
 

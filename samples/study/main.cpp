@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "samples/study/arguments.h"
-#include "samples/study/commands.h"
+#include "samples/study/commands/commands.h"
 
 namespace {
 

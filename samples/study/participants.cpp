@@ -8,7 +8,7 @@
 
 #include "core/simulation/random.h"
 #include "samples/study/arguments.h"
-#include "samples/study/commands.h"
+#include "samples/study/commands/commands.h"
 #include "samples/study/output.h"
 
 namespace hrt::study {

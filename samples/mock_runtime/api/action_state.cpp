@@ -1,0 +1,262 @@
+// Synchronising and reading actions, haptics, and XR_EXT_conformance_automation, which sets the devices.
+#include <algorithm>
+#include <array>
+
+#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/api/space.h"
+#include "samples/mock_runtime/api/two_call.h"
+
+namespace hrt::mock {
+namespace {
+
+// An action that a session may use, for one subaction path or all.
+Action& attached_action(const Session& session, XrAction handle, XrPath subaction) {
+  auto& action = runtime().registry.get<Action>(handle);
+  if (subaction != XR_NULL_PATH) {
+    session.instance().paths.text(subaction);
+    require(action.has_subaction(subaction), XR_ERROR_PATH_UNSUPPORTED,
+            "the action has no such subaction path");
+  }
+  require(session.input.is_attached(action.action_set()), XR_ERROR_ACTIONSET_NOT_ATTACHED,
+          "the action's set is not attached to the session");
+  return action;
+}
+
+// The state of an action of a type, which getInfo names.
+template <typename State>
+ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state,
+                     XrStructureType state_type, XrActionType type) {
+  const auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_ACTION_STATE_GET_INFO, "getInfo");
+  require_struct(state, state_type, "state");
+  const Action& action = attached_action(session, info->action, info->subactionPath);
+  require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
+  return session.input.state(action, info->subactionPath);
+}
+
+template <typename State>
+void copy_common(State& to, const ActionState& from) {
+  to.isActive = from.active ? XR_TRUE : XR_FALSE;
+  to.changedSinceLastSync = from.changed ? XR_TRUE : XR_FALSE;
+  to.lastChangeTime = from.active ? from.last_change : 0;
+}
+
+// The vibration action of a haptic call.
+void require_vibration(const Session& session, const XrHapticActionInfo* info) {
+  require_struct(info, XR_TYPE_HAPTIC_ACTION_INFO, "hapticActionInfo");
+  const Action& action = attached_action(session, info->action, info->subactionPath);
+  require(action.action_type == XR_ACTION_TYPE_VIBRATION_OUTPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
+          "the action is of another type");
+}
+
+bool is_top_level(const std::string& path) {
+  const auto& all = top_level_paths();
+  return std::find(all.begin(), all.end(), path) != all.end();
+}
+
+// The device that an automation call is about.
+Device& device_at(Session& session, XrPath top_level) {
+  const std::string& path = session.instance().paths.text(top_level);
+  require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
+  return session.input.devices[path];
+}
+
+// The text of a source of a kind that belongs to the device.
+const std::string& source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix,
+                             SourceKind kind) {
+  const std::string& text = session.instance().paths.text(path);
+  const Source* source = find_source(text + suffix);
+  require(source != nullptr && source->kind == kind &&
+              top_level_of(text) == session.instance().paths.text(top_level),
+          XR_ERROR_PATH_UNSUPPORTED, "the device has no such source of this type");
+  return text;
+}
+
+}  // namespace
+
+XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_ACTIONS_SYNC_INFO, "syncInfo");
+  if (info->countActiveActionSets > 0) require_pointer(info->activeActionSets, "activeActionSets");
+  std::vector<Input::ActiveSet> active;
+  for (std::uint32_t i = 0; i < info->countActiveActionSets; ++i) {
+    const XrActiveActionSet& set_info = info->activeActionSets[i];
+    const auto& set = runtime().registry.get<ActionSet>(set_info.actionSet);
+    require(session.input.is_attached(set), XR_ERROR_ACTIONSET_NOT_ATTACHED,
+            "the action set is not attached to the session");
+    if (set_info.subactionPath != XR_NULL_PATH) {
+      session.instance().paths.text(set_info.subactionPath);
+      const auto actions = runtime().registry.children<Action>(set);
+      require(
+          std::any_of(actions.begin(), actions.end(),
+                      [&](const Action* action) { return action->has_subaction(set_info.subactionPath); }),
+          XR_ERROR_PATH_UNSUPPORTED, "no action of the set has this subaction path");
+    }
+    active.emplace_back(&set, set_info.subactionPath);
+  }
+  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
+  if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{})) {
+    XrEventDataInteractionProfileChanged event{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED};
+    event.session = handle;
+    session.instance().push_event(event);
+  }
+  return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+}
+
+XrResult get_action_state_boolean(XrSession handle, const XrActionStateGetInfo* info,
+                                  XrActionStateBoolean* out) {
+  const ActionState state =
+      state_of(handle, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
+  copy_common(*out, state);
+  out->currentState = state.value.x > 0.0F ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+
+XrResult get_action_state_float(XrSession handle, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
+  const ActionState state =
+      state_of(handle, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
+  copy_common(*out, state);
+  out->currentState = state.value.x;
+  return XR_SUCCESS;
+}
+
+XrResult get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info,
+                                   XrActionStateVector2f* out) {
+  const ActionState state =
+      state_of(handle, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
+  copy_common(*out, state);
+  out->currentState = state.value;
+  return XR_SUCCESS;
+}
+
+XrResult get_action_state_pose(XrSession handle, const XrActionStateGetInfo* info, XrActionStatePose* out) {
+  const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_POSE, XR_ACTION_TYPE_POSE_INPUT);
+  out->isActive = state.active ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+
+XrResult get_current_interaction_profile(XrSession handle, XrPath top_level,
+                                         XrInteractionProfileState* state) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(state, XR_TYPE_INTERACTION_PROFILE_STATE, "interactionProfile");
+  const std::string& path = session.instance().paths.text(top_level);
+  require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
+  require(session.input.is_attached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
+  state->interactionProfile = session.input.current_profile(path);
+  return XR_SUCCESS;
+}
+
+XrResult enumerate_bound_sources_for_action(XrSession handle,
+                                            const XrBoundSourcesForActionEnumerateInfo* info,
+                                            std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, "enumerateInfo");
+  const Action& action = attached_action(session, info->action, XR_NULL_PATH);
+  two_call(session.input.bound_sources(action), capacity, count, sources);
+  return XR_SUCCESS;
+}
+
+XrResult get_input_source_localized_name(XrSession handle, const XrInputSourceLocalizedNameGetInfo* info,
+                                         std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, "getInfo");
+  constexpr XrInputSourceLocalizedNameFlags all = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT |
+                                                  XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT |
+                                                  XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT;
+  require(info->whichComponents != 0 && (info->whichComponents & ~all) == 0, XR_ERROR_VALIDATION_FAILURE,
+          "whichComponents names no components, or ones that do not exist");
+  const std::string& path = session.instance().paths.text(info->sourcePath);
+  require(session.input.is_attached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
+  const std::string_view top_level = top_level_of(path);
+  require(!top_level.empty(), XR_ERROR_PATH_UNSUPPORTED, "no source path");
+  // Names for people in the one language that this runtime speaks.
+  std::string name;
+  const auto add = [&](std::string_view part) {
+    if (!name.empty()) name += ' ';
+    name += part;
+  };
+  if (info->whichComponents & XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT)
+    add(top_level.substr(top_level.rfind('/') + 1));
+  if (info->whichComponents & XR_INPUT_SOURCE_LOCALIZED_NAME_INTERACTION_PROFILE_BIT) {
+    const XrPath profile = session.input.current_profile(std::string(top_level));
+    const std::string text = profile == XR_NULL_PATH ? "controller" : session.instance().paths.text(profile);
+    add(std::string_view(text).substr(text.rfind('/') + 1));
+  }
+  if (info->whichComponents & XR_INPUT_SOURCE_LOCALIZED_NAME_COMPONENT_BIT)
+    add(path.size() > top_level.size() ? std::string_view(path).substr(top_level.size() + 1) : "device");
+  name.push_back('\0');
+  two_call(name, capacity, count, buffer);
+  return XR_SUCCESS;
+}
+
+XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info,
+                               const XrHapticBaseHeader* haptic) {
+  const auto& session = runtime().registry.get<Session>(handle);
+  require_vibration(session, info);
+  require_struct(haptic, XR_TYPE_HAPTIC_VIBRATION, "hapticFeedback");
+  const auto& vibration = *reinterpret_cast<const XrHapticVibration*>(haptic);
+  require(vibration.duration >= XR_MIN_HAPTIC_DURATION && vibration.frequency >= 0.0F &&
+              vibration.amplitude >= 0.0F && vibration.amplitude <= 1.0F,
+          XR_ERROR_VALIDATION_FAILURE, "duration, frequency or amplitude is out of range");
+  return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+}
+
+XrResult stop_haptic_feedback(XrSession handle, const XrHapticActionInfo* info) {
+  const auto& session = runtime().registry.get<Session>(handle);
+  require_vibration(session, info);
+  return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+}
+
+XrResult set_input_device_active(XrSession handle, XrPath profile, XrPath top_level, XrBool32 active) {
+  auto& session = runtime().registry.get<Session>(handle);
+  const auto* sources = find_profile(session.instance().paths.text(profile));
+  require(sources != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
+  Device& device = device_at(session, top_level);
+  const std::string& top = session.instance().paths.text(top_level);
+  require(std::any_of(sources->begin(), sources->end(),
+                      [&](const Source& source) { return top_level_of(source.path) == top; }),
+          XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such device");
+  device.active = active != XR_FALSE;
+  device.profile = profile;
+  return XR_SUCCESS;
+}
+
+XrResult set_input_device_state_bool(XrSession handle, XrPath top_level, XrPath source, XrBool32 state) {
+  auto& session = runtime().registry.get<Session>(handle);
+  Device& device = device_at(session, top_level);
+  device.values[source_at(session, top_level, source, "", SourceKind::boolean)] =
+      state != XR_FALSE ? 1.0F : 0.0F;
+  return XR_SUCCESS;
+}
+
+XrResult set_input_device_state_float(XrSession handle, XrPath top_level, XrPath source, float state) {
+  auto& session = runtime().registry.get<Session>(handle);
+  Device& device = device_at(session, top_level);
+  device.values[source_at(session, top_level, source, "", SourceKind::scalar)] = state;
+  return XR_SUCCESS;
+}
+
+XrResult set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath source,
+                                         XrVector2f state) {
+  auto& session = runtime().registry.get<Session>(handle);
+  Device& device = device_at(session, top_level);
+  const std::string& text = source_at(session, top_level, source, "/x", SourceKind::scalar);
+  device.values[text + "/x"] = state.x;
+  device.values[text + "/y"] = state.y;
+  return XR_SUCCESS;
+}
+
+XrResult set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle,
+                                   XrPosef pose) {
+  auto& session = runtime().registry.get<Session>(handle);
+  const auto& space = runtime().registry.get<Space>(space_handle);
+  Device& device = device_at(session, top_level);
+  const std::string& text = source_at(session, top_level, source, "", SourceKind::pose);
+  const Pose in_space = checked_pose(pose);
+  const auto in_world = space.in_world(session.instance().clock.now());
+  require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
+  device.poses[text] = *in_world * in_space;
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,144 @@
+// Creating action sets and actions, suggesting bindings, attaching to a session.
+#include "samples/mock_runtime/api/actions.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/api/session.h"
+
+namespace hrt::mock {
+namespace {
+
+template <std::size_t size>
+std::string text_of(const char (&array)[size]) {
+  return std::string(array, strnlen(array, size));
+}
+
+// The names of an action set, or of an action, among their siblings: specification, xrCreateActionSet.
+template <typename T, std::size_t name_size, std::size_t localized_size>
+void require_names(const Object& parent, const char (&name_array)[name_size],
+                   const char (&localized_array)[localized_size]) {
+  const std::string name = text_of(name_array);
+  const std::string localized = text_of(localized_array);
+  require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID,
+          "the name is empty or not terminated");
+  require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name has a-z, 0-9, '-', '_' and '.'");
+  require(!localized.empty() && localized.size() < localized_size, XR_ERROR_LOCALIZED_NAME_INVALID,
+          "the localized name is empty or not terminated");
+  for (const T* sibling : runtime().registry.children<T>(parent)) {
+    require(sibling->name != name, XR_ERROR_NAME_DUPLICATED, "the name is taken");
+    require(sibling->localized_name != localized, XR_ERROR_LOCALIZED_NAME_DUPLICATED,
+            "the localized name is taken");
+  }
+}
+
+void require_subactions(const Instance& instance, const XrActionCreateInfo& info) {
+  if (info.countSubactionPaths > 0) require_pointer(info.subactionPaths, "subactionPaths");
+  std::set<XrPath> seen;
+  for (std::uint32_t i = 0; i < info.countSubactionPaths; ++i) {
+    const XrPath path = info.subactionPaths[i];
+    const auto& allowed = top_level_paths();
+    require(std::find(allowed.begin(), allowed.end(), instance.paths.text(path)) != allowed.end(),
+            XR_ERROR_PATH_UNSUPPORTED, "a subaction path is a top level user path");
+    require(seen.insert(path).second, XR_ERROR_PATH_UNSUPPORTED, "a subaction path is given twice");
+  }
+}
+
+}  // namespace
+
+ActionSet::ActionSet(Instance* instance, const XrActionSetCreateInfo& info)
+    : Object(object_type, instance),
+      name(text_of(info.actionSetName)),
+      localized_name(text_of(info.localizedActionSetName)),
+      priority(info.priority) {}
+
+Action::Action(ActionSet* set, const XrActionCreateInfo& info)
+    : Object(object_type, set),
+      name(text_of(info.actionName)),
+      localized_name(text_of(info.localizedActionName)),
+      action_type(info.actionType),
+      subactions(info.subactionPaths, info.subactionPaths + info.countSubactionPaths) {}
+
+bool Action::has_subaction(XrPath path) const {
+  return std::find(subactions.begin(), subactions.end(), path) != subactions.end();
+}
+
+XrResult create_action_set(XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* set) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO, "createInfo");
+  require_pointer(set, "actionSet");
+  require_names<ActionSet>(instance, info->actionSetName, info->localizedActionSetName);
+  *set = handle_of<XrActionSet>(runtime().registry.create<ActionSet>(&instance, *info));
+  return XR_SUCCESS;
+}
+
+XrResult destroy_action_set(XrActionSet handle) {
+  runtime().registry.destroy(runtime().registry.get_even_lost<ActionSet>(handle));
+  return XR_SUCCESS;
+}
+
+XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction* action) {
+  auto& set = runtime().registry.get<ActionSet>(handle);
+  require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
+  require_pointer(action, "action");
+  require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
+          "the action set is attached: it can't change any more");
+  switch (info->actionType) {
+    case XR_ACTION_TYPE_BOOLEAN_INPUT:
+    case XR_ACTION_TYPE_FLOAT_INPUT:
+    case XR_ACTION_TYPE_VECTOR2F_INPUT:
+    case XR_ACTION_TYPE_POSE_INPUT:
+    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
+      break;
+    default:
+      throw Error{XR_ERROR_VALIDATION_FAILURE, "no such action type"};
+  }
+  require_names<Action>(set, info->actionName, info->localizedActionName);
+  require_subactions(static_cast<Instance&>(*set.parent()), *info);
+  *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));
+  return XR_SUCCESS;
+}
+
+XrResult destroy_action(XrAction handle) {
+  runtime().registry.destroy(runtime().registry.get_even_lost<Action>(handle));
+  return XR_SUCCESS;
+}
+
+XrResult suggest_interaction_profile_bindings(XrInstance handle,
+                                              const XrInteractionProfileSuggestedBinding* info) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
+  require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
+  require_pointer(info->suggestedBindings, "suggestedBindings");
+  const auto* profile = find_profile(instance.paths.text(info->interactionProfile));
+  require(profile != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
+  std::vector<Binding> bindings;
+  for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
+    const XrActionSuggestedBinding& binding = info->suggestedBindings[i];
+    const auto& action = runtime().registry.get<Action>(binding.action);
+    require(!action.action_set().attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
+            "the action's set is attached: it can't get bindings any more");
+    require(resolve_binding(*profile, instance.paths.text(binding.binding), action.action_type).has_value(),
+            XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such binding path");
+    bindings.push_back({action.id(), binding.binding});
+  }
+  instance.suggestions[info->interactionProfile] = std::move(bindings);
+  return XR_SUCCESS;
+}
+
+XrResult attach_session_action_sets(XrSession handle, const XrSessionActionSetsAttachInfo* info) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, "attachInfo");
+  require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets are given");
+  require_pointer(info->actionSets, "actionSets");
+  std::vector<ActionSet*> sets;
+  for (std::uint32_t i = 0; i < info->countActionSets; ++i)
+    sets.push_back(&runtime().registry.get<ActionSet>(info->actionSets[i]));
+  require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
+          "action sets are attached once");
+  session.input.attach(sets, session.instance().suggestions);
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

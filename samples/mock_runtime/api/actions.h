@@ -1,0 +1,117 @@
+// Action sets and actions, and what drives them: the bindings that the application suggests, and the
+// state of the simulated devices as of the last xrSyncActions.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/world/pose.h"
+
+namespace hrt::mock {
+
+class Instance;
+class Session;
+
+class ActionSet : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_ACTION_SET;
+  ActionSet(Instance* instance, const XrActionSetCreateInfo& info);
+
+  std::string name;
+  std::string localized_name;
+  std::uint32_t priority;
+  bool attached = false;  ///< to a session; from then on it does not change
+};
+
+class Action : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_ACTION;
+  Action(ActionSet* set, const XrActionCreateInfo& info);
+
+  ActionSet& action_set() const { return static_cast<ActionSet&>(*parent()); }
+  bool has_subaction(XrPath path) const;
+
+  std::string name;
+  std::string localized_name;
+  XrActionType action_type;
+  std::vector<XrPath> subactions;
+};
+
+struct Binding {
+  std::uint64_t action;  ///< its id
+  XrPath path;
+};
+
+/// By interaction profile; a new suggestion for a profile replaces the one before.
+using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
+
+/// What a simulated device reports: every source by its path.
+struct Device {
+  bool active = false;
+  XrPath profile = XR_NULL_PATH;
+  std::map<std::string, float> values;  ///< of boolean (0 or 1) and scalar sources
+  std::map<std::string, Pose> poses;    ///< in the world
+};
+
+/// An action's state for one subaction path, or for all together (XR_NULL_PATH).
+struct ActionState {
+  bool active = false;
+  bool changed = false;
+  XrVector2f value{0.0F, 0.0F};  ///< y for vectors only
+  XrTime last_change = 0;
+};
+
+/// The input of a session.
+class Input {
+ public:
+  explicit Input(Session& session) : session_(session) {}
+
+  /// Once: the action sets that the session uses, with the bindings suggested so far.
+  void attach(const std::vector<ActionSet*>& sets, const SuggestedBindings& suggestions);
+  bool is_attached() const { return attached_; }
+  bool is_attached(const ActionSet& set) const { return sets_.contains(set.id()); }
+
+  /// The devices, by top level user path.
+  std::map<std::string, Device, std::less<>> devices;
+
+  /// An active action set, and the one subaction path it is active for (or XR_NULL_PATH).
+  using ActiveSet = std::pair<const ActionSet*, XrPath>;
+
+  /// Takes over the state of all devices for the action sets that are active. Returns true if an
+  /// interaction profile has changed.
+  bool sync(const std::vector<ActiveSet>& active);
+
+  /// The state as of the last sync; XR_NULL_PATH for all subaction paths together.
+  ActionState state(const Action& action, XrPath subaction) const;
+
+  /// Where the pose that drives an action is in the world now; nothing while none does.
+  std::optional<Pose> pose(std::uint64_t action, XrPath subaction) const;
+
+  /// The current profile of a top level user path, or XR_NULL_PATH.
+  XrPath current_profile(const std::string& top_level) const;
+
+  /// The paths that an action is bound to under the current profiles.
+  std::vector<XrPath> bound_sources(const Action& action) const;
+
+ private:
+  struct Driver;  // one binding that a device can drive
+
+  std::vector<Driver> drivers(const Action& action) const;
+  bool update_profiles();
+
+  Session& session_;
+  bool attached_ = false;
+  std::set<std::uint64_t> sets_;
+  SuggestedBindings suggestions_;
+  std::map<std::string, XrPath> profiles_;
+  std::map<std::pair<std::uint64_t, XrPath>, ActionState> states_;
+  std::map<std::pair<std::uint64_t, XrPath>, std::string> pose_sources_;
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,61 @@
+#include "samples/mock_runtime/api/call_log.h"
+
+#include <openxr/openxr_reflection.h>
+
+#include <cstdlib>
+
+#include "samples/mock_runtime/api/instance.h"
+#include "samples/mock_runtime/api/two_call.h"
+
+namespace hrt::mock {
+namespace {
+
+constexpr std::size_t remembered_calls = 100'000;
+
+}  // namespace
+
+std::string result_name(XrResult result) {
+  switch (result) {
+#define HRT_MOCK_NAME(name, number) \
+  case name:                        \
+    return #name;
+    XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
+        default : return std::to_string(result);
+  }
+}
+
+CallLog::CallLog() {
+  const char* path = std::getenv("HRT_MOCK_CALL_LOG");
+  if (path == nullptr) return;
+  file_.reset(std::fopen(path, "a"));
+  if (file_ == nullptr)
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s can't be written\n", path);
+  else
+    std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // what the application did is there if it crashes
+}
+
+void CallLog::append(CallRecord record) {
+  if (file_ != nullptr)
+    std::fprintf(file_.get(), "%lld %s %s%s%s\n", static_cast<long long>(record.time), record.function,
+                 result_name(record.result).c_str(), record.why.empty() ? "" : ": ", record.why.c_str());
+  records_.push_back(std::move(record));
+  if (records_.size() > remembered_calls) records_.pop_front();
+}
+
+XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
+                      XrCallRecordHRTX* records) {
+  runtime().registry.get_even_lost<Instance>(handle);
+  for (std::uint32_t i = 0; i < capacity && records != nullptr; ++i)
+    require_struct(&records[i], XR_TYPE_CALL_RECORD_HRTX, "records");
+  two_call(runtime().log.records(), capacity, count, records,
+           [](XrCallRecordHRTX& to, const CallRecord& from) {
+             to.time = from.time;
+             to.result = from.result;
+             std::snprintf(to.function, sizeof(to.function), "%s", from.function);
+             std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
+           });
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,28 @@
+// XR_HRTX_mock_control, but for the call log.
+#include "samples/mock_runtime/api/session.h"
+
+namespace hrt::mock {
+
+XrResult apply_script(XrInstance handle, const char* json) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_pointer(json, "json");
+  require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_CALL_ORDER_INVALID,
+          "a script is applied while there is no session");
+  runtime().apply(parse_script(json));
+  instance.clock.set_kind(runtime().script.clock);
+  return XR_SUCCESS;
+}
+
+XrResult advance_time(XrInstance handle, XrDuration duration) {
+  constexpr XrDuration hour = 3'600'000'000'000;
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require(duration >= 0 && duration <= hour, XR_ERROR_VALIDATION_FAILURE,
+          "duration must be from 0 to an hour");
+  require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID,
+          "the clock is the real-time one");
+  instance.clock.advance_to(instance.clock.now() + duration);
+  runtime().fire_due_events();
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

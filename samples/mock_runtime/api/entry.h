@@ -1,0 +1,58 @@
+// The barrier around every entry point: takes the lock, and lets no exception out.
+#pragma once
+
+#include <mutex>
+#include <new>
+#include <thread>
+
+#include "samples/mock_runtime/api/runtime.h"
+#include "samples/mock_runtime/functions.h"
+
+namespace hrt::mock {
+
+template <FunctionId id, auto implementation>
+struct Entry;
+
+template <FunctionId id, typename... Args, XrResult (*implementation)(Args...)>
+struct Entry<id, implementation> {
+  static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
+    Runtime& the = runtime();
+    std::unique_lock lock(the.mutex);
+    CallRecord record{.function = name_of(id)};
+    try {
+      if (const auto fault = the.faults.next(id)) {
+        lock.unlock();
+        std::this_thread::sleep_for(fault->delay);
+        lock.lock();
+        if (fault->result) throw Error{*fault->result, "the script orders this error"};
+      }
+      the.fire_due_events();
+      record.result = implementation(args...);
+    } catch (const Error& error) {
+      record.result = error.result;
+      record.why = error.why;
+    } catch (const std::bad_alloc&) {
+      record.result = XR_ERROR_OUT_OF_MEMORY;
+    } catch (...) {
+      record.result = XR_ERROR_RUNTIME_FAILURE;
+    }
+    const XrResult result = record.result;
+    // A loader asks for every function there is, which would drown what the application does; and a log
+    // that logs its own reading grows between the two calls of the two-call idiom.
+    if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
+      log(the, std::move(record));
+    return result;
+  }
+
+ private:
+  static void log(Runtime& the, CallRecord record) noexcept {
+    try {
+      record.time = the.now();
+      the.log.append(std::move(record));
+    } catch (const std::bad_alloc&) {
+      // The call stands; its record is lost.
+    }
+  }
+};
+
+}  // namespace hrt::mock

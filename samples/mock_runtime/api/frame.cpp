@@ -1,0 +1,77 @@
+// The frame loop, paced by the clock. A headless session may use it, and it shows nothing.
+#include <chrono>
+
+#include "samples/mock_runtime/api/session.h"
+
+namespace hrt::mock {
+namespace {
+
+Session& running_session(XrSession handle) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
+  return session;
+}
+
+// Sleeps until a frame interval begins; with a manual clock that is at once.
+void wait_until(XrSession handle, XrTime time) {
+  Clock& clock = running_session(handle).instance().clock;
+  if (clock.kind() == Clock::Kind::manual) return clock.advance_to(time);
+  while (running_session(handle).instance().clock.now() < time) {
+    const std::chrono::nanoseconds left(time - clock.now());
+    runtime().frame_begun.wait_for(runtime().mutex, left);
+  }
+}
+
+}  // namespace
+
+XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
+  running_session(handle);
+  if (info != nullptr) require_struct(info, XR_TYPE_FRAME_WAIT_INFO, "frameWaitInfo");
+  require_struct(state, XR_TYPE_FRAME_STATE, "frameState");
+  // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
+  // While it does, the session may end, be lost or be destroyed: it is looked up anew.
+  while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
+  wait_until(handle, running_session(handle).frames.next_start);
+
+  ++running_session(handle).frame_number;
+  runtime().fire_due_events();
+  Session& session = running_session(handle);
+  const XrDuration frame_period = runtime().script.frame_period;
+  const XrTime now = session.instance().clock.now();
+  FrameLoop& frames = session.frames;
+  // A grid of intervals, of which a late application misses some.
+  if (frames.next_start == 0) frames.next_start = now;
+  frames.next_start += frame_period * ((now - frames.next_start) / frame_period + 1);
+  frames.waited = true;
+  frames.last_display = std::max(frames.last_display + 1, frames.next_start);
+  state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
+  state->predictedDisplayPeriod = frame_period;
+  state->shouldRender = XR_FALSE;
+  return XR_SUCCESS;
+}
+
+XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
+  Session& session = running_session(handle);
+  if (info != nullptr) require_struct(info, XR_TYPE_FRAME_BEGIN_INFO, "frameBeginInfo");
+  require(session.frames.waited, XR_ERROR_CALL_ORDER_INVALID, "no xrWaitFrame goes with this xrBeginFrame");
+  const bool discarded = session.frames.begun;
+  session.frames.waited = false;
+  session.frames.begun = true;
+  runtime().frame_begun.notify_all();
+  return discarded ? XR_FRAME_DISCARDED : XR_SUCCESS;
+}
+
+XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
+  Session& session = running_session(handle);
+  require_struct(info, XR_TYPE_FRAME_END_INFO, "frameEndInfo");
+  require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID, "no xrBeginFrame goes with this xrEndFrame");
+  require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
+          XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is opaque");
+  require(info->layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
+          "too many layers");
+  session.frames.begun = false;
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,104 @@
+// XR_EXT_hand_tracking.
+#include "samples/mock_runtime/api/space.h"
+#include "samples/mock_runtime/world/hand_model.h"
+
+namespace hrt::mock {
+namespace {
+
+class HandTracker : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_HAND_TRACKER_EXT;
+  HandTracker(Session* session, XrHandEXT side) : Object(object_type, session), hand(side) {}
+  Session& session() const { return static_cast<Session&>(*parent()); }
+
+  XrHandEXT hand;
+};
+
+XrHandJointVelocitiesEXT* find_velocities(const XrHandJointLocationsEXT& locations) {
+  for (auto* next = static_cast<XrBaseOutStructure*>(locations.next); next != nullptr; next = next->next)
+    if (next->type == XR_TYPE_HAND_JOINT_VELOCITIES_EXT)
+      return reinterpret_cast<XrHandJointVelocitiesEXT*>(next);
+  return nullptr;
+}
+
+}  // namespace
+
+XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
+                             XrHandTrackerEXT* tracker) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
+  require_pointer(tracker, "handTracker");
+  require(info->hand == XR_HAND_LEFT_EXT || info->hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE,
+          "no such hand");
+  require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE,
+          "no such joint set");
+  require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED, "the system has no hand tracking");
+  *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
+  return XR_SUCCESS;
+}
+
+XrResult destroy_hand_tracker(XrHandTrackerEXT handle) {
+  runtime().registry.destroy(runtime().registry.get_even_lost<HandTracker>(handle));
+  return XR_SUCCESS;
+}
+
+XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
+                            XrHandJointLocationsEXT* locations) {
+  auto& tracker = runtime().registry.get<HandTracker>(handle);
+  require_struct(info, XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, "locateInfo");
+  require_struct(locations, XR_TYPE_HAND_JOINT_LOCATIONS_EXT, "locations");
+  auto& base = runtime().registry.get<Space>(info->baseSpace);
+  require(base.parent() == tracker.parent(), XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  require(locations->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
+          "jointCount of the default set is 26");
+  require_pointer(locations->jointLocations, "jointLocations");
+  XrHandJointVelocitiesEXT* velocities = find_velocities(*locations);
+  if (velocities != nullptr) {
+    require(velocities->jointCount == XR_HAND_JOINT_COUNT_EXT, XR_ERROR_VALIDATION_FAILURE,
+            "jointCount of the default set is 26");
+    require_pointer(velocities->jointVelocities, "jointVelocities");
+  }
+
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = tracker.session().state() == XR_SESSION_STATE_FOCUSED;
+  const auto hand = tracker.session().world().hand(tracker.hand, info->time);
+  const auto base_in_world = base.in_world(info->time);
+  const bool active = focused && hand && base_in_world;
+  locations->isActive = active ? XR_TRUE : XR_FALSE;
+  if (!active) {
+    for (std::uint32_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
+      locations->jointLocations[i] = {0, to_xr(Pose{}), 0.0F};
+      if (velocities != nullptr) velocities->jointVelocities[i] = {};
+    }
+    return XR_SUCCESS;
+  }
+
+  const Pose from_world = inverse(*base_in_world);
+  const HandJoints joints = pose_hand(tracker.hand, hand->index_tip_m, hand->orientation);
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    locations->jointLocations[i] = {
+        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
+            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT,
+        to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
+    if (velocities == nullptr) continue;
+    const Velocities kind = tracker.session().world().velocities();
+    velocities->jointVelocities[i] = {};
+    if (kind == Velocities::none) continue;
+    XrHandJointVelocityEXT& velocity = velocities->jointVelocities[i];
+    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+    if (kind == Velocities::zero) continue;
+    const Eigen::Vector3d linear =
+        hand->index_tip_velocity_m_per_s +
+        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m);
+    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
+    if (kind == Velocities::full)
+      velocity.angularVelocity =
+          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
+  }
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,157 @@
+#include "samples/mock_runtime/api/instance.h"
+
+#include <openxr/openxr_reflection.h>
+
+#include <cstdio>
+#include <cstring>
+
+#include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/api/two_call.h"
+
+namespace hrt::mock {
+namespace {
+
+// A character array of the API that must hold a terminated, non-empty text.
+template <std::size_t size>
+bool is_text(const char (&array)[size]) {
+  return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
+}
+
+}  // namespace
+
+void Instance::enable(const char* name) {
+  require_pointer(name, "an extension name");
+  for (std::size_t i = 1; i < extensions.size(); ++i) {
+    if (runtime().script.withheld[i] || std::strcmp(extensions[i].name, name) != 0) continue;
+    extensions_.set(i);
+    return;
+  }
+  throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
+}
+
+XrResult enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count,
+                                        XrApiLayerProperties* layers) {
+  two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
+  return XR_SUCCESS;
+}
+
+XrResult enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity,
+                                                 std::uint32_t* count, XrExtensionProperties* properties) {
+  require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no API layers");
+  std::vector<ExtensionInfo> present;
+  for (std::size_t i = 1; i < extensions.size(); ++i)
+    if (!runtime().script.withheld[i]) present.push_back(extensions[i]);
+  for (std::uint32_t i = 0; i < capacity && properties != nullptr; ++i)
+    require_struct(&properties[i], XR_TYPE_EXTENSION_PROPERTIES, "properties");
+  two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
+    std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
+    to.extensionVersion = from.version;
+  });
+  return XR_SUCCESS;
+}
+
+XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
+  require_struct(info, XR_TYPE_INSTANCE_CREATE_INFO, "createInfo");
+  require_pointer(handle, "instance");
+  require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
+  require(is_text(info->applicationInfo.applicationName), XR_ERROR_NAME_INVALID, "applicationName");
+  const XrVersion version = info->applicationInfo.apiVersion;
+  require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
+          "applications for OpenXR 1.0 and 1.1 can be run");
+  if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
+  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "there can be one instance at a time");
+  if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
+  auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
+  try {
+    for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
+      instance.enable(info->enabledExtensionNames[i]);
+  } catch (...) {
+    runtime().registry.destroy(instance);
+    throw;
+  }
+  runtime().instance = &instance;
+  *handle = handle_of<XrInstance>(instance);
+  return XR_SUCCESS;
+}
+
+XrResult destroy_instance(XrInstance handle) {
+  auto& instance = runtime().registry.get_even_lost<Instance>(handle);
+  runtime().instance = nullptr;
+  runtime().registry.destroy(instance);
+  runtime().frame_begun.notify_all();
+  return XR_SUCCESS;
+}
+
+XrResult get_instance_properties(XrInstance handle, XrInstanceProperties* properties) {
+  runtime().registry.get<Instance>(handle);
+  require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
+  properties->runtimeVersion = XR_MAKE_VERSION(0, 1, 0);
+  std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "HRTX mock runtime");
+  return XR_SUCCESS;
+}
+
+XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(buffer, XR_TYPE_EVENT_DATA_BUFFER, "eventData");
+  if (instance.events.empty()) return XR_EVENT_UNAVAILABLE;
+  *buffer = instance.events.front();
+  instance.events.pop_front();
+  return XR_SUCCESS;
+}
+
+XrResult result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(buffer, "buffer");
+  switch (value) {
+#define HRT_MOCK_NAME(name, number)                                \
+  case name:                                                       \
+    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", #name); \
+    return XR_SUCCESS;
+    XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
+        default : break;
+  }
+  std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS",
+                value);
+  return XR_SUCCESS;
+}
+
+XrResult structure_type_to_string(XrInstance handle, XrStructureType value,
+                                  char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(buffer, "buffer");
+  switch (value) {
+#define HRT_MOCK_NAME(name, number)                                 \
+  case name:                                                        \
+    std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "%s", #name); \
+    return XR_SUCCESS;
+    XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
+        default : break;
+  }
+  std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
+  return XR_SUCCESS;
+}
+
+XrResult convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(from, "timespecTime");
+  require_pointer(time, "time");
+  constexpr std::int64_t second_ns = 1'000'000'000;
+  const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
+                     from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
+  require(valid, XR_ERROR_TIME_INVALID, "no valid timespec");
+  *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
+  return XR_SUCCESS;
+}
+
+XrResult convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(time, "timespecTime");
+  require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  time->tv_sec = from / 1'000'000'000;
+  time->tv_nsec = from % 1'000'000'000;
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,193 @@
+// The interaction profiles of OpenXR 1.0: specification, "Interaction Profile Paths".
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "samples/mock_runtime/api/paths.h"
+
+namespace hrt::mock {
+namespace {
+
+constexpr std::string_view hands = "left right";
+
+// The devices that have these components, and the components: names below input/ (and for outputs with
+// output/ in front), in words.
+struct Part {
+  std::string_view devices;
+  std::string_view components;
+};
+
+struct Profile {
+  std::string_view path;
+  std::vector<Part> parts;
+};
+
+const std::vector<Profile>& profile_table() {
+  static const std::vector<Profile> table{
+      {"/interaction_profiles/khr/simple_controller",
+       {{hands, "select/click menu/click grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/google/daydream_controller",
+       {{hands, "select/click trackpad/x trackpad/y trackpad/click trackpad/touch grip/pose aim/pose"}}},
+      {"/interaction_profiles/htc/vive_controller",
+       {{hands,
+         "system/click squeeze/click menu/click trigger/click trigger/value trackpad/x trackpad/y "
+         "trackpad/click "
+         "trackpad/touch grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/htc/vive_pro",
+       {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
+      {"/interaction_profiles/microsoft/motion_controller",
+       {{hands,
+         "menu/click squeeze/click trigger/value thumbstick/x thumbstick/y thumbstick/click trackpad/x "
+         "trackpad/y "
+         "trackpad/click trackpad/touch grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/microsoft/xbox_controller",
+       {{"gamepad",
+         "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click "
+         "dpad_up/click "
+         "dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x thumbstick_left/y "
+         "thumbstick_left/click thumbstick_right/x thumbstick_right/y thumbstick_right/click "
+         "trigger_left/value "
+         "trigger_right/value output/haptic_left output/haptic_right output/haptic_left_trigger "
+         "output/haptic_right_trigger"}}},
+      {"/interaction_profiles/oculus/go_controller",
+       {{hands,
+         "system/click trigger/click back/click trackpad/x trackpad/y trackpad/click trackpad/touch "
+         "grip/pose "
+         "aim/pose"}}},
+      {"/interaction_profiles/oculus/touch_controller",
+       {{"left", "x/click x/touch y/click y/touch menu/click"},
+        {"right", "a/click a/touch b/click b/touch system/click"},
+        {hands,
+         "squeeze/value trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click "
+         "thumbstick/touch "
+         "thumbrest/touch grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/valve/index_controller",
+       {{hands,
+         "system/click system/touch a/click a/touch b/click b/touch squeeze/value squeeze/force "
+         "trigger/click "
+         "trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch trackpad/x "
+         "trackpad/y trackpad/force trackpad/touch grip/pose aim/pose output/haptic"}}},
+  };
+  return table;
+}
+
+std::vector<std::string_view> words(std::string_view text) {
+  std::vector<std::string_view> found;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    found.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return found;
+}
+
+std::string user_path(std::string_view device) {
+  return (device == "left" || device == "right" ? "/user/hand/" : "/user/") + std::string(device);
+}
+
+Source make_source(std::string_view device, std::string_view component) {
+  if (component.starts_with("output/"))
+    return {user_path(device) + '/' + std::string(component), SourceKind::haptic};
+  const std::string_view leaf = component.substr(component.find('/') + 1);
+  const SourceKind kind = leaf == "click" || leaf == "touch" ? SourceKind::boolean
+                          : leaf == "pose"                   ? SourceKind::pose
+                                                             : SourceKind::scalar;
+  return {user_path(device) + "/input/" + std::string(component), kind};
+}
+
+using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
+
+const ProfileSources& all_profiles() {
+  static const ProfileSources profiles = [] {
+    ProfileSources made;
+    for (const Profile& profile : profile_table())
+      for (const Part& part : profile.parts)
+        for (const std::string_view device : words(part.devices))
+          for (const std::string_view component : words(part.components))
+            made[std::string(profile.path)].push_back(make_source(device, component));
+    return made;
+  }();
+  return profiles;
+}
+
+// Whether a source of this kind can drive an action: floats make booleans by a threshold, booleans floats.
+bool can_drive(SourceKind kind, XrActionType type) {
+  switch (type) {
+    case XR_ACTION_TYPE_BOOLEAN_INPUT:
+    case XR_ACTION_TYPE_FLOAT_INPUT:
+      return kind == SourceKind::boolean || kind == SourceKind::scalar;
+    case XR_ACTION_TYPE_POSE_INPUT:
+      return kind == SourceKind::pose;
+    case XR_ACTION_TYPE_VIBRATION_OUTPUT:
+      return kind == SourceKind::haptic;
+    default:
+      return false;
+  }
+}
+
+// Which components of a parent an action uses, the best first.
+std::vector<std::string_view> preferred_components(XrActionType type) {
+  switch (type) {
+    case XR_ACTION_TYPE_BOOLEAN_INPUT:
+      return {"click", "value", "force", "touch"};
+    case XR_ACTION_TYPE_FLOAT_INPUT:
+      return {"value", "force", "click", "touch"};
+    case XR_ACTION_TYPE_POSE_INPUT:
+      return {"pose"};
+    default:
+      return {};
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& top_level_paths() {
+  static const std::vector<std::string> paths{"/user/hand/left", "/user/hand/right", "/user/head",
+                                              "/user/gamepad", "/user/treadmill"};
+  return paths;
+}
+
+std::string_view top_level_of(std::string_view path) {
+  for (const std::string& top : top_level_paths())
+    if (path == top || (path.starts_with(top) && path[top.size()] == '/')) return top;
+  return {};
+}
+
+const std::vector<Source>* find_profile(std::string_view profile) {
+  const auto found = all_profiles().find(profile);
+  return found == all_profiles().end() ? nullptr : &found->second;
+}
+
+const Source* find_source(std::string_view path) {
+  for (const auto& [name, sources] : all_profiles())
+    for (const Source& source : sources)
+      if (source.path == path) return &source;
+  return nullptr;
+}
+
+std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
+                                                   XrActionType type) {
+  const auto find = [&](const std::string& wanted) {
+    return std::find_if(profile.begin(), profile.end(),
+                        [&](const Source& source) { return source.path == wanted; });
+  };
+  const std::string text(path);
+  if (const auto leaf = find(text); leaf != profile.end())
+    return can_drive(leaf->kind, type) ? std::vector{*leaf} : std::vector<Source>{};
+  const bool is_parent = std::any_of(profile.begin(), profile.end(), [&](const Source& source) {
+    return source.path.rfind('/') == text.size() && source.path.starts_with(text) &&
+           source.kind != SourceKind::haptic;
+  });
+  if (!is_parent) return std::nullopt;
+  if (type == XR_ACTION_TYPE_VECTOR2F_INPUT) {
+    const auto x = find(text + "/x");
+    const auto y = find(text + "/y");
+    return x != profile.end() && y != profile.end() ? std::vector{*x, *y} : std::vector<Source>{};
+  }
+  for (const std::string_view component : preferred_components(type))
+    if (const auto child = find(text + '/' + std::string(component)); child != profile.end())
+      return std::vector{*child};
+  return std::vector<Source>{};
+}
+
+}  // namespace hrt::mock

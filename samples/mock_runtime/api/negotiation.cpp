@@ -1,0 +1,55 @@
+#include "samples/mock_runtime/api/negotiation.h"
+
+#include <cstdio>
+
+#include "samples/mock_runtime/api/entry.h"
+
+namespace hrt::mock {
+namespace {
+
+// Now, so that even xrCreateInstance can fail on order. What is wrong with it, xrCreateInstance says: this
+// function has no way to.
+void load_script() {
+  Runtime& the = runtime();
+  const std::lock_guard lock(the.mutex);
+  the.script_error.clear();
+  try {
+    the.apply(script_from_environment());
+  } catch (const Error& error) {
+    the.script_error = error.why;
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_SCRIPT: %s\n", error.why.c_str());
+  }
+}
+
+XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* request) {
+  if (loader == nullptr || request == nullptr) return XR_ERROR_INITIALIZATION_FAILED;
+  if (loader->struct_type != loader_info_type || loader->struct_version != struct_version ||
+      loader->struct_size != sizeof(NegotiateLoaderInfo))
+    return XR_ERROR_INITIALIZATION_FAILED;
+  if (request->struct_type != runtime_request_type || request->struct_version != struct_version ||
+      request->struct_size != sizeof(NegotiateRuntimeRequest))
+    return XR_ERROR_INITIALIZATION_FAILED;
+  if (loader->min_interface_version > interface_version || loader->max_interface_version < interface_version)
+    return XR_ERROR_INITIALIZATION_FAILED;
+  if (loader->min_api_version > runtime_api_version || loader->max_api_version < runtime_api_version)
+    return XR_ERROR_INITIALIZATION_FAILED;
+  load_script();
+  request->runtime_interface_version = interface_version;
+  request->runtime_api_version = runtime_api_version;
+  request->get_instance_proc_addr = &Entry<FunctionId::xrGetInstanceProcAddr, &get_instance_proc_addr>::call;
+  return XR_SUCCESS;
+}
+
+}  // namespace
+}  // namespace hrt::mock
+
+/// The one symbol that the library exports, and where a loader starts.
+extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL
+xrNegotiateLoaderRuntimeInterface(const hrt::mock::NegotiateLoaderInfo* loader,
+                                  hrt::mock::NegotiateRuntimeRequest* request) {
+  try {
+    return hrt::mock::negotiate(loader, request);
+  } catch (...) {
+    return XR_ERROR_INITIALIZATION_FAILED;
+  }
+}

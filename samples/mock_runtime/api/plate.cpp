@@ -1,0 +1,91 @@
+// XR_HRTX_ridged_plate.
+#include <cmath>
+
+#include "samples/mock_runtime/api/space.h"
+
+namespace hrt::mock {
+namespace {
+
+constexpr double longest_m = 10.0;
+
+void require_length(double length_m, const char* why) {
+  require(length_m > 0.0 && length_m <= longest_m, XR_ERROR_VALIDATION_FAILURE, why);
+}
+
+void require_hand(XrHandEXT hand) {
+  require(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such hand");
+}
+
+}  // namespace
+
+XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(placement, XR_TYPE_PLATE_PLACEMENT_HRTX, "placement");
+  auto& space = runtime().registry.get<Space>(placement->space);
+  require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "the space is of another session");
+  const Pose pose = checked_pose(placement->pose);
+  require_length(placement->radius, "radius must be in (0, 10] m");
+  const auto in_world = space.in_world(session.instance().clock.now());
+  require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
+  session.world().place_plate(*in_world * pose, placement->radius);
+  return XR_SUCCESS;
+}
+
+XrResult set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t next_reach) {
+  runtime().registry.get<Session>(handle).world().set_seed(seed, next_reach);
+  return XR_SUCCESS;
+}
+
+XrResult set_plate_orientation(XrSession handle, double orientation_deg) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,
+          "orientation must be within 360 degrees");
+  session.world().command_plate(session.instance().clock.now(), orientation_deg);
+  return XR_SUCCESS;
+}
+
+XrResult get_plate_orientation(XrSession handle, XrTime time, double* orientation_deg) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_pointer(orientation_deg, "orientation");
+  require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  *orientation_deg = session.world().plate_orientation_deg(time);
+  return XR_SUCCESS;
+}
+
+XrResult instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
+  require_hand(instruction->hand);
+  const Eigen::Vector3d start_m(static_cast<double>(instruction->start.x),
+                                static_cast<double>(instruction->start.y),
+                                static_cast<double>(instruction->start.z));
+  require(start_m.allFinite() && start_m.norm() <= longest_m, XR_ERROR_VALIDATION_FAILURE,
+          "start must be within 10 m of the plate");
+  require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
+          "goalDirection must be within 180 degrees");
+  require_length(instruction->pathLength, "pathLength must be in (0, 10] m");
+  World& world = session.world();
+  require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
+  world.instruct(instruction->hand,
+                 {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
+                 start_m.y(), session.instance().clock.now());
+  return XR_SUCCESS;
+}
+
+XrResult get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* truth) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_hand(hand);
+  require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
+  World& world = session.world();
+  const Reach* reach = world.reach(hand);
+  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
+  truth->trueDirection = reach->true_direction_deg();
+  truth->perceivedDirection = reach->perceived_direction_deg();
+  truth->indexTip = to_xr(world.true_index_tip_m(hand));
+  truth->tactileWeight = reach->tactile_weight();
+  truth->stepCount = reach->steps();
+  truth->isDone = reach->done() ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,35 @@
+// What there is one of: the lock that every entry point holds, the objects, and the instance.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+
+#include "samples/mock_runtime/api/call_log.h"
+#include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/script/script.h"
+
+namespace hrt::mock {
+
+class Instance;
+
+struct Runtime {
+  /// Held by every entry point for as long as it runs, but for the waits of xrWaitFrame.
+  std::mutex mutex;
+  /// Notified when a frame begins, and when a session ends or is lost: what xrWaitFrame waits for.
+  std::condition_variable_any frame_begun;
+  Registry registry;
+  Instance* instance = nullptr;
+  CallLog log;
+  Script script;
+  Faults faults;             ///< those of the script, and the calls counted so far
+  std::string script_error;  ///< why the script of the environment could not be read; empty if it could
+
+  void apply(Script new_script);
+  /// Lets everything happen that the script has for now.
+  void fire_due_events();
+  XrTime now() const;  ///< 0 without an instance
+};
+
+Runtime& runtime();
+
+}  // namespace hrt::mock

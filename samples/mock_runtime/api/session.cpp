@@ -1,0 +1,155 @@
+// Sessions and their states: specification, "Session Lifecycle", and XR_MND_headless.
+#include "samples/mock_runtime/api/session.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "samples/mock_runtime/api/views.h"
+
+namespace hrt::mock {
+
+Session::Session(Instance* instance, const Script& script)
+    : Object(object_type, instance),
+      created_(instance->clock.now()),
+      events_(script.events),
+      world_(script.world, created_) {}
+
+World& Session::world() {
+  world_.advance(instance().clock.now());
+  return world_;
+}
+
+void Session::enter(XrSessionState state) {
+  if (state == state_) return;
+  state_ = state;
+  tell_state();
+}
+
+void Session::tell_state() {
+  XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
+  event.session = handle_of<XrSession>(*this);
+  event.state = state_;
+  event.time = instance().clock.now();
+  instance().push_event(event);
+}
+
+void Session::go_to(XrSessionState state) {
+  static_assert(XR_SESSION_STATE_SYNCHRONIZED + 1 == XR_SESSION_STATE_VISIBLE &&
+                XR_SESSION_STATE_VISIBLE + 1 == XR_SESSION_STATE_FOCUSED);
+  if (state_ == XR_SESSION_STATE_LOSS_PENDING) return;
+  if (state == XR_SESSION_STATE_LOSS_PENDING) return enter(state);
+  const auto in_frame_loop = [](XrSessionState s) {
+    return s >= XR_SESSION_STATE_SYNCHRONIZED && s <= XR_SESSION_STATE_FOCUSED;
+  };
+  if (!running || !in_frame_loop(state_)) return;
+  const XrSessionState by_way_of = state == XR_SESSION_STATE_STOPPING ? XR_SESSION_STATE_SYNCHRONIZED : state;
+  while (state_ != by_way_of)
+    enter(static_cast<XrSessionState>(state_ < by_way_of ? state_ + 1 : state_ - 1));
+  enter(state);
+}
+
+void Session::fire_due_events() {
+  const XrTime elapsed = instance().clock.now() - created_;
+  const auto is_due = [&](const ScriptEvent& event) {
+    return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
+  };
+  std::vector<ScriptEvent> due;
+  std::copy_if(events_.begin(), events_.end(), std::back_inserter(due), is_due);
+  std::erase_if(events_, is_due);
+  for (const ScriptEvent& event : due) happen(event);
+}
+
+void Session::happen(const ScriptEvent& event) {
+  if (const auto* state = std::get_if<StateEvent>(&event.what)) go_to(state->state);
+  if (std::holds_alternative<RepeatState>(event.what)) tell_state();
+  if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
+  if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
+  if (std::holds_alternative<InstanceLossPending>(event.what))
+    instance().push_event(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
+                                                         instance().clock.now()});
+  if (const auto* hand = std::get_if<HandEvent>(&event.what)) {
+    switch (hand->fault) {
+      case HandFault::lose_tracking:
+      case HandFault::regain_tracking:
+        world().lose_tracking(hand->hand, hand->fault == HandFault::lose_tracking);
+        break;
+      case HandFault::freeze:
+      case HandFault::unfreeze:
+        world().freeze(hand->hand, hand->fault == HandFault::freeze);
+        break;
+      case HandFault::jump:
+        world().jump(hand->hand, hand->jump_m);
+        break;
+    }
+  }
+  runtime().frame_begun.notify_all();
+}
+
+XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session_handle) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
+  require_pointer(session_handle, "session");
+  require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
+  require_system(info->systemId);
+  require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
+          "this runtime has no graphics: enable XR_MND_headless");
+  require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
+          "there can be one session at a time");
+  auto& session = runtime().registry.create<Session>(&instance, runtime().script);
+  session.enter(XR_SESSION_STATE_IDLE);
+  session.enter(XR_SESSION_STATE_READY);
+  *session_handle = handle_of<XrSession>(session);
+  return XR_SUCCESS;
+}
+
+XrResult destroy_session(XrSession handle) {
+  auto& session = runtime().registry.get_even_lost<Session>(handle);
+  // No event may name a session that no longer exists.
+  std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
+    if (event.type == XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED)
+      return reinterpret_cast<const XrEventDataInteractionProfileChanged&>(event).session == handle;
+    return event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED &&
+           reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;
+  });
+  runtime().registry.destroy(session);
+  runtime().frame_begun.notify_all();
+  return XR_SUCCESS;
+}
+
+XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
+  require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
+  require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
+  // Headless, it may be 0 (XR_MND_headless); what names views that do not exist is still refused.
+  if (info->primaryViewConfigurationType != 0) require_view_configuration(info->primaryViewConfigurationType);
+  session.running = true;
+  session.exit_requested = false;
+  // "A transition to session running resets the frame function call order"; times go on increasing.
+  session.frames.waited = session.frames.begun = false;
+  session.enter(XR_SESSION_STATE_SYNCHRONIZED);
+  session.go_to(XR_SESSION_STATE_FOCUSED);
+  return XR_SUCCESS;
+}
+
+XrResult request_exit_session(XrSession handle) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
+  session.exit_requested = true;
+  session.go_to(XR_SESSION_STATE_STOPPING);
+  return XR_SUCCESS;
+}
+
+XrResult end_session(XrSession handle) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
+  require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING,
+          "the session is not stopping");
+  session.running = false;
+  session.enter(XR_SESSION_STATE_IDLE);
+  session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
+  runtime().frame_begun.notify_all();
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

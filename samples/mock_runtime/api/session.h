@@ -1,0 +1,56 @@
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include "samples/mock_runtime/api/instance.h"
+#include "samples/mock_runtime/world/world.h"
+
+namespace hrt::mock {
+
+/// Where the frame loop is.
+struct FrameLoop {
+  bool waited = false;      ///< a frame has been waited for and not begun
+  bool begun = false;       ///< a frame has been begun and not ended
+  XrTime next_start = 0;    ///< of the next frame interval
+  XrTime last_display = 0;  ///< predicted for the latest frame
+};
+
+/// A session, always headless; an instance can have one at a time.
+class Session : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SESSION;
+
+  Session(Instance* instance, const Script& script);
+
+  Instance& instance() const { return static_cast<Instance&>(*parent()); }
+
+  /// The simulated world as it is now.
+  World& world();
+
+  /// Enters a state and tells the application. A state is never told twice in a row.
+  void enter(XrSessionState state);
+  XrSessionState state() const { return state_; }
+  /// Enters a state of a running session by way of the states in between. Does nothing to a session that
+  /// does not run, or whose loss is pending.
+  void go_to(XrSessionState state);
+
+  /// Lets happen what the script has for this session by now.
+  void fire_due_events();
+
+  bool running = false;
+  bool exit_requested = false;
+  std::int64_t frame_number = 0;  ///< of the latest xrWaitFrame, over all runs
+  FrameLoop frames;
+  Input input{*this};
+
+ private:
+  void happen(const ScriptEvent& event);
+  void tell_state();
+
+  XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
+  XrTime created_;
+  std::vector<ScriptEvent> events_;  // still to come
+  World world_;
+};
+
+}  // namespace hrt::mock

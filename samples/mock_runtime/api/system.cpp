@@ -1,0 +1,93 @@
+// The one system, its blend modes and its views.
+#include <cstdio>
+
+#include "samples/mock_runtime/api/instance.h"
+#include "samples/mock_runtime/api/two_call.h"
+#include "samples/mock_runtime/api/views.h"
+
+namespace hrt::mock {
+void require_system(XrSystemId system) {
+  require(system == the_system, XR_ERROR_SYSTEM_INVALID, "not the system that xrGetSystem returns");
+}
+
+void require_view_configuration(XrViewConfigurationType type) {
+  require(type == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
+          "the views are primary stereo");
+}
+
+XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system) {
+  runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_SYSTEM_GET_INFO, "getInfo");
+  require_pointer(system, "systemId");
+  require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY ||
+              info->formFactor == XR_FORM_FACTOR_HANDHELD_DISPLAY,
+          XR_ERROR_VALIDATION_FAILURE, "no such form factor");
+  require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
+          "the one system is a head-mounted display");
+  *system = the_system;
+  return XR_SUCCESS;
+}
+
+XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemProperties* properties) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(properties, XR_TYPE_SYSTEM_PROPERTIES, "properties");
+  require_system(system);
+  properties->systemId = system;
+  properties->vendorId = 0;
+  std::snprintf(properties->systemName, sizeof(properties->systemName), "HRTX ridged plate, simulated");
+  properties->graphicsProperties = {view_image_height, view_image_width, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
+  properties->trackingProperties = {XR_TRUE, XR_TRUE};
+  for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next != nullptr; next = next->next)
+    if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT &&
+        instance.enabled(Extension::hand_tracking))
+      reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking =
+          runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+
+XrResult enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+                                           std::uint32_t capacity, std::uint32_t* count,
+                                           XrEnvironmentBlendMode* modes) {
+  runtime().registry.get<Instance>(handle);
+  require_system(system);
+  require_view_configuration(type);
+  two_call(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, modes);
+  return XR_SUCCESS;
+}
+
+XrResult enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity,
+                                       std::uint32_t* count, XrViewConfigurationType* types) {
+  runtime().registry.get<Instance>(handle);
+  require_system(system);
+  two_call(std::array{XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO}, capacity, count, types);
+  return XR_SUCCESS;
+}
+
+XrResult get_view_configuration_properties(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+                                           XrViewConfigurationProperties* properties) {
+  runtime().registry.get<Instance>(handle);
+  require_struct(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES, "configurationProperties");
+  require_system(system);
+  require_view_configuration(type);
+  properties->viewConfigurationType = type;
+  properties->fovMutable = XR_FALSE;
+  return XR_SUCCESS;
+}
+
+XrResult enumerate_view_configuration_views(XrInstance handle, XrSystemId system,
+                                            XrViewConfigurationType type, std::uint32_t capacity,
+                                            std::uint32_t* count, XrViewConfigurationView* views) {
+  runtime().registry.get<Instance>(handle);
+  require_system(system);
+  require_view_configuration(type);
+  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
+    require_struct(&views[i], XR_TYPE_VIEW_CONFIGURATION_VIEW, "views");
+  two_call(std::array{0, 1}, capacity, count, views, [](XrViewConfigurationView& view, int) {
+    view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
+    view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
+    view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
+  });
+  return XR_SUCCESS;
+}
+
+}  // namespace hrt::mock

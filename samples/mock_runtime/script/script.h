@@ -1,0 +1,56 @@
+// A script in JSON: what is simulated, and what goes wrong when. README.md has its format.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/script/faults.h"
+#include "samples/mock_runtime/world/clock.h"
+#include "samples/mock_runtime/world/settings.h"
+
+namespace hrt::mock {
+
+enum class HandFault { lose_tracking, regain_tracking, freeze, unfreeze, jump };
+struct HandEvent {
+  HandFault fault;
+  XrHandEXT hand;
+  Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
+};
+struct StateEvent {
+  XrSessionState state;
+};
+struct RepeatState {};
+struct LoseSession {};
+struct LoseInstance {};
+struct InstanceLossPending {};
+
+/// Something that happens to a session.
+struct ScriptEvent {
+  std::int64_t frame;    ///< in the xrWaitFrame of this number, from 1; or, if 0,
+  std::int64_t time_ns;  ///< this long after the session was created
+  std::variant<HandEvent, StateEvent, RepeatState, LoseSession, LoseInstance, InstanceLossPending> what;
+};
+
+struct Script {
+  Clock::Kind clock = Clock::Kind::manual;
+  XrDuration frame_period = 11'111'111;  ///< 90 Hz
+  bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
+  bool hand_tracking = true;             ///< of the system: XrSystemHandTrackingPropertiesEXT
+  ExtensionSet withheld;                 ///< the runtime is as if it did not have these
+  WorldSettings world;
+  std::vector<ScriptEvent> events;
+  std::vector<CallFault> calls;
+};
+
+/// Throws an Error whose text says where in the script what is wrong, and what is allowed.
+Script parse_script(std::string_view json);
+
+/// The script in the file that HRT_MOCK_SCRIPT names, or the default one if it names none. Throws as
+/// parse_script does.
+Script script_from_environment();
+
+}  // namespace hrt::mock

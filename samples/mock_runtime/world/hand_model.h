@@ -1,0 +1,25 @@
+// A plausible hand around its index fingertip: 26 joints with the axes that XR_EXT_hand_tracking
+// specifies. -Z points along the bone to the finger's tip, +Y out of the back of the hand, +X right.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+
+#include "samples/mock_runtime/world/pose.h"
+
+namespace hrt::mock {
+
+struct HandJoint {
+  Pose pose;
+  double radius_m;
+};
+
+using HandJoints = std::array<HandJoint, XR_HAND_JOINT_COUNT_EXT>;
+
+/// The joints of a hand that points with its index finger, whose index tip joint is at `index_tip_m` and
+/// whose wrist has `orientation`. A left hand mirrors a right one.
+HandJoints pose_hand(XrHandEXT hand, const Eigen::Vector3d& index_tip_m,
+                     const Eigen::Quaterniond& orientation);
+
+}  // namespace hrt::mock

@@ -1,0 +1,188 @@
+#include "samples/mock_runtime/world/world.h"
+
+#include <algorithm>
+#include <numbers>
+
+#include "core/simulation/random.h"
+#include "core/trigonometry.h"
+
+namespace hrt::mock {
+namespace {
+
+// A seated user's eyes are this far above the floor.
+constexpr double eye_height_m = 1.2;
+// In plate coordinates: where the forearm turns about, to the right (left) of and behind the plate.
+constexpr double elbow_right_m = 0.10;
+constexpr double elbow_behind_m = 0.45;
+// The hand points down onto the plate by this much.
+constexpr double hand_pitch_deg = -20.0;
+
+Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
+  Eigen::Quaterniond turned;
+  turned.w() = cos_deg(angle_deg / 2.0);
+  turned.vec() = sin_deg(angle_deg / 2.0) * axis;
+  return turned;
+}
+
+// The turn that takes one orientation to another, the short way round.
+struct TurnBetween {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+  double angle_deg = 0.0;
+};
+
+TurnBetween turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+  Eigen::Quaterniond turned = to * from.conjugate();
+  if (turned.w() < 0.0) turned.coeffs() = -turned.coeffs();
+  const double sine = turned.vec().norm();
+  if (sine < 1e-12) return {};
+  return {turned.vec() / sine, 2.0 * atan2_deg(sine, turned.w())};
+}
+
+Eigen::Quaterniond hand_orientation(double yaw_deg) {
+  return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
+}
+
+// What sets number `number` of the participants apart from others: a draw from [0, 1), by the finaliser of
+// SplitMix64.
+double uniform(std::uint64_t seed, std::uint64_t number) {
+  std::uint64_t bits = seed + 0x9E3779B97F4A7C15 * (number + 1);
+  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
+  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
+  bits ^= bits >> 31;
+  return static_cast<double>(bits >> 11) * 0x1p-53;
+}
+
+// Where a hand is before it is told anything: beside the keyboard.
+HandState resting_hand(XrHandEXT side) {
+  const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
+  return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0),
+          Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+}
+
+}  // namespace
+
+Pose local_space_in_world() {
+  return {Eigen::Quaterniond::Identity(), {0.0, eye_height_m, 0.0}};
+}
+
+Eigen::Quaterniond resting_hand_orientation() {
+  return hand_orientation(0.0);
+}
+
+World::World(const WorldSettings& settings, XrTime start)
+    : settings_(settings), servo_(settings.servo), start_(start), now_(start) {
+  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
+    at(side).tracked = settings_of(side).tracked;
+}
+
+void World::place_plate(const Pose& plate, double radius_m) {
+  plate_ = plate;
+  plate_radius_m_ = radius_m;
+}
+
+void World::set_seed(std::uint64_t seed, std::uint32_t next_reach) {
+  settings_.seed = seed;
+  reaches_ = next_reach;
+}
+
+void World::instruct(XrHandEXT side, const ReachInstruction& instruction, double height_m, XrTime now) {
+  const std::size_t number = reaches_ % settings_.participants.size();
+  ParticipantSettings participant = settings_.participants[number];
+  const double share = uniform(settings_.seed, number);
+  participant.parameters.tactile_weight =
+      participant.least_tactile_weight +
+      share * (participant.most_tactile_weight - participant.least_tactile_weight);
+  Hand& hand = at(side);
+  hand.tracked = true;
+  hand.height_m = height_m;
+  hand.reach.emplace(participant, instruction, settings_.seed, reaches_, now);
+  ++reaches_;
+}
+
+const Reach* World::reach(XrHandEXT side) const {
+  const Hand& hand = at(side);
+  return hand.reach ? &*hand.reach : nullptr;
+}
+
+Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
+  const Hand& hand = at(side);
+  const Eigen::Vector2d tip_m = hand.reach->position_m(now_);
+  return {tip_m.x(), hand.height_m, tip_m.y()};
+}
+
+void World::freeze(XrHandEXT side, bool frozen) {
+  at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt;
+}
+
+void World::advance(XrTime now) {
+  now_ = now;
+  for (Hand& hand : hands_)
+    if (hand.reach) hand.reach->advance(now, servo_);
+}
+
+std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
+  const Hand& hand = at(side);
+  if (!hand.tracked || hand.lost) return std::nullopt;
+  XrTime sampled = hand.frozen_at.value_or(time) - settings_.tracker.latency_ns;
+  if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
+  HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
+  state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
+  if (hand.frozen_at)
+    state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
+  return state;
+}
+
+HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
+  const std::vector<Keyframe>& path = settings_of(side).path;
+  if (path.empty()) return resting_hand(side);
+  const auto in_world = [](const Eigen::Vector3d& tip_m, const Eigen::Quaterniond& orientation) {
+    return HandState{local_space_in_world() * tip_m, orientation, Eigen::Vector3d::Zero(),
+                     Eigen::Vector3d::Zero()};
+  };
+  const auto after =
+      std::upper_bound(path.begin(), path.end(), time - start_,
+                       [](XrDuration t, const Keyframe& keyframe) { return t < keyframe.time_ns; });
+  if (after == path.begin()) return in_world(path.front().index_tip_m, path.front().orientation);
+  if (after == path.end()) return in_world(path.back().index_tip_m, path.back().orientation);
+  const Keyframe& from = *std::prev(after);
+  const Keyframe& to = *after;
+  const double duration_s = static_cast<double>(to.time_ns - from.time_ns) * 1e-9;
+  const double share = static_cast<double>(time - start_ - from.time_ns) * 1e-9 / duration_s;
+  const TurnBetween turned = turn_between(from.orientation, to.orientation);
+  HandState state = in_world(from.index_tip_m + share * (to.index_tip_m - from.index_tip_m),
+                             turn(share * turned.angle_deg, turned.axis) * from.orientation);
+  state.index_tip_velocity_m_per_s = (to.index_tip_m - from.index_tip_m) / duration_s;
+  state.angular_velocity_rad_per_s =
+      turned.axis * (turned.angle_deg * (std::numbers::pi / 180.0) / duration_s);
+  return state;
+}
+
+HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {
+  Reach predicted = *hand.reach;
+  if (time > now_) predicted.advance(time, servo_);
+  const Eigen::Vector2d tip_m = predicted.position_m(time);
+  const Eigen::Vector2d velocity = predicted.velocity_m_per_s(time);
+  // The forearm turns about the elbow: the hand's yaw is the direction from elbow to fingertip.
+  const Eigen::Vector2d elbow_m(side == XR_HAND_LEFT_EXT ? -elbow_right_m : elbow_right_m, elbow_behind_m);
+  const Eigen::Vector2d arm_m = tip_m - elbow_m;
+  const double yaw_deg = atan2_deg(-arm_m.x(), -arm_m.y());
+  const double yaw_rad_per_s = (arm_m.y() * velocity.x() - arm_m.x() * velocity.y()) / arm_m.squaredNorm();
+  return {plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()),
+          plate_.orientation * hand_orientation(yaw_deg),
+          plate_.orientation * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()),
+          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
+}
+
+Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {
+  if (settings_.tracker.noise_m == 0.0) return Eigen::Vector3d::Zero();
+  // Condition 0 is the participants' noise.
+  const auto condition = static_cast<std::uint32_t>(side) * 3;
+  const auto high = static_cast<std::uint32_t>(time >> 32);
+  const auto low = static_cast<std::uint32_t>(time);
+  const auto draw = [&](std::uint32_t axis) {
+    return settings_.tracker.noise_m * standard_normal({settings_.seed, condition + axis, high, low});
+  };
+  return {draw(0), draw(1), draw(2)};
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,98 @@
+// What is simulated: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
+// the plate. All poses are in world coordinates, which are those of STAGE space.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <optional>
+
+#include "samples/mock_runtime/world/pose.h"
+#include "samples/mock_runtime/world/reach.h"
+#include "samples/mock_runtime/world/servo.h"
+#include "samples/mock_runtime/world/settings.h"
+
+namespace hrt::mock {
+
+/// Where LOCAL space, and the head of the seated user, is.
+Pose local_space_in_world();
+
+/// The orientation of a wrist whose hand points straight ahead, down onto a plate.
+Eigen::Quaterniond resting_hand_orientation();
+
+/// A hand at a moment.
+struct HandState {
+  Eigen::Vector3d index_tip_m;
+  Eigen::Quaterniond orientation;  ///< of the wrist
+  Eigen::Vector3d index_tip_velocity_m_per_s;
+  Eigen::Vector3d angular_velocity_rad_per_s;
+};
+
+class World {
+ public:
+  /// A world that begins at `start`.
+  World(const WorldSettings& settings, XrTime start);
+
+  /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
+  void place_plate(const Pose& plate, double radius_m);
+  bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
+  double plate_radius_m() const { return plate_radius_m_; }
+
+  /// All that is drawn comes from this seed from now on, and the next reach has this number.
+  void set_seed(std::uint64_t seed, std::uint32_t next_reach);
+
+  void command_plate(XrTime now, double orientation_deg) { servo_.command(now, orientation_deg); }
+  double plate_orientation_deg(XrTime time) const { return servo_.orientation_deg(time); }
+
+  /// The participant starts to slide now, with the index tip joint at `height_m` above the plate.
+  /// Requires plate_is_placed().
+  void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
+  /// The hand's latest reach, or null.
+  const Reach* reach(XrHandEXT hand) const;
+  /// Where the index tip joint of a hand with a reach is now, in plate coordinates.
+  Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
+
+  /// What goes wrong with a hand, from now on.
+  void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
+  void freeze(XrHandEXT hand, bool frozen);
+  void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
+
+  Velocities velocities() const { return settings_.tracker.velocities; }
+
+  /// Lets time pass up to `now`. Commands given before now have been given before.
+  void advance(XrTime now);
+
+  /// The hand as the tracker reports it for `time`; nothing while it is not tracked. A time to come is a
+  /// prediction: as if the plate got no further command.
+  std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
+
+ private:
+  struct Hand {
+    bool tracked = false;
+    bool lost = false;
+    std::optional<XrTime> frozen_at;
+    Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();
+    std::optional<Reach> reach;
+    double height_m = 0.0;
+  };
+
+  Hand& at(XrHandEXT hand) { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
+  const Hand& at(XrHandEXT hand) const { return hands_[hand == XR_HAND_LEFT_EXT ? 0 : 1]; }
+  const HandSettings& settings_of(XrHandEXT side) const {
+    return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
+  }
+  HandState hand_on_path(XrHandEXT side, XrTime time) const;
+  HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
+  Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
+
+  WorldSettings settings_;
+  Servo servo_;
+  Pose plate_;
+  double plate_radius_m_ = 0.0;
+  std::array<Hand, 2> hands_;
+  std::uint32_t reaches_ = 0;
+  XrTime start_;
+  XrTime now_;
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,232 @@
+#include "samples/reach/xr/session.h"
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <thread>
+
+#include "samples/reach/exit_code.h"
+#include "samples/reach/interrupt.h"
+
+namespace hrt::reach {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
+constexpr auto poll_period = 2ms;                // while there are no frames to wait for
+constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
+
+// A failure that stays one: the runtime does what the specification forbids, or takes too long.
+[[noreturn]] void fail(const std::string& sentence) {
+  throw Failure(ExitCode::runtime_failed, sentence);
+}
+
+std::string within(std::chrono::milliseconds limit) {
+  char text[32];
+  std::snprintf(text, sizeof text, "within %g s", static_cast<double>(limit.count()) * 1e-3);
+  return text;
+}
+
+bool can_be_observed(const XrHandJointLocationEXT& joint) {
+  constexpr XrSpaceLocationFlags needed =
+      XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const XrVector3f& position = joint.pose.position;
+  return (joint.locationFlags & needed) == needed && std::isfinite(position.x) && std::isfinite(position.y) &&
+         std::isfinite(position.z);
+}
+
+}  // namespace
+
+XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, const XrPosef& plate_pose,
+                                     std::chrono::milliseconds limit)
+    : runtime_(runtime), limit_(limit) {
+  try {
+    create(plate_pose);
+  } catch (...) {
+    destroy();
+    throw;
+  }
+}
+
+XrHeadlessSession::~XrHeadlessSession() {
+  destroy();
+}
+
+void XrHeadlessSession::create(const XrPosef& plate_pose) {
+  create_hand_tracker_ = runtime_.function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT");
+  destroy_hand_tracker_ = runtime_.function<PFN_xrDestroyHandTrackerEXT>("xrDestroyHandTrackerEXT");
+  locate_hand_joints_ = runtime_.function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
+  if (runtime_.enabled(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME))
+    convert_timespec_ =
+        runtime_.function<PFN_xrConvertTimespecTimeToTimeKHR>("xrConvertTimespecTimeToTimeKHR");
+
+  // No graphics binding: a headless session (XR_MND_headless).
+  XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO};
+  session_info.systemId = runtime_.system();
+  CHECK_XR(xrCreateSession(runtime_.instance(), &session_info, &session_));
+  frame_waiter_.emplace(session_);
+
+  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
+  space_info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  space_info.poseInReferenceSpace = identity;
+  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &local_space_));
+  space_info.poseInReferenceSpace = plate_pose;
+  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &plate_space_));
+
+  for (const Hand hand : {Hand::left, Hand::right}) {
+    XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT};
+    tracker_info.hand = hand == Hand::left ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
+    tracker_info.handJointSet = XR_HAND_JOINT_SET_DEFAULT_EXT;
+    CHECK_XR_NAMED("xrCreateHandTrackerEXT",
+                   create_hand_tracker_(session_, &tracker_info, &trackers_[static_cast<std::size_t>(hand)]));
+  }
+}
+
+// Handles of a lost session or instance are still destroyed; what that returns then changes nothing.
+void XrHeadlessSession::destroy() {
+  if (is_blocked()) return;
+  frame_waiter_.reset();
+  for (const XrHandTrackerEXT tracker : trackers_)
+    if (tracker != XR_NULL_HANDLE) destroy_hand_tracker_(tracker);
+  if (plate_space_ != XR_NULL_HANDLE) xrDestroySpace(plate_space_);
+  if (local_space_ != XR_NULL_HANDLE) xrDestroySpace(local_space_);
+  if (session_ != XR_NULL_HANDLE) xrDestroySession(session_);
+}
+
+XrTime XrHeadlessSession::next_frame() {
+  const auto give_up = Clock::now() + limit_;
+  for (;;) {
+    throw_if_interrupted();
+    poll_events();
+    if (!running_) wait_until_running();
+    const std::optional<XrTime> time = frame_of_runtime();
+    if (time && *time > last_frame_) return last_frame_ = *time;
+    if (Clock::now() > give_up) fail("the OpenXR runtime's time stands still");
+    if (!time) std::this_thread::sleep_for(poll_period);
+  }
+}
+
+// A frame by the runtime's loop. Where that gives no time (a headless session need not have a frame loop),
+// by our own, at the time that the runtime tells for now.
+std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
+  if (!frames_have_times_) {
+    std::this_thread::sleep_for(own_frame_period);
+    return time_now();
+  }
+  XrFrameState frame{XR_TYPE_FRAME_STATE};
+  const XrResult waited = wait_frame(frame);
+  if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
+  const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
+  if (has_loop) CHECK_XR_NAMED("xrWaitFrame", waited);
+  if (!has_loop || frame.predictedDisplayTime <= 0) {
+    frames_have_times_ = false;
+    return time_now();
+  }
+  CHECK_XR(xrBeginFrame(session_, nullptr));
+  XrFrameEndInfo end_info{XR_TYPE_FRAME_END_INFO};
+  end_info.displayTime = frame.predictedDisplayTime;
+  end_info.environmentBlendMode = blend_mode_;
+  CHECK_XR(xrEndFrame(session_, &end_info));
+  return frame.predictedDisplayTime;
+}
+
+XrResult XrHeadlessSession::wait_frame(XrFrameState& frame) {
+  if (const std::optional<XrResult> waited = frame_waiter_->wait(frame, limit_)) return *waited;
+  runtime_.abandon();
+  throw Failure(ExitCode::runtime_blocked, "the OpenXR runtime " + runtime_.name() +
+                                               " has not returned from xrWaitFrame " + within(limit_));
+}
+
+XrTime XrHeadlessSession::time_now() const {
+  if (convert_timespec_ == nullptr)
+    fail("the OpenXR runtime gives its frames no time and has no XR_KHR_convert_timespec_time to ask for it");
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  XrTime time = 0;
+  CHECK_XR_NAMED("xrConvertTimespecTimeToTimeKHR", convert_timespec_(runtime_.instance(), &now, &time));
+  return time;
+}
+
+void XrHeadlessSession::wait_until_running() {
+  const auto give_up = Clock::now() + limit_;
+  while (!running_) {
+    throw_if_interrupted();
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not let the session run " + within(limit_));
+    std::this_thread::sleep_for(poll_period);
+    poll_events();
+  }
+}
+
+void XrHeadlessSession::poll_events() {
+  for (;;) {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    if (CHECK_XR(xrPollEvent(runtime_.instance(), &event)) == XR_EVENT_UNAVAILABLE) return;
+    if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
+      throw XrLost(XR_ERROR_INSTANCE_LOST, "the runtime announced the loss of the instance");
+    if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
+    const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
+    if (change.session == session_) change_state(change.state);
+  }
+}
+
+// A state that comes again, or one that this version of the API does not know, changes nothing.
+void XrHeadlessSession::change_state(XrSessionState state) {
+  state_ = state;
+  switch (state) {
+    case XR_SESSION_STATE_READY:
+      if (!running_) {
+        XrSessionBeginInfo begin_info{XR_TYPE_SESSION_BEGIN_INFO};
+        begin_info.primaryViewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+        CHECK_XR(xrBeginSession(session_, &begin_info));
+        running_ = true;
+      }
+      break;
+    case XR_SESSION_STATE_STOPPING:
+      if (running_) {
+        CHECK_XR(xrEndSession(session_));
+        running_ = false;
+      }
+      break;
+    case XR_SESSION_STATE_LOSS_PENDING:
+      throw XrLost(XR_SESSION_LOSS_PENDING, "the runtime announced the loss of the session");
+    case XR_SESSION_STATE_EXITING:
+      if (!ending_) fail("the OpenXR runtime ended the session");
+      break;
+    default:
+      break;
+  }
+}
+
+Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
+  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT};
+  locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
+  locations.jointLocations = joints.data();
+  XrHandJointsLocateInfoEXT locate_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT};
+  locate_info.baseSpace = plate_space_;
+  locate_info.time = time;
+  CHECK_XR_NAMED("xrLocateHandJointsEXT",
+                 locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
+  const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
+  if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
+  const XrVector3f& position = tip.pose.position;
+  return {
+      true,
+      {static_cast<double>(position.x), static_cast<double>(position.y), static_cast<double>(position.z)}};
+}
+
+void XrHeadlessSession::end() {
+  if (!running_) return;
+  ending_ = true;
+  CHECK_XR(xrRequestExitSession(session_));
+  const auto give_up = Clock::now() + limit_;
+  while (running_) {
+    poll_events();
+    if (!running_) return;
+    if (Clock::now() > give_up) fail("the OpenXR runtime did not stop the session when asked to");
+    frame_of_runtime();
+  }
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,53 @@
+// The other side of a runtime that simulates its user (XR_HRTX_ridged_plate): the participant is told what
+// to do, the simulated plate turns, and the truth about the reach can be asked for.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <array>
+#include <cstdint>
+
+#include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
+#include "samples/reach/xr/session.h"
+
+namespace hrt::reach {
+
+/// The extension's functions for one session. Every call throws XrFailure. One thread.
+class Simulation {
+ public:
+  Simulation(const XrRuntime& runtime, const XrHeadlessSession& session);
+
+  /// `pose` of the plate in the LOCAL reference space.
+  void place_plate(const XrPosef& pose, double radius_m);
+
+  /// The participant, and the noise, come from this seed from now on; the next reach has this number, from 0.
+  void seed(std::uint64_t seed, std::uint32_t next_reach);
+
+  /// The participant starts to slide now, from `start_m` in plate coordinates.
+  void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
+                double path_length_m);
+
+  struct Truth {
+    double finger_direction_deg;     ///< P after the participant's last step
+    double perceived_direction_deg;  ///< felt in that step
+    double tactile_weight;           ///< the share of touch in what the participant feels
+    std::array<double, 3> tip_m;     ///< in plate coordinates, without the tracker's errors
+    bool done;                       ///< the path's whole length has been gone
+  };
+  Truth truth(Hand hand) const;
+
+  void set_plate_orientation(double orientation_deg);
+  double plate_orientation_deg(XrTime time) const;
+
+ private:
+  XrSession session_;
+  XrSpace space_;
+  PFN_xrPlacePlateHRTX place_plate_;
+  PFN_xrSetSimulationSeedHRTX set_seed_;
+  PFN_xrInstructReachHRTX instruct_reach_;
+  PFN_xrGetReachTruthHRTX get_reach_truth_;
+  PFN_xrSetPlateOrientationHRTX set_plate_orientation_;
+  PFN_xrGetPlateOrientationHRTX get_plate_orientation_;
+};
+
+}  // namespace hrt::reach

@@ -1,0 +1,126 @@
+// hrt-study calibrate: who made these slides?
+#include <fstream>
+#include <memory>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands/commands.h"
+#include "samples/study/figures/calibration.h"
+#include "samples/study/figures/gnuplot.h"
+#include "samples/study/figures/workshop.h"
+#include "samples/study/output.h"
+#include "samples/study/participants.h"
+
+namespace hrt::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A thousand slides of a minute at 90 Hz have half of this.
+constexpr std::size_t most_bytes = std::size_t{1} << 29;
+
+struct Options {
+  std::string data;
+  CalibrationConfig config;
+  double step_period_s = 0.1;
+  std::string format = "text";
+  std::string plot;
+  std::string profile;
+  std::string out;
+};
+
+std::string read_data(const std::string& path) {
+  const auto refuse = [&](const std::string& why) {
+    return UsageError(not_allowed("FILE", path, "a file that can be read (" + why + ")"));
+  };
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) throw refuse("this is a folder");
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw refuse(std::generic_category().message(errno));
+  std::string text;
+  std::vector<char> block(1 << 20);
+  do {
+    file.read(block.data(), static_cast<std::streamsize>(block.size()));
+    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
+    if (text.size() > most_bytes) throw refuse("this one is larger than 512 MiB");
+  } while (file);
+  if (file.bad()) throw refuse("reading fails");
+  return text;
+}
+
+// The picture, in the format that its name ends with.
+std::string draw(const Figure& figure, const std::string& path) {
+  const std::string ending = path.ends_with(".png") ? "png" : "svg";
+  const fs::path parent = fs::absolute(path).parent_path();
+  const Workshop workshop("--plot", parent.string());
+  run_gnuplot(drawing(figure, ending), workshop.folder());
+  return workshop.read(figure.name + '.' + ending);
+}
+
+CalibrationReport calibrated(const Options& options) {
+  CalibrationReport report{.name = options.data, .config = options.config};
+  const auto trials = parse_calibration_csv(options.data, read_data(options.data));
+  report.trials = trials.size();
+  const auto result = calibrate(trials, options.config);
+  if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))
+    throw std::runtime_error(options.data + ": no calibration: " + refusal->reason);
+  report.calibration = std::get<Calibration>(result);
+  return report;
+}
+
+void run(Options options) {
+  options.config.step_period_ns = std::llround(options.step_period_s * 1e9);
+  if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
+    throw UsageError(not_allowed("--plot", options.plot, "a file whose name ends with .svg or .png"));
+  const Output out("--out", options.out);
+  const Output plot("--plot", options.plot);
+  const Output profile("--profile", options.profile);
+
+  // Whatever can fail does so before anything is written.
+  const CalibrationReport report = calibrated(options);
+  const std::string page = options.format == "json" ? calibration_json(report) : calibration_text(report);
+  const std::string picture = options.plot.empty() ? "" : draw(calibration_figure(report), options.plot);
+  if (!options.plot.empty()) plot.write(picture);
+  if (!options.profile.empty()) profile.write(calibration_profile(report.calibration));
+  out.write(page);
+}
+
+}  // namespace
+
+void add_calibrate(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "calibrate", "A participant's parameters from slides over a plate at rest.",
+      "FILE is CSV with a header that names " + std::string(calibration_header) +
+          ":\na row a tracked position of the fingertip (right of and away along the mid-line), the rows of "
+          "a "
+          "trial\ntogether, its time increasing. Lines that start with # and other columns are passed over.\n"
+          "\n"
+          "Let the person slide to one target, eight to ten times at each of the plate orientations -60, "
+          "-30, "
+          "0,\n"
+          "30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed "
+          "are\n"
+          "ten such slides at three orientations that span 40 deg. If the data can't tell, there is a reason "
+          "on\n"
+          "standard error, and the exit code is 1.\n"
+          "\n"
+          "Examples:\n"
+          "  hrt-study calibrate me.csv --plot me.svg --profile me.json\n"
+          "  hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json",
+      [options] { run(*options); });
+  require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
+  add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
+             "Where the person was told to go, deg; best 0: off the mid-line the motor variance comes out "
+             "too large.");
+  add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
+  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
+  add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",
+           "Draw directions and residuals there. Needs gnuplot.");
+  add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
+           "Write a profile there that the plugin loads (hrt_profile_load).");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
+           "Write there instead of to standard output.");
+}
+
+}  // namespace hrt::study

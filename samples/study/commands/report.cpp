@@ -1,0 +1,70 @@
+// hrt-study report: the paper's figures from the model, and a page that shows them all.
+#include <memory>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands/commands.h"
+#include "samples/study/figures/figures.h"
+#include "samples/study/figures/gnuplot.h"
+#include "samples/study/figures/page.h"
+#include "samples/study/figures/workshop.h"
+#include "samples/study/output.h"
+
+namespace hrt::study {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  Table1Options table;
+  std::string out;
+};
+
+void run(const Options& options) {
+  const Workshop workshop("--out", options.out);
+  run_gnuplot("", workshop.folder());  // missing: said before the work, not after it
+
+  const Table1 table = simulate_table1(options.table);
+  std::vector<Figure> figures = path_figures(options.table.seed);
+  figures.push_back(table1_figure(table));
+  figures.push_back(authority_figure(table));
+  figures.push_back(frontier_figure({.trials = std::max<std::uint64_t>(1, options.table.trials / 2),
+                                     .seed = options.table.seed,
+                                     .threads = options.table.threads}));
+  std::string script;
+  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
+  run_gnuplot(script, workshop.folder());
+
+  std::vector<std::string> drawings;
+  for (const Figure& figure : figures) drawings.push_back(workshop.read(figure.name + ".svg"));
+  const std::string page = "report.html";
+  replace_file(workshop.folder() / page, html_page(table, figures, drawings));
+  for (const Figure& figure : figures)
+    for (const char* ending : {".svg", ".png"}) workshop.publish(figure.name + ending);
+  workshop.publish(page);
+  Output("--out", "")
+      .write("Wrote " + std::to_string(2 * figures.size()) + " pictures and the page " +
+             (fs::path(options.out) / page).string() + "\n");
+}
+
+}  // namespace
+
+void add_report(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.",
+      "Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which holds all\n"
+      "pictures itself. Needs gnuplot. Files of these names are replaced.\n"
+      "\n"
+      "Examples:\n"
+      "  hrt-study report --out report\n"
+      "  hrt-study report --out quick --trials 1000",
+      [options] { run(*options); });
+  require(add_path(command, "--out", &options->out, "a folder that can be written",
+                   "Folder for the files; made if missing."));
+  add_trials(command, &options->table.trials,
+             "Trials of each cell of Table I; half as many for each point of the frontier.");
+  add_seed(command, &options->table.seed);
+  add_threads(command, &options->table.threads);
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,147 @@
+// hrt-study scene: what a glTF scene holds, and which of its pairs can be held with which plate orientation.
+#include "scene/scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "core/authority.h"
+#include "core/trigonometry.h"
+#include "samples/study/arguments.h"
+#include "samples/study/commands/commands.h"
+#include "samples/study/output.h"
+
+namespace hrt::study {
+namespace {
+
+struct Options {
+  std::string file;
+  std::vector<double> tactile_weights{0.1, 0.15, 0.2};
+  double plate_bound_deg = 84.5;
+  std::string format = "text";
+  std::string out;
+};
+
+const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target) {
+  return scene.targets[virtual_target.served_by.value()];
+}
+
+// The gap is the shorter way round, so that a pair about the direction of 180 degrees is not 360 apart.
+Authority authority_over(const Scene& scene, const SceneTarget& virtual_target, double tactile_weight,
+                         double plate_bound_deg) {
+  const double virtual_deg = virtual_target.direction_deg;
+  const double gap_deg = wrap_deg(virtual_deg - real_of(scene, virtual_target).direction_deg, 360.0);
+  return steering_authority(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
+}
+
+// What rounds to zero is written without a sign.
+std::string degrees(double angle_deg) {
+  return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2);
+}
+
+std::string millimetres(double metres) {
+  return fixed(std::abs(metres) < 0.5e-4 ? 0.0 : metres * 1e3, 1);
+}
+
+std::string text(const Scene& scene, const Options& options) {
+  const ScenePlate& plate = scene.plate;
+  std::string page = "Plate " + plate.node_path + ": radius " + millimetres(plate.radius_m) + " mm";
+  page += plate.max_speed_deg_s ? ", at most " + number(*plate.max_speed_deg_s) + " deg/s\n" : "\n";
+  page += "Start " + scene.start_path.value_or("(default)") + ": x " + millimetres(scene.start_m.x) +
+          " mm, z " + millimetres(scene.start_m.z) + " mm from the plate's centre\n\n";
+
+  std::size_t widest = 6;
+  for (const SceneTarget& target : scene.targets) widest = std::max(widest, target.name.size());
+  page += left("target", widest) + "  kind     direction  distance  height  node\n";
+  page += left("", widest) + "                 deg        mm      mm\n";
+  for (const SceneTarget& target : scene.targets)
+    page += left(target.name, widest) + (target.served_by ? "  virtual" : "  real   ") +
+            right(degrees(target.direction_deg), 11) + right(millimetres(target.distance_m), 10) +
+            right(millimetres(target.position_m.y), 8) + "  " + target.node_path + '\n';
+
+  page +=
+      "\nWhere the plate must stand, in deg from the mid-line, to hold the finger on the real target while "
+      "the\n"
+      "virtual one is felt; -: no orientation within " +
+      number(options.plate_bound_deg) +
+      " deg of the virtual direction does. From the model;\nthere was no human trial.\n\n";
+  page += left("virtual", widest) + "  " + left("real", widest) + "     gap  tactile weight\n";
+  page += left("", 2 * widest + 2) + "     deg";
+  for (const double tactile_weight : options.tactile_weights) page += right(number(tactile_weight), 8);
+  page += '\n';
+  for (const SceneTarget& target : scene.targets) {
+    if (!target.served_by) continue;
+    const double first_weight = options.tactile_weights.front();
+    const double gap_deg = authority_over(scene, target, first_weight, options.plate_bound_deg).gap_deg;
+    page += left(target.name, widest) + "  " + left(real_of(scene, target).name, widest) +
+            right(degrees(gap_deg), 8);
+    for (const double tactile_weight : options.tactile_weights) {
+      const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
+      page += right(authority.reachable ? fixed(authority.plate_orientation_deg, 1) : "-", 8);
+    }
+    page += '\n';
+  }
+  return page;
+}
+
+std::string json(const Scene& scene, const Options& options) {
+  nlohmann::ordered_json page{
+      {"simulation", true},
+      {"plate", {{"node", scene.plate.node_path}, {"radius_m", scene.plate.radius_m}}},
+      {"start_m", {scene.start_m.x, scene.start_m.y, scene.start_m.z}},
+      {"plate_bound_deg", options.plate_bound_deg},
+      {"targets", nlohmann::ordered_json::array()},
+      {"pairs", nlohmann::ordered_json::array()}};
+  if (scene.plate.max_speed_deg_s) page["plate"]["max_speed_deg_s"] = *scene.plate.max_speed_deg_s;
+  for (const SceneTarget& target : scene.targets) {
+    nlohmann::ordered_json entry{{"name", target.name},
+                                 {"kind", target.served_by ? "virtual" : "real"},
+                                 {"direction_deg", target.direction_deg},
+                                 {"distance_m", target.distance_m},
+                                 {"height_m", target.position_m.y},
+                                 {"node", target.node_path}};
+    if (target.radius_m) entry["radius_m"] = *target.radius_m;
+    page["targets"].push_back(std::move(entry));
+    if (!target.served_by) continue;
+    for (const double tactile_weight : options.tactile_weights) {
+      const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
+      page["pairs"].push_back({{"virtual", target.name},
+                               {"real", real_of(scene, target).name},
+                               {"tactile_weight", tactile_weight},
+                               {"gap_deg", authority.gap_deg},
+                               {"largest_gap_deg", authority.largest_gap_deg},
+                               {"reachable", authority.reachable},
+                               {"plate_orientation_deg", authority.plate_orientation_deg}});
+    }
+  }
+  return page.dump(2) + '\n';
+}
+
+}  // namespace
+
+void add_scene(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
+                  "scene/README.md tells what a designer writes into the file.\n"
+                  "\n"
+                  "Examples:\n"
+                  "  hrt-study scene samples/scenes/desk.gltf\n"
+                  "  hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json",
+                  [options] {
+                    const Output output("--out", options->out);
+                    const Scene scene = load_scene(options->file);
+                    output.write(options->format == "json" ? json(scene, *options) : text(scene, *options));
+                  });
+  require(add_path(command, "FILE", &options->file, "a glTF file, .gltf or .glb", "The scene."));
+  add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
+              "Shares of touch in the felt direction (w_T).");
+  add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
+             "How far the plate turns from the virtual direction, deg.");
+  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
+           "Write there instead of to standard output.");
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,159 @@
+// hrt-study sweep: every combination of lists of values, as CSV, in parts and resumable.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands/commands.h"
+#include "samples/study/grid.h"
+#include "samples/study/output.h"
+#include "samples/study/sweep_file.h"
+
+namespace hrt::study {
+namespace {
+
+/// Part `number` of `count`, from 1.
+struct Part {
+  std::uint64_t number = 1;
+  std::uint64_t count = 1;
+
+  // The first point of this part; the product stays within 64 bits.
+  std::uint64_t begin(std::uint64_t points) const { return points * (number - 1) / count; }
+  std::uint64_t end(std::uint64_t points) const { return points * number / count; }
+};
+
+constexpr std::uint64_t most_parts = 1'000'000;
+
+struct Options {
+  Grid grid;
+  Part part;
+  std::uint64_t trials = 1'000;
+  std::uint64_t seed = 1;
+  std::uint64_t threads = 1;
+  std::string out;
+};
+
+std::optional<Part> parse_part(const std::string& text) {
+  Part part;
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, part.number);
+  if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return std::nullopt;
+  const auto second = std::from_chars(first.ptr + 1, end, part.count);
+  if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
+  if (part.number < 1 || part.number > part.count || part.count > most_parts) return std::nullopt;
+  return part;
+}
+
+// Simulates points [first, last) together; one row each.
+std::string rows(const Options& options, std::uint64_t first, std::uint64_t last,
+                 const std::function<void(std::uint64_t)>& progress) {
+  std::vector<BatchJob> jobs;
+  for (std::uint64_t index = first; index < last; ++index)
+    jobs.push_back({.condition = options.grid.at(index),
+                    .condition_id = static_cast<std::uint32_t>(index),
+                    .first_trial = 0,
+                    .last_trial = static_cast<std::uint32_t>(options.trials)});
+  const std::vector<BatchResult> results =
+      run_batch(jobs, options.seed,
+                {.threads = static_cast<int>(options.threads),
+                 .progress = [&](std::uint64_t done, std::uint64_t) { progress(done); }});
+  std::string text;
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+    text += grid_row_start(first + i, jobs[i].condition, options.seed, options.trials) +
+            grid_row_end(jobs[i].condition, results[i]);
+  return text;
+}
+
+// Simulates points [first, last), a block at a time; `write` gets the rows of each.
+void simulate(const Options& options, std::uint64_t first, std::uint64_t last,
+              const std::function<void(const std::string&)>& write) {
+  // Blocks of about this many trials: little is lost when a run is stopped, and all threads have work.
+  constexpr std::uint64_t block_trials = 50'000;
+  const std::uint64_t block = std::max<std::uint64_t>(1, block_trials / options.trials);
+  Progress progress;
+  for (std::uint64_t begin = first; begin < last; begin += block) {
+    const std::uint64_t end = std::min(begin + block, last);
+    write(rows(options, begin, end, [&](std::uint64_t done) {
+      progress.update((begin - first) * options.trials + done, (last - first) * options.trials);
+    }));
+  }
+}
+
+void check_gaps(const Grid& grid) {
+  const auto [smallest, largest] = std::minmax_element(grid.gaps_deg.begin(), grid.gaps_deg.end());
+  for (const double virtual_deg : grid.virtual_directions_deg)
+    for (const double gap_deg : {*smallest, *largest})
+      // The real direction is rounded, so that a gap of nearly 90 may become one of 90.
+      if (std::abs(virtual_deg - (virtual_deg - gap_deg)) >= gap_range.high)
+        throw UsageError(not_allowed("--gap", number(gap_deg), gap_range.text()));
+}
+
+void run(const Options& options) {
+  check_gaps(options.grid);
+  const std::uint64_t points = options.grid.size();
+  const std::uint64_t first = options.part.begin(points);
+  const std::uint64_t last = options.part.end(points);
+  const std::string header = options.part.number == 1 ? grid_header() : "";
+  if (options.out.empty()) {
+    const Output output("--out", "");
+    output.write(header);
+    simulate(options, first, last, [&](const std::string& text) { output.write(text); });
+    return;
+  }
+  const std::string all_columns = grid_header();
+  SweepFile file("--out", options.out,
+                 {.header = header,
+                  .rows = last - first,
+                  .commas = std::count(all_columns.begin(), all_columns.end(), ','),
+                  .row_start = [&](std::uint64_t row) {
+                    return grid_row_start(first + row, options.grid.at(first + row), options.seed,
+                                          options.trials);
+                  }});
+  if (file.is_complete()) return;
+  simulate(options, first + file.rows(), last, [&](const std::string& text) { file.append(text); });
+  file.finish();
+}
+
+}  // namespace
+
+void add_sweep(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "sweep", "Every combination of lists of values, as CSV; in parts, and resumable.",
+      "Every option that takes a list makes the grid larger by the number of its values. A row of the CSV "
+      "is\n"
+      "one point of the grid: all it depends on, then what came of its trials. Point i takes the random\n"
+      "numbers of condition i, so the rows do not depend on threads or parts.\n"
+      "\n"
+      "Stopped and started again with the same arguments, it goes on where it was: rows gather in\n"
+      "FILE.partial, which becomes FILE when all are there. If FILE is there already, nothing is done.\n"
+      "Part 1 has the header and the others have none: 'cat' of all parts in order is the whole.\n"
+      "\n"
+      "Examples:\n"
+      "  hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv\n"
+      "  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000\n"
+      "  hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv\n"
+      "  cat part1.csv part2.csv part3.csv > whole.csv",
+      [options] { run(*options); });
+  add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range,
+              "Gap: virtual minus real direction, deg.");
+  add_numbers(command, "--virtual", &options->grid.virtual_directions_deg, direction_range,
+              "Direction of the virtual target, deg.");
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    add_parameter(command, parameters[i], &options->grid.values[i]);
+  add_trials(command, &options->trials, "Trials of each point.");
+  add_seed(command, &options->seed);
+  add_threads(command, &options->threads);
+  add_value(command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(most_parts), "1/1",
+            "Which part of how many to do.", [options](const std::string& text) {
+              const std::optional<Part> part = parse_part(text);
+              if (part) options->part = *part;
+              return part.has_value();
+            });
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
+           "Write there instead of to standard output; needed to resume.");
+}
+
+}  // namespace hrt::study

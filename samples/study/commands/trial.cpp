@@ -1,0 +1,115 @@
+// hrt-study trial: one simulated reach as CSV, a row a step.
+#include "core/simulation/trial.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "samples/study/arguments.h"
+#include "samples/study/commands/commands.h"
+#include "samples/study/output.h"
+#include "samples/study/parameters.h"
+
+namespace hrt::study {
+namespace {
+
+struct Options {
+  ParameterValues values = default_values();
+  double real_direction_deg = -5.0;
+  double virtual_direction_deg = 5.0;
+  double plate_start_deg = 0.0;
+  double fixed_plate_deg = std::numeric_limits<double>::quiet_NaN();  // the controller turns it
+  std::uint64_t seed = 1;
+  std::uint64_t condition = 0;
+  std::uint64_t trial = 0;
+  std::string out;
+};
+
+const char* name(ActiveBound bound) {
+  switch (bound) {
+    case ActiveBound::none:
+      return "none";
+    case ActiveBound::lower:
+      return "lower";
+    case ActiveBound::upper:
+      return "upper";
+    case ActiveBound::rate_down:
+      return "rate_down";
+    case ActiveBound::rate_up:
+      return "rate_up";
+  }
+  return "";
+}
+
+std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome) {
+  std::string page =
+      "step,finger_direction_deg,plate_orientation_deg,felt_direction_deg,perceived_direction_deg,gain,"
+      "variance_deg2,motor_command_deg,noise_deg,active_bound\n";
+  for (const TrialStep& step : steps) {
+    page += std::to_string(step.step);
+    for (const double value : {step.finger_direction_deg, step.plate_orientation_deg, step.felt_direction_deg,
+                               step.perceived_direction_deg, step.gain, step.variance_deg2,
+                               step.motor_command_deg, step.noise_deg})
+      page += ',' + number(value);
+    page += std::string(",") + name(step.active) + '\n';
+  }
+  return page + std::to_string(steps.size()) + ',' + number(outcome.final_direction_deg) + ",,,,,,,,\n";
+}
+
+void run(const Options& options) {
+  Condition condition =
+      make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
+  condition.plate_orientation_deg = options.plate_start_deg;
+  if (!std::isnan(options.fixed_plate_deg)) {
+    condition.controller.mode = ControlMode::fixed_plate;
+    condition.controller.fixed_plate_orientation_deg = options.fixed_plate_deg;
+  }
+  if (std::abs(options.virtual_direction_deg - options.real_direction_deg) >= gap_range.high)
+    throw UsageError(
+        not_allowed("--real", number(options.real_direction_deg),
+                    "less than 90 deg from --virtual (" + number(options.virtual_direction_deg) + ")"));
+  const Output output("--out", options.out);
+  std::vector<TrialStep> steps;
+  const TrialOutcome outcome = simulate_trial(condition,
+                                              {.seed = options.seed,
+                                               .condition = static_cast<std::uint32_t>(options.condition),
+                                               .trial = static_cast<std::uint32_t>(options.trial)},
+                                              &steps);
+  output.write(csv(steps, outcome));
+}
+
+}  // namespace
+
+void add_trial(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command = add_command(
+      app, "trial", "One simulated reach as CSV, a row a step.",
+      "Row k holds what happened in step k. The last row holds only the direction in which the finger\n"
+      "moves after the last step. Numbers have full precision. The same seed, condition and trial\n"
+      "number give the random numbers of that trial in a batch.\n"
+      "\n"
+      "Examples:\n"
+      "  hrt-study trial --real 0 --virtual 10 --out reach.csv\n"
+      "  hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0",
+      [options] { run(*options); });
+  add_number(command, "--real", &options->real_direction_deg, direction_range,
+             "Direction of the real target, deg.");
+  add_number(command, "--virtual", &options->virtual_direction_deg, direction_range,
+             "Direction of the virtual target, deg; less than 90 from the real one.");
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    add_parameter(command, parameters[i], &options->values[i]);
+  add_number(command, "--plate-start", &options->plate_start_deg, direction_range,
+             "Where the plate stands before the first step, deg; matters with a rate bound.");
+  show_default(add_number(command, "--fixed-plate", &options->fixed_plate_deg, direction_range,
+                          "No controller: the plate stays at this orientation, deg."),
+               "");
+  add_seed(command, &options->seed);
+  const auto largest = std::numeric_limits<std::uint32_t>::max();
+  add_integer(command, "--condition", &options->condition, 0, largest,
+              "Which condition's random numbers to take.");
+  add_integer(command, "--trial", &options->trial, 0, largest, "Which trial's random numbers to take.");
+  add_path(command, "--out", &options->out, "a file in a folder that can be written",
+           "Write there instead of to standard output.");
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,112 @@
+// What the weights of the cost trade: perceived against actual error.
+//
+// Away from the plate's bound the controller chooses e freely, and x = p - p_R goes x+ = x - e + noise with
+// the noise's variance s^2 = sigma_u^2 + var. Of all controllers, those with the least mean of e^2 for a mean
+// of x^2 are linear, e = g x with 0 < g <= 1, and at rest
+//     E x^2 = s^2 / (g (2 - g)),   E e^2 = g s^2 / (2 - g).
+// That curve is the limit: a bound on the plate only takes choices away.
+#include <cmath>
+
+#include "core/perception.h"
+#include "samples/study/figures/figures.h"
+#include "samples/study/output.h"
+#include "samples/study/parameters.h"
+
+namespace hrt::study {
+namespace {
+
+// Long enough to forget where the reach started, so that the errors are those at rest.
+constexpr int steps_to_rest = 100;
+
+constexpr double motor_variances_deg2[] = {0.5, 1.0};
+constexpr double tactile_weights[] = {0.15, 0.10};
+constexpr double actual_weights[] = {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 20.0};
+
+Condition condition(double motor_variance_deg2, double tactile_weight, double actual_weight) {
+  Condition condition = make_condition(default_values(), -5.0, 5.0);
+  condition.participant.motor_variance_deg2 = motor_variance_deg2;
+  condition.participant.tactile_weight = tactile_weight;
+  condition.controller.participant = condition.participant;
+  condition.controller.mpc.actual_weight = actual_weight;
+  condition.steps = steps_to_rest;
+  return condition;
+}
+
+std::string limit_curve(const std::string& name, double noise_variance_deg2) {
+  std::string block = '$' + name + " << EOD\n";
+  for (int i = 4; i <= 100; ++i) {
+    const double gain = 0.01 * i;
+    block += number(std::sqrt(noise_variance_deg2 * gain / (2.0 - gain))) + ' ' +
+             number(std::sqrt(noise_variance_deg2 / (gain * (2.0 - gain)))) + '\n';
+  }
+  return block + "EOD\n";
+}
+
+}  // namespace
+
+Figure frontier_figure(const FigureOptions& options) {
+  std::vector<BatchJob> jobs;
+  for (const double motor_variance_deg2 : motor_variances_deg2)
+    for (const double tactile_weight : tactile_weights)
+      for (const double actual_weight : actual_weights)
+        jobs.push_back({.condition = condition(motor_variance_deg2, tactile_weight, actual_weight),
+                        .condition_id = static_cast<std::uint32_t>(jobs.size()),
+                        .first_trial = 0,
+                        .last_trial = static_cast<std::uint32_t>(options.trials)});
+  Progress progress;
+  const std::vector<BatchResult> results =
+      run_batch(jobs, options.seed,
+                {.threads = static_cast<int>(options.threads),
+                 .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
+
+  Figure figure{
+      .name = "frontier",
+      .title = "Perceived against actual error as the weights vary",
+      .caption =
+          "Each point is a ratio of the two weights in the controller's cost, actual to perceived, from 0.05 "
+          "(upper left) to 20 (lower right); labelled where w_T = 0.15. Gap 10 deg, horizon 3, at rest (" +
+          std::to_string(steps_to_rest) + " steps), " + std::to_string(options.trials) +
+          " trials a point. Lines: the theoretical limit; no controller gets below or left of it. With "
+          "w_T = 0.10 a gap of 10 deg is just out of reach, so the points lie above.",
+      .width_px = 1000,
+      .height_px = 620};
+  std::string plots;
+  std::size_t job = 0;
+  int style = 0;
+  for (const double motor_variance_deg2 : motor_variances_deg2) {
+    const Condition any = condition(motor_variance_deg2, 0.15, 1.0);
+    const std::string limit = "limit" + std::to_string(style);
+    figure.script += limit_curve(limit, motor_variance_deg2 + steady_gain(any.participant).variance_deg2);
+    const std::string colour = style == 0 ? "#08306b" : "#b35806";
+    plots += (style == 0 ? "plot $" : ", $") + limit + " using 1:2 with lines lw 2 dt " +
+             (style == 0 ? "1" : "2") + " lc rgb '" + colour +
+             "' title 'limit, σ_u² = " + number(motor_variance_deg2) + "'";
+    for (const double tactile_weight : tactile_weights) {
+      const std::string block = "points" + std::to_string(job);
+      figure.script += '$' + block + " << EOD\n";
+      for (const double actual_weight : actual_weights) {
+        const BatchResult& result = results[job++];
+        figure.script += number(result.rms_felt_error_deg()) + ' ' + number(result.rms_miss_deg()) + ' ' +
+                         number(actual_weight) + '\n';
+      }
+      figure.script += "EOD\n";
+      const bool is_held = tactile_weight > 0.12;
+      const int point = (is_held ? 6 : 8) + style;
+      plots += ", $" + block + " using 1:2 with points ps 1.3 lw 1.5 pt " + std::to_string(point) +
+               " lc rgb '" + colour + "' title 'w_T = " + fixed(tactile_weight, 2) +
+               ", σ_u² = " + number(motor_variance_deg2) + "'";
+      if (is_held && style == 0) plots += ", $" + block + " using 1:2:3 with labels offset -2,-0.7 notitle";
+    }
+    ++style;
+  }
+  figure.script += "set title \"" + figure.title +
+                   " (simulation)\" font ',14'\nset key outside below\nset bmargin 7\nset grid back lt 1 lw "
+                   "0.6 lc rgb '#dddddd'\n"
+                   "set xrange [0:1.2]\nset yrange [0.5:3.5]\n"
+                   "set xlabel 'perceived error: RMS of perceived less virtual direction, deg'\n"
+                   "set ylabel 'actual error: RMS of true less real direction, deg'\n" +
+                   plots + "\n";
+  return figure;
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,78 @@
+#include "samples/study/figures/html.h"
+
+#include <algorithm>
+
+namespace hrt::study {
+namespace {
+
+constexpr const char* style = R"(
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #111; }
+svg { width: 100%; height: auto; }
+figure { margin: 2rem 0; border-top: 1px solid #ccc; padding-top: 1rem; }
+figcaption { max-width: 60rem; }
+table { border-collapse: collapse; margin: 1rem 0; }
+th, td { padding: .15rem .8rem; text-align: right; border-bottom: 1px solid #ddd; }
+td { white-space: nowrap; }
+th:first-child, td:first-child, .words { text-align: left; }
+td.words { white-space: normal; }
+tr.mean td { border-bottom: 2px solid #888; font-weight: bold; }
+tr.last td { border-bottom: 2px solid #888; }
+.note { border: 2px solid #111; padding: .5rem 1rem; font-weight: bold; }
+)";
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
+
+// The <svg> element alone, its ids made unique in the page: gnuplot gives every file the same.
+std::string inlined(const std::string& file, const Figure& figure) {
+  std::string svg = file.substr(std::min(file.find("<svg"), file.size()));
+  const std::string prefix = figure.name + '-';
+  for (const char* quote : {"'", "\""}) {
+    replace_all(svg, std::string(" id=") + quote, std::string(" id=") + quote + prefix);
+    replace_all(svg, std::string("href=") + quote + '#', std::string("href=") + quote + '#' + prefix);
+  }
+  replace_all(svg, "url(#", "url(#" + prefix);
+  replace_all(svg, "<title>Gnuplot</title>", "<title>" + escaped(figure.title) + "</title>");
+  return svg;
+}
+
+}  // namespace
+
+std::string escaped(const std::string& text) {
+  std::string result;
+  for (const char character : text) {
+    if (character == '&')
+      result += "&amp;";
+    else if (character == '<')
+      result += "&lt;";
+    else if (character == '>')
+      result += "&gt;";
+    else
+      result += character;
+  }
+  return result;
+}
+
+std::string page_start(const std::string& title) {
+  return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
+         "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title) +
+         "</h1>\n<p class=\"note\">Everything on this page is simulation, the paper's numbers too. There was "
+         "no "
+         "human trial.</p>\n";
+}
+
+std::string table_cells(std::initializer_list<std::string> values) {
+  std::string row;
+  for (const std::string& value : values) row += "<td>" + escaped(value) + "</td>";
+  return row;
+}
+
+std::string figure_element(const Figure& figure, const std::string& drawing) {
+  return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) + "\">\n" + inlined(drawing, figure) +
+         "<figcaption><b>" + escaped(figure.title) + ".</b> " + escaped(figure.caption) +
+         " Simulation.</figcaption>\n</figure>\n";
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,221 @@
+// Figs. 4 to 8 of the paper.
+#include <algorithm>
+#include <cmath>
+
+#include "core/authority.h"
+#include "core/trigonometry.h"
+#include "samples/study/figures/figures.h"
+#include "samples/study/output.h"
+#include "samples/study/paper.h"
+#include "samples/study/parameters.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr double path_length_mm = 100.0;
+
+struct PaperFigure {
+  int number;
+  double real_direction_deg;
+  double virtual_direction_deg;
+  double motor_variance_deg2;
+  double tactile_weight;
+  bool is_plate_fixed;
+  const char* paper;  ///< what the paper says came of it
+};
+
+constexpr PaperFigure paper_figures[] = {
+    {4, 0, 10, 0.5, 0.15, false, "90 %"},
+    {5, 10, 0, 0.5, 0.10, false, "88 %"},
+    {6, -5, 5, 1.0, 0.10, false, "76 %"},
+    {7, 0, 12, 2.0, 0.15, false, "60 %"},
+    {8, 5, -5, 0.1, 0.15, true, "no correction towards the real target"},
+};
+
+struct Point {
+  double right_mm;
+  double forward_mm;
+};
+
+using Path = std::vector<Point>;
+
+Point ahead(Point from, double direction_deg, double distance_mm) {
+  return {from.right_mm - distance_mm * sin_deg(direction_deg),
+          from.forward_mm + distance_mm * cos_deg(direction_deg)};
+}
+
+// Equal distances along the direction of each step.
+Path path(const std::vector<TrialStep>& steps, double TrialStep::*direction_deg) {
+  Path path{{0.0, 0.0}};
+  for (const TrialStep& step : steps)
+    path.push_back(
+        ahead(path.back(), step.*direction_deg, path_length_mm / static_cast<double>(steps.size())));
+  return path;
+}
+
+Path median_path(const std::vector<Path>& paths) {
+  Path result;
+  for (std::size_t k = 0; k < paths.front().size(); ++k) {
+    std::vector<double> right_mm;
+    std::vector<double> forward_mm;
+    for (const Path& path : paths) {
+      right_mm.push_back(path[k].right_mm);
+      forward_mm.push_back(path[k].forward_mm);
+    }
+    result.push_back({median(right_mm), median(forward_mm)});
+  }
+  return result;
+}
+
+std::string data(const Path& path) {
+  std::string lines;
+  for (const Point& point : path) lines += number(point.right_mm) + ' ' + number(point.forward_mm) + '\n';
+  return lines;
+}
+
+// A blank line between paths breaks the curve.
+std::string block(const std::string& name, const std::vector<Path>& paths) {
+  std::string text = '$' + name + " << EOD\n";
+  for (const Path& path : paths) text += data(path) + '\n';
+  return text + "EOD\n";
+}
+
+// The direction after each step of each trial, and the median over the trials.
+std::string directions_block(const std::vector<std::vector<double>>& directions_deg) {
+  std::string trials = "$directions << EOD\n";
+  std::string medians = "$directions_median << EOD\n";
+  for (const auto& trial : directions_deg) {
+    for (std::size_t k = 0; k < trial.size(); ++k)
+      trials += std::to_string(k) + ' ' + number(trial[k]) + '\n';
+    trials += '\n';
+  }
+  for (std::size_t k = 0; k < directions_deg.front().size(); ++k) {
+    std::vector<double> at_step_deg;
+    for (const auto& trial : directions_deg) at_step_deg.push_back(trial[k]);
+    medians += std::to_string(k) + ' ' + number(median(at_step_deg)) + '\n';
+  }
+  return trials + "EOD\n" + medians + "EOD\n";
+}
+
+// "first:last", multiples of five that leave room about every point.
+std::string lateral_range(const std::vector<Path>& paths) {
+  double first_mm = 0.0;
+  double last_mm = 0.0;
+  for (const Path& path : paths)
+    for (const Point& point : path) {
+      first_mm = std::min(first_mm, point.right_mm);
+      last_mm = std::max(last_mm, point.right_mm);
+    }
+  return number(5.0 * std::floor(first_mm / 5.0 - 0.3)) + ':' + number(5.0 * std::ceil(last_mm / 5.0 + 0.3));
+}
+
+Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
+  Condition condition =
+      make_condition(default_values(), paper.real_direction_deg, paper.virtual_direction_deg);
+  condition.participant.motor_variance_deg2 = paper.motor_variance_deg2;
+  condition.participant.tactile_weight = paper.tactile_weight;
+  condition.controller.participant = condition.participant;
+  if (paper.is_plate_fixed) condition.controller.mode = ControlMode::fixed_plate;
+
+  std::vector<Path> true_paths;
+  std::vector<Path> perceived_paths;
+  std::vector<std::vector<double>> directions_deg;  // of each trial, after each step
+  std::string plate = "$plate << EOD\n0 " + number(condition.plate_orientation_deg) + '\n';
+  int hits = 0;
+  for (std::uint32_t trial = 0; trial < static_cast<std::uint32_t>(paper_trials); ++trial) {
+    std::vector<TrialStep> steps;
+    const TrialOutcome outcome = simulate_trial(
+        condition, {.seed = seed, .condition = static_cast<std::uint32_t>(paper.number), .trial = trial},
+        &steps);
+    hits += outcome.hit ? 1 : 0;
+    true_paths.push_back(path(steps, &TrialStep::finger_direction_deg));
+    perceived_paths.push_back(path(steps, &TrialStep::perceived_direction_deg));
+    directions_deg.emplace_back();
+    for (const TrialStep& step : steps) directions_deg.back().push_back(step.finger_direction_deg);
+    directions_deg.back().push_back(outcome.final_direction_deg);
+    if (trial > 0) continue;
+    for (const TrialStep& step : steps)
+      plate += std::to_string(step.step + 1) + ' ' + number(step.plate_orientation_deg) + '\n';
+  }
+  plate += "EOD\n";
+
+  const Point real = ahead({0.0, 0.0}, paper.real_direction_deg, path_length_mm);
+  const Point seen = ahead({0.0, 0.0}, paper.virtual_direction_deg, path_length_mm);
+  std::vector<Path> all_paths{{real, seen}};
+  all_paths.insert(all_paths.end(), true_paths.begin(), true_paths.end());
+  all_paths.insert(all_paths.end(), perceived_paths.begin(), perceived_paths.end());
+
+  const double bound_deg = condition.controller.mpc.plate_bound_deg;
+  const Authority authority = steering_authority(paper.real_direction_deg, paper.virtual_direction_deg,
+                                                 paper.tactile_weight, bound_deg);
+  const std::string targets =
+      "$real using 1:2 with points pt 7 ps 1.2 lc rgb '#1b7837' title 'real target', "
+      "$virtual using 1:2 with points pt 12 ps 1.4 lw 2 lc rgb '#b35806' title 'virtual target'\n";
+  const auto paths_panel = [&](const std::string& title, const std::string& paths, const std::string& thin,
+                               const std::string& thick) {
+    return "set title '" + title + "'\nplot $" + paths + " using 1:2 with lines lw 0.7 lc rgb '" + thin +
+           "' title 'one trial', $" + paths + "_median using 1:2 with lines " + thick + " title 'median', " +
+           targets;
+  };
+  const auto level = [](double value_deg, const std::string& look) {
+    return number(value_deg) + " with lines lc rgb '#555555' " + look + ", ";
+  };
+
+  const std::string number_text = std::to_string(paper.number);
+  Figure figure{
+      .name = "fig" + number_text,
+      .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) +
+               " deg, virtual at " + number(paper.virtual_direction_deg) + " deg" +
+               (paper.is_plate_fixed ? ", no controller" : ""),
+      .caption =
+          "a: " + number(paper_trials) +
+          " simulated paths and their median; the scale to the side is enlarged. b: the paths that the "
+          "participant perceives. c: the plate in the first of these trials. d: the direction of motion, "
+          "which the last step judges. Motor variance " +
+          number(paper.motor_variance_deg2) + " deg², tactile weight " + number(paper.tactile_weight) + ". " +
+          number(100.0 * hits / paper_trials) +
+          " % of these trials end within 1.5 deg of the real direction; the paper: " + paper.paper + ".",
+      .width_px = 1200,
+      .height_px = 960};
+  figure.script =
+      block("true", true_paths) + block("true_median", {median_path(true_paths)}) +
+      block("perceived", perceived_paths) + block("perceived_median", {median_path(perceived_paths)}) +
+      block("real", {{real}}) + block("virtual", {{seen}}) + plate + directions_block(directions_deg) +
+      "set multiplot layout 2,2 title \"" + figure.title +
+      " (simulation)\" font ',14'\n"
+      "set key below spacing 1.2\nset bmargin 7\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset xrange [" +
+      lateral_range(all_paths) +
+      "]\nset yrange [0:110]\nset xlabel 'to the right of the mid-line, mm'\n"
+      "set ylabel 'away from the participant, mm'\n" +
+      paths_panel("a: true paths", "true", "#9ecae1", "lw 3 lc rgb '#a50f15'") +
+      paths_panel("b: perceived paths", "perceived", "#bdbdbd", "dt 2 lw 3 lc rgb '#00441b'") +
+      "set title 'c: plate orientation in one trial'\nset xrange [0:31]\nset yrange [-110:110]\n"
+      "set ytics 30\nset xlabel 'model step (0.1 s)'\nset ylabel 'plate orientation, deg'\nplot ";
+  if (!paper.is_plate_fixed)
+    figure.script += level(paper.virtual_direction_deg - bound_deg, "dt 3 lw 1.5 title 'bound'") +
+                     level(paper.virtual_direction_deg + bound_deg, "dt 3 lw 1.5 notitle");
+  if (!paper.is_plate_fixed && authority.reachable)
+    figure.script += number(authority.plate_orientation_deg) +
+                     " with lines dt 2 lw 1.5 lc rgb '#b35806' title 'holds the real direction', ";
+  figure.script +=
+      "$plate using 1:2 with linespoints pt 6 ps 0.6 lw 1.5 lc rgb '#08306b' title 'plate'\n"
+      "set title 'd: true direction of motion'\nset yrange [-15:15]\nset ytics 5\n"
+      "set ylabel 'direction, deg (left positive)'\nplot $directions using 1:2 with lines lw 0.7 lc rgb "
+      "'#9ecae1' title 'one trial', $directions_median using 1:2 with lines lw 3 lc rgb '#a50f15' title "
+      "'median', " +
+      level(paper.real_direction_deg - condition.tolerance_deg, "lw 1.5 title 'real ± 1.5 deg'") +
+      level(paper.real_direction_deg + condition.tolerance_deg, "lw 1.5 notitle") +
+      number(paper.virtual_direction_deg) +
+      " with lines dt 2 lw 1.5 lc rgb '#b35806' title 'virtual'\nunset multiplot\n";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> path_figures(std::uint64_t seed) {
+  std::vector<Figure> figures;
+  for (const PaperFigure& paper : paper_figures) figures.push_back(path_figure(paper, seed));
+  return figures;
+}
+
+}  // namespace hrt::study

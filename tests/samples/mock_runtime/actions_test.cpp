@@ -1,0 +1,435 @@
+// Actions, bindings and XR_EXT_conformance_automation. Above each test stands the sentence that it tests,
+// from the OpenXR specification 1.0.
+#include <algorithm>
+#include <cstdio>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockActions : public MockRuntime {
+ protected:
+  void SetUp() override {
+    MockRuntime::SetUp();
+    create_session();
+    set = make_set("set");
+    left = path("/user/hand/left");
+    right = path("/user/hand/right");
+  }
+
+  static XrActionSetCreateInfo set_info(const char* name, const char* localized, std::uint32_t priority = 0) {
+    XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
+    std::snprintf(info.actionSetName, sizeof(info.actionSetName), "%s", name);
+    std::snprintf(info.localizedActionSetName, sizeof(info.localizedActionSetName), "%s", localized);
+    info.priority = priority;
+    return info;
+  }
+
+  XrActionSet make_set(const char* name, std::uint32_t priority = 0) {
+    const XrActionSetCreateInfo info = set_info(name, name, priority);
+    XrActionSet made = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateActionSet(instance, &info, &made));
+    return made;
+  }
+
+  static XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
+                                        const std::vector<XrPath>& subactions = {}) {
+    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
+    std::snprintf(info.actionName, sizeof(info.actionName), "%s", name);
+    std::snprintf(info.localizedActionName, sizeof(info.localizedActionName), "%s", localized);
+    info.actionType = type;
+    info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
+    info.subactionPaths = subactions.data();
+    return info;
+  }
+
+  XrAction make_action(XrActionSet in, const char* name, XrActionType type,
+                       const std::vector<XrPath>& subactions = {}) {
+    const XrActionCreateInfo info = action_info(name, name, type, subactions);
+    XrAction made = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateAction(in, &info, &made));
+    return made;
+  }
+
+  XrResult suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
+    const XrInteractionProfileSuggestedBinding info{
+        XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
+        static_cast<std::uint32_t>(bindings.size()), bindings.data()};
+    return xrSuggestInteractionProfileBindings(instance, &info);
+  }
+
+  XrResult attach(const std::vector<XrActionSet>& sets) {
+    const XrSessionActionSetsAttachInfo info{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr,
+                                             static_cast<std::uint32_t>(sets.size()), sets.data()};
+    return xrAttachSessionActionSets(session, &info);
+  }
+
+  XrResult sync(const std::vector<XrActiveActionSet>& sets) {
+    const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, static_cast<std::uint32_t>(sets.size()),
+                                 sets.data()};
+    return xrSyncActions(session, &info);
+  }
+
+  void focus() {
+    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+    ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &info));
+  }
+
+  XrActionStateBoolean boolean(XrAction action, XrPath subaction = XR_NULL_PATH) {
+    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
+    XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
+    EXPECT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &info, &state));
+    return state;
+  }
+
+  XrActionStateFloat scalar(XrAction action) {
+    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, XR_NULL_PATH};
+    XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
+    EXPECT_XR(XR_SUCCESS, xrGetActionStateFloat(session, &info, &state));
+    return state;
+  }
+
+  static constexpr const char* simple = "/interaction_profiles/khr/simple_controller";
+  static constexpr const char* touch = "/interaction_profiles/oculus/touch_controller";
+  XrActionSet set = XR_NULL_HANDLE;
+  XrPath left = XR_NULL_PATH;
+  XrPath right = XR_NULL_PATH;
+};
+
+// "If actionSetName is an empty string, XR_ERROR_NAME_INVALID; if localizedActionSetName is,
+// XR_ERROR_LOCALIZED_NAME_INVALID"; duplicates among living ones are refused; a bad name is
+// XR_ERROR_PATH_FORMAT_INVALID.
+TEST_F(MockActions, NamesOfActionSetsAreCheckedAndUnique) {
+  const auto create = [&](const char* name, const char* localized) {
+    const XrActionSetCreateInfo info = set_info(name, localized);
+    XrActionSet made = XR_NULL_HANDLE;
+    return xrCreateActionSet(instance, &info, &made);
+  };
+  EXPECT_XR(XR_ERROR_NAME_INVALID, create("", "a"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, create("a", ""));
+  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, create("Not A Component", "a"));
+  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, create("set", "another"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, create("another", "set"));
+  ASSERT_XR(XR_SUCCESS, xrDestroyActionSet(set));
+  EXPECT_XR(XR_SUCCESS, create("set", "set"));
+}
+
+// The same of actions in their set; and "XR_ERROR_PATH_UNSUPPORTED if any of the paths [...] is not [a top
+// level user path] or if it is specified more than once".
+TEST_F(MockActions, NamesAndSubactionPathsOfActionsAreChecked) {
+  const auto create = [&](const char* name, const char* localized, const std::vector<XrPath>& subactions = {},
+                          XrActionType type = XR_ACTION_TYPE_BOOLEAN_INPUT) {
+    const XrActionCreateInfo info = action_info(name, localized, type, subactions);
+    XrAction made = XR_NULL_HANDLE;
+    return xrCreateAction(set, &info, &made);
+  };
+  EXPECT_XR(XR_SUCCESS, create("first", "First", {left, right}));
+  EXPECT_XR(XR_ERROR_NAME_INVALID, create("", "a"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, create("a", ""));
+  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, create("A", "a"));
+  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, create("first", "Second"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, create("second", "First"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, create("a", "a", {left, left}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, create("a", "a", {path("/user/invalid")}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, create("a", "a", {XR_NULL_PATH}));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, create("a", "a", {}, static_cast<XrActionType>(77)));
+  XrAction action = make_action(set, "child", XR_ACTION_TYPE_POSE_INPUT);
+  ASSERT_XR(XR_SUCCESS, xrDestroyActionSet(set));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroyAction(action));
+}
+
+// "XR_ERROR_PATH_UNSUPPORTED if the interaction profile [or] any binding path is not in the allowlist"; the
+// parent of components is in it; "countSuggestedBindings must be greater than 0".
+TEST_F(MockActions, SuggestedBindingsAreThoseOfTheProfile) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  for (const char* good : {"/user/hand/left/input/select/click", "/user/hand/right/input/select",
+                           "/user/hand/left/input/grip/pose", "/user/hand/right/output/haptic"})
+    EXPECT_XR(XR_SUCCESS, suggest(simple, {{select, path(good)}})) << good;
+  for (const char* bad : {"/user/hand/left", "/user/hand/right/input", "/user/hand/left/input/trigger/value",
+                          "/user/head/input/select/click", "/user/hand/left/input_bad/menu/click",
+                          "/user/hand/right/input/select/click/invalid", "/user/hand/right/output"})
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(simple, {{select, path(bad)}})) << bad;
+  const XrActionSuggestedBinding binding{select, path("/user/hand/left/input/select/click")};
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/khr/another_controller", {binding}));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, suggest(simple, {}));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID,
+            suggest(simple, {{reinterpret_cast<XrAction>(std::uintptr_t{0x1234}), binding.binding}}));
+}
+
+// "Interaction Profile Paths": every core profile, with sources that tell it from the others.
+TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
+  const XrAction any = make_action(set, "any", XR_ACTION_TYPE_FLOAT_INPUT);
+  const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
+      {"/interaction_profiles/khr/simple_controller", {"/user/hand/left/input/menu/click"}},
+      {"/interaction_profiles/google/daydream_controller", {"/user/hand/right/input/trackpad/touch"}},
+      {"/interaction_profiles/htc/vive_controller", {"/user/hand/left/input/system/click"}},
+      {"/interaction_profiles/htc/vive_pro", {"/user/head/input/mute_mic/click"}},
+      {"/interaction_profiles/microsoft/motion_controller", {"/user/hand/left/input/thumbstick/y"}},
+      {"/interaction_profiles/microsoft/xbox_controller", {"/user/gamepad/output/haptic_left_trigger"}},
+      {"/interaction_profiles/oculus/go_controller", {"/user/hand/left/input/back/click"}},
+      {"/interaction_profiles/oculus/touch_controller",
+       {"/user/hand/left/input/x/touch", "/user/hand/right/input/b/click",
+        "/user/hand/right/input/thumbrest/touch"}},
+      {"/interaction_profiles/valve/index_controller", {"/user/hand/right/input/trackpad/force"}}};
+  for (const auto& [profile, sources] : profiles)
+    for (const char* source : sources)
+      EXPECT_XR(XR_SUCCESS, suggest(profile, {{any, path(source)}})) << profile << ' ' << source;
+  // The x button is on the left, the a button on the right.
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/right/input/x/click")}}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/a/click")}}));
+}
+
+// "xrAttachSessionActionSets [...] XR_ERROR_ACTIONSETS_ALREADY_ATTACHED if [...] called more than once";
+// action sets and bindings do not change once attached.
+TEST_F(MockActions, AttachingMakesActionSetsImmutable) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, attach({}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, attach({set}));
+  const XrActionCreateInfo info = action_info("late", "late", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  XrAction late = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, xrCreateAction(set, &info, &late));
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
+            suggest(simple, {{select, path("/user/hand/left/input/select/click")}}));
+}
+
+// "XR_ERROR_ACTIONSET_NOT_ATTACHED" before xrAttachSessionActionSets, from everything that reads input.
+TEST_F(MockActions, NothingIsReadBeforeItsSetIsAttached) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrAction buzz = make_action(set, "buzz", XR_ACTION_TYPE_VIBRATION_OUTPUT);
+  const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, select, XR_NULL_PATH};
+  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED, xrGetActionStateBoolean(session, &get, &state));
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED, sync({{set, XR_NULL_PATH}}));
+  XrInteractionProfileState profile{XR_TYPE_INTERACTION_PROFILE_STATE};
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED, xrGetCurrentInteractionProfile(session, left, &profile));
+  const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, buzz, XR_NULL_PATH};
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED, xrStopHapticFeedback(session, &haptic));
+  std::uint32_t count = 0;
+  const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
+                                                   select};
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED,
+            xrEnumerateBoundSourcesForAction(session, &bound, 0, &count, nullptr));
+  const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr,
+                                               path("/user/hand/left/input/select/click"),
+                                               XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT};
+  EXPECT_XR(XR_ERROR_ACTIONSET_NOT_ATTACHED,
+            xrGetInputSourceLocalizedName(session, &name, 0, &count, nullptr));
+}
+
+// "XR_ERROR_ACTION_TYPE_MISMATCH", "XR_ERROR_PATH_UNSUPPORTED [for a] subactionPath [...] not specified when
+// the action was created", "XR_ERROR_PATH_INVALID" for what is no path.
+TEST_F(MockActions, StateIsReadByTypeAndSubactionPath) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT, {left});
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, select, left};
+  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
+  EXPECT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &get, &state));
+  EXPECT_FALSE(state.isActive);
+  XrActionStateFloat other{XR_TYPE_ACTION_STATE_FLOAT};
+  EXPECT_XR(XR_ERROR_ACTION_TYPE_MISMATCH, xrGetActionStateFloat(session, &get, &other));
+  get.subactionPath = right;
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, xrGetActionStateBoolean(session, &get, &state));
+  get.subactionPath = 0x1234;
+  EXPECT_XR(XR_ERROR_PATH_INVALID, xrGetActionStateBoolean(session, &get, &state));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, sync({{set, right}}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, sync({{set, 0x1234}}));
+}
+
+// "The action state [...] is inactive [...] if [the] action set [is not] active, or the session is not
+// focused": XR_SESSION_NOT_FOCUSED; the values are those of the last xrSyncActions; changedSinceLastSync and
+// lastChangeTime.
+TEST_F(MockActions, StatesAreThoseOfTheLastSyncInFocus) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT, {left, right});
+  const XrPath click = path("/user/hand/left/input/select/click");
+  ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, click}}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_TRUE));
+  EXPECT_XR(XR_SESSION_NOT_FOCUSED, sync({{set, XR_NULL_PATH}}));
+  EXPECT_FALSE(boolean(select).isActive);
+  focus();
+  EXPECT_FALSE(boolean(select).isActive);
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  EXPECT_TRUE(boolean(select).isActive);
+  EXPECT_TRUE(boolean(select).currentState);
+  EXPECT_TRUE(boolean(select, left).isActive);
+  EXPECT_FALSE(boolean(select, right).isActive);
+  ASSERT_XR(XR_SUCCESS, functions->set_device_bool(session, left, click, XR_FALSE));
+  EXPECT_TRUE(boolean(select).currentState);
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  const XrActionStateBoolean released = boolean(select);
+  EXPECT_FALSE(released.currentState);
+  EXPECT_TRUE(released.changedSinceLastSync);
+  EXPECT_GT(released.lastChangeTime, 0);
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 1'000));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  EXPECT_FALSE(boolean(select).changedSinceLastSync);
+  EXPECT_EQ(boolean(select).lastChangeTime, released.lastChangeTime);
+  ASSERT_XR(XR_SUCCESS, sync({}));
+  EXPECT_FALSE(boolean(select).isActive);
+}
+
+// "Boolean [...] OR, float [...] the largest absolute value, vector [...] the longest"; a float source drives
+// a boolean action by a threshold, a boolean source a float action as 0 or 1, x and y a vector.
+TEST_F(MockActions, SourcesAreConvertedAndCombined) {
+  const XrAction press = make_action(set, "press", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrAction pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT);
+  const XrAction steer = make_action(set, "steer", XR_ACTION_TYPE_VECTOR2F_INPUT);
+  const XrPath left_trigger = path("/user/hand/left/input/trigger/value");
+  const XrPath right_trigger = path("/user/hand/right/input/trigger/value");
+  const XrPath stick = path("/user/hand/left/input/thumbstick");
+  ASSERT_XR(XR_SUCCESS, suggest(touch, {{press, path("/user/hand/left/input/trigger")},
+                                        {press, path("/user/hand/right/input/a/click")},
+                                        {pull, left_trigger},
+                                        {pull, right_trigger},
+                                        {steer, stick}}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  focus();
+  for (const XrPath hand : {left, right})
+    ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(touch), hand, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.3F));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, right, right_trigger, 0.4F));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_vector(session, left, stick, {-0.5F, 0.25F}));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  EXPECT_FALSE(boolean(press).currentState);
+  EXPECT_EQ(scalar(pull).currentState, 0.4F);
+  const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, steer, XR_NULL_PATH};
+  XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
+  ASSERT_XR(XR_SUCCESS, xrGetActionStateVector2f(session, &get, &vector));
+  EXPECT_EQ(vector.currentState.x, -0.5F);
+  EXPECT_EQ(vector.currentState.y, 0.25F);
+  ASSERT_XR(XR_SUCCESS, functions->set_device_float(session, left, left_trigger, 0.9F));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  EXPECT_TRUE(boolean(press).currentState);
+  EXPECT_EQ(scalar(pull).currentState, 0.9F);
+}
+
+// "If multiple action sets [bind] the same input [...], the action set with the higher priority [is used and
+// the others] must act as if they were inactive".
+TEST_F(MockActions, HigherPriorityTakesASourceFromLower) {
+  const XrActionSet above = make_set("above", 5);
+  const XrAction low = make_action(set, "low", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrAction high = make_action(above, "high", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrPath click = path("/user/hand/left/input/select/click");
+  ASSERT_XR(XR_SUCCESS, suggest(simple, {{low, click}, {high, click}}));
+  ASSERT_XR(XR_SUCCESS, attach({set, above}));
+  focus();
+  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}, {above, XR_NULL_PATH}}));
+  EXPECT_TRUE(boolean(high).isActive);
+  EXPECT_FALSE(boolean(low).isActive);
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  EXPECT_FALSE(boolean(high).isActive);
+  EXPECT_TRUE(boolean(low).isActive);
+}
+
+// "XrEventDataInteractionProfileChanged [...] is sent [when] the active interaction profile [has] changed",
+// and xrGetCurrentInteractionProfile gives it; its errors.
+TEST_F(MockActions, CurrentProfileFollowsTheDevice) {
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  ASSERT_XR(XR_SUCCESS, suggest(simple, {{select, path("/user/hand/left/input/select/click")}}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  focus();
+  all_states();
+  XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
+  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
+  EXPECT_EQ(state.interactionProfile, XR_NULL_PATH);
+  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+  ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
+  EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED);
+  ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, left, &state));
+  EXPECT_EQ(state.interactionProfile, path(simple));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, xrGetCurrentInteractionProfile(session, XR_NULL_PATH, &state));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            xrGetCurrentInteractionProfile(session, path("/invalid/path"), &state));
+
+  const XrBoundSourcesForActionEnumerateInfo info{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
+                                                  select};
+  std::uint32_t count = 0;
+  XrPath source = XR_NULL_PATH;
+  ASSERT_XR(XR_SUCCESS, xrEnumerateBoundSourcesForAction(session, &info, 1, &count, &source));
+  EXPECT_EQ(count, 1U);
+  EXPECT_EQ(source, path("/user/hand/left/input/select/click"));
+  XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr, source,
+                                         XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT};
+  std::array<char, 64> text{};
+  ASSERT_XR(XR_SUCCESS, xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
+  EXPECT_STREQ(text.data(), "left");
+  name.whichComponents = 0;
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
+            xrGetInputSourceLocalizedName(session, &name, 64, &count, text.data()));
+}
+
+// "Action spaces": located where the device is while the action is active, and without a valid bit otherwise.
+TEST_F(MockActions, PoseActionsLocateTheirDevice) {
+  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, {left});
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  const XrPath pose = path("/user/hand/left/input/grip/pose");
+  ASSERT_XR(XR_SUCCESS, suggest(simple, {{grip, pose}}));
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  focus();
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, select, XR_NULL_PATH,
+                               identity_pose};
+  XrSpace space = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_ACTION_TYPE_MISMATCH, xrCreateActionSpace(session, &info, &space));
+  info.action = grip;
+  info.subactionPath = right;
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, xrCreateActionSpace(session, &info, &space));
+  info.subactionPath = left;
+  info.poseInActionSpace.orientation.w = 0.0F;
+  EXPECT_XR(XR_ERROR_POSE_INVALID, xrCreateActionSpace(session, &info, &space));
+  info.poseInActionSpace = identity_pose;
+  ASSERT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(space, local, 1, &location));
+  EXPECT_EQ(location.locationFlags, 0U);
+  const XrPosef where{identity_pose.orientation, {0.1F, 0.2F, 0.3F}};
+  ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, functions->set_device_location(session, left, pose, local, where));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(space, local, 1, &location));
+  EXPECT_EQ(location.locationFlags, 15U);
+  EXPECT_NEAR(location.pose.position.y, 0.2F, 1e-6F);
+}
+
+// "XR_ERROR_PATH_UNSUPPORTED" for what the device does not have, of the kind that the call sets.
+TEST_F(MockActions, AutomationRefusesWhatTheDeviceDoesNotHave) {
+  const XrPath click = path("/user/hand/left/input/select/click");
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_bool(session, right, click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, functions->set_device_float(session, left, click, 1.0F));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            functions->set_device_bool(session, path("/user/invalid"), click, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, functions->set_device_bool(session, left, 0x1234, XR_TRUE));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            functions->set_device_active(session, path(simple), path("/user/head"), XR_TRUE));
+}
+
+// "xrApplyHapticFeedback [...] XR_SESSION_NOT_FOCUSED [...] XR_ERROR_ACTION_TYPE_MISMATCH".
+TEST_F(MockActions, HapticsNeedAVibrationActionAndFocus) {
+  const XrAction buzz = make_action(set, "buzz", XR_ACTION_TYPE_VIBRATION_OUTPUT);
+  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, XR_MIN_HAPTIC_DURATION,
+                              XR_FREQUENCY_UNSPECIFIED, 1.0F};
+  const auto apply = [&](XrAction action) {
+    const XrHapticActionInfo info{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, action, XR_NULL_PATH};
+    return xrApplyHapticFeedback(session, &info, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
+  };
+  EXPECT_XR(XR_SESSION_NOT_FOCUSED, apply(buzz));
+  focus();
+  EXPECT_XR(XR_SUCCESS, apply(buzz));
+  EXPECT_XR(XR_ERROR_ACTION_TYPE_MISMATCH, apply(select));
+  vibration.amplitude = 2.0F;
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, apply(buzz));
+}
+
+}  // namespace
+}  // namespace hrt::mock

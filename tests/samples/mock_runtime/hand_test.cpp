@@ -1,0 +1,243 @@
+// Spaces, views and hands. Above each test stands the sentence that it tests, from the OpenXR
+// specification 1.0 or from XR_EXT_hand_tracking.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <limits>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockHand : public MockRuntime {
+ protected:
+  void SetUp() override {
+    MockRuntime::SetUp();
+    begin_session();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  }
+
+  XrSpace local = XR_NULL_HANDLE;
+};
+
+constexpr std::array both_hands{XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT};
+constexpr const char* two_hands = R"({"hands": {"left": {"tracked": true}}})";
+
+Eigen::Vector3f position(const XrHandJointLocationEXT& joint) {
+  return {joint.pose.position.x, joint.pose.position.y, joint.pose.position.z};
+}
+
+Eigen::Quaternionf orientation(const XrHandJointLocationEXT& joint) {
+  const XrQuaternionf& q = joint.pose.orientation;
+  return Eigen::Quaternionf(q.w, q.x, q.y, q.z);
+}
+
+// The angle between a joint's backward axis (+Z) and a line.
+float angle_to_backward(const XrHandJointLocationEXT& joint, const Eigen::Vector3f& line) {
+  const float cosine = (orientation(joint) * Eigen::Vector3f::UnitZ()).dot(line.normalized());
+  return std::acos(std::min(cosine, 1.0F));
+}
+
+class MockTwoHands : public MockRuntime {
+ protected:
+  void SetUp() override {
+    MockRuntime::SetUp();
+    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, two_hands));
+    begin_session();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrTime time = frame();
+    for (std::size_t i = 0; i < both_hands.size(); ++i)
+      hands[i] = locate_hand(create_hand_tracker(both_hands[i]), local, time);
+  }
+
+  XrSpace local = XR_NULL_HANDLE;
+  std::array<Hand, 2> hands;
+};
+
+// "If the returned isActive is true, the runtime must return all joint locations with both
+// XR_SPACE_LOCATION_POSITION_VALID_BIT and XR_SPACE_LOCATION_ORIENTATION_VALID_BIT set."
+// "If the returned locationFlags has XR_SPACE_LOCATION_POSITION_VALID_BIT set, the returned radius must be a
+// positive value."
+TEST_F(MockTwoHands, ActiveHandHasAllJointsValidWithAPositiveRadius) {
+  for (const Hand& hand : hands) {
+    ASSERT_TRUE(hand.active);
+    for (const XrHandJointLocationEXT& joint : hand.joints) {
+      EXPECT_EQ(joint.locationFlags & 3U,
+                XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT);
+      EXPECT_GT(joint.radius, 0.0F);
+      EXPECT_NEAR(orientation(joint).norm(), 1.0F, 1e-6F);
+    }
+  }
+}
+
+// "XR_HAND_JOINT_PALM_EXT: the center of the middle finger's metacarpal bone"; its backward (+Z) axis "is
+// parallel to the middle finger's metacarpal bone, and points away from the finger tips".
+TEST_F(MockTwoHands, PalmIsTheMiddleOfTheMiddleMetacarpalAndParallelToIt) {
+  for (const Hand& hand : hands) {
+    const Eigen::Vector3f near = position(hand.joints[XR_HAND_JOINT_MIDDLE_METACARPAL_EXT]);
+    const Eigen::Vector3f far = position(hand.joints[XR_HAND_JOINT_MIDDLE_PROXIMAL_EXT]);
+    EXPECT_LT((position(hand.joints[XR_HAND_JOINT_PALM_EXT]) - (near + far) / 2.0F).norm(), 1e-6F);
+    EXPECT_LT(angle_to_backward(hand.joints[XR_HAND_JOINT_PALM_EXT], near - far), 1e-3F);
+  }
+}
+
+// "The backward (+Z) direction [of the wrist] is parallel to the line from wrist joint to middle finger
+// metacarpal joint, and points away from the finger tips."
+TEST_F(MockTwoHands, WristPointsAwayFromTheMiddleMetacarpal) {
+  for (const Hand& hand : hands) {
+    const Eigen::Vector3f line = position(hand.joints[XR_HAND_JOINT_WRIST_EXT]) -
+                                 position(hand.joints[XR_HAND_JOINT_MIDDLE_METACARPAL_EXT]);
+    EXPECT_LT(angle_to_backward(hand.joints[XR_HAND_JOINT_WRIST_EXT], line), 1e-3F);
+  }
+}
+
+// "The backward (+Z) direction is parallel to the corresponding bone and points away from the finger tip."
+TEST_F(MockTwoHands, FingerJointsPointAwayFromTheTipAlongTheirBone) {
+  for (const Hand& hand : hands) {
+    for (const int tip :
+         {XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_INDEX_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT,
+          XR_HAND_JOINT_RING_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
+      const int metacarpal = tip == XR_HAND_JOINT_THUMB_TIP_EXT ? tip - 3 : tip - 4;
+      for (int joint = metacarpal; joint < tip; ++joint) {
+        const auto at = static_cast<std::size_t>(joint);
+        const Eigen::Vector3f bone = position(hand.joints[at]) - position(hand.joints[at + 1]);
+        EXPECT_LT(angle_to_backward(hand.joints[at], bone), 1e-3F) << joint;
+        EXPECT_GT(bone.norm(), 0.01F) << joint;
+      }
+    }
+  }
+}
+
+// "The up (+Y) direction points out of the back of the hand", away from the plate below it, and "+X [...]
+// right", which is towards the little finger on a right hand and towards the thumb on a left one.
+TEST_F(MockTwoHands, UpIsTheBackOfTheHandAndRightIsRightOnBothHands) {
+  for (std::size_t i = 0; i < both_hands.size(); ++i) {
+    const Hand& hand = hands[i];
+    const Eigen::Quaternionf palm = orientation(hand.joints[XR_HAND_JOINT_PALM_EXT]);
+    EXPECT_GT((palm * Eigen::Vector3f::UnitY()).y(), 0.8F);
+    const Eigen::Vector3f to_little = position(hand.joints[XR_HAND_JOINT_LITTLE_PROXIMAL_EXT]) -
+                                      position(hand.joints[XR_HAND_JOINT_INDEX_PROXIMAL_EXT]);
+    const float right = (palm * Eigen::Vector3f::UnitX()).dot(to_little);
+    EXPECT_GT(both_hands[i] == XR_HAND_RIGHT_EXT ? right : -right, 0.03F);
+  }
+}
+
+// The fingertip slides over a plate that nothing else of the hand may touch.
+TEST_F(MockTwoHands, IndexFingertipIsTheLowestOfTheHand) {
+  for (const Hand& hand : hands) {
+    const auto bottom = [&](std::size_t joint) {
+      return hand.joints[joint].pose.position.y - hand.joints[joint].radius;
+    };
+    for (std::size_t joint = 0; joint < hand.joints.size(); ++joint) {
+      if (joint != XR_HAND_JOINT_INDEX_TIP_EXT) {
+        EXPECT_GT(bottom(joint), bottom(XR_HAND_JOINT_INDEX_TIP_EXT)) << joint;
+      }
+    }
+  }
+}
+
+// "If the returned isActive is false, it indicates the hand tracker did not detect the hand input or the
+// application lost input focus. In this case, the runtime must return all jointLocations with neither
+// XR_SPACE_LOCATION_POSITION_VALID_BIT nor XR_SPACE_LOCATION_ORIENTATION_VALID_BIT set."
+TEST_F(MockHand, InactiveHandHasNoValidBit) {
+  const XrTime time = frame();
+  const XrHandTrackerEXT right = create_hand_tracker();
+  for (const bool focused : {true, false}) {
+    if (!focused) {
+      EXPECT_TRUE(locate_hand(right, local, time).active);
+      ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
+    }
+    const Hand hand = locate_hand(focused ? create_hand_tracker(XR_HAND_LEFT_EXT) : right, local, time);
+    EXPECT_FALSE(hand.active);
+    for (std::size_t joint = 0; joint < hand.joints.size(); ++joint) {
+      EXPECT_EQ(hand.joints[joint].locationFlags, 0U);
+      EXPECT_EQ(hand.velocities[joint].velocityFlags, 0U);
+    }
+  }
+}
+
+// "The application must input jointCount as described by the XrHandJointSetEXT [...]. Otherwise, the runtime
+// must return XR_ERROR_VALIDATION_FAILURE." "XR_ERROR_TIME_INVALID" for times that are not positive. Neither
+// writes.
+TEST_F(MockHand, JointCountsAndTimesThatAreWrongAreRefused) {
+  const XrHandTrackerEXT tracker = create_hand_tracker();
+  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT + 1> joints{};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, 7, XR_HAND_JOINT_COUNT_EXT,
+                                    joints.data()};
+  XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
+  EXPECT_XR(XR_ERROR_TIME_INVALID, functions->locate_hand_joints(tracker, &info, &locations));
+  info.time = 1;
+  for (const std::uint32_t count : {0U, 25U, 27U}) {
+    locations.jointCount = count;
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+  }
+  locations.jointCount = XR_HAND_JOINT_COUNT_EXT;
+  XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, 25, nullptr};
+  locations.next = &velocities;
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(tracker, &info, &locations));
+  EXPECT_EQ(locations.isActive, 7U);
+  EXPECT_EQ(joints[0].locationFlags, 0U);
+}
+
+// "XR_ERROR_POSE_INVALID" for poses with a quaternion that is not of unit length within 1 % or a position
+// that is not finite; XR_ERROR_TIME_INVALID for times that are not positive.
+TEST_F(MockHand, SpacesNeedValidPosesAndTimes) {
+  const auto create = [&](const XrPosef& pose) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
+                                          XR_REFERENCE_SPACE_TYPE_LOCAL, pose};
+    XrSpace space = XR_NULL_HANDLE;
+    return xrCreateReferenceSpace(session, &info, &space);
+  };
+  EXPECT_XR(XR_SUCCESS, create({{0.0F, 0.0F, 0.0F, 1.005F}, {}}));
+  EXPECT_XR(XR_ERROR_POSE_INVALID, create({{0.0F, 0.0F, 0.0F, 0.0F}, {}}));
+  EXPECT_XR(XR_ERROR_POSE_INVALID, create({{0.0F, 0.0F, 0.0F, 1.02F}, {}}));
+  EXPECT_XR(XR_ERROR_POSE_INVALID, create({{NAN, 0.0F, 0.0F, 1.0F}, {}}));
+  EXPECT_XR(XR_ERROR_POSE_INVALID, create({identity_pose.orientation, {INFINITY, 0.0F, 0.0F}}));
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, 0, &location));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, -1, &location));
+  const XrReferenceSpaceCreateInfo unbounded{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
+                                             XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT, identity_pose};
+  XrSpace space = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace(session, &unbounded, &space));
+}
+
+// By hand: a space 2 m to the right, turned a quarter to the left, seen from one 1 m ahead, and back.
+TEST_F(MockHand, SpacesAreLocatedInEachOther) {
+  const float half = std::sqrt(0.5F);
+  const XrSpace turned =
+      create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0.0F, half, 0.0F, half}, {2.0F, 0.0F, 0.0F}});
+  const XrSpace ahead =
+      create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {identity_pose.orientation, {0.0F, 0.0F, -1.0F}});
+  XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, &velocity};
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(turned, ahead, 1, &location));
+  EXPECT_EQ(location.locationFlags, 15U);
+  EXPECT_EQ(velocity.velocityFlags, 3U);
+  EXPECT_NEAR(location.pose.position.x, 2.0F, 1e-6F);
+  EXPECT_NEAR(location.pose.position.z, 1.0F, 1e-6F);
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(ahead, turned, 1, &location));
+  // From (2, 0, 0) to (0, 0, -1) is (-2, 0, -1), which turned back a quarter is (1, 0, -2).
+  EXPECT_NEAR(location.pose.position.x, 1.0F, 1e-6F);
+  EXPECT_NEAR(location.pose.position.z, -2.0F, 1e-6F);
+  EXPECT_NEAR(location.pose.orientation.y, -half, 1e-6F);
+}
+
+// "xrLocateViews": two of them, an eye distance apart; XR_ERROR_TIME_INVALID; the two-call idiom.
+TEST_F(MockHand, TwoViewsAreLocated) {
+  XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1,
+                        local};
+  XrViewState state{XR_TYPE_VIEW_STATE};
+  std::uint32_t count = 0;
+  std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
+  ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
+  EXPECT_EQ(count, 2U);
+  EXPECT_EQ(state.viewStateFlags, 15U);
+  EXPECT_NEAR(views[1].pose.position.x - views[0].pose.position.x, 0.063F, 1e-6F);
+  EXPECT_XR(XR_ERROR_SIZE_INSUFFICIENT, xrLocateViews(session, &info, &state, 1, &count, views.data()));
+  info.displayTime = 0;
+  EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateViews(session, &info, &state, 2, &count, views.data()));
+}
+
+}  // namespace
+}  // namespace hrt::mock

@@ -1,0 +1,341 @@
+// Negotiation, instance, system, handles, paths and conversions. Above each test stands the sentence that
+// it tests, from the OpenXR specification 1.0 or the loader specification.
+#include <dlfcn.h>
+
+#include <array>
+#include <cstring>
+
+#include "samples/mock_runtime/api/negotiation.h"
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+using MockInstance = MockRuntime;
+
+// The runtime without a loader in between, which hides some rules.
+class MockNegotiation : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    library = dlopen(HRT_MOCK_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(library, nullptr) << dlerror();
+    negotiate = reinterpret_cast<Negotiate>(dlsym(library, "xrNegotiateLoaderRuntimeInterface"));
+    ASSERT_NE(negotiate, nullptr);
+  }
+  void TearDown() override { dlclose(library); }
+
+  template <typename Function>
+  Function fetch_direct(XrInstance instance, const char* name) {
+    PFN_xrVoidFunction function = nullptr;
+    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(instance, name, &function));
+    return reinterpret_cast<Function>(function);
+  }
+
+  using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, NegotiateRuntimeRequest*);
+  void* library = nullptr;
+  Negotiate negotiate = nullptr;
+  NegotiateLoaderInfo loader{loader_info_type,
+                             struct_version,
+                             sizeof(NegotiateLoaderInfo),
+                             1,
+                             1,
+                             XR_MAKE_VERSION(1, 0, 0),
+                             XR_MAKE_VERSION(1, 1, 0xFFFFFFFF)};
+  NegotiateRuntimeRequest request{
+      runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
+};
+
+// "The runtime must [...] fill in" interface version, API version and xrGetInstanceProcAddr.
+TEST_F(MockNegotiation, AnswersALoaderOfItsVersion) {
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  EXPECT_EQ(request.runtime_interface_version, 1U);
+  EXPECT_EQ(request.runtime_api_version, XR_CURRENT_API_VERSION);
+  EXPECT_NE(request.get_instance_proc_addr, nullptr);
+}
+
+// "If the loader [and] runtime can't agree [...] XR_ERROR_INITIALIZATION_FAILED": wrong structures and
+// version ranges without the runtime's own.
+TEST_F(MockNegotiation, RefusesWrongStructuresAndVersions) {
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(nullptr, &request));
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&loader, nullptr));
+  const auto expect_refused = [&](auto change) {
+    NegotiateLoaderInfo bad_loader = loader;
+    NegotiateRuntimeRequest bad_request = request;
+    change(bad_loader, bad_request);
+    EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&bad_loader, &bad_request));
+    EXPECT_EQ(bad_request.get_instance_proc_addr, nullptr);
+  };
+  expect_refused([](auto& info, auto&) { info.struct_type = runtime_request_type; });
+  expect_refused([](auto& info, auto&) { ++info.struct_version; });
+  expect_refused([](auto& info, auto&) { --info.struct_size; });
+  expect_refused([](auto& info, auto&) { info.min_interface_version = info.max_interface_version = 2; });
+  expect_refused([](auto& info, auto&) { info.min_api_version = XR_MAKE_VERSION(1, 1, 0); });
+  expect_refused([](auto& info, auto&) { info.max_api_version = XR_MAKE_VERSION(1, 0, 0); });
+  expect_refused([](auto&, auto& wanted) { wanted.struct_type = loader_info_type; });
+  expect_refused([](auto&, auto& wanted) { ++wanted.struct_version; });
+  expect_refused([](auto&, auto& wanted) { wanted.struct_size = 0; });
+}
+
+// "The runtime must return XR_ERROR_API_VERSION_UNSUPPORTED if it does not support the requested API
+// version."
+TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  const auto create = fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance");
+  for (const XrVersion version :
+       {XR_MAKE_VERSION(1, 0, 0), XR_MAKE_VERSION(1, 0, 99), XR_MAKE_VERSION(1, 1, 40)}) {
+    XrInstanceCreateInfo info = instance_info({});
+    info.applicationInfo.apiVersion = version;
+    XrInstance instance = XR_NULL_HANDLE;
+    ASSERT_XR(XR_SUCCESS, create(&info, &instance));
+    EXPECT_XR(XR_SUCCESS, fetch_direct<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance));
+  }
+  for (const XrVersion version :
+       {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)}) {
+    XrInstanceCreateInfo info = instance_info({});
+    info.applicationInfo.apiVersion = version;
+    XrInstance instance = XR_NULL_HANDLE;
+    EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(&info, &instance));
+  }
+}
+
+// "If instance is XR_NULL_HANDLE": functions other than those that need none are XR_ERROR_HANDLE_INVALID, and
+// "on failure [function] must be NULL".
+TEST_F(MockNegotiation, GivesFunctionsWithoutAnInstanceOnlyIfTheyNeedNone) {
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  for (const char* name :
+       {"xrCreateInstance", "xrEnumerateInstanceExtensionProperties", "xrEnumerateApiLayerProperties"})
+    EXPECT_NE(fetch_direct<PFN_xrVoidFunction>(XR_NULL_HANDLE, name), nullptr) << name;
+  PFN_xrVoidFunction function = reinterpret_cast<PFN_xrVoidFunction>(negotiate);
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID,
+            request.get_instance_proc_addr(XR_NULL_HANDLE, "xrGetSystem", &function));
+  EXPECT_EQ(function, nullptr);
+}
+
+// "Runtimes must return XR_ERROR_EXTENSION_NOT_PRESENT if [a name] is not an extension".
+TEST(MockExtensions, UnknownExtensionIsRefused) {
+  const std::vector<const char*> names{"XR_HRTX_no_such_thing"};
+  const XrInstanceCreateInfo info = instance_info(names);
+  XrInstance instance = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, xrCreateInstance(&info, &instance));
+}
+
+// "If the function is from an extension that is not enabled, XR_ERROR_FUNCTION_UNSUPPORTED".
+TEST(MockExtensions, FunctionOfAnExtensionThatIsNotEnabledIsUnsupported) {
+  const XrInstanceCreateInfo info = instance_info({});
+  XrInstance instance = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+  for (const char* name :
+       {"xrCreateHandTrackerEXT", "xrConvertTimespecTimeToTimeKHR", "xrSetInputDeviceActiveEXT",
+        "xrPlacePlateHRTX", "xrApplyScriptHRTX", "xrCreateSpatialAnchorMSFT", "xrNoSuchFunction"}) {
+    PFN_xrVoidFunction function = nullptr;
+    EXPECT_XR(XR_ERROR_FUNCTION_UNSUPPORTED, xrGetInstanceProcAddr(instance, name, &function));
+    EXPECT_EQ(function, nullptr) << name;
+  }
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// "Each [...] XrExtensionProperties::type must be XR_TYPE_EXTENSION_PROPERTIES", and the two-call idiom: "If
+// the capacity is too small, XR_ERROR_SIZE_INSUFFICIENT" with the count that is needed.
+TEST(MockExtensions, EnumerationFollowsTheTwoCallIdiom) {
+  std::uint32_t count = 0;
+  ASSERT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
+  ASSERT_GE(count, all_extensions().size());
+  std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
+  std::uint32_t filled = 0;
+  ASSERT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &filled, properties.data()));
+  EXPECT_EQ(filled, count);
+  for (const char* name : all_extensions()) {
+    const bool found =
+        std::any_of(properties.begin(), properties.end(), [&](const XrExtensionProperties& property) {
+          return std::strcmp(property.extensionName, name) == 0 && property.extensionVersion > 0;
+        });
+    EXPECT_TRUE(found) << name;
+  }
+  EXPECT_XR(XR_ERROR_SIZE_INSUFFICIENT,
+            xrEnumerateInstanceExtensionProperties(nullptr, 1, &filled, properties.data()));
+}
+
+// "Runtimes must [return] XR_ERROR_LIMIT_REACHED if they can't have another instance". Khronos' loader
+// of 1.0.20 refuses the second one before the runtime does, with the same result.
+TEST_F(MockInstance, OneInstanceAtATime) {
+  const XrInstanceCreateInfo info = instance_info({});
+  XrInstance second = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_LIMIT_REACHED, xrCreateInstance(&info, &second));
+}
+
+// "Functions [must return] XR_ERROR_HANDLE_INVALID [for] a handle [that is] invalid": null, bogus, destroyed,
+// and of another type.
+TEST_F(MockInstance, HandlesThatAreNoneAreRefused) {
+  begin_session();
+  const XrSpace space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  const auto locate = [&](XrSpace in) { return xrLocateSpace(space, in, 1, &location); };
+  EXPECT_XR(XR_SUCCESS, locate(space));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, locate(reinterpret_cast<XrSpace>(std::uintptr_t{0x1234})));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, locate(reinterpret_cast<XrSpace>(session)));
+  const XrSpace destroyed = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  ASSERT_XR(XR_SUCCESS, xrDestroySpace(destroyed));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, locate(destroyed));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, locate(XR_NULL_HANDLE));
+}
+
+// "When a [parent] handle is destroyed, all its child handles become invalid"; a handle is never used again.
+TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
+  create_session();
+  const XrSpace space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrHandTrackerEXT tracker = create_hand_tracker();
+  const XrSession first = session;
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(first));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySpace(space));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, functions->destroy_hand_tracker(tracker));
+  create_session();
+  EXPECT_NE(session, first);
+}
+
+// "A system [...] is identified by an opaque XrSystemId"; XR_ERROR_SYSTEM_INVALID for others, and
+// XR_ERROR_FORM_FACTOR_UNSUPPORTED for a form factor the runtime does not have.
+TEST_F(MockInstance, TheOneSystemIsAHeadMountedDisplay) {
+  const XrSystemGetInfo handheld{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
+  XrSystemId other = XR_NULL_SYSTEM_ID;
+  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNSUPPORTED, xrGetSystem(instance, &handheld, &other));
+  const XrSystemGetInfo none{XR_TYPE_SYSTEM_GET_INFO, nullptr, XrFormFactor{}};
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetSystem(instance, &none, &other));
+  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
+  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
+  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
+  EXPECT_TRUE(hands.supportsHandTracking);
+  EXPECT_XR(XR_ERROR_SYSTEM_INVALID, xrGetSystemProperties(instance, system + 1, &properties));
+}
+
+// "View configurations": one, primary stereo, of two views; XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED for
+// others.
+TEST_F(MockInstance, ViewsArePrimaryStereo) {
+  std::uint32_t count = 0;
+  std::array<XrViewConfigurationType, 4> types{};
+  ASSERT_XR(XR_SUCCESS, xrEnumerateViewConfigurations(instance, system, 4, &count, types.data()));
+  ASSERT_EQ(count, 1U);
+  EXPECT_EQ(types[0], XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO);
+  std::array<XrViewConfigurationView, 2> views{
+      {{XR_TYPE_VIEW_CONFIGURATION_VIEW}, {XR_TYPE_VIEW_CONFIGURATION_VIEW}}};
+  ASSERT_XR(XR_SUCCESS,
+            xrEnumerateViewConfigurationViews(instance, system, types[0], 2, &count, views.data()));
+  EXPECT_EQ(count, 2U);
+  EXPECT_XR(XR_ERROR_SIZE_INSUFFICIENT,
+            xrEnumerateViewConfigurationViews(instance, system, types[0], 1, &count, views.data()));
+  EXPECT_XR(XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
+            xrEnumerateViewConfigurationViews(instance, system, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_MONO, 0,
+                                              &count, nullptr));
+  XrEnvironmentBlendMode mode{};
+  ASSERT_XR(XR_SUCCESS, xrEnumerateEnvironmentBlendModes(instance, system, types[0], 1, &count, &mode));
+  EXPECT_EQ(mode, XR_ENVIRONMENT_BLEND_MODE_OPAQUE);
+}
+
+// "XR_UNKNOWN_SUCCESS_ [or] XR_UNKNOWN_FAILURE_ concatenated with the result value" for what is not known.
+TEST_F(MockInstance, ResultsAndStructureTypesHaveNames) {
+  std::array<char, XR_MAX_RESULT_STRING_SIZE> text{};
+  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, XR_ERROR_POSE_INVALID, text.data()));
+  EXPECT_STREQ(text.data(), "XR_ERROR_POSE_INVALID");
+  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, static_cast<XrResult>(-123456), text.data()));
+  EXPECT_STREQ(text.data(), "XR_UNKNOWN_FAILURE_-123456");
+  ASSERT_XR(XR_SUCCESS, xrResultToString(instance, static_cast<XrResult>(123456), text.data()));
+  EXPECT_STREQ(text.data(), "XR_UNKNOWN_SUCCESS_123456");
+  std::array<char, XR_MAX_STRUCTURE_NAME_SIZE> name{};
+  ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, XR_TYPE_SYSTEM_GET_INFO, name.data()));
+  EXPECT_STREQ(name.data(), "XR_TYPE_SYSTEM_GET_INFO");
+  ASSERT_XR(XR_SUCCESS, xrStructureTypeToString(instance, static_cast<XrStructureType>(123456), name.data()));
+  EXPECT_STREQ(name.data(), "XR_UNKNOWN_STRUCTURE_TYPE_123456");
+}
+
+// "Well-formed path strings": they start with a slash, do not end with one, and have no empty component, none
+// of periods only, and no other characters; XR_ERROR_PATH_FORMAT_INVALID.
+TEST_F(MockInstance, OnlyWellFormedStringsArePaths) {
+  for (const char* text :
+       {"/a", "/user/hand/left/input/select/click", "/a/.b", "/a/b.", "/0-9_z.", "/a/...x"})
+    path(text);
+  XrPath atom = XR_NULL_PATH;
+  for (const char* text :
+       {"", "/", "a", "a/b", "/a/", "/a//b", "//", "/a/.", "/a/../b", "/...", "/A", "/a b", "/a\xc3\xa4"})
+    EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, xrStringToPath(instance, text, &atom)) << text;
+  EXPECT_XR(XR_SUCCESS,
+            xrStringToPath(instance, ("/" + std::string(XR_MAX_PATH_LENGTH - 2, 'a')).c_str(), &atom));
+  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID,
+            xrStringToPath(instance, ("/" + std::string(XR_MAX_PATH_LENGTH - 1, 'a')).c_str(), &atom));
+}
+
+// "xrPathToString [...] the string, including the terminating null character"; XR_ERROR_PATH_INVALID.
+TEST_F(MockInstance, PathsAndStringsConvertBothWays) {
+  const char* const text = "/user/hand/right";
+  const XrPath atom = path(text);
+  EXPECT_EQ(path(text), atom);
+  EXPECT_NE(path("/user/hand/left"), atom);
+  std::uint32_t count = 0;
+  ASSERT_XR(XR_SUCCESS, xrPathToString(instance, atom, 0, &count, nullptr));
+  ASSERT_EQ(count, std::strlen(text) + 1);
+  std::vector<char> buffer(count);
+  EXPECT_XR(XR_ERROR_SIZE_INSUFFICIENT, xrPathToString(instance, atom, count - 1, &count, buffer.data()));
+  ASSERT_XR(XR_SUCCESS, xrPathToString(instance, atom, count, &count, buffer.data()));
+  EXPECT_STREQ(buffer.data(), text);
+  EXPECT_XR(XR_ERROR_PATH_INVALID, xrPathToString(instance, XR_NULL_PATH, 0, &count, nullptr));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, xrPathToString(instance, 0x1234, 0, &count, nullptr));
+}
+
+// XR_KHR_convert_timespec_time: there and back is the same time within 2 ns; XR_ERROR_TIME_INVALID otherwise.
+TEST_F(MockInstance, TimespecsConvertThereAndBack) {
+  for (const timespec& from :
+       {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
+    XrTime time = 0;
+    ASSERT_XR(XR_SUCCESS, functions->to_time(instance, &from, &time));
+    timespec back{};
+    ASSERT_XR(XR_SUCCESS, functions->to_timespec(instance, time, &back));
+    EXPECT_EQ(back.tv_sec, from.tv_sec);
+    EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
+  }
+  XrTime time = 77;
+  for (const timespec& bad :
+       {timespec{-1, 0}, timespec{0, 0}, timespec{1, -1}, timespec{1, 1'000'000'000}, timespec{INT64_MAX, 0}})
+    EXPECT_XR(XR_ERROR_TIME_INVALID, functions->to_time(instance, &bad, &time));
+  EXPECT_EQ(time, 77);
+  timespec back{};
+  EXPECT_XR(XR_ERROR_TIME_INVALID, functions->to_timespec(instance, 0, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, functions->to_timespec(instance, -5, &back));
+}
+
+// "xrCreateSession [needs] a graphics binding" unless XR_MND_headless is enabled:
+// XR_ERROR_GRAPHICS_DEVICE_INVALID.
+TEST(MockHeadless, SessionWithoutGraphicsNeedsTheExtension) {
+  const XrInstanceCreateInfo info = instance_info({});
+  XrInstance instance = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
+  XrSession session = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// "In a headless session, xrEnumerateSwapchainFormats must return XR_SUCCESS but enumerate 0 formats."
+TEST_F(MockInstance, HeadlessSessionHasNoSwapchainFormats) {
+  create_session();
+  std::uint32_t count = 99;
+  EXPECT_XR(XR_SUCCESS, xrEnumerateSwapchainFormats(session, 0, &count, nullptr));
+  EXPECT_EQ(count, 0U);
+  XrSwapchainCreateInfo info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
+  XrSwapchain swapchain = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain(session, &info, &swapchain));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySwapchain(reinterpret_cast<XrSwapchain>(session)));
+}
+
+// "Structure types must be [valid]": XR_ERROR_VALIDATION_FAILURE, as for null pointers.
+TEST_F(MockInstance, WrongTypesAndNullPointersAreRefused) {
+  const XrSystemGetInfo wrong{XR_TYPE_SESSION_CREATE_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+  XrSystemId id = 0;
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetSystem(instance, &wrong, &id));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetSystem(instance, nullptr, &id));
+  XrEventDataBuffer event{XR_TYPE_SYSTEM_PROPERTIES};
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrPollEvent(instance, &event));
+}
+
+}  // namespace
+}  // namespace hrt::mock

@@ -1,0 +1,538 @@
+// Scripts, faults, clocks and the call log: XR_HRTX_mock_control.
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockScript : public MockRuntime {
+ protected:
+  void begin_with(const char* script) {
+    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script));
+    begin_session();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    hand = create_hand_tracker();
+  }
+
+  void instruct(double goal_deg = 5.0) {
+    const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, identity_pose, 0.075};
+    ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+    const XrReachInstructionHRTX instruction{
+        XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, goal_deg, 0.1};
+    ASSERT_XR(XR_SUCCESS, functions->instruct_reach(session, &instruction));
+  }
+
+  XrReachTruthHRTX truth() {
+    XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
+    EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+    return truth;
+  }
+
+  XrTime frame_time() {
+    XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};
+    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
+    EXPECT_TRUE(XR_SUCCEEDED(xrBeginFrame(session, nullptr)));
+    return state.predictedDisplayTime;
+  }
+
+  XrResult wait() {
+    XrFrameState state{XR_TYPE_FRAME_STATE};
+    const XrResult waited = xrWaitFrame(session, nullptr, &state);
+    if (XR_SUCCEEDED(waited)) xrBeginFrame(session, nullptr);
+    return waited;
+  }
+
+  XrSpace local = XR_NULL_HANDLE;
+  XrHandTrackerEXT hand = XR_NULL_HANDLE;
+};
+
+// What is wrong, and what is allowed, is the reason in the call log; nothing of a bad script takes effect.
+TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
+  const std::vector<std::pair<const char*, const char*>> cases{
+      {"{", "parse error"},
+      {"[]", "script must be an object"},
+      {R"({"sped": 1})", "script.sped is not known; known are \"clock\""},
+      {R"({"clock": "sundial"})", "script.clock must be one of \"manual\", \"real-time\""},
+      {R"({"seed": -1})", "script.seed must be a whole number from 0"},
+      {R"({"participants": []})", "script.participants must have one at least"},
+      {R"({"participants": [{"tactile_weight": 0.5}]})",
+       "script.participants[0].tactile_weight must be a number from 0.001 to 0.499"},
+      {R"({"participants": [{"tactile_weight": [0.1]}]})",
+       "script.participants[0].tactile_weight must be an array of 2 numbers"},
+      {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})",
+       "script.participants[0].tactile_weight must have the smaller number first"},
+      {R"({"participants": [{"sensory_variance_deg2": 0}]})",
+       "script.participants[0].sensory_variance_deg2 must be above 0"},
+      {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
+      {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
+      {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
+      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0, 0]}]}}})",
+       "script.hands.right.path[0].position_m must be an array of 3 numbers"},
+      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0]}, {"time_ms": 5, "position_m": [0,0,0]}]}}})",
+       "script.hands.right.path[1].time_ms must be later"},
+      {R"({"events": [{"do": "lose_session"}]})", "script.events[0] must have either a frame or a time_ms"},
+      {R"({"events": [{"frame": 1, "do": "explode"}]})",
+       "script.events[0].do must be one of \"lose_tracking\""},
+      {R"({"events": [{"frame": 1, "do": "freeze"}]})", "script.events[0].hand is missing"},
+      {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
+       "script.calls[0].function must be the name of a function"},
+      {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_POSE_INVALID"}]})",
+       "script.calls[0].result must be one of \"XR_ERROR_SESSION_NOT_RUNNING\""},
+      {R"({"calls": [{"function": "xrDestroySession", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
+       "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
+      {R"({"calls": [{"function": "xrWaitFrame"}]})",
+       "script.calls[0] must have a result, a delay_ms above 0, or both"},
+      {R"({"withhold_extensions": ["XR_EXT_none"]})",
+       "script.withhold_extensions must hold names out of \"XR_MND_headless\""},
+  };
+  for (const auto& [script, why] : cases) {
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
+    EXPECT_NE(std::string(call_log().back().reason).find(why), std::string::npos) << call_log().back().reason;
+  }
+  create_session();
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
+}
+
+TEST_F(MockScript, ScriptOfTheReadmeIsValid) {
+  std::ostringstream readme;
+  readme << std::ifstream(HRT_MOCK_README).rdbuf();
+  const std::string text = readme.str();
+  const std::string fence = "```json\n";
+  const std::size_t begin = text.find(fence);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t end = text.find("```", begin + fence.size());
+  const std::string script = text.substr(begin + fence.size(), end - begin - fence.size());
+  EXPECT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
+}
+
+TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
+  begin_with(
+      R"({"calls": [{"function": "xrLocateSpace", "call": 3, "count": 2, "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
+  for (int call = 1; call <= 6; ++call) {
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, nullptr, 99};
+    const bool fails = call == 3 || call == 4;
+    EXPECT_XR(fails ? XR_ERROR_RUNTIME_FAILURE : XR_SUCCESS, xrLocateSpace(local, local, 1, &location));
+    EXPECT_EQ(location.locationFlags, fails ? 99U : 15U);
+  }
+}
+
+// A call takes long, in real time whatever the clock, and other threads' calls do not wait for it.
+TEST_F(MockScript, CallsTakeLongOnOrder) {
+  begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 300}]})");
+  EXPECT_XR(XR_SUCCESS, wait());
+  const auto start = std::chrono::steady_clock::now();
+  const auto elapsed = [&] { return std::chrono::steady_clock::now() - start; };
+  std::thread waiter([&] { EXPECT_XR(XR_SUCCESS, wait()); });
+  while (call_log().back().function == std::string("xrBeginFrame") &&
+         elapsed() < std::chrono::milliseconds(100))
+    EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
+  EXPECT_LT(elapsed(), std::chrono::milliseconds(250));
+  waiter.join();
+  EXPECT_GE(elapsed(), std::chrono::milliseconds(300));
+}
+
+TEST_F(MockScript, SeveralFunctionsFailOnOrderIndependently) {
+  begin_with(R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_SESSION_LOST"},
+                           {"function": "xrPollEvent", "result": "XR_ERROR_INSTANCE_LOST", "call": 9},
+                           {"function": "xrLocateHandJointsEXT", "result": "XR_ERROR_TIME_INVALID"},
+                           {"function": "xrSetPlateOrientationHRTX", "result": "XR_ERROR_SESSION_LOST"}]})");
+  EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
+  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_XR(XR_ERROR_SESSION_LOST, functions->set_plate_orientation(session, 1.0));
+  EXPECT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 1.0));
+}
+
+TEST_F(MockScript, TrackingIsLostAndRegainedAtItsFrames) {
+  begin_with(R"({"events": [{"frame": 3, "do": "lose_tracking", "hand": "right"},
+                            {"frame": 5, "do": "regain_tracking", "hand": "right"}]})");
+  instruct();
+  for (int number = 1; number <= 6; ++number) {
+    const XrTime time = frame();
+    EXPECT_EQ(locate_hand(hand, local, time).active, number < 3 || number >= 5) << number;
+  }
+}
+
+TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
+  begin_with(
+      R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"}]})");
+  instruct();
+  std::vector<XrVector3f> tips;
+  for (int number = 1; number <= 7; ++number) tips.push_back(locate_hand(hand, local, frame()).index_tip());
+  EXPECT_EQ(std::memcmp(&tips[2], &tips[4], sizeof(XrVector3f)), 0);
+  EXPECT_LT(tips[1].z, tips[0].z);
+  // The reach has gone on meanwhile, 4 frames of 33.3 mm/s and 11.1 ms from the second to the sixth.
+  EXPECT_NEAR(tips[5].z - tips[1].z, -4 * 0.1F / 3.0F / 90.0F, 1e-6F);
+}
+
+TEST_F(MockScript, JumpsShiftTheTrackedHandOnly) {
+  begin_with(R"({"events": [{"frame": 2, "do": "jump", "hand": "right", "by_mm": [10, 20, -30]}]})");
+  const XrVector3f before = locate_hand(hand, local, frame()).index_tip();
+  const XrVector3f after = locate_hand(hand, local, frame()).index_tip();
+  EXPECT_NEAR(after.x - before.x, 0.010F, 1e-6F);
+  EXPECT_NEAR(after.y - before.y, 0.020F, 1e-6F);
+  EXPECT_NEAR(after.z - before.z, -0.030F, 1e-6F);
+}
+
+// "No repeated state": each is told once, by way of those in between; a hand is not active without focus.
+TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
+  begin_with(R"({"events": [{"frame": 2, "do": "session_state", "state": "SYNCHRONIZED"},
+                            {"frame": 3, "do": "session_state", "state": "SYNCHRONIZED"},
+                            {"frame": 4, "do": "session_state", "state": "FOCUSED"},
+                            {"frame": 5, "do": "session_state", "state": "STOPPING"}]})");
+  frame();
+  EXPECT_TRUE(all_states().empty());
+  const XrTime unfocused = frame();
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED}));
+  EXPECT_FALSE(locate_hand(hand, local, unfocused).active);
+  frame();
+  EXPECT_TRUE(all_states().empty());
+  frame();
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
+  frame();
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_SYNCHRONIZED,
+                                       XR_SESSION_STATE_STOPPING}));
+  // The runtime, not the application, wanted this end: the session becomes ready again.
+  ASSERT_XR(XR_SUCCESS, xrEndSession(session));
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
+}
+
+// What runtimes should not do and some do, an application can be tested with.
+TEST_F(MockScript, StateIsToldAgainAndFramesHaveNoTimesOnOrderOnly) {
+  begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
+  EXPECT_EQ(frame_time(), 0);
+  EXPECT_TRUE(all_states().empty());
+  EXPECT_EQ(frame_time(), 0);
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_FOCUSED}));
+}
+
+// "XR_ERROR_SESSION_LOST [...] the session was lost": all functions of it, but destroying.
+TEST_F(MockScript, SessionIsLostAtAFrame) {
+  begin_with(
+      R"({"events": [{"frame": 2, "do": "session_state", "state": "LOSS_PENDING"}, {"frame": 3, "do": "lose_session"}]})");
+  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_XR(XR_SUCCESS, wait());
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_LOSS_PENDING}));
+  EXPECT_XR(XR_ERROR_SESSION_LOST, wait());
+  EXPECT_XR(XR_ERROR_SESSION_LOST, xrEndSession(session));
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  EXPECT_XR(XR_ERROR_SESSION_LOST, xrLocateSpace(local, local, 1, &location));
+  EXPECT_TRUE(all_states().empty());
+  EXPECT_XR(XR_SUCCESS, functions->destroy_hand_tracker(hand));
+  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+  begin_session();
+  EXPECT_XR(XR_SUCCESS, wait());
+}
+
+// "XR_ERROR_INSTANCE_LOST": all functions but destroying.
+TEST_F(MockScript, InstanceIsLostAtATime) {
+  begin_with(
+      R"({"events": [{"time_ms": 100, "do": "instance_loss_pending"}, {"time_ms": 200, "do": "lose_instance"}]})");
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+  ASSERT_XR(XR_SUCCESS, xrPollEvent(instance, &event));
+  EXPECT_EQ(event.type, XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING);
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 100'000'000));
+  event = {XR_TYPE_EVENT_DATA_BUFFER};
+  EXPECT_XR(XR_ERROR_INSTANCE_LOST, xrPollEvent(instance, &event));
+  EXPECT_XR(XR_ERROR_INSTANCE_LOST, wait());
+  EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+  EXPECT_STREQ(call_log().back().function, "xrDestroySession");
+}
+
+TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
+  const std::vector<std::pair<const char*, XrSpaceVelocityFlags>> cases{
+      {"none", 0}, {"zero", 3}, {"linear", XR_SPACE_VELOCITY_LINEAR_VALID_BIT}, {"full", 3}};
+  for (const auto& [kind, flags] : cases) {
+    begin_with((std::string(R"({"tracker": {"velocities": ")") + kind + R"("}})").c_str());
+    instruct();
+    const Hand located = locate_hand(hand, local, frame());
+    const XrHandJointVelocityEXT& tip = located.velocities[XR_HAND_JOINT_INDEX_TIP_EXT];
+    const bool moves = std::strcmp(kind, "linear") == 0 || std::strcmp(kind, "full") == 0;
+    EXPECT_EQ(tip.velocityFlags, flags) << kind;
+    EXPECT_NEAR(tip.linearVelocity.z, moves ? -0.1F / 3.0F : 0.0F, 1e-6F) << kind;
+    EXPECT_EQ(located.velocities[0].angularVelocity.y != 0.0F, std::strcmp(kind, "full") == 0) << kind;
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
+}
+
+// Velocities are the derivatives of the locations.
+TEST_F(MockScript, FullVelocitiesAreTheRatesOfChange) {
+  begin_with("{}");
+  instruct();
+  const XrTime time = frame();
+  constexpr XrDuration step = 1'000'000;
+  const Hand now = locate_hand(hand, local, time);
+  const Hand later = locate_hand(hand, local, time + step);
+  for (std::size_t joint = 0; joint < now.joints.size(); ++joint) {
+    const XrVector3f& from = now.joints[joint].pose.position;
+    const XrVector3f& to = later.joints[joint].pose.position;
+    EXPECT_NEAR((to.x - from.x) / 1e-3F, now.velocities[joint].linearVelocity.x, 3e-4F) << joint;
+    EXPECT_NEAR((to.z - from.z) / 1e-3F, now.velocities[joint].linearVelocity.z, 3e-4F) << joint;
+  }
+}
+
+TEST_F(MockScript, HandFollowsItsPath) {
+  begin_with(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]},
+                                              {"time_ms": 1000, "position_m": [0.2, 0, -0.4], "orientation": [0, 0, 0, 1]}]}}})");
+  const XrTime start = frame();
+  XrEventDataBuffer unused{XR_TYPE_EVENT_DATA_BUFFER};
+  xrPollEvent(instance, &unused);
+  const XrTime created = 1'000'000'000;
+  const Hand middle = locate_hand(hand, local, created + 500'000'000);
+  EXPECT_GT(start, created);
+  EXPECT_NEAR(middle.index_tip().x, 0.1F, 1e-6F);
+  EXPECT_NEAR(middle.index_tip().z, -0.2F, 1e-6F);
+  EXPECT_NEAR(middle.velocities[XR_HAND_JOINT_INDEX_TIP_EXT].linearVelocity.z, -0.4F, 1e-6F);
+  const Hand end = locate_hand(hand, local, created + 5'000'000'000);
+  EXPECT_NEAR(end.index_tip().x, 0.2F, 1e-6F);
+  EXPECT_NEAR(end.joints[XR_HAND_JOINT_WRIST_EXT].pose.orientation.w, 1.0F, 1e-6F);
+}
+
+// By hand: 400 deg/s after 20 ms takes 125 ms to turn by 50 degrees.
+TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
+  begin_with(R"({"servo": {"speed_deg_per_s": 400, "latency_ms": 20}})");
+  const XrTime start = 1'000'000'000;
+  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, -50.0));
+  const auto at = [&](XrDuration after_ms) {
+    double orientation = 0.0;
+    EXPECT_XR(XR_SUCCESS,
+              functions->get_plate_orientation(session, start + after_ms * 1'000'000, &orientation));
+    return orientation;
+  };
+  EXPECT_DOUBLE_EQ(at(0), 0.0);
+  EXPECT_DOUBLE_EQ(at(20), 0.0);
+  EXPECT_NEAR(at(70), -20.0, 1e-9);
+  EXPECT_NEAR(at(145), -50.0, 1e-9);
+  EXPECT_DOUBLE_EQ(at(1000), -50.0);
+  // Turned back half way there: 72.5 ms after the first command it stands at -21.
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 52'500'000));
+  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 10.0));
+  EXPECT_NEAR(at(72), -20.8, 1e-9);
+  EXPECT_NEAR(at(82), -21.0 + 0.4 * 9.5, 1e-9);
+}
+
+TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
+  begin_with(R"({"tracker": {"latency_ms": 50, "rate_hz": 40}})");
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 0));
+  instruct();
+  const XrTime start = 1'000'000'000;
+  const auto travelled_mm = [&](XrDuration after_ms) {
+    return -1000.0 *
+           static_cast<double>(locate_hand(hand, local, start + after_ms * 1'000'000).index_tip().z);
+  };
+  EXPECT_NEAR(travelled_mm(50), 0.0, 1e-4);
+  EXPECT_NEAR(travelled_mm(74), 0.0, 1e-4);
+  EXPECT_NEAR(travelled_mm(76), 25.0 / 30.0, 1e-4);  // the sample of 25 ms
+  EXPECT_NEAR(travelled_mm(99), 25.0 / 30.0, 1e-4);
+  EXPECT_NEAR(travelled_mm(101), 50.0 / 30.0, 1e-4);
+}
+
+// The standard deviation is as set, for each coordinate, and one time has one noise.
+TEST_F(MockScript, TrackerNoiseHasItsDeviation) {
+  begin_with(R"({"tracker": {"noise_mm": 1.2}, "seed": 7})");
+  const XrVector3f rest{0.15F, -0.40F, -0.35F};
+  double squares = 0.0;
+  constexpr int samples = 2000;
+  for (int i = 1; i <= samples; ++i) {
+    const XrVector3f tip = locate_hand(hand, local, i * 1'000'003).index_tip();
+    squares += std::pow(static_cast<double>(tip.x - rest.x), 2) +
+               std::pow(static_cast<double>(tip.y - rest.y), 2) +
+               std::pow(static_cast<double>(tip.z - rest.z), 2);
+  }
+  // The deviation of an estimate from 6000 draws is about 1 %: four of them.
+  EXPECT_NEAR(std::sqrt(squares / (3.0 * samples)), 1.2e-3, 0.04 * 1.2e-3);
+  const XrVector3f once = locate_hand(hand, local, 5).index_tip();
+  const XrVector3f again = locate_hand(hand, local, 5).index_tip();
+  EXPECT_EQ(std::memcmp(&once, &again, sizeof(once)), 0);
+}
+
+TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
+  const auto final_directions = [&](const char* script) {
+    begin_with(script);
+    std::vector<double> directions;
+    for (int reach = 0; reach < 3; ++reach) {
+      instruct(-5.0);
+      EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+      EXPECT_TRUE(truth().isDone);
+      directions.push_back(truth().trueDirection);
+    }
+    EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    return directions;
+  };
+  // Without noise a participant ends where felt and wanted direction agree: P = G / (1 - w_T).
+  const auto exact = final_directions(
+      R"({"participants": [{"tactile_weight": 0.2, "motor_variance_deg2": 0, "initial_variance_deg2": 1e-9},
+                           {"tactile_weight": 0.3, "motor_variance_deg2": 1e-9, "sensory_variance_deg2": 1e-9}]})");
+  EXPECT_NEAR(exact[1], -5.0 / 0.7, 0.01);
+  const auto first = final_directions(R"({"seed": 1})");
+  EXPECT_EQ(final_directions(R"({"seed": 1})"), first);
+  EXPECT_NE(final_directions(R"({"seed": 2})"), first);
+  EXPECT_NE(first[0], first[1]);
+}
+
+// Weights of touch are uniform in their range over seeds, and one seed's participant keeps theirs.
+TEST_F(MockScript, SeedDrawsTheParticipant) {
+  begin_with(R"({"participants": [{"tactile_weight": [0.1, 0.3]}, {"tactile_weight": 0.25}]})");
+  const auto weight = [&] {
+    instruct();
+    return truth().tactileWeight;
+  };
+  constexpr int seeds = 500;
+  double sum = 0.0;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    const double drawn = weight();
+    EXPECT_GE(drawn, 0.1);
+    EXPECT_LE(drawn, 0.3);
+    EXPECT_EQ(weight(), 0.25);
+    EXPECT_EQ(weight(), drawn);
+    sum += drawn;
+  }
+  // The mean's deviation is 0.2 / sqrt(12 * 500): four of them.
+  EXPECT_NEAR(sum / seeds, 0.2, 4.0 * 0.2 / std::sqrt(12.0 * seeds));
+}
+
+// Where a run was broken off it can be gone on with: the same person, and each reach with noise of its own.
+TEST_F(MockScript, SeedAndNumberMakeTheReach) {
+  begin_with("{}");
+  const auto final_direction = [&] {
+    instruct();
+    EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
+    return truth().trueDirection;
+  };
+  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 0));
+  const std::array<double, 3> whole{final_direction(), final_direction(), final_direction()};
+  ASSERT_XR(XR_SUCCESS, functions->set_seed(session, 9, 2));
+  EXPECT_EQ(final_direction(), whole[2]);
+  EXPECT_NE(whole[2], whole[0]);
+}
+
+TEST_F(MockScript, CallLogTellsEveryCallItsResultAndWhyItWasRefused) {
+  begin_session();
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
+  const auto log = call_log();
+  ASSERT_GE(log.size(), 3U);
+  EXPECT_STREQ(log.back().function, "xrBeginFrame");
+  EXPECT_EQ(log.back().result, XR_ERROR_CALL_ORDER_INVALID);
+  EXPECT_STREQ(log.back().reason, "no xrWaitFrame goes with this xrBeginFrame");
+  EXPECT_EQ(log.back().time, 1'000'000'000);
+  EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const XrCallRecordHRTX& record) {
+    return std::strcmp(record.function, "xrCreateSession") == 0 && record.result == XR_SUCCESS;
+  }));
+}
+
+TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
+  using std::chrono::steady_clock;
+  begin_with(R"({"frame_rate_hz": 100})");
+  const auto timed = [&](int frames) {
+    const auto start = steady_clock::now();
+    for (int i = 0; i < frames; ++i) frame();
+    return std::chrono::duration<double>(steady_clock::now() - start).count();
+  };
+  EXPECT_LT(timed(500), 2.0);  // 5 s of manual time
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  begin_with(R"({"clock": "real-time", "frame_rate_hz": 100})");
+  EXPECT_GE(timed(6), 0.049);
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->advance_time(instance, 1));
+  // Real time is CLOCK_MONOTONIC.
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  XrTime time = 0;
+  ASSERT_XR(XR_SUCCESS, functions->to_time(instance, &now, &time));
+  EXPECT_NEAR(static_cast<double>(frame() - time), 0.0, 1e9);
+}
+
+// The environment: a script from a file, errors that xrCreateInstance tells, and a log that outlives the
+// instance.
+class MockEnvironment : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    directory = std::filesystem::temp_directory_path() / ("mock_runtime_test_" + std::to_string(getpid()));
+    std::filesystem::create_directory(directory);
+    setenv("HRT_MOCK_SCRIPT", (directory / "script.json").c_str(), 1);
+    setenv("HRT_MOCK_CALL_LOG", (directory / "calls.log").c_str(), 1);
+  }
+  void TearDown() override {
+    unsetenv("HRT_MOCK_SCRIPT");
+    unsetenv("HRT_MOCK_CALL_LOG");
+    std::filesystem::remove_all(directory);
+  }
+
+  void write_script(const char* text) { std::ofstream(directory / "script.json") << text; }
+  std::string read_log() {
+    std::ostringstream text;
+    text << std::ifstream(directory / "calls.log").rdbuf();
+    return text.str();
+  }
+  XrResult create() {
+    const XrInstanceCreateInfo info = instance_info(all_extensions());
+    return xrCreateInstance(&info, &instance);
+  }
+
+  std::filesystem::path directory;
+  XrInstance instance = XR_NULL_HANDLE;
+};
+
+TEST_F(MockEnvironment, ScriptOfTheEnvironmentAppliesFromTheFirstCall) {
+  write_script(R"({"calls": [{"function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})");
+  EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, create());
+  write_script(R"({"calls": [{"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}]})");
+  ASSERT_XR(XR_SUCCESS, create());
+  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+  EXPECT_NE(read_log().find("xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
+            std::string::npos);
+}
+
+std::vector<std::string> enumerated_extensions() {
+  std::uint32_t count = 0;
+  EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
+  std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
+  EXPECT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
+  std::vector<std::string> names;
+  for (const auto& property : properties) names.emplace_back(property.extensionName);
+  return names;
+}
+
+TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
+  write_script(R"({"withhold_extensions": ["XR_EXT_hand_tracking", "XR_KHR_convert_timespec_time"]})");
+  const auto names = enumerated_extensions();
+  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
+  EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
+  EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
+}
+
+// "XrSystemHandTrackingPropertiesEXT [...] supportsHandTracking"; "XR_ERROR_FEATURE_UNSUPPORTED must be
+// returned [...] if the system does not support hand tracking".
+TEST_F(MockScript, SystemHasNoHandTrackingOnOrder) {
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"hand_tracking": false})"));
+  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT, nullptr, XR_TRUE};
+  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
+  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
+  EXPECT_EQ(hands.supportsHandTracking, static_cast<XrBool32>(XR_FALSE));
+  begin_session();
+  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                        XR_HAND_JOINT_SET_DEFAULT_EXT};
+  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_FEATURE_UNSUPPORTED, functions->create_hand_tracker(session, &info, &tracker));
+}
+
+TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
+  write_script(R"({"colour": "green"})");
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
+  EXPECT_NE(read_log().find("script.colour is not known"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hrt::mock

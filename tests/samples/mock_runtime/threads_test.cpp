@@ -1,0 +1,114 @@
+// The API from several threads at once. With the thread sanitizer this also shows that there are no data
+// races.
+#include <atomic>
+#include <chrono>
+#include <future>
+#include <thread>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+using namespace std::chrono_literals;
+
+class MockThreads : public MockRuntime {
+ protected:
+  void SetUp() override {
+    MockRuntime::SetUp();
+    begin_session();
+  }
+
+  // An xrWaitFrame on another thread that has to wait for xrBeginFrame, and does.
+  std::future<XrResult> blocked_wait() {
+    XrFrameState first{XR_TYPE_FRAME_STATE};
+    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &first));
+    auto waiting = std::async(std::launch::async, [this] {
+      XrFrameState state{XR_TYPE_FRAME_STATE};
+      return xrWaitFrame(session, nullptr, &state);
+    });
+    EXPECT_EQ(waiting.wait_for(30ms), std::future_status::timeout);
+    return waiting;
+  }
+};
+
+// "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
+TEST_F(MockThreads, WaitFrameBlocksUntilTheFrameBeforeHasBegun) {
+  auto waiting = blocked_wait();
+  ASSERT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
+  EXPECT_XR(XR_SUCCESS, waiting.get());
+}
+
+// "XR_ERROR_SESSION_NOT_RUNNING": a wait does not outlast the run of its session.
+TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionEnds) {
+  auto waiting = blocked_wait();
+  ASSERT_XR(XR_SUCCESS, xrRequestExitSession(session));
+  ASSERT_XR(XR_SUCCESS, xrEndSession(session));
+  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, waiting.get());
+}
+
+TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsDestroyed) {
+  auto waiting = blocked_wait();
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, waiting.get());
+}
+
+TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsLost) {
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  ASSERT_XR(XR_SUCCESS,
+            functions->apply_script(instance, R"({"events": [{"time_ms": 50, "do": "lose_session"}]})"));
+  begin_session();
+  auto waiting = blocked_wait();
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 50'000'000));
+  EXPECT_XR(XR_ERROR_SESSION_LOST, waiting.get());
+}
+
+TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrHandTrackerEXT tracker = create_hand_tracker();
+  const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, identity_pose, 0.075};
+  ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+  std::atomic<bool> stop = false;
+  std::atomic<int> failures = 0;
+  const auto check = [&](XrResult result) { failures += XR_FAILED(result) ? 1 : 0; };
+  const auto repeat = [&](auto call) {
+    return std::thread([&stop, call] {
+      for (int i = 0; !stop; ++i) call(i);
+    });
+  };
+  std::vector<std::thread> threads;
+  threads.push_back(repeat([&](int i) {
+    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
+                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
+    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local,
+                                         1'000'000'000 + i};
+    check(functions->locate_hand_joints(tracker, &info, &locations));
+  }));
+  threads.push_back(repeat([&](int) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
+                                          XR_REFERENCE_SPACE_TYPE_VIEW, identity_pose};
+    XrSpace space = XR_NULL_HANDLE;
+    check(xrCreateReferenceSpace(session, &info, &space));
+    check(xrDestroySpace(space));
+  }));
+  threads.push_back(repeat([&](int i) {
+    XrPath atom = XR_NULL_PATH;
+    check(xrStringToPath(instance, ("/path/" + std::to_string(i % 100)).c_str(), &atom));
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    check(xrPollEvent(instance, &event));
+  }));
+  threads.push_back(repeat([&](int i) { check(functions->set_plate_orientation(session, i % 90)); }));
+  const XrReachInstructionHRTX instruction{
+      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
+  for (int i = 0; i < 200; ++i) {
+    if (i % 50 == 0) check(functions->instruct_reach(session, &instruction));
+    frame();
+  }
+  stop = true;
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(failures, 0);
+}
+
+}  // namespace
+}  // namespace hrt::mock

@@ -1,0 +1,292 @@
+// What hrt-reach makes of everything that can go wrong in an OpenXR runtime. The mock runtime does it on
+// order.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <string>
+
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+
+Outcome run_desk(const std::string& script) {
+  return run_scripted(script, {desk});
+}
+
+std::string event_at(int frame, const std::string& what) {
+  return R"({"events": [{"frame": )" + std::to_string(frame) + ", " + what + "}]}";
+}
+
+std::string failing_call(const std::string& function, int call, const std::string& result) {
+  return R"({"calls": [{"function": ")" + function + R"(", "call": )" + std::to_string(call) +
+         R"(, "result": ")" + result + R"("}]})";
+}
+
+bool says(const Outcome& outcome, const std::string& text) {
+  return outcome.err.find(text) != std::string::npos;
+}
+
+// Everything went its way in the end: all three targets, each once.
+void expect_all_reached(const Outcome& outcome, const std::string& script) {
+  EXPECT_EQ(outcome.exit_code, 0) << script << "\n" << outcome.out << outcome.err;
+  EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
+}
+
+// Noise so small that chance decides nothing: it is the faults that are looked at here.
+const std::string calm = R"("participants": [{"tactile_weight": 0.15, "motor_variance_deg2": 0.05}])";
+
+TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
+  for (const int frame : {2, 40, 150, 230}) {
+    const std::string script = "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
+                               R"(, "do": "lose_tracking", "hand": "right"}, {"frame": )" +
+                               std::to_string(frame + 27) +
+                               R"(, "do": "regain_tracking", "hand": "right"}]})";
+    const Outcome outcome = run_desk(script);
+    expect_all_reached(outcome, script);
+    ASSERT_FALSE(rows_of(outcome).empty());
+    EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 1) << script;
+    EXPECT_EQ(rows_of(outcome)[1].lost, 0) << script;
+  }
+}
+
+TEST(ReachFault, TrackingIsLostForGood) {
+  const Outcome outcome = run_scripted("{" + calm + R"(, "events": [{"frame": 60, "do": "lose_tracking",
+      "hand": "right"}]})",
+                                       {desk, "--target", "bottle"});
+  ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
+  EXPECT_GT(rows_of(outcome)[0].lost, 200);
+}
+
+// A finger that seems to stand still for a moment, or to jump, is what trackers do; no fault of the
+// program's.
+TEST(ReachFault, TheHandFreezesOrJumps) {
+  for (const std::string what :
+       {R"("do": "freeze", "hand": "right")", R"("do": "jump", "hand": "right", "by_mm": [30, 0, 0])"}) {
+    const Outcome outcome = run_desk(event_at(100, what));
+    EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.exit_code << outcome.err;
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << what;
+    EXPECT_EQ(outcome.err, "") << what;
+  }
+}
+
+// Without focus a runtime gives no hands (XR_EXT_hand_tracking leaves that to it): a dropout like any other.
+TEST(ReachFault, FocusComesAndGoes) {
+  for (const std::string state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"}) {
+    const std::string script = "{" + calm +
+                               R"(, "events": [{"frame": 100, "do": "session_state", "state": ")" + state +
+                               R"("}, {"frame": 120, "do": "session_state", "state": "FOCUSED"}]})";
+    expect_all_reached(run_desk(script), script);
+  }
+}
+
+TEST(ReachFault, AStateIsToldTwice) {
+  const std::string script = "{" + calm + R"(, "events": [{"frame": 1, "do": "repeat_session_state"},
+                                                          {"frame": 100, "do": "repeat_session_state"}]})";
+  expect_all_reached(run_desk(script), script);
+}
+
+TEST(ReachFault, TheRuntimeStopsTheSessionAndStartsItAgain) {
+  for (const int frame : {1, 100, 272, 400}) {
+    const std::string script = "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
+                               R"(, "do": "session_state", "state": "STOPPING"}]})";
+    expect_all_reached(run_desk(script), script);
+  }
+}
+
+// The script loses every session at the same frame: the first session ends in its second reach, the next
+// one, which makes that reach again, in the third.
+TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
+  for (const std::string what :
+       {R"("do": "lose_session")", R"("do": "lose_instance")", R"("do": "instance_loss_pending")",
+        R"("do": "session_state", "state": "LOSS_PENDING")"}) {
+    for (const int frame : {280, 400, 500}) {
+      const std::string script =
+          "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) + ", " + what + "}]}";
+      const Outcome outcome = run_desk(script);
+      expect_all_reached(outcome, script);
+      EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+    }
+  }
+}
+
+// The person stays the same, and the reach that was lost is made again as it would have been made: with a
+// controller that learns nothing, nothing tells that there was a loss.
+TEST(ReachFault, ALossChangesNoReach) {
+  const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
+  const Outcome outcome = run_scripted(event_at(400, R"("do": "lose_session")"), arguments);
+  EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+  EXPECT_EQ(outcome.out, run_program(arguments).out);
+}
+
+TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
+  for (const int frame : {1, 2, 50, 200}) {
+    const Outcome outcome = run_desk(event_at(frame, R"("do": "lose_session")"));
+    EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
+    EXPECT_TRUE(says(outcome, "lost again and again")) << outcome.err;
+    EXPECT_TRUE(rows_of(outcome).empty());
+  }
+}
+
+// Calls are counted from a new instance on: the same call finds the second session lost too, and the third
+// has but one reach left to do.
+TEST(ReachFault, ACallFindsTheSessionLost) {
+  for (const std::string function : {"xrWaitFrame", "xrBeginFrame", "xrEndFrame", "xrLocateHandJointsEXT"}) {
+    const std::string script = failing_call(function, 400, "XR_ERROR_SESSION_LOST");
+    const Outcome outcome = run_desk(script);
+    EXPECT_EQ(rows_of(outcome).size(), 3U) << script << outcome.err;
+    EXPECT_TRUE(says(outcome, function + " returned XR_ERROR_SESSION_LOST")) << outcome.err;
+    EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+  }
+}
+
+TEST(ReachFault, ACallThatAlwaysFindsTheSessionLostIsGivenUp) {
+  for (const std::string function :
+       {"xrBeginSession", "xrCreateReferenceSpace", "xrCreateHandTrackerEXT", "xrWaitFrame"}) {
+    const Outcome outcome = run_desk(failing_call(function, 1, "XR_ERROR_SESSION_LOST"));
+    EXPECT_EQ(outcome.exit_code, 7) << function << outcome.err;
+    EXPECT_TRUE(says(outcome, "lost again and again: " + function)) << outcome.err;
+  }
+}
+
+TEST(ReachFault, AFailedCallIsNamed) {
+  struct Failing {
+    const char* function;
+    std::vector<int> calls;
+  };
+  const Failing failing[] = {{"xrCreateInstance", {1}},
+                             {"xrGetInstanceProperties", {1}},
+                             {"xrGetSystem", {1}},
+                             {"xrGetSystemProperties", {1}},
+                             {"xrCreateSession", {1}},
+                             {"xrCreateReferenceSpace", {1, 2}},
+                             {"xrCreateHandTrackerEXT", {1, 2}},
+                             {"xrPollEvent", {1, 2, 300}},
+                             {"xrBeginSession", {1}},
+                             {"xrWaitFrame", {1, 2, 300}},
+                             {"xrBeginFrame", {1, 2, 300}},
+                             {"xrEndFrame", {1, 2, 300}},
+                             {"xrLocateHandJointsEXT", {1, 2, 300}}};
+  for (const auto& [function, calls] : failing) {
+    for (const int call : calls) {
+      const Outcome outcome = run_desk(failing_call(function, call, "XR_ERROR_RUNTIME_FAILURE"));
+      EXPECT_EQ(outcome.exit_code, 7) << function << " " << call << "\n" << outcome.err;
+      EXPECT_TRUE(says(outcome, std::string(function) + " returned XR_ERROR_RUNTIME_FAILURE"))
+          << function << " " << call << "\n"
+          << outcome.err;
+      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    }
+  }
+}
+
+// One sentence and nothing else, and an exit code of its own.
+void expect_refused(const Outcome& outcome, int exit_code, const std::string& sentence) {
+  EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  EXPECT_TRUE(says(outcome, sentence)) << outcome.err;
+  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+}
+
+TEST(ReachFault, TheRuntimeLacksWhatIsNeeded) {
+  for (const std::string extension : {"XR_MND_headless", "XR_EXT_hand_tracking"})
+    expect_refused(run_desk(R"({"withhold_extensions": [")" + extension + "\"]}"), 6,
+                   "the OpenXR runtime has no " + extension + ", which hrt-reach needs");
+  expect_refused(run_desk(R"({"hand_tracking": false})"), 6, "has no hand tracking on this system");
+}
+
+TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
+  const std::string usual = run_program({desk}).out;
+  EXPECT_EQ(run_desk(R"({"withhold_extensions": ["XR_KHR_convert_timespec_time"]})").out, usual);
+  expect_refused(run_desk(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})"), 9,
+                 "has no plate to turn; --plate names another one");
+}
+
+// Then time is the monotonic clock's, if the runtime can tell what it takes that for.
+TEST(ReachFault, FramesHaveNoTimes) {
+  const Outcome outcome = run_scripted("{" + calm + R"(, "clock": "real-time", "frame_times": false})",
+                                       {desk, "--target", "goblet"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].frames, 270, 70);  // 3 s at 90 Hz, on a machine that may be busy
+}
+
+TEST(ReachFault, NothingTellsTheTime) {
+  const Outcome outcome =
+      run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})");
+  EXPECT_EQ(outcome.exit_code, 7);
+  EXPECT_TRUE(says(outcome, "gives its frames no time and has no XR_KHR_convert_timespec_time"))
+      << outcome.err;
+}
+
+std::string slow_frame(int call, int delay_ms) {
+  return R"({"calls": [{"function": "xrWaitFrame", "call": )" + std::to_string(call) + R"(, "delay_ms": )" +
+         std::to_string(delay_ms) + "}]}";
+}
+
+TEST(ReachFault, AFrameComesLate) {
+  EXPECT_EQ(run_desk(slow_frame(150, 400)).out, run_program({desk}).out);
+}
+
+// Nothing can call the runtime back; what can be put in order without it is.
+TEST(ReachFault, AFrameNeverComes) {
+  for (const int call : {1, 2, 150, 300}) {
+    const std::string folder = scratch_folder();
+    const auto began = std::chrono::steady_clock::now();
+    const Outcome outcome = run_scripted(
+        slow_frame(call, 50'000),
+        {desk, "--runtime-limit", "0.3", "--record", folder + "/r.csv", "--plot", folder + "/r.svg"});
+    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
+    EXPECT_EQ(outcome.exit_code, 11) << outcome.err;
+    EXPECT_TRUE(says(outcome, "has not returned from xrWaitFrame within 0.3 s")) << outcome.err;
+    EXPECT_EQ(rows_of(outcome).size(), call == 300 ? 1U : 0U) << outcome.out;
+    EXPECT_EQ(read_file(folder + "/r.csv").substr(read_file(folder + "/r.csv").size() - 6), "# end\n");
+    EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
+  }
+}
+
+TEST(ReachFault, NoHeadsetIsThere) {
+  const Outcome outcome = run_desk(failing_call("xrGetSystem", 1, "XR_ERROR_FORM_FACTOR_UNAVAILABLE"));
+  EXPECT_EQ(outcome.exit_code, 6);
+  EXPECT_TRUE(says(outcome, "no head-mounted display")) << outcome.err;
+}
+
+// Velocities are not used, so nothing changes.
+TEST(ReachFault, VelocitiesAreMissingOrZero) {
+  const std::string usual = run_program({desk}).out;
+  for (const std::string velocities : {"none", "zero", "linear"})
+    EXPECT_EQ(run_desk(R"({"tracker": {"velocities": ")" + velocities + "\"}}").out, usual);
+}
+
+TEST(ReachFault, TheCoreValidationLayerHasNothingToSayAboutLosses) {
+  const std::string file = scratch_folder() + "/script.json";
+  std::ofstream(file) << event_at(400, R"("do": "session_state", "state": "LOSS_PENDING")");
+  auto environment = mock_environment();
+  environment["HRT_MOCK_SCRIPT"] = file;
+  const std::string without_layer = run_program({desk}, environment).out;
+  environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_core_validation";
+  environment["XR_CORE_VALIDATION_EXPORT_TYPE"] = "text";
+  const Outcome outcome = run_program({desk}, environment);
+  EXPECT_TRUE(says(outcome, "Core Validation output type: text"));
+  EXPECT_EQ(outcome.out, without_layer);
+}
+
+// Whoever the user is, told the truth about their weight of touch, the plate leads them there.
+TEST(ReachOfParticipants, WithWeightsOfTouchFromATenthToThreeTenths) {
+  for (const std::string weight : {"0.10", "0.15", "0.20", "0.25", "0.30"}) {
+    const std::string script =
+        R"({"participants": [{"tactile_weight": )" + weight + R"(, "motor_variance_deg2": 0.05}]})";
+    const Outcome outcome = run_scripted(script, {desk, "--tactile-weight", weight});
+    expect_all_reached(outcome, script);
+    // At 0.10, gaps up to 84.5 / 9 = 9.4 degrees can be held: not the pawn's 12.
+    const bool all = outcome.out.find("3 of 3 targets that can be held") != std::string::npos;
+    EXPECT_EQ(all, weight != "0.10") << outcome.out;
+  }
+}
+
+}  // namespace
+}  // namespace hrt::reach

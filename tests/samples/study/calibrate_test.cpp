@@ -1,0 +1,211 @@
+#include "samples/study/figures/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+
+#include <nlohmann/json.hpp>
+
+#include "samples/study/arguments.h"
+#include "samples/study/participants.h"
+#include "tests/samples/study/process.h"
+
+namespace hrt::study {
+namespace {
+
+using nlohmann::json;
+
+const std::string header = "trial,time_s,right_m,away_m,plate_orientation_deg\n";
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+std::string refused(const std::string& text) {
+  try {
+    parse_calibration_csv("data.csv", text);
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  ADD_FAILURE() << text;
+  return {};
+}
+
+TEST(StudyCalibrate, ReadsWhatItWrites) {
+  Session session;
+  session.condition.tracker_rate_hz = 40.0;
+  session.trials_per_angle = 2;
+  const auto written = simulate_session(session);
+  const auto read = parse_calibration_csv("data.csv", session_csv(session));
+  ASSERT_EQ(read.size(), written.size());
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    EXPECT_EQ(read[i].plate_orientation_deg, written[i].plate_orientation_deg);
+    ASSERT_EQ(read[i].samples.size(), written[i].samples.size());
+    for (std::size_t k = 0; k < read[i].samples.size(); ++k) {
+      EXPECT_EQ(read[i].samples[k].time_ns, written[i].samples[k].time_ns);
+      EXPECT_EQ(read[i].samples[k].position.right_m, written[i].samples[k].position.right_m);
+      EXPECT_EQ(read[i].samples[k].position.away_m, written[i].samples[k].position.away_m);
+    }
+  }
+}
+
+TEST(StudyCalibrate, ReadsOtherOrdersCommentsAndLineEndings) {
+  const auto trials = parse_calibration_csv("data.csv",
+                                            "\xEF\xBB\xBF# mine\r\n\r\n"
+                                            "plate_orientation_deg, finger ,away_m,right_m,time_s,trial\r\n"
+                                            "30, x ,0.2,0.1,1e-9,7\r\n30.5,,0.4,0.3,2e-9,7\r\n"
+                                            "# next\r\n-30,,0.5,0,0,8");
+  ASSERT_EQ(trials.size(), 2U);
+  ASSERT_EQ(trials[0].samples.size(), 2U);
+  EXPECT_DOUBLE_EQ(trials[0].plate_orientation_deg, 30.25);
+  EXPECT_EQ(trials[0].samples[1].time_ns, 2);
+  EXPECT_EQ(trials[0].samples[1].position.right_m, 0.3);
+  EXPECT_EQ(trials[0].samples[1].position.away_m, 0.4);
+  EXPECT_EQ(trials[1].plate_orientation_deg, -30.0);
+}
+
+TEST(StudyCalibrate, NamesWhatIsWrongWithAFile) {
+  EXPECT_EQ(refused(""),
+            "data.csv: there is no header; it must name trial,time_s,right_m,away_m,plate_orientation_deg");
+  EXPECT_EQ(refused(header), "data.csv: there is no row under the header");
+  EXPECT_NE(
+      refused("trial,time_s,right_m,away_m\n").find("line 1, column plate_orientation_deg: it is missing"),
+      std::string::npos);
+  EXPECT_NE(refused("trial," + header).find("line 1, column trial: 'trial' is not allowed"),
+            std::string::npos);
+  EXPECT_EQ(refused(header + "1,0,0,0,0\n1,1,0,0\n"),
+            "data.csv, line 3, columns: '4' is not allowed; it must be as many as the header has, 5");
+  EXPECT_EQ(refused(header + "1,0,100,0,0\n"),
+            "data.csv, line 2, column right_m: '100' is not allowed; it must be a number in [-10, 10]");
+  EXPECT_NE(refused(header + "1.5,0,0,0,0\n").find("column trial: '1.5'"), std::string::npos);
+  EXPECT_NE(refused(header + "1,,0,0,0\n").find("column time_s: ''"), std::string::npos);
+  for (const char* word : {"nan", "inf", "-inf", "1e999", "0x1", "1 2", "1;2"})
+    EXPECT_NE(refused(header + "1,0,0," + word + ",0\n").find("line 2, column away_m: '"), std::string::npos);
+  EXPECT_NE(refused(header + "1,1,0,0,0\n1,1,0,0,0\n").find("line 3, column time_s: '1'"), std::string::npos);
+  EXPECT_NE(refused(header + "1,1,0,0,0\n2,1,0,0,0\n1,2,0,0,0\n").find("line 4, column trial: '1'"),
+            std::string::npos);
+  EXPECT_NE(refused(header + "1,1,0,0,0\n1,2,0,0,2\n").find("line 3, column plate_orientation_deg: '2'"),
+            std::string::npos);
+  // A long field is not shown whole.
+  EXPECT_LT(refused(header + std::string(100'000, '7') + ",0,0,0,0\n").size(), 200U);
+}
+
+TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
+  const TemporaryFolder folder;
+  const std::string data = folder / "me.csv";
+  ASSERT_EQ(
+      run_study({"participants", "--tactile-weight", "0.2", "--bias", "-2", "--goal", "3", "--out", data})
+          .exit_code,
+      0);
+  const StudyRun run = run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot",
+                                  folder / "me.svg", "--profile", folder / "profile.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(run.err, "");
+  const json page = json::parse(run.out);
+  EXPECT_EQ(page["trials_used"], 50);
+  EXPECT_NEAR(page["tactile_weight"]["value"], 0.2, 0.01);
+  EXPECT_NEAR(page["bias_deg"]["value"], -2.0, 0.3);
+  EXPECT_NEAR(page["tracker_noise_mm"]["value"], 1.2, 0.05);
+  ASSERT_EQ(page["chords"].size(), 50U);
+
+  const json profile = json::parse(read_file(folder.path / "profile.json"));
+  EXPECT_EQ(profile["format"], "haptic retargeting profile");
+  EXPECT_EQ(profile["version"], 1);
+  EXPECT_EQ(profile["tactile_weight"], page["tactile_weight"]["value"]);
+  EXPECT_GE(profile["tactile_weight_sd"], 0.01);
+  EXPECT_EQ(profile["bias_deg"], page["bias_deg"]["value"]);
+  EXPECT_NEAR(profile["tracker_noise_m"], 0.0012, 0.00005);
+  EXPECT_EQ(profile.contains("motor_variance_deg2"), page["motor_variance_deg2"]["known"].get<bool>());
+
+  const std::string picture = read_file(folder.path / "me.svg");
+  EXPECT_NE(picture.find("</svg>"), std::string::npos);
+  EXPECT_NE(picture.find("Residuals"), std::string::npos);
+  EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
+}
+
+TEST(StudyCalibrate, SaysWhereTheDataCannotTell) {
+  const TemporaryFolder folder;
+  const std::string data = folder / "me.csv";
+  ASSERT_EQ(run_study({"participants", "--tracker-noise", "2", "--trials", "2", "--out", data}).exit_code, 0);
+  const StudyRun run = run_study({"calibrate", data, "--profile", folder / "profile.json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NE(run.out.find("can't tell"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("simulated people only"), std::string::npos);
+  EXPECT_FALSE(json::parse(read_file(folder.path / "profile.json")).contains("sensory_variance_deg2"));
+}
+
+TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
+  const TemporaryFolder folder;
+  const std::string data = folder / "one_angle.csv";
+  ASSERT_EQ(run_study({"participants", "--angles", "30", "--out", data}).exit_code, 0);
+  const std::vector<std::string> outputs{"--plot",          folder / "p.svg", "--profile",
+                                         folder / "p.json", "--out",          folder / "p.txt"};
+  std::vector<std::string> arguments{"calibrate", data};
+  arguments.insert(arguments.end(), outputs.begin(), outputs.end());
+  const StudyRun refusal = run_study(arguments);
+  EXPECT_EQ(refusal.exit_code, 1);
+  EXPECT_NE(refusal.err.find("no calibration: the plate stood at 1 different angles; at least 3"),
+            std::string::npos);
+
+  write(data, header + "1,0,0,zero,0\n");
+  const StudyRun broken = run_study(arguments);
+  EXPECT_EQ(broken.exit_code, 2);
+  EXPECT_NE(broken.err.find("line 2, column away_m: 'zero' is not allowed; it must be a number in [-10, 10]"),
+            std::string::npos);
+  EXPECT_EQ(lines(broken.err).size(), 1U);
+  EXPECT_EQ(entries(folder.path), std::vector<std::string>{"one_angle.csv"});
+
+  EXPECT_EQ(run_study({"calibrate", folder / "none.csv"}).exit_code, 2);
+  EXPECT_EQ(run_study({"calibrate", folder.path.string()}).exit_code, 2);
+  EXPECT_EQ(run_study({"calibrate", data, "--plot", folder / "p.pdf"}).exit_code, 2);
+}
+
+TEST(StudyCalibrate, WithoutGnuplotNothingIsWritten) {
+  const TemporaryFolder folder;
+  const std::string data = folder / "me.csv";
+  ASSERT_EQ(run_study({"participants", "--trials", "2", "--out", data}).exit_code, 0);
+  const StudyRun run = run_study({"calibrate", data, "--plot", folder / "p.svg", "--out", folder / "p.txt"},
+                                 folder.path.string());
+  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_NE(run.err.find("apt-get install gnuplot-nox"), std::string::npos);
+  EXPECT_EQ(entries(folder.path), std::vector<std::string>{"me.csv"});
+}
+
+TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
+  Session session;
+  session.trials_per_angle = 4;
+  const auto one = simulate_session(session);
+  std::map<double, int> count;
+  int rising = 0;
+  for (std::size_t i = 0; i < one.size(); ++i) {
+    ++count[one[i].plate_orientation_deg];
+    rising += i > 0 && one[i].plate_orientation_deg > one[i - 1].plate_orientation_deg;
+  }
+  EXPECT_EQ(count, (std::map<double, int>{{-60, 4}, {-30, 4}, {0, 4}, {30, 4}, {60, 4}}));
+  EXPECT_NE(rising, 16);  // as often as in the order given
+  EXPECT_EQ(session_csv(session), session_csv(session));
+  const std::string first = session_csv(session);
+  session.seed = 2;
+  EXPECT_NE(session_csv(session), first);
+}
+
+TEST(StudyParticipants, AFileForEachTactileWeight) {
+  const TemporaryFolder folder;
+  const std::string people = folder / "people";
+  ASSERT_EQ(
+      run_study({"participants", "--tactile-weight", "0.1,0.3", "--trials", "1", "--out", people}).exit_code,
+      0);
+  EXPECT_EQ(entries(people), (std::vector<std::string>{"participant_1.csv", "participant_2.csv"}));
+  const std::string second = read_file(folder.path / "people" / "participant_2.csv");
+  EXPECT_NE(second.find("SIMULATION"), std::string::npos);
+  EXPECT_NE(second.find("#   tactile_weight 0.3\n"), std::string::npos);
+  EXPECT_EQ(run_study({"participants", "--tactile-weight", "0.1,0.3"}).exit_code, 2);
+  EXPECT_EQ(run_study({"participants", "--rate", "10000", "--duration", "60", "--trials", "1000"}).exit_code,
+            2);
+}
+
+}  // namespace
+}  // namespace hrt::study

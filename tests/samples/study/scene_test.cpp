@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/study/process.h"
+
+namespace hrt::study {
+namespace {
+
+const std::string scenes = HRT_SCENES;
+
+// The real cylinder is straight ahead. At rest w T + 0.9 * 0 = theta_V, so T is 6 / 0.1 = 60, -8 / 0.1 = -80;
+// 12 needs 120, which is 108 from the virtual direction and further than 84.5. At 0.15 it needs 80.
+TEST(StudyScene, DeskByHand) {
+  const StudyRun run = run_study({"scene", scenes + "/desk.gltf"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto rows = lines(run.out);
+  EXPECT_EQ(rows[0], "Plate Desk/Apparatus/Plate: radius 75.0 mm, at most 400 deg/s");
+  EXPECT_EQ(rows[1], "Start (default): x 0.0 mm, z 50.0 mm from the plate's centre");
+  EXPECT_EQ(rows[3], "target    kind     direction  distance  height  node");
+  EXPECT_EQ(rows[5], "cylinder  real          0.00     100.0     0.0  Desk/Apparatus/Cylinder");
+  EXPECT_EQ(rows[8], "pawn      virtual      12.00     100.0     0.0  Desk/Apparatus/Pawn");
+  EXPECT_EQ(rows[rows.size() - 4], "                       deg     0.1    0.15     0.2");
+  EXPECT_EQ(rows[rows.size() - 3], "bottle    cylinder    6.00    60.0    40.0    30.0");
+  EXPECT_EQ(rows[rows.size() - 2], "goblet    cylinder   -8.00   -80.0   -53.3   -40.0");
+  EXPECT_EQ(rows[rows.size() - 1], "pawn      cylinder   12.00       -    80.0    60.0");
+  EXPECT_NE(run.out.find("there was no human trial"), std::string::npos);
+}
+
+TEST(StudyScene, Table1AsJson) {
+  const StudyRun run = run_study({"scene", scenes + "/table1.gltf", "--format", "json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto page = nlohmann::json::parse(run.out);
+  EXPECT_EQ(page["targets"].size(), 11U);
+  ASSERT_EQ(page["pairs"].size(), 18U);
+  for (const auto& pair : page["pairs"]) {
+    EXPECT_NEAR(std::abs(pair["gap_deg"].get<double>()), 10.0, 1e-8);
+    EXPECT_EQ(pair["reachable"], pair["tactile_weight"] != 0.1);  // 9.4 degrees can be held at 0.1
+  }
+}
+
+// The real target at 175 degrees, behind the start and to the left, the virtual one at -175: 10 apart.
+TEST(StudyScene, GapIsTheShorterWayRound) {
+  const TemporaryFolder folder;
+  const std::string file = folder / "behind.gltf";
+  std::ofstream(file) << R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],"nodes":[
+    {"name":"Plate","extras":{"haptic_role":"plate","haptic_radius_m":0.075}},
+    {"name":"Real","translation":[-0.0087155743,0,0.1496194698],"extras":{"haptic_role":"real"}},
+    {"name":"Virtual","translation":[0.0087155743,0,0.1496194698],"extras":{"haptic_role":"virtual"}}]})";
+  const StudyRun run = run_study({"scene", file, "--format", "json", "--tactile-weight", "0.15"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_NEAR(nlohmann::json::parse(run.out)["pairs"][0]["gap_deg"].get<double>(), 10.0, 1e-6);
+}
+
+TEST(StudyScene, WrongFileIsOneLine) {
+  const StudyRun missing = run_study({"scene", "no such.gltf"});
+  EXPECT_EQ(missing.exit_code, 1);
+  EXPECT_EQ(missing.err, "hrt-study: no such.gltf: no such file\n");
+  EXPECT_EQ(missing.out, "");
+  const TemporaryFolder folder;
+  const std::string file = folder / "bare.gltf";
+  std::ofstream(file) << R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[0]}],"nodes":[{"name":"Cube"}]})";
+  const StudyRun bare = run_study({"scene", file});
+  EXPECT_EQ(bare.exit_code, 1);
+  EXPECT_EQ(bare.err, "hrt-study: " + file +
+                          ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)\n");
+  EXPECT_EQ(run_study({"scene"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace hrt::study
