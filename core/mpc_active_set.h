@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 #include "core/perception.h"
@@ -34,20 +35,23 @@ struct WorkingSet {
   std::array<std::int8_t, max_horizon> link{};
 };
 
-/// The plate offsets, perceived errors and misses over the window; entries past the horizon are not written.
+/// The plate over the window. Entries past the horizon are not written; one at a gain of 0 has no meaning.
 struct WindowSolution {
   std::array<double, max_horizon> plate_deg;  ///< u_i
-  std::array<double, max_horizon> error_deg;  ///< e_i
-  std::array<double, max_horizon> miss_deg;   ///< x_i
-  int sweeps;                                 ///< passes over the window that it took
-  bool optimal;                               ///< false only if max_active_set_sweeps ran out
+  bool optimal;                               ///< false: the solver gave up
 };
 
-/// The passes after which solve_active_set() gives up: far more than any problem met has taken.
-inline constexpr int max_active_set_sweeps = 20 * max_horizon;
+/// A smaller gain counts as 0.
+inline constexpr double smallest_gain = 1e-12;
 
-/// Solves `problem`, starting from the constraints in `working_set` and leaving there those that hold at
-/// the optimum. Any working set that satisfies the invariant may start any problem.
+/// Bounds that are broken by no more than this, in degrees felt at the finger (times the gain), hold.
+inline double tolerance_deg(const WindowProblem& problem) {
+  return 1e-14 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + problem.bound_deg);
+}
+
+/// Solves `problem`. Starts from the path in `solution`, which must be finite: each step is clamped to the
+/// bounds, and those that clamp it are held. Leaves the optimum in `solution`, and the constraints that hold
+/// it in `working_set`. If the work allowed runs out, `solution` is no optimum and may break bounds.
 void solve_active_set(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution);
 
 }  // namespace hrt

@@ -1,5 +1,6 @@
 #include "core/mpc_plate_bound.h"
 
+#include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
@@ -18,53 +19,62 @@ constexpr std::integral_constant<int, 3> papers_horizon;
 PlateBoundSolver::PlateBoundSolver(int horizon, double perceived_weight, double actual_weight) {
   for (int left = 1; left <= horizon; ++left) {
     const double s = free_cost_[left - 1];
-    free_gain_[left] = s / (perceived_weight + s);
-    free_cost_[left] = actual_weight + perceived_weight * free_gain_[left];
+    const double inverse = 1.0 / (perceived_weight + s);
+    free_gain_[left] = s * inverse;
+    free_cost_[left] = actual_weight + perceived_weight * inverse * s;
   }
 }
 
-void PlateBoundSolver::solve(const WindowProblem& problem, int steps_wanted, WorkingSet& working_set,
-                             WindowSolution& solution) {
-  CostsToGo after;
-  int from = held_steps_ - 1;
-  if (from >= 0) after[from] = free_cost_to_go(problem.horizon - held_steps_);
-  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
-    sweep_backwards(problem, working_set, from, after);
-    const int held_steps = held_steps_;
-    from = problem.horizon == papers_horizon ? sweep_forwards(problem, papers_horizon, after, working_set)
-                                             : sweep_forwards(problem, problem.horizon, after, working_set);
-    if (from <= 0) {
-      if (held_steps == 0 && held_steps_ == 1) after[0] = free_cost_to_go(problem.horizon - 1);
-      write(problem, after, working_set, steps_wanted, solution);
-      return;
-    }
-    if (from >= held_steps) after[from] = free_cost_to_go(problem.horizon - 1 - from);
+const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool whole_window,
+                                          WindowSolution& solution) {
+  const int horizon = problem.horizon;
+  Sweeps sweeps;
+  if (held_steps_ > horizon) {
+    working_set_ = {};
+    held_steps_ = 0;
   }
-  solve_active_set(problem, working_set, solution);
-  held_steps_ = problem.horizon;
+  int from = held_steps_ - 1;
+  if (from >= 0) sweeps.after[from] = free_cost_to_go(horizon - held_steps_);
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    sweep_backwards(problem, from, sweeps);
+    const int held_steps = held_steps_;
+    from = horizon == papers_horizon ? sweep_forwards(problem, papers_horizon, sweeps)
+                                     : sweep_forwards(problem, horizon, sweeps);
+    if (from <= 0) {
+      if (held_steps == 0) sweeps.after[0] = free_cost_to_go(horizon - 1);
+      if (whole_window) write_window(problem, sweeps, solution);
+      // With a rate bound the bits are those of the active-set solver, which finds what rate bounds hold.
+      if (!whole_window || std::isinf(problem.rate_deg))
+        solution.plate_deg[0] = first_plate_deg(problem, sweeps);
+      solution.optimal = true;
+      return working_set_;
+    }
+    if (from >= held_steps) sweeps.after[from] = free_cost_to_go(horizon - 1 - from);
+  }
+  solution.plate_deg.fill(0.0);
+  solution.optimal = false;
+  return working_set_;
 }
 
 // The costs to go after steps `from` (given), from - 1, .. 0 under the bounds assumed active.
-void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, const WorkingSet& working_set, int from,
-                                       CostsToGo& after) const {
+void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const {
   const double q_perceived = problem.perceived_weight;
   const double q_actual = problem.actual_weight;
-  const double felt_at_real_deg = problem.proprioceptive_weight * problem.real_offset_deg;
   if (from < 1) return;
-  auto [s, r] = after[from];
+  auto [s, r] = sweeps.after[from];
   for (int i = from; i > 0; --i) {
-    if (working_set.pin[i] == 0) {
-      const double share = q_perceived / (q_perceived + s);
-      r = share * r;
-      s = q_actual + share * s;
+    if (working_set_.pin[i] == 0) {
+      const double inverse = 1.0 / (q_perceived + s);
+      r *= q_perceived * inverse;
+      s = q_actual + q_perceived * inverse * s;
     } else {
       const double a = problem.gains[i] * problem.proprioceptive_weight;  // e = a x + d
-      const double d = problem.gains[i] * (felt_at_real_deg + working_set.pin[i] * problem.bound_deg);
-      const double b = 1.0 - a;
-      r = (q_perceived * a * d + b * r) - b * d * s;
-      s = (q_actual + q_perceived * a * a) + b * b * s;
+      const double d =
+          problem.gains[i] * (working_set_.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
+      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
+      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
     }
-    after[i - 1] = {s, r};
+    sweeps.after[i - 1] = {s, r};
   }
 }
 
@@ -73,8 +83,7 @@ void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, const Worki
 // right. An assumption that is right but for rounding stands, or bounds that are just touched would come
 // and go forever.
 template <class Horizon>
-int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, const CostsToGo& after,
-                                     WorkingSet& working_set) {
+int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) {
   const double q_perceived = problem.perceived_weight;
   const double pw = problem.proprioceptive_weight;
   const double felt_at_real_deg = pw * problem.real_offset_deg;
@@ -87,12 +96,13 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
   for (int i = 0; i < horizon; ++i) {
     const double k = problem.gains[i];
     const double a = k * pw;
-    std::int8_t& pin = working_set.pin[i];
+    sweeps.miss_deg[i] = x;
+    std::int8_t& pin = working_set_.pin[i];
     double e;
     if (i >= held_steps) {
       e = free_gain_[horizon - i] * x;
     } else {
-      const auto& [s, r] = after[i];
+      const auto& [s, r] = sweeps.after[i];
       const double total = q_perceived + s;
       if (pin != 0) {
         const double d = k * (felt_at_real_deg + pin * bound_deg);
@@ -118,27 +128,31 @@ int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horiz
   return last_changed;
 }
 
-// The first `steps` steps of the solution, once the active bounds are known.
-void PlateBoundSolver::write(const WindowProblem& problem, const CostsToGo& after,
-                             const WorkingSet& working_set, int steps, WindowSolution& solution) const {
-  if (steps == 1 && working_set.pin[0]) {
-    solution.plate_deg[0] = working_set.pin[0] * problem.bound_deg;
-    return;
+double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const {
+  if (working_set_.pin[0]) return working_set_.pin[0] * problem.bound_deg;
+  if (problem.gains[0] == 0.0) return 0.0;
+  const auto [s, r] = sweeps.after[0];
+  const double inverse = 1.0 / ((problem.perceived_weight + s) * problem.gains[0]);
+  return (s * inverse - problem.proprioceptive_weight) * problem.miss_deg +
+         (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
+}
+
+void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& sweeps,
+                                    WindowSolution& solution) const {
+  const double pw = problem.proprioceptive_weight;
+  const double felt_at_real_deg = pw * problem.real_offset_deg;
+  for (int i = 0; i < held_steps_; ++i) {
+    const double k = std::max(problem.gains[i], smallest_gain);
+    const auto [s, r] = sweeps.after[i];
+    const double inverse = 1.0 / (problem.perceived_weight + s);
+    solution.plate_deg[i] = working_set_.pin[i] ? working_set_.pin[i] * problem.bound_deg
+                                                : (s * inverse / k - pw) * sweeps.miss_deg[i] +
+                                                      (r * inverse / k - felt_at_real_deg);
   }
-  double x = problem.miss_deg;
-  for (int i = 0; i < steps; ++i) {
-    const auto [s, r] = i < held_steps_ ? after[i] : free_cost_to_go(problem.horizon - 1 - i);
-    const double k = problem.gains[i];
-    double u = 0.0;
-    if (working_set.pin[i]) {
-      u = working_set.pin[i] * problem.bound_deg;
-    } else if (k > 0.0) {
-      const double inverse = 1.0 / ((problem.perceived_weight + s) * k);
-      u = (s * inverse - problem.proprioceptive_weight) * x +
-          (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
-    }
-    solution.plate_deg[i] = u;
-    x -= k * (u + problem.proprioceptive_weight * (x + problem.real_offset_deg));
+  for (int i = held_steps_; i < problem.horizon; ++i) {
+    const double k = std::max(problem.gains[i], smallest_gain);
+    solution.plate_deg[i] =
+        (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
   }
 }
 

@@ -11,16 +11,17 @@ namespace hrt {
 
 /// Solves problems without a rate bound one after another. A backward sweep gives the cost to go under the
 /// bounds that held the last problem, a forward one clamps each step's optimum, and they repeat until they
-/// agree: once or twice in a closed loop. That they do is not proven, so the active-set solver stands behind.
+/// agree: once or twice in a closed loop. No proof says that they always agree: solve() gives up after 8
+/// pairs.
 class PlateBoundSolver {
  public:
   /// Weights and horizon as in MpcConfig, for all problems to come.
   PlateBoundSolver(int horizon, double perceived_weight, double actual_weight);
 
-  /// Solves `problem`, writing the first `steps_wanted` >= 1 plate offsets of `solution`. `working_set` is
-  /// that of the last problem, empty at first, and no one else's.
-  void solve(const WindowProblem& problem, int steps_wanted, WorkingSet& working_set,
-             WindowSolution& solution);
+  /// Solves `problem` as if it had no rate bound. Writes the first plate offset of `solution`, and those of
+  /// the whole window if `whole_window`. Returns the pins that hold it, valid until the next problem. If it
+  /// gives up, the path is 0 everywhere and not optimal.
+  const WorkingSet& solve(const WindowProblem& problem, bool whole_window, WindowSolution& solution);
 
  private:
   // The cost to go after a step: s x^2 + 2 r x plus a constant.
@@ -28,18 +29,21 @@ class PlateBoundSolver {
     double s;
     double r;
   };
-  using CostsToGo = std::array<CostToGo, max_horizon>;
+  // What a pair of sweeps finds, step by step.
+  struct Sweeps {
+    std::array<CostToGo, max_horizon> after;  // written where a bound may be active
+    std::array<double, max_horizon> miss_deg;
+  };
 
   CostToGo free_cost_to_go(int steps_left) const { return {free_cost_[steps_left], 0.0}; }
-  void sweep_backwards(const WindowProblem& problem, const WorkingSet& working_set, int from,
-                       CostsToGo& after) const;
+  void sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const;
   template <class Horizon>
-  int sweep_forwards(const WindowProblem& problem, Horizon horizon, const CostsToGo& after,
-                     WorkingSet& working_set);
-  void write(const WindowProblem& problem, const CostsToGo& after, const WorkingSet& working_set, int steps,
-             WindowSolution& solution) const;
+  int sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps);
+  double first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const;
+  void write_window(const WindowProblem& problem, const Sweeps& sweeps, WindowSolution& solution) const;
 
-  int held_steps_ = 0;  // no bound is active from this step on
+  WorkingSet working_set_;  // of the last problem; a bound before held_steps_, none from there on
+  int held_steps_ = 0;
   // By the number of steps left, while no bound is active: the cost to go S x^2, and e = gain x.
   std::array<double, max_horizon + 1> free_cost_{};
   std::array<double, max_horizon + 1> free_gain_{};

@@ -18,12 +18,14 @@ inline double uniform(Random& random, double low, double high) {
   return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
+enum class RandomGains { felt, two_thirds_zero };
+
 struct RandomProblem {
   MpcConfig config;
   std::array<double, max_horizon> gains{};
   MpcProblem problem;
 
-  RandomProblem(Random& random, int horizon, bool has_rate_bound) {
+  RandomProblem(Random& random, int horizon, bool has_rate_bound, RandomGains gain_kind = RandomGains::felt) {
     config.horizon = horizon;
     config.perceived_weight = std::exp(uniform(random, -3.0, 3.0));
     config.actual_weight = random() % 8 == 0 ? 0.0 : std::exp(uniform(random, -3.0, 3.0));
@@ -38,6 +40,9 @@ struct RandomProblem {
                                     .initial_variance_deg2 = uniform(random, 0.0, 2.0)};
       std::copy_n(GainWindow(participant, horizon).data(), horizon, gains.begin());
     }
+    if (gain_kind == RandomGains::two_thirds_zero)
+      for (int i = 0; i < horizon; ++i)
+        if (random() % 3 != 0) gains[i] = 0.0;
     const double w = uniform(random, 0.02, 0.49);
     const double largest_gap = config.plate_bound_deg * w / (1.0 - w);
     problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * largest_gap;

@@ -113,12 +113,17 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
   LongVector limits = problem.limits;
   for (int i = 0; i < limits.size(); ++i)
     limits[i] += 1e-14L * (1.0L + std::fmod(0.618L * static_cast<long double>(i), 1.0L));
+  // A step that is not felt costs nothing wherever the plate stands: a cost too small to matter makes one
+  // best.
+  LongMatrix hessian = problem.hessian;
+  for (int i = 0; i < n; ++i)
+    if (hessian(i, i) == 0.0L) hessian(i, i) = 1e-15L;
   LongVector t = start;
   std::vector<int> held;
   constexpr int max_rounds = 2000;
   for (int round = 0; round < max_rounds; ++round) {
     // The move to the optimum on the bounds held, within the null space of their rows.
-    const LongVector slope = problem.hessian * t + problem.gradient;
+    const LongVector slope = hessian * t + problem.gradient;
     const auto m = static_cast<Eigen::Index>(held.size());
     LongVector move = LongVector::Zero(n);
     LongVector multipliers(m);
@@ -130,9 +135,8 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
     }
     const LongMatrix null_space = basis.rightCols(n - m);
     if (m < n)
-      move =
-          -null_space *
-          (null_space.transpose() * problem.hessian * null_space).llt().solve(null_space.transpose() * slope);
+      move = -null_space *
+             (null_space.transpose() * hessian * null_space).llt().solve(null_space.transpose() * slope);
     // The first bound on the way.
     long double step = 1.0L;
     int blocking = -1;
@@ -150,7 +154,7 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
     }
     if (m == 0) return t;
     multipliers = factors.matrixQR().topRows(m).triangularView<Eigen::Upper>().solve(
-        -basis.leftCols(m).transpose() * (problem.hessian * t + problem.gradient));
+        -basis.leftCols(m).transpose() * (hessian * t + problem.gradient));
     Eigen::Index leaving = 0;
     if (multipliers.minCoeff(&leaving) >= -1e-17L) return t;
     held.erase(held.begin() + leaving);
