@@ -11,9 +11,7 @@ namespace hrt {
 
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
                                             double plate_orientation_deg, const TrialId& id) {
-  const auto normal = [&id](std::uint32_t draw) {
-    return standard_normal({.seed = id.seed, .condition = id.condition, .trial = id.trial, .step = draw});
-  };
+  NormalDraws normal(id.seed, id.condition, id.trial);
   SimulatedParticipant participant(condition.participant, condition.goal_direction_deg + condition.bias_deg);
   const double speed_m_s = condition.distance_m / condition.duration_s;
   PlatePoint finger;

@@ -19,9 +19,7 @@ double travelled(SpeedProfile profile, double time) {
 }  // namespace
 
 TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const TrialId& id) {
-  const auto normal = [&id](std::uint32_t draw) {
-    return standard_normal({.seed = id.seed, .condition = id.condition, .trial = id.trial, .step = draw});
-  };
+  NormalDraws normal(id.seed, id.condition, id.trial);
   const PlatePoint start{0.0, 0.0};
   Retargeter retargeter(condition.controller);
   retargeter.begin({.real_direction_deg = condition.real_direction_deg,

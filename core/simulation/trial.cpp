@@ -22,14 +22,13 @@ TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::
                     .plate_orientation_deg = condition.plate_orientation_deg});
   SimulatedParticipant participant(condition.participant, condition.virtual_direction_deg);
 
+  NormalDraws normal(id.seed, id.condition, id.trial);
   TrialOutcome outcome{};
   for (int k = 0; k < condition.steps; ++k) {
     const double finger_direction_deg = participant.finger_direction_deg();
     const PlateCommand command = retargeter.step(finger_direction_deg);
-    const auto step = static_cast<std::uint32_t>(k);
-    const ParticipantStep felt = participant.step(
-        command.plate_orientation_deg,
-        standard_normal({.seed = id.seed, .condition = id.condition, .trial = id.trial, .step = step}));
+    const ParticipantStep felt =
+        participant.step(command.plate_orientation_deg, normal(static_cast<std::uint32_t>(k)));
     if (command.active != ActiveBound::none) ++outcome.saturated_steps;
     if (steps) {
       steps->push_back({

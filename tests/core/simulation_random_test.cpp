@@ -83,6 +83,14 @@ TEST(SimulationRandom, LanesDoNotMatter) {
   }
 }
 
+// In sequence, with gaps, backwards and at the ends of the range of steps.
+TEST(SimulationRandom, DrawsOfATrialAreThoseOfItsCounters) {
+  NormalDraws draws(0x0123456789abcdef, 77, 5);
+  for (const std::uint32_t step :
+       {0u, 1u, 2u, 3u, 4u, 5u, 9u, 22u, 21u, 20u, 0u, 3u, 0xfffffffeu, 0xffffffffu})
+    EXPECT_EQ(draws(step), standard_normal({0x0123456789abcdef, 77, 5, step})) << step;
+}
+
 // Every bit of the counter makes another draw.
 TEST(SimulationRandom, EveryPartOfTheCounterCounts) {
   const RandomCounter base{.seed = 1, .condition = 2, .trial = 3, .step = 4};
