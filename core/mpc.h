@@ -57,7 +57,7 @@ struct MpcPlan {
 };
 
 /// Solves one problem a step. Remembers which plate bounds were active to start the next one; this changes
-/// the time, not the optimum. No heap, no lock, no exception. Time is bounded: about 50 passes over a window
+/// the time, not the optimum. No heap, no lock, no exception. Time is bounded: about 40 passes over a window
 /// of 50 steps, below 50 microseconds (tests/benchmarks has the measurements). One thread at a time.
 class Mpc {
  public:

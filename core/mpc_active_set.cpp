@@ -22,9 +22,9 @@ struct Constraint {
   std::int8_t sign;  // 0: no constraint
 };
 
-// The work after which the solver gives up, in steps of passes over the window: 50 passes over the longest,
+// The work after which the solver gives up, in steps of passes over the window: 40 passes over the longest,
 // and in effect no limit to a window of 20.
-constexpr int max_steps_swept = 50 * max_horizon;
+constexpr int max_steps_swept = 40 * max_horizon;
 
 class DualActiveSet {
  public:

@@ -5,6 +5,7 @@
 #include <optimization.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -17,6 +18,7 @@
 #include "core/mpc.h"
 #include "core/perception.h"
 #include "core/simulation/random.h"
+#include "tests/core/mpc_random_problem.h"
 #include "tests/core/mpc_reference.h"
 
 namespace hrt {
@@ -234,6 +236,59 @@ void run_general(benchmark::State& state, const LoopConfig& loop_config, int hor
   time_steps(state, problems_of(loop), solve);
 }
 
+// The times of single solves in microseconds, each the least of five: `cold` with a new controller for each
+// problem, else in the order of the loop.
+std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems,
+                                    bool cold) {
+  std::vector<double> least_us(problems.size(), std::numeric_limits<double>::infinity());
+  for (int repetition = 0; repetition < 5; ++repetition) {
+    Mpc mpc(config);
+    for (std::size_t k = 0; k < problems.size(); ++k) {
+      if (cold) mpc = Mpc(config);
+      const auto start = std::chrono::steady_clock::now();
+      benchmark::DoNotOptimize(mpc.solve(problems[k]));
+      const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
+      least_us[k] = std::min(least_us[k], time.count());
+    }
+  }
+  std::sort(least_us.begin(), least_us.end());
+  return least_us;
+}
+
+void print_single_times(const char* name, int horizon, const char* start,
+                        const std::vector<double>& sorted_us) {
+  std::printf("%-24s  %7d  %5s  %9.2f  %6.2f  %8.2f\n", name, horizon, start, sorted_us[sorted_us.size() / 2],
+              sorted_us[sorted_us.size() * 99 / 100], sorted_us.back());
+}
+
+// Random problems with a rate bound from a quarter of a percent of the plate bound to all of it: far harder
+// than a loop's, and some take all the work that is allowed.
+std::vector<double> random_times_us(int horizon) {
+  Random random(static_cast<unsigned>(horizon));
+  std::vector<double> times_us;
+  for (int i = 0; i < 5000; ++i) {
+    RandomProblem drawn(random, horizon, true);
+    drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
+    times_us.push_back(single_times_us(drawn.config, {drawn.problem}, true).front());
+  }
+  std::sort(times_us.begin(), times_us.end());
+  return times_us;
+}
+
+void print_worst_cases() {
+  std::printf("\nsingle solves             horizon  start  median us  p99 us  worst us\n");
+  for (const LoopConfig& loop_config : loops) {
+    for (const int horizon : horizons) {
+      ClosedLoop loop(loop_config, horizon);
+      const std::vector<MpcProblem> problems = problems_of(loop);
+      for (const bool cold : {true, false})
+        print_single_times(loop_config.name, horizon, cold ? "cold" : "warm",
+                           single_times_us(loop.config(), problems, cold));
+    }
+  }
+  for (const int horizon : horizons) print_single_times("random", horizon, "cold", random_times_us(horizon));
+}
+
 void run_filter(benchmark::State& state) {
   const Participant participant;
   PerceptionFilter filter(participant, 5.0);
@@ -302,4 +357,5 @@ int main(int argc, char** argv) {
   Reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   reporter.print_ratios();
+  print_worst_cases();
 }
