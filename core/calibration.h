@@ -9,14 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
-
-struct TimedPoint {
-  std::int64_t time_ns = 0;
-  PlatePoint position;
-};
 
 /// One slide towards the target with the plate at rest. Positions from before the motion tell the
 /// tracker's noise.

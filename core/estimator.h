@@ -9,28 +9,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/perception.h"
-#include "core/plate_point.h"
+#include "core/participant.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
-
-/// What a sample observed of the finger.
-enum class Observation {
-  none,       ///< nothing: tracking lost
-  lifted,     ///< the finger is off the plate: nothing is felt
-  direction,  ///< FingerSample::direction_deg
-  position,   ///< FingerSample::position
-};
-
-/// One tracked sample. Fields that its observation does not name are not read.
-struct FingerSample {
-  std::int64_t time_ns = 0;  ///< the caller's monotonic clock; not before the last sample's
-  Observation observation = Observation::none;
-  double direction_deg = 0.0;  ///< finite
-  PlatePoint position;         ///< finite
-  /// Where the plate stands, if its device reports it.
-  std::optional<double> plate_orientation_deg;
-};
 
 /// What the estimator assumes before it has seen anything.
 struct EstimatorConfig {
@@ -132,10 +114,6 @@ class Estimator {
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
 
-  struct TimedPoint {
-    std::int64_t time_ns;
-    PlatePoint point;
-  };
   std::optional<TimedPoint> last_;
   std::optional<TimedPoint> last_but_one_;
   double noise_variance_mm2_;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
 

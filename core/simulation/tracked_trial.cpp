@@ -27,7 +27,7 @@ TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const T
                     .plate_orientation_deg = condition.plate_orientation_deg,
                     .start = start,
                     .real_distance_m = condition.distance_m});
-  Plate plate(condition.plate, condition.plate_orientation_deg);
+  PlateModel plate(condition.plate, condition.plate_orientation_deg);
   const auto to_ns = [](double seconds) { return static_cast<std::int64_t>(std::llround(seconds * 1e9)); };
   plate.advance(to_ns(-condition.rest_s));
 
@@ -64,7 +64,7 @@ TrackedOutcome simulate_tracked_trial(const TrackedCondition& condition, const T
     if (time_s > 0.0) move_to(time_s);
     plate.advance(to_ns(time_s));
     const std::uint32_t draw = tracker_draws + 2 * sample;
-    const PlateCommand& command =
+    const PlateCommand command =
         retargeter.update({.time_ns = to_ns(time_s),
                            .observation = Observation::position,
                            .position = {finger.right_m + condition.tracker_noise_m * normal(draw),

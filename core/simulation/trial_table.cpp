@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/plate_limits.h"
 #include "core/simulation/batch.h"
 #include "core/simulation/control_law.h"
 #include "core/simulation/lanes.h"

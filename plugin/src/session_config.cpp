@@ -140,8 +140,8 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,
-                .lower_stop_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
-                .upper_stop_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg},
+                .stops = {.lower_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
+                          .upper_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg}},
       .step_period_ns = config.step_period_ns,
   };
 }
