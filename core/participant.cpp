@@ -8,7 +8,12 @@ bool is_valid(const Participant& participant) {
   return participant.tactile_weight > 0.0 && participant.tactile_weight < 0.5 &&
          std::isfinite(participant.motor_variance_deg2) && participant.motor_variance_deg2 >= 0.0 &&
          std::isfinite(participant.sensory_variance_deg2) && participant.sensory_variance_deg2 > 0.0 &&
-         std::isfinite(participant.initial_variance_deg2) && participant.initial_variance_deg2 >= 0.0;
+         std::isfinite(participant.initial_variance_deg2) && participant.initial_variance_deg2 >= 0.0 &&
+         std::isfinite(participant.bias_deg);
+}
+
+double goal_direction_deg(const Participant& participant, double virtual_direction_deg) {
+  return virtual_direction_deg + participant.bias_deg;
 }
 
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg) {

@@ -15,10 +15,15 @@ struct Participant {
   double sensory_variance_deg2 = 0.1;
   /// Variance of the perceived direction before the first step, degrees squared, >= 0.
   double initial_variance_deg2 = 0.0;
+  /// The person takes targets to lie this much further left, degrees.
+  double bias_deg = 0.0;
 };
 
 /// True if every field is finite and in its range.
 bool is_valid(const Participant& participant);
+
+/// G: where a person goes who sees a target in `virtual_direction_deg`.
+double goal_direction_deg(const Participant& participant, double virtual_direction_deg);
 
 /// h = w_T T + (1 - w_T) P: what touch and proprioception report together.
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);

@@ -31,9 +31,10 @@ bool is_valid(const RetargeterConfig& config) {
          config.plate.latency_ns <= max_lead * config.step_period_ns;
 }
 
-bool is_valid(const Reach& reach) {
+bool is_valid(const Reach& reach, const Participant& participant) {
   return std::isfinite(reach.real_direction_deg) && std::isfinite(reach.virtual_direction_deg) &&
-         std::abs(reach.real_direction_deg - reach.virtual_direction_deg) < 90.0 &&
+         std::abs(reach.real_direction_deg - goal_direction_deg(participant, reach.virtual_direction_deg)) <
+             90.0 &&
          std::isfinite(reach.plate_orientation_deg) && std::isfinite(reach.start.right_m) &&
          std::isfinite(reach.start.away_m) && std::isfinite(reach.real_distance_m) &&
          reach.real_distance_m > 0.0;
@@ -49,20 +50,20 @@ Retargeter::Retargeter(const RetargeterConfig& config)
 
 void Retargeter::begin(const Reach& reach) {
   reach_ = reach;
-  const double goal_deg = reach.virtual_direction_deg;
+  goal_deg_ = goal_direction_deg(config_.participant, reach.virtual_direction_deg);
   const PlateStops& stops = config_.plate.stops;
   // No plate stands beyond its stops, wherever it is said to.
   const double stands_deg = std::clamp(reach.plate_orientation_deg, stops.lower_deg, stops.upper_deg);
-  estimator_ = estimator_of(config_, goal_deg, reach.start);
+  estimator_ = estimator_of(config_, goal_deg_, reach.start);
   guidance_ = Guidance(config_.guidance, reach.start, reach.real_direction_deg, reach.real_distance_m);
-  control_.begin(goal_deg);
+  control_.begin(goal_deg_);
   plate_ = PlateModel(config_.plate, stands_deg);
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double holding_deg =
-      steering_authority(reach.real_direction_deg, goal_deg, config_.participant.tactile_weight, bound_deg)
+      steering_authority(reach.real_direction_deg, goal_deg_, config_.participant.tactile_weight, bound_deg)
           .plate_orientation_deg;
-  limits_ = control_.plans_turns() ? PlateLimits(stops, goal_deg, bound_deg, holding_deg, stands_deg)
-                                   : PlateLimits(stops, goal_deg);
+  limits_ = control_.plans_turns() ? PlateLimits(stops, goal_deg_, bound_deg, holding_deg, stands_deg)
+                                   : PlateLimits(stops, goal_deg_);
   decision_ = {.aim = {reach.real_direction_deg, false},
                .plate = {config_.mode == ControlMode::mpc
                              ? stands_deg
@@ -115,7 +116,7 @@ ReachSummary Retargeter::summary() const {
           .final_direction_deg = finger_.direction_deg,
           .final_miss_deg = finger_.direction_deg - reach_.real_direction_deg,
           .perceived_direction_deg = finger_.perceived_direction_deg,
-          .perceived_error_deg = finger_.perceived_direction_deg - reach_.virtual_direction_deg,
+          .perceived_error_deg = finger_.perceived_direction_deg - goal_deg_,
           .distance_to_target_m = distance_to_go_m(),
           .estimate = estimator_.estimate()};
 }
@@ -124,15 +125,14 @@ ReachSummary Retargeter::summary() const {
 // gets.
 Retargeter::Aim Retargeter::aim(const ReachState& state) {
   if (state.observed == Observation::position) guidance_.aim_deg(*state.place);
-  const double goal_deg = reach_.virtual_direction_deg;
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double weight = state.finger.tactile_weight;
   const double most_weight =
       std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::most_tactile_weight);
   const bool unreachable =
-      std::abs(goal_deg - reach_.real_direction_deg) > largest_gap_deg(most_weight, bound_deg);
+      std::abs(goal_deg_ - reach_.real_direction_deg) > largest_gap_deg(most_weight, bound_deg);
   if (!unreachable || !config_.estimator.adapt) return {guidance_.direction_deg(), unreachable};
-  return {steering_authority(guidance_.direction_deg(), goal_deg, weight, bound_deg).settling_direction_deg,
+  return {steering_authority(guidance_.direction_deg(), goal_deg_, weight, bound_deg).settling_direction_deg,
           unreachable};
 }
 
@@ -157,9 +157,9 @@ void Retargeter::decide(const Decision& decision) {
 
 Retargeter::Finger Retargeter::finger(const ReachState& state, double plate_orientation_deg) const {
   return {.direction_deg = state.finger.direction_deg,
-          .perceived_direction_deg = predicted_step(state.finger, state.gains[0],
-                                                    reach_.virtual_direction_deg, plate_orientation_deg)
-                                         .perceived_direction_deg,
+          .perceived_direction_deg =
+              predicted_step(state.finger, state.gains[0], goal_deg_, plate_orientation_deg)
+                  .perceived_direction_deg,
           .tactile_weight = state.finger.tactile_weight,
           .tactile_weight_sd = state.finger.tactile_weight_sd};
 }

@@ -40,15 +40,15 @@ bool is_valid(const RetargeterConfig& config);
 
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
 struct Reach {
-  double real_direction_deg;           ///< P_R, finite; within 90 of virtual_direction_deg
+  double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
   double virtual_direction_deg;        ///< theta_V, finite
   double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
   PlatePoint start;                    ///< where the finger is before the reach
   double real_distance_m = 0.1;        ///< from the start to the real target, > 0
 };
 
-/// True if every field is in its range.
-bool is_valid(const Reach& reach);
+/// True if every field is in its range, for this participant.
+bool is_valid(const Reach& reach, const Participant& participant);
 
 /// What the plate is to do, and why. Until the finger moves, the plate stays where the reach found it.
 struct PlateCommand {
@@ -77,7 +77,7 @@ struct ReachSummary {
   double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
-  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - theta_V
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - G
   double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
   FingerEstimate estimate;               ///< what was learnt: w_T, tracker noise
 };
@@ -88,7 +88,8 @@ class Retargeter {
   /// Requires is_valid(config).
   explicit Retargeter(const RetargeterConfig& config);
 
-  /// Starts a reach; whatever the last one left is forgotten. Requires is_valid(reach).
+  /// Starts a reach; whatever the last one left is forgotten. Requires is_valid(reach,
+  /// config.participant).
   void begin(const Reach& reach);
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
@@ -132,6 +133,7 @@ class Retargeter {
 
   RetargeterConfig config_;
   Reach reach_{};
+  double goal_deg_ = 0.0;
   ReachEstimator estimator_;
   Guidance guidance_;
   PaperControl control_;

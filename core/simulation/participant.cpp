@@ -7,9 +7,9 @@
 
 namespace hrt {
 
-SimulatedParticipant::SimulatedParticipant(const Participant& participant, double goal_direction_deg)
+SimulatedParticipant::SimulatedParticipant(const Participant& participant, double virtual_direction_deg)
     : participant_(participant),
-      goal_direction_deg_(goal_direction_deg),
+      goal_direction_deg_(goal_direction_deg(participant, virtual_direction_deg)),
       variance_deg2_(participant.initial_variance_deg2) {}
 
 SimulatedStep SimulatedParticipant::step(double plate_orientation_deg, double noise) {

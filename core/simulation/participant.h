@@ -16,9 +16,9 @@ struct SimulatedStep {
 
 class SimulatedParticipant {
  public:
-  /// About to reach for `goal_direction_deg` (theta_V); the finger first moves along the mid-line.
+  /// About to reach for `virtual_direction_deg` (theta_V); the finger first moves along the mid-line.
   /// Requires is_valid(participant).
-  SimulatedParticipant(const Participant& participant, double goal_direction_deg);
+  SimulatedParticipant(const Participant& participant, double virtual_direction_deg);
 
   /// P_k: where the finger moves, degrees from the mid-line.
   double finger_direction_deg() const { return finger_direction_deg_; }

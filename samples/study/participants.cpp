@@ -119,7 +119,7 @@ std::string session_csv(const Session& session) {
   std::string csv =
       "# hrt-study participants: SIMULATION of the model's participant, nobody's data. What is true of "
       "them:\n";
-  csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", condition.bias_deg) +
+  csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", participant.bias_deg) +
          comment("motor_variance_deg2", participant.motor_variance_deg2) +
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
          comment("tracker_noise_m", condition.tracker_noise_m) +
@@ -152,7 +152,7 @@ void add_participants(CLI::App& app) {
   CalibrationCondition& condition = options->session.condition;
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
-  add_number(command, "--bias", &condition.bias_deg, {-45.0, 45.0},
+  add_number(command, "--bias", &condition.participant.bias_deg, {-45.0, 45.0},
              "The participant takes the goal to lie this much further left, deg.");
   add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");

@@ -13,7 +13,6 @@
 #include "core/plate_model.h"
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 
 namespace {
@@ -67,8 +66,7 @@ class World {
     now_ns_ += ms;
     plate_.advance(now_ns_);
     if (resting || lifted) return;
-    finger_.right_m -= speed_m_per_ms * hrt::sin_deg(person_.finger_direction_deg());
-    finger_.away_m += speed_m_per_ms * hrt::cos_deg(person_.finger_direction_deg());
+    finger_ = hrt::point_ahead(finger_, person_.finger_direction_deg(), speed_m_per_ms);
     moving_ms_ += 1;
     if (moving_ms_ % 100 == 0) person_.step(plate_.orientation_deg(), normal(step_++));
   }

@@ -7,7 +7,7 @@
 
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
+#include "core/simulation/sliding_finger.h"
 
 namespace hrt {
 namespace {
@@ -50,6 +50,25 @@ TEST(Retargeter, ConditionOneOfTableOne) {
   EXPECT_NEAR(hits / 2000.0, 0.928, 0.023);
 }
 
+// A person with a bias of 3 who sees the target at 2 goes for 5.
+TEST(Retargeter, APersonsBiasShiftsTheGoal) {
+  RetargeterConfig biased;
+  biased.participant.bias_deg = 3.0;
+  Retargeter a(biased);
+  Retargeter b{RetargeterConfig{}};
+  a.begin({.real_direction_deg = -5, .virtual_direction_deg = 2});
+  b.begin({.real_direction_deg = -5, .virtual_direction_deg = 5});
+  for (int k = 0; k < 10; ++k) {
+    const PlateCommand command = a.step(std::sin(k));
+    EXPECT_EQ(command.plate_orientation_deg, b.step(std::sin(k)).plate_orientation_deg);
+    EXPECT_NE(command.plate_orientation_deg, 0.0);
+  }
+  EXPECT_EQ(a.summary().perceived_error_deg, b.summary().perceived_error_deg);
+  const Reach wide{.real_direction_deg = 90, .virtual_direction_deg = -1};
+  EXPECT_FALSE(is_valid(wide, Participant{}));
+  EXPECT_TRUE(is_valid(wide, biased.participant));
+}
+
 constexpr std::int64_t ms = 1'000'000;
 
 // A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
@@ -63,7 +82,7 @@ struct StreamedReach {
 
   ReachSummary summary{};
   double final_direction_deg = 0.0;
-  PlatePoint finger{0.0, -0.05};
+  PlatePoint first{0.0, -0.05};  // where the finger starts
 
   void run() {
     RetargeterConfig config;
@@ -72,15 +91,11 @@ struct StreamedReach {
     const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}};
     retargeter.begin(reach);
     SimulatedParticipant participant(config.participant, reach.virtual_direction_deg);
-    const double speed_m_per_ns = 0.1 / 3e9;
-    std::int64_t moved_to_ns = 0;
-    int step = 0;
+    SlidingFinger finger(first, 0.1, 3.0);
     const auto move_to = [&](std::int64_t time_ns) {
-      const double travel_m = speed_m_per_ns * static_cast<double>(time_ns - moved_to_ns);
-      finger.right_m -= travel_m * sin_deg(participant.finger_direction_deg());
-      finger.away_m += travel_m * cos_deg(participant.finger_direction_deg());
-      moved_to_ns = time_ns;
+      finger.slide(static_cast<double>(time_ns) * 1e-9, participant.finger_direction_deg());
     };
+    int step = 0;
     for (int i = 0; step < 30; ++i) {
       const std::int64_t time_ns = -phase_ns + static_cast<std::int64_t>(i * 1e9 / rate_hz);
       while (step < 30 && time_ns >= (step + 1) * 100 * ms) {
@@ -88,9 +103,10 @@ struct StreamedReach {
         participant.step(retargeter.command().plate_orientation_deg, 0.0);
         ++step;
       }
-      if (time_ns > 0) move_to(time_ns);
+      move_to(time_ns);
       if (step >= dropped_from && step < dropped_to) continue;
-      retargeter.update({.time_ns = time_ns, .observation = Observation::position, .position = finger});
+      retargeter.update(
+          {.time_ns = time_ns, .observation = Observation::position, .position = finger.place()});
     }
     summary = retargeter.summary();
     final_direction_deg = participant.finger_direction_deg();
@@ -110,9 +126,9 @@ TEST(Retargeter, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
 
 TEST(Retargeter, LineOfSightLeadsToThePlace) {
   // A finger that starts 5 mm beside the agreed place: a fixed direction keeps the offset.
-  StreamedReach fixed{.finger = {0.005, -0.05}};
+  StreamedReach fixed{.first = {0.005, -0.05}};
   fixed.run();
-  StreamedReach sight{.guidance = GuidanceMode::line_of_sight, .finger = {0.005, -0.05}};
+  StreamedReach sight{.guidance = GuidanceMode::line_of_sight, .first = {0.005, -0.05}};
   sight.run();
   EXPECT_GT(fixed.summary.distance_to_target_m, 0.004);
   EXPECT_LT(sight.summary.distance_to_target_m, 0.001);
