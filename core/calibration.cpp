@@ -159,7 +159,7 @@ Line regress(const std::vector<Chord>& chords) {
           t * std::sqrt(variance / spread)};
 }
 
-// Below -1/2, where no w_T has such a slope, it goes on in a straight line, so that an interval of slopes
+// Below -1/2, where no w_T has such a slope, it continues as a straight line, so that an interval of slopes
 // stays one of weights.
 double weight_of_slope(double slope) {
   return slope / std::max(1.0 + slope, 0.5);
@@ -320,7 +320,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
   if (static_cast<int>(angles.size()) < least_plate_angles || span_deg < least_plate_span_deg) {
     return CalibrationRefusal{
         "the plate stood at " + std::to_string(angles.size()) +
-        " different angles; at least 3 that span 40 degrees are needed to tell w_T from a bias"};
+        " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
   }
 
   const Line line = regress(calibration.chords);

@@ -39,7 +39,7 @@ struct FingerEstimate {
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;
   /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about the configured one
-  /// where the reach can't tell.
+  /// if the reach cannot determine them.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };
@@ -47,7 +47,7 @@ struct FingerEstimate {
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class Estimator {
  public:
-  /// About to move from rest at `start` along the mid-line, told to go to `goal_direction_deg`. Requires
+  /// About to move from rest at `start` along the mid-line, to go for `goal_direction_deg`. Requires
   /// valid arguments.
   Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
             const PlatePoint& start);
@@ -67,11 +67,11 @@ class Estimator {
   void observe_direction(double direction_deg);
 
   /// Takes a position in. False if it lies so far off that it is
-  /// left out (five standard deviations, but for no more than `most_outliers` samples in a row).
+  /// left out (five standard deviations; at most `most_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
   /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
-  /// slow motion cancels, white noise stays. To be told every position, also of a finger at rest.
+  /// slow motion cancels, white noise stays. To be called with every position, also of a finger at rest.
   void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position);
 
   FingerEstimate estimate() const;
