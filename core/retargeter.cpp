@@ -13,6 +13,18 @@ ReachEstimator estimator_of(const RetargeterConfig& config, double goal_deg, con
           config.step_period_ns, config.mpc.horizon + max_lead};
 }
 
+PlateLimits limits_of(const RetargeterConfig& config, bool plans_turns, double real_deg, double goal_deg,
+                      double stands_deg) {
+  const double bound_deg = config.mpc.plate_bound_deg;
+  // A fixed plate has its orientation from the start: nothing is left to limit.
+  if (config.mode == ControlMode::fixed_plate) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
+  if (!plans_turns) return {config.plate.stops, goal_deg};
+  const double holding_deg =
+      steering_authority(real_deg, goal_deg, config.participant.tactile_weight, bound_deg)
+          .plate_orientation_deg;
+  return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
+}
+
 bool is_saturated(ActiveBound active) {
   return active == ActiveBound::lower || active == ActiveBound::upper;
 }
@@ -58,12 +70,7 @@ void Retargeter::begin(const Reach& reach) {
   guidance_ = Guidance(config_.guidance, reach.start, reach.real_direction_deg, reach.real_distance_m);
   control_.begin(goal_deg_);
   plate_ = PlateModel(config_.plate, stands_deg);
-  const double bound_deg = config_.mpc.plate_bound_deg;
-  const double holding_deg =
-      steering_authority(reach.real_direction_deg, goal_deg_, config_.participant.tactile_weight, bound_deg)
-          .plate_orientation_deg;
-  limits_ = control_.plans_turns() ? PlateLimits(stops, goal_deg_, bound_deg, holding_deg, stands_deg)
-                                   : PlateLimits(stops, goal_deg_);
+  limits_ = limits_of(config_, control_.plans_turns(), reach.real_direction_deg, goal_deg_, stands_deg);
   decision_ = {.aim = {reach.real_direction_deg, false},
                .plate = {config_.mode == ControlMode::mpc
                              ? stands_deg
@@ -85,8 +92,7 @@ PlateCommand Retargeter::update(const FingerSample& sample) {
   if (decides) {
     const Aim aimed = aim(state);
     const PlateOrientation planned = plan(state, aimed);
-    const PlateOrientation limited =
-        config_.mode == ControlMode::mpc ? limits_.limit(planned, plate_.orientation_deg()) : planned;
+    const PlateOrientation limited = limits_.limit(planned, plate_.orientation_deg());
     plate_.command(limited.orientation_deg);
     decide({state.step, aimed, limited});
   }
@@ -98,7 +104,7 @@ PlateCommand Retargeter::step(double finger_direction_deg) {
   const ReachState state = estimator_.step(finger_direction_deg, plate_);
   const Aim aimed = aim(state);
   const PlateOrientation planned = plan(state, aimed);
-  const PlateOrientation limited = config_.mode == ControlMode::mpc ? limits_.at_stops(planned) : planned;
+  const PlateOrientation limited = limits_.at_stops(planned);
   plate_.put(limited.orientation_deg);
   decide({state.step, aimed, limited});
   finger_ = finger(state, limited.orientation_deg);
