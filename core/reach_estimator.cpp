@@ -40,8 +40,10 @@ ReachState ReachEstimator::observe(const FingerSample& sample, PlateModel& plate
   if (sample.plate_orientation_deg) plate.report(*sample.plate_orientation_deg);
   const Observation observed = take(sample, plate);
   const FingerEstimate finger = estimator_.estimate();
-  if (missed_ && !sampled_ && !paused_ && place_) place_ = finger.position;
-  return state(finger, observed);
+  const bool predicted = missed_ && !sampled_;
+  if (observed == Observation::position) paused_ = finger.speed_m_s < rest_speed_m_s;
+  if (observed == Observation::position || (predicted && !paused_ && place_)) place_ = finger.position;
+  return state(finger, paused_ ? Observation::none : observed);
 }
 
 ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
@@ -159,10 +161,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
     return Observation::none;
   }
   sampled_ = true;
-  const FingerEstimate finger = estimator_.estimate();
-  paused_ = finger.speed_m_s < rest_speed_m_s;
-  place_ = finger.position;
-  return paused_ ? Observation::none : Observation::position;
+  return Observation::position;
 }
 
 }  // namespace hrt
