@@ -50,7 +50,7 @@ PlateOrientation PaperControl::plan(const ReachState& reach, double aimed_direct
       .plate_offset_deg = plate.orientation_at_deg(arrival_ns) - centre_deg,
       .gains = reach.gains + lead,
   });
-  return {centre_deg + optimum.plate_offset_deg, optimum.active};
+  return {centre_deg + optimum.plate_offset_deg, optimum.active, optimum.optimal};
 }
 
 }  // namespace hrt

@@ -74,14 +74,17 @@ PlateLimits::PlateLimits(const PlateStops& stops, double goal_direction_deg, dou
 
 PlateOrientation PlateLimits::at_stops(const PlateOrientation& planned) const {
   if (!keeps_half_turn_) return planned;
-  if (planned.orientation_deg < stops_.lower_deg) return {stops_.lower_deg, ActiveBound::lower};
-  if (planned.orientation_deg > stops_.upper_deg) return {stops_.upper_deg, ActiveBound::upper};
+  if (planned.orientation_deg < stops_.lower_deg)
+    return {stops_.lower_deg, ActiveBound::lower, planned.optimal};
+  if (planned.orientation_deg > stops_.upper_deg)
+    return {stops_.upper_deg, ActiveBound::upper, planned.optimal};
   return planned;
 }
 
 PlateOrientation PlateLimits::limit(const PlateOrientation& planned, double current_deg) const {
   if (keeps_half_turn_) return at_stops(planned);
-  return {nearest_equivalent_deg(planned.orientation_deg, current_deg, stops_), planned.active};
+  return {nearest_equivalent_deg(planned.orientation_deg, current_deg, stops_), planned.active,
+          planned.optimal};
 }
 
 }  // namespace hrt

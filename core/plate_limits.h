@@ -24,6 +24,7 @@ enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 struct PlateOrientation {
   double orientation_deg = 0.0;
   ActiveBound active = ActiveBound::none;
+  bool optimal = true;  ///< false: the solver's work was cut short
 };
 
 /// The normal that is felt when the plate stands at `plate_orientation_deg`: of those that repeat every half

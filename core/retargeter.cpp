@@ -182,7 +182,8 @@ PlateCommand Retargeter::publish(const ReachState& state, bool held) {
               .active = decision_.plate.active,
               .held = held,
               .predicted = state.predicted,
-              .unreachable = decision_.aim.unreachable};
+              .unreachable = decision_.aim.unreachable,
+              .optimal = decision_.plate.optimal};
   return command_;
 }
 

@@ -64,6 +64,7 @@ struct PlateCommand {
   bool held = true;                        ///< no new decision was taken in this call
   bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
   bool unreachable = false;  ///< the real direction is beyond what this participant's w_T can hold
+  bool optimal = true;       ///< false: the solver's work was cut short; the command is within its bounds
 };
 
 /// What became of a reach.

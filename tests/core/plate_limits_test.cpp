@@ -89,6 +89,8 @@ TEST(PlateLimits, AStopHoldsACommandBeyondIt) {
   EXPECT_EQ(limits.limit({-61.0, ActiveBound::none}, 0.0).active, ActiveBound::lower);
   EXPECT_EQ(limits.at_stops({121.0, ActiveBound::rate_up}).orientation_deg, 120.0);
   EXPECT_EQ(limits.at_stops({121.0, ActiveBound::rate_up}).active, ActiveBound::upper);
+  EXPECT_TRUE(limits.limit({121.0, ActiveBound::none}, 0.0).optimal);
+  EXPECT_FALSE(limits.limit({121.0, ActiveBound::none, false}, 0.0).optimal);
 }
 
 TEST(PlateLimits, APlateThatTurnsAtOnceTakesTheShortWay) {
