@@ -13,7 +13,7 @@ namespace hrt::mock {
 class Instance;
 
 struct Runtime {
-  /// Held by every entry point for as long as it runs, but for the waits of xrWaitFrame.
+  /// Held by every entry point while it runs, except in the waits of xrWaitFrame.
   std::mutex mutex;
   /// Notified when a frame begins, and when a session ends or is lost: what xrWaitFrame waits for.
   std::condition_variable_any frame_begun;

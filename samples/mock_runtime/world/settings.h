@@ -5,10 +5,10 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/perception.h"
+#include "core/plate.h"
 
 namespace hrt::mock {
 
@@ -32,12 +32,6 @@ struct TrackerSettings {
   Velocities velocities = Velocities::full;
 };
 
-/// The servo that turns the plate.
-struct ServoSettings {
-  double speed_deg_per_s = std::numeric_limits<double>::infinity();  ///< > 0
-  std::int64_t latency_ns = 0;                                       ///< from a command to its effect, >= 0
-};
-
 /// Where an index fingertip is at a time.
 struct Keyframe {
   std::int64_t time_ns;            ///< since the session was created
@@ -54,7 +48,7 @@ struct WorldSettings {
   std::uint64_t seed = 1;
   std::vector<ParticipantSettings> participants = {{}};  ///< reach n is made by number n modulo their count
   TrackerSettings tracker;
-  ServoSettings servo;
+  PlateDynamics servo;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
 };
 
