@@ -13,7 +13,7 @@
 
 namespace {
 
-// One line, whatever the arguments held.
+// One line, without control characters.
 void complain(std::string message) {
   for (char& character : message)
     if (std::iscntrl(static_cast<unsigned char>(character))) character = '?';

@@ -29,7 +29,7 @@ struct Options {
   std::string out;
 };
 
-// Every angle as often as every other, in an order that nobody can guess from the angle before.
+// Balanced, randomised order of plate angles.
 std::vector<double> angles_in_order(const Session& session) {
   std::vector<double> angles_deg;
   for (std::uint64_t i = 0; i < session.trials_per_angle; ++i)
@@ -116,9 +116,7 @@ std::vector<CalibrationTrial> simulate_session(const Session& session) {
 std::string session_csv(const Session& session) {
   const CalibrationCondition& condition = session.condition;
   const Participant& participant = condition.participant;
-  std::string csv =
-      "# hrt-study participants: SIMULATION of the model's participant, nobody's data. What is true of "
-      "them:\n";
+  std::string csv = "# hrt-study participants: SIMULATION of the model's participant; the true values:\n";
   csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", condition.bias_deg) +
          comment("motor_variance_deg2", participant.motor_variance_deg2) +
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
@@ -153,13 +151,12 @@ void add_participants(CLI::App& app) {
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
   add_number(command, "--bias", &condition.bias_deg, {-45.0, 45.0},
-             "The participant takes the goal to lie this much further left, deg.");
+             "Perceptual bias: perceived minus true goal direction, deg.");
   add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");
   add_number(command, "--sensory-variance", &condition.participant.sensory_variance_deg2,
              positive_variance_range, "Variance of what is felt (sigma_h^2), deg^2.");
-  add_number(command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0},
-             "Where the participant is told to go, deg.");
+  add_number(command, "--goal", &condition.goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
   add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0},
               "Plate orientations, deg.");
   add_integer(command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");

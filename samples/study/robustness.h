@@ -1,5 +1,5 @@
-// How the controllers hold up on people, trackers and plates that are not as assumed: four controllers on the
-// same simulated reaches, in the middle case and with one factor at a time away from it.
+// Robustness to people, trackers and plates other than assumed: four controllers on the same simulated
+// reaches, in the middle case and with one factor at a time changed.
 #pragma once
 
 #include <array>
@@ -17,10 +17,11 @@ enum class Controller {
   paper,           ///< assumes w_T = 0.15, a fixed direction and a plate that follows at once
   adaptive,        ///< learns w_T within the reach and knows its plate
   adaptive_sight,  ///< that, aimed along the line of sight: what the plugin does with tracked positions
-  told,  ///< as that, but told the person's w_T, bias, variances and step period, and the tracker's noise
+  informed,  ///< as that, but knows the person's w_T, bias, variances and step period, and the tracker's
+             ///< noise
 };
 inline constexpr std::array controllers{Controller::paper, Controller::adaptive, Controller::adaptive_sight,
-                                        Controller::told};
+                                        Controller::informed};
 
 const char* controller_name(Controller controller);   ///< in CSV and JSON
 const char* controller_title(Controller controller);  ///< in text

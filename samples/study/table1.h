@@ -52,6 +52,10 @@ struct Table1 {
   double p_value;
 };
 
+/// run_batch() with a progress bar.
+std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
+                                           std::uint64_t threads);
+
 /// Simulates all of it, with a progress bar.
 Table1 simulate_table1(const Table1Options& options);
 
