@@ -172,7 +172,7 @@ std::vector<HapticNode> haptic_nodes_of(std::string_view json, const std::string
   if (scene < 0) {
     if (model.scenes.size() != 1) {
       throw SceneError(file + ": has " + std::to_string(model.scenes.size()) +
-                       " scenes and no default: `scene` must tell which one to read");
+                       " scenes and no default: `scene` must name one");
     }
     scene = 0;
   }
