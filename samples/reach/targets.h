@@ -20,7 +20,7 @@ struct TargetPair {
   double virtual_direction_deg;
   double real_direction_deg;
   double real_distance_m;  ///< from the start, along the plate
-  double real_radius_m;    ///< 0 if the scene tells none
+  double real_radius_m;    ///< 0 if the scene gives none
   std::array<double, 3> virtual_position_m;
   std::array<double, 3> real_position_m;
   hrt_target virtual_target;

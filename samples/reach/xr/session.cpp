@@ -107,8 +107,8 @@ XrTime XrHeadlessSession::next_frame() {
   }
 }
 
-// A frame by the runtime's loop. Where that gives no time (a headless session need not have a frame loop),
-// by our own, at the time that the runtime tells for now.
+// A frame of the runtime's loop. If its frames have no time (a headless session needs no frame loop), a frame
+// of our own, at the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
     std::this_thread::sleep_for(own_frame_period);
@@ -172,7 +172,6 @@ void XrHeadlessSession::poll_events() {
 
 // A state that comes again, or one that this version of the API does not know, changes nothing.
 void XrHeadlessSession::change_state(XrSessionState state) {
-  state_ = state;
   switch (state) {
     case XR_SESSION_STATE_READY:
       if (!running_) {
