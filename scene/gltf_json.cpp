@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr std::array needed_sections{"asset", "extensionsRequired", "extensionsUsed", "nodes", "scene",
                                      "scenes"};
 
-// Required extensions that leave every node where it is; none of what they add is looked at.
+// Required extensions that leave every node where it is; their content is ignored.
 constexpr std::array harmless_prefixes{"KHR_materials_",
                                        "KHR_texture_",
                                        "EXT_texture_",

@@ -1,5 +1,5 @@
 // The JSON of a glTF 2.0 file, checked before a glTF library sees it: found in its container, bounded,
-// stripped to what targets need, every index, size and type right, its nodes a forest.
+// stripped to the needed sections, every index, size and type right, its nodes a forest.
 #pragma once
 
 #include <cstddef>

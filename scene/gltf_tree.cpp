@@ -14,7 +14,7 @@
 namespace hrt {
 namespace {
 
-// An affine map: what it makes of the axes and of the origin.
+// An affine map: the images of the axes and of the origin.
 struct Transform {
   Axes axes;
   Vec3 origin;
@@ -46,7 +46,7 @@ Transform local_transform(const tinygltf::Node& node) {
   return result;
 }
 
-// A map that flattens space: what is below it has lost its place.
+// A map that flattens space: nodes below it have no place.
 bool is_degenerate(const Axes& axes) {
   constexpr double least_length = 1e-9;
   constexpr double least_volume = 1e-9;

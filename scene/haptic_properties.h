@@ -1,4 +1,4 @@
-// A node's haptic role and what goes with it, from the node's `extras`.
+// A node's haptic role and its properties, from the node's `extras`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

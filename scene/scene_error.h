@@ -1,4 +1,4 @@
-// How a file is refused.
+// Messages of refusal.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 /*
-** XR_HRTX_mock_control: what a test says to the mock runtime behind the application's back.
+** XR_HRTX_mock_control: a test's control of the mock runtime, unknown to the application.
 **
 ** A vendor extension of the mock runtime beside this header; README.md there has the script's format.
 ** Enable it in XrInstanceCreateInfo::enabledExtensionNames and fetch its functions with

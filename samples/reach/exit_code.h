@@ -1,4 +1,4 @@
-// Why hrt-reach ended.
+// Exit codes of hrt-reach.
 #pragma once
 
 #include <stdexcept>

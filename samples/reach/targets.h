@@ -1,4 +1,4 @@
-// The scene as hrt-reach needs it: the plate's place, and which real target serves which virtual one.
+// The scene: the plate's place, and the real target that serves each virtual one.
 #pragma once
 
 #include <openxr/openxr.h>

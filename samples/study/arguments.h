@@ -18,7 +18,7 @@ class Option;
 
 namespace hrt::study {
 
-/// A mistake of the caller's: one line that names the argument and what is allowed. Exit code 2.
+/// A mistake of the caller's: one line that names the argument and its allowed values. Exit code 2.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -1,4 +1,4 @@
-// Reading calibration data, of which nothing is trusted.
+// Reads calibration data and checks all of it.
 #include <algorithm>
 #include <array>
 #include <charconv>

@@ -26,7 +26,7 @@ inline constexpr std::array controllers{Controller::paper, Controller::adaptive,
 const char* controller_name(Controller controller);   ///< in CSV and JSON
 const char* controller_title(Controller controller);  ///< in text
 
-/// What a simulated reach is like, and what its controller gets wrong on purpose.
+/// A simulated reach, and the deliberate errors of its controller.
 struct Setting {
   TrackedCondition condition;  ///< its controller is filled in last
   /// Variances that are assumed, as multiples of the person's; 0: those assumed by default.
@@ -47,7 +47,7 @@ struct Factor {
 /// The middle case first, as a factor with one value.
 std::span<const Factor> robustness_factors();
 
-/// What one controller made of the trials of one value of one factor.
+/// Results of one controller in the trials of one value of one factor.
 struct RobustnessCell {
   double direction_percent;    ///< of trials that end within 1.5 deg of the direction wanted
   double bearing_percent;      ///< of trials that end within 1.5 deg of the target's bearing

@@ -1,4 +1,4 @@
-// The paper's Table I and its other claims beside what the model gives.
+// The paper's Table I and its other claims beside the model's results.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct Cell {
   std::optional<double> paper_percent;  ///< if the paper gives one for this very cell
 };
 
-/// Several cells and what the paper says of them as a whole.
+/// Several cells and the paper's mean over them.
 struct CellGroup {
   std::string name;  ///< a word, for CSV and JSON
   std::string title;

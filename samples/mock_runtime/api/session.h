@@ -34,7 +34,7 @@ class Session : public Object {
   /// does not run, or whose loss is pending.
   void go_to(XrSessionState state);
 
-  /// Lets happen what the script has for this session by now.
+  /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
   bool running = false;

@@ -1,4 +1,4 @@
-// What a script can set of the simulated world (script.h reads it from JSON). The defaults are the paper's
+// The settings of the simulated world (script.h reads them from JSON). The defaults are the paper's
 // participant under ideal conditions.
 #pragma once
 
@@ -21,7 +21,7 @@ struct ParticipantSettings {
   std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
 };
 
-/// What XrHandJointVelocitiesEXT says: nothing valid, valid zeros, valid linear ones only, or all.
+/// Content of XrHandJointVelocitiesEXT: nothing valid, valid zeros, valid linear ones only, or all.
 enum class Velocities { none, zero, linear, full };
 
 /// The hand tracker.

@@ -1,4 +1,4 @@
-// What is simulated: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
+// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
 // the plate. All poses are in world coordinates, which are those of STAGE space.
 #pragma once
 
@@ -52,7 +52,7 @@ class World {
   /// Where the index tip joint of a hand with a reach is now, in plate coordinates.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
-  /// What goes wrong with a hand, from now on.
+  /// Faults of a hand, from now on.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }

@@ -33,7 +33,7 @@ XrResult check_xr(XrResult result, const char* expression, const char* file, int
 
 #define CHECK_XR(command) ::hrt::reach::check_xr((command), #command, __FILE__, __LINE__)
 
-/// For a function of an extension, which is called through a pointer: `name` is what it is called in the API.
+/// For a function of an extension, called through a pointer: `name` is its name in the API.
 #define CHECK_XR_NAMED(name, result) ::hrt::reach::check_xr((result), name, __FILE__, __LINE__)
 
 }  // namespace hrt::reach

@@ -1,4 +1,4 @@
-// An OpenXR instance with what hrt-reach needs: headless sessions and hand tracking.
+// An OpenXR instance with headless sessions and hand tracking.
 #pragma once
 
 #include <openxr/openxr.h>

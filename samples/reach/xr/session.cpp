@@ -17,7 +17,7 @@ constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 constexpr auto poll_period = 2ms;                // while there are no frames to wait for
 constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
 
-// A failure that stays one: the runtime does what the specification forbids, or takes too long.
+// A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) {
   throw Failure(ExitCode::runtime_failed, sentence);
 }
@@ -83,7 +83,7 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
   }
 }
 
-// Handles of a lost session or instance are still destroyed; what that returns then changes nothing.
+// Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
 void XrHeadlessSession::destroy() {
   if (is_blocked()) return;
   frame_waiter_.reset();

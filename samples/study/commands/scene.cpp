@@ -1,4 +1,4 @@
-// hrt-study scene: what a glTF scene holds, and which of its pairs can be held with which plate orientation.
+// hrt-study scene: content of a glTF scene, and the plate orientation that sustains each pair.
 #include "scene/scene.h"
 
 #include <algorithm>
