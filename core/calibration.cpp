@@ -9,7 +9,8 @@
 #include "core/estimator.h"
 #include "core/onset.h"
 #include "core/perception.h"
-#include "core/time.h"
+#include "core/plate_limits.h"
+#include "core/step_clock.h"
 
 namespace hrt {
 namespace {
@@ -21,9 +22,6 @@ constexpr double likelihood_drop = 3.841458820694124;
 
 // A position that the tracker made up counts for no more than this.
 constexpr double most_surprise = 25.0;
-
-// In a gap of more steps than this the model has long settled.
-constexpr std::uint64_t most_steps_between_samples = 64;
 
 // A slide with its motion found: samples from `moving` on are after the onset.
 struct Slide {
@@ -161,7 +159,7 @@ Line regress(const std::vector<Chord>& chords) {
           t * std::sqrt(variance / spread)};
 }
 
-// Below -1/2, where no w_T has such a slope, it goes on in a straight line, so that an interval of slopes
+// Below -1/2, where no w_T has such a slope, it continues as a straight line, so that an interval of slopes
 // stays one of weights.
 double weight_of_slope(double slope) {
   return slope / std::max(1.0 + slope, 0.5);
@@ -174,26 +172,22 @@ double log_likelihood(const Slide& slide, const Participant& participant, double
   GainWindow gains(participant, 1);
   double sum = 0.0;
   std::int64_t now_ns = slide.start_ns;
-  std::int64_t step_start_ns = slide.start_ns;
-  const auto period = static_cast<std::uint64_t>(period_ns);
+  const auto move_to = [&](std::int64_t until_ns) {
+    estimator.move(static_cast<double>(elapsed_ns(now_ns, until_ns)) * 1e-9);
+    now_ns = until_ns;
+  };
+  const double plate_deg = ridge_normal_deg(slide.trial->plate_orientation_deg, goal_deg);
+  StepClock clock(period_ns);
+  clock.start(slide.start_ns);
   for (std::size_t i = slide.moving; i < slide.trial->samples.size(); ++i) {
     const TimedPoint& sample = slide.trial->samples[i];
-    const std::uint64_t ended = elapsed_ns(step_start_ns, sample.time_ns) / period;
-    for (std::uint64_t step = 0; step < std::min(ended, most_steps_between_samples); ++step) {
-      step_start_ns += period_ns;
-      estimator.move(static_cast<double>(elapsed_ns(now_ns, step_start_ns)) * 1e-9);
+    clock.advance(sample.time_ns, [&](std::int64_t end_ns) {
+      move_to(end_ns);
       const double gain = gains.data()[0];
-      estimator.end_step(ridge_normal_deg(slide.trial->plate_orientation_deg, goal_deg), gain,
-                         participant.motor_variance_deg2 + gain * participant.sensory_variance_deg2);
+      estimator.end_step(plate_deg, gain, step_variance_deg2(participant, gain));
       gains.advance();
-      now_ns = step_start_ns;
-    }
-    if (ended > most_steps_between_samples) {
-      const std::uint64_t skipped = ended - most_steps_between_samples;
-      step_start_ns = static_cast<std::int64_t>(static_cast<std::uint64_t>(step_start_ns) + skipped * period);
-    }
-    estimator.move(static_cast<double>(elapsed_ns(now_ns, sample.time_ns)) * 1e-9);
-    now_ns = sample.time_ns;
+    });
+    move_to(sample.time_ns);
     estimator.observe_position(sample.position);
     sum -= 0.5 * (std::min(estimator.normalised_innovation(), most_surprise) +
                   std::log(estimator.innovation_determinant_mm4()));
@@ -326,7 +320,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
   if (static_cast<int>(angles.size()) < least_plate_angles || span_deg < least_plate_span_deg) {
     return CalibrationRefusal{
         "the plate stood at " + std::to_string(angles.size()) +
-        " different angles; at least 3 that span 40 degrees are needed to tell w_T from a bias"};
+        " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
   }
 
   const Line line = regress(calibration.chords);

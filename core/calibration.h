@@ -9,16 +9,11 @@
 #include <variant>
 #include <vector>
 
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
 
-struct TimedPoint {
-  std::int64_t time_ns = 0;
-  PlatePoint position;
-};
-
-/// One slide towards the target with the plate at rest. Positions from before the motion tell the
+/// One slide towards the target with the plate at rest. Positions from before the motion show the
 /// tracker's noise.
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
@@ -26,12 +21,12 @@ struct CalibrationTrial {
 };
 
 struct CalibrationConfig {
-  double goal_direction_deg = 0.0;            ///< where the participant was told to go, finite
+  double goal_direction_deg = 0.0;  ///< direction of the target that the participant goes for, finite
   std::int64_t step_period_ns = 100'000'000;  ///< of the model, 1 ms to 10 s
 };
 
-/// An estimate with its 95 % interval. Where the data can't tell, `known` is false, the interval is as wide
-/// as what was searched, and the value is no more than its most likely point.
+/// An estimate with its 95 % interval. If the data cannot determine the value, `known` is false, the interval
+/// is as wide as what was searched, and the value is no more than its most likely point.
 struct Interval {
   double value = 0.0;
   double lower = 0.0;
@@ -61,7 +56,7 @@ struct CalibrationRefusal {
 };
 
 /// Needs at least `least_trials` slides of at least 30 mm, at three plate angles or more that span
-/// 40 degrees: one angle alone can't tell w_T from a bias. Refuses a w_T whose interval is not within
+/// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within
 /// what can be used, (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         const CalibrationConfig& config = {});

@@ -83,13 +83,13 @@ void Estimator::move(double elapsed_s) {
 
 void Estimator::end_step(double plate_orientation_deg, double gain, double step_variance_deg2) {
   learn_motor_variance();
-  const double w = state_(weight);
-  const double finger_offset_deg = state_(direction) - goal_direction_deg_;
-  const double plate_offset_deg = plate_orientation_deg - goal_direction_deg_;
-  // P_k+1 = P_k - K (w_T t + (1 - w_T) p) + noise
-  state_(direction) -= gain * (w * plate_offset_deg + (1.0 - w) * finger_offset_deg);
-  const double by_direction = 1.0 - gain * (1.0 - w);
-  const double by_weight = -gain * (plate_offset_deg - finger_offset_deg);
+  const ParticipantInput input{.tactile_weight = state_(weight),
+                               .gain = gain,
+                               .goal_direction_deg = 0.0,
+                               .plate_orientation_deg = plate_orientation_deg - goal_direction_deg_,
+                               .finger_direction_deg = state_(direction) - goal_direction_deg_};
+  state_(direction) += participant_step(input).motor_command_deg;
+  const auto [by_direction, by_weight] = participant_slopes(input);
   covariance_.row(direction) =
       by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
   covariance_.col(direction) =
@@ -157,8 +157,8 @@ void Estimator::learn_tracker_noise(std::int64_t time_ns, const PlatePoint& posi
       return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
     };
     const double seen_mm2 =
-        0.5 * (departure_mm2(last_but_one_->point.right_m, last_->point.right_m, position.right_m) +
-               departure_mm2(last_but_one_->point.away_m, last_->point.away_m, position.away_m));
+        0.5 * (departure_mm2(last_but_one_->position.right_m, last_->position.right_m, position.right_m) +
+               departure_mm2(last_but_one_->position.away_m, last_->position.away_m, position.away_m));
     noise_weight_ += 1.0;
     // A jump is no noise: it counts for nine times the variance at most.
     noise_variance_mm2_ +=

@@ -9,28 +9,10 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/perception.h"
-#include "core/plate_point.h"
+#include "core/participant.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
-
-/// What a sample observed of the finger.
-enum class Observation {
-  none,       ///< nothing: tracking lost
-  lifted,     ///< the finger is off the plate: nothing is felt
-  direction,  ///< FingerSample::direction_deg
-  position,   ///< FingerSample::position
-};
-
-/// One tracked sample. Fields that its observation does not name are not read.
-struct FingerSample {
-  std::int64_t time_ns = 0;  ///< the caller's monotonic clock; not before the last sample's
-  Observation observation = Observation::none;
-  double direction_deg = 0.0;  ///< finite
-  PlatePoint position;         ///< finite
-  /// Where the plate stands, if its device reports it.
-  std::optional<double> plate_orientation_deg;
-};
 
 /// What the estimator assumes before it has seen anything.
 struct EstimatorConfig {
@@ -57,7 +39,7 @@ struct FingerEstimate {
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;
   /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about the configured one
-  /// where the reach can't tell.
+  /// if the reach cannot determine them.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
 };
@@ -65,7 +47,7 @@ struct FingerEstimate {
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class Estimator {
  public:
-  /// About to move from rest at `start` along the mid-line, told to go to `goal_direction_deg`. Requires
+  /// About to move from rest at `start` along the mid-line, to go for `goal_direction_deg`. Requires
   /// valid arguments.
   Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
             const PlatePoint& start);
@@ -85,11 +67,11 @@ class Estimator {
   void observe_direction(double direction_deg);
 
   /// Takes a position in. False if it lies so far off that it is
-  /// left out (five standard deviations, but for no more than `most_outliers` samples in a row).
+  /// left out (five standard deviations; at most `most_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
   /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
-  /// slow motion cancels, white noise stays. To be told every position, also of a finger at rest.
+  /// slow motion cancels, white noise stays. To be called with every position, also of a finger at rest.
   void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position);
 
   FingerEstimate estimate() const;
@@ -132,10 +114,6 @@ class Estimator {
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
 
-  struct TimedPoint {
-    std::int64_t time_ns;
-    PlatePoint point;
-  };
   std::optional<TimedPoint> last_;
   std::optional<TimedPoint> last_but_one_;
   double noise_variance_mm2_;

@@ -1,14 +1,11 @@
 #include "core/guidance.h"
 
-#include "core/trigonometry.h"
-
 namespace hrt {
 
 Guidance::Guidance(GuidanceMode mode, const PlatePoint& start, double target_direction_deg,
                    double target_distance_m)
     : mode_(mode),
-      target_{start.right_m - target_distance_m * sin_deg(target_direction_deg),
-              start.away_m + target_distance_m * cos_deg(target_direction_deg)},
+      target_(point_ahead(start, target_direction_deg, target_distance_m)),
       hold_distance_m_(0.2 * target_distance_m),
       direction_deg_(target_direction_deg) {}
 

@@ -1,7 +1,7 @@
 // Which direction the finger is wanted in now.
 #pragma once
 
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
 

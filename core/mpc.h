@@ -10,12 +10,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 
 #include "core/mpc_active_set.h"
 #include "core/mpc_plate_bound.h"
 #include "core/perception.h"
+#include "core/plate_limits.h"
 
 namespace hrt {
 
@@ -47,13 +47,11 @@ struct MpcProblem {
   const double* gains;
 };
 
-/// Which bound holds a step of the window: the plate bound, or else the rate bound against the step before.
-enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
-
 /// The plate over the window. Entries past `horizon` are not written.
 struct MpcPlan {
   std::array<double, max_horizon> plate_offset_deg;  ///< t_k ..
-  std::array<ActiveBound, max_horizon> active;       ///< what holds each
+  std::array<ActiveBound, max_horizon>
+      active;  ///< the plate bound, or else the rate bound against the step before
 };
 
 /// Solves one problem a step. Remembers which plate bounds were active to start the next one; this changes

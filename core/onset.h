@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
 
@@ -16,7 +16,7 @@ class Onset {
   /// rested; more while there are but a few samples.
   bool observe(std::int64_t time_ns, const PlatePoint& position, double noise_m);
 
-  /// The last time at which the finger was still at rest, as far as the noise tells.
+  /// The last time at which the finger was still at rest, as far as the noise shows.
   std::int64_t time_ns() const { return rest_ns_; }
 
   /// Where it rested.

@@ -1,22 +1,19 @@
-// One reach: the tracked fingertip in, the plate's orientation out.
+// One reach: the tracked fingertip in, the plate's orientation out. A sample passes through
+//   estimate (reach_estimator), aim (guidance, authority), plan (paper_control), limit (plate_limits),
+//   command.
 //
-// Samples may come at any rate. The reach advances in model steps of a fixed period that start when the
-// finger starts to move; at the end of each the participant feels the plate and steers. Exact directions
-// move the controller once a step, noisy positions at each sample, as they tell ever more of the step; in
-// between the command holds. A step without samples is predicted with the model, and the plate stays.
+// Samples may come at any rate. Exact directions move the controller once a model step; each position moves
+// it, since each refines the estimate of the step. In between the command is held.
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
-#include "core/authority.h"
-#include "core/estimator.h"
+#include "core/finger_sample.h"
 #include "core/guidance.h"
-#include "core/mpc.h"
-#include "core/onset.h"
-#include "core/perception.h"
-#include "core/plate.h"
-#include "core/time.h"
+#include "core/paper_control.h"
+#include "core/plate_limits.h"
+#include "core/plate_model.h"
+#include "core/reach_estimator.h"
 
 namespace hrt {
 
@@ -43,19 +40,19 @@ bool is_valid(const RetargeterConfig& config);
 
 /// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
 struct Reach {
-  double real_direction_deg;           ///< P_R, finite; within 90 of virtual_direction_deg
+  double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
   double virtual_direction_deg;        ///< theta_V, finite
   double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
   PlatePoint start;                    ///< where the finger is before the reach
   double real_distance_m = 0.1;        ///< from the start to the real target, > 0
 };
 
-/// True if every field is in its range.
-bool is_valid(const Reach& reach);
+/// True if every field is in its range, for this participant.
+bool is_valid(const Reach& reach, const Participant& participant);
 
 /// What the plate is to do, and why. Until the finger moves, the plate stays where the reach found it.
 struct PlateCommand {
-  double plate_orientation_deg = 0.0;      ///< T; of those that feel the same, as core/README.md tells
+  double plate_orientation_deg = 0.0;      ///< T; which of those that feel the same, see plate_limits.h
   double finger_direction_deg = 0.0;       ///< P of this step, estimated or predicted
   double perceived_direction_deg = 0.0;    ///< theta_hat at the end of this step
   double aimed_direction_deg = 0.0;        ///< where the finger is wanted, within what can be held
@@ -65,8 +62,7 @@ struct PlateCommand {
   std::int64_t step = -1;                  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
   bool held = true;                        ///< no new decision was taken in this call
-  bool predicted =
-      false;  ///< the step before had no sample, nor has this one: finger_direction_deg is the model's
+  bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
   bool unreachable = false;  ///< the real direction is beyond what this participant's w_T can hold
 };
 
@@ -78,11 +74,11 @@ struct ReachSummary {
   std::int64_t rate_limited_steps = 0;  ///< of steps, those whose command the rate bound held
   std::int64_t samples = 0;
   std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates
-  double final_direction_deg = 0.0;      ///< P of the last step
+  double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
-  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - theta_V
-  double distance_to_target_m = 0.0;     ///< from the last estimated position to the real target's place
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - G
+  double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
   FingerEstimate estimate;               ///< what was learnt: w_T, tracker noise
 };
 
@@ -92,61 +88,62 @@ class Retargeter {
   /// Requires is_valid(config).
   explicit Retargeter(const RetargeterConfig& config);
 
-  /// Starts a reach; whatever the last one left is forgotten. Requires is_valid(reach).
+  /// Starts a reach; whatever the last one left is forgotten. Requires is_valid(reach,
+  /// config.participant).
   void begin(const Reach& reach);
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
-  /// not be before the last one's. However long the gap, at most `max_catch_up_steps` are predicted.
-  const PlateCommand& update(const FingerSample& sample);
+  /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
+  PlateCommand update(const FingerSample& sample);
 
   /// The paper's loop, without a clock: one model step with the finger moving along
   /// `finger_direction_deg` (finite). Requires begin(); not to be mixed with update() in one reach.
-  const PlateCommand& step(double finger_direction_deg);
+  PlateCommand step(double finger_direction_deg);
 
-  const PlateCommand& command() const { return command_; }
+  /// The last one; begin()'s before the first sample.
+  PlateCommand command() const { return command_; }
   ReachSummary summary() const;
-  const Estimator& estimator() const { return estimator_; }
-  const RetargeterConfig& config() const { return config_; }
-  const Reach& reach() const { return reach_; }
-
-  /// After this many steps without a sample the model has long settled; more would change nothing.
-  static constexpr int max_catch_up_steps = 64;
-  /// A finger slower than this rests: the participant's steps wait for it.
-  static constexpr double rest_speed_m_s = 0.004;
 
  private:
-  void start(std::int64_t time_ns, const PlatePoint& place);
-  void advance(std::int64_t time_ns);
-  void end_step();
-  void count_step(ReachSummary& summary) const;
-  void observe_position(const FingerSample& sample);
-  void decide(const FingerEstimate& estimate);
-  void act(const FingerEstimate& estimate);
-  double plan_deg(const FingerEstimate& estimate);
-  double half_turns_for_reach() const;
-  bool plans_turns() const;
-  double perceived_deg(const FingerEstimate& estimate, double plate_orientation_deg, int lead = 0) const;
-  std::int64_t step_end_ns() const { return later_ns(step_start_ns_, config_.step_period_ns); }
+  /// Where the finger is wanted.
+  struct Aim {
+    double direction_deg;
+    bool unreachable;
+  };
+  /// What the plate was last turned to, and for what.
+  struct Decision {
+    std::int64_t step = -1;
+    Aim aim;
+    PlateOrientation plate;
+  };
+  /// The finger as commands and summary show it.
+  struct Finger {
+    double direction_deg;
+    double perceived_direction_deg;
+    double tactile_weight;
+    double tactile_weight_sd;
+  };
+
+  Aim aim(const ReachState& state);
+  PlateOrientation plan(const ReachState& state, const Aim& aim);
+  void decide(const Decision& decision);
+  Finger finger(const ReachState& state, double plate_orientation_deg) const;
+  PlateCommand publish(const ReachState& state, bool held);
+  double distance_to_go_m() const;
 
   RetargeterConfig config_;
   Reach reach_{};
-  Mpc mpc_;
+  double goal_deg_ = 0.0;
+  ReachEstimator estimator_;
   Guidance guidance_;
-  GainWindow gains_;
-  Onset onset_;
-  Estimator estimator_;
-  Plate plate_;
+  PaperControl control_;
+  PlateLimits limits_;
+  PlateModel plate_;
+  Decision decision_{};
+  Finger finger_{};
   PlateCommand command_;
-  ReachSummary summary_;
-  // That the plate keeps to in this reach, beyond the orientations about the goal; see plans_turns().
-  double half_turns_ = 0.0;
-  std::int64_t step_start_ns_ = 0;
-  std::int64_t now_ns_ = 0;                  // of the estimator
-  std::optional<std::int64_t> position_ns_;  // of the last position
-  bool started_ = false;
-  bool paused_ = false;   // the finger rests or is lifted: no step goes by
-  bool acted_ = false;    // in the current step
-  bool sampled_ = false;  // in the current step
+  std::int64_t saturated_steps_ = 0;  // without the last decision's
+  std::int64_t rate_limited_steps_ = 0;
 };
 
 }  // namespace hrt

@@ -1,6 +1,6 @@
 #include "scene/plate_coordinates.h"
 
-#include "core/trigonometry.h"
+#include "core/plate_frame.h"
 
 namespace hrt {
 namespace {
@@ -25,12 +25,12 @@ Quaternion normalized(Quaternion q) {
 }  // namespace
 
 Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
-  const double forward_m = start_m.z - point_m.z;
-  const double left_m = start_m.x - point_m.x;
-  const double distance_m = std::sqrt(forward_m * forward_m + left_m * left_m);
-  return {.direction_deg = atan2_deg(left_m, forward_m),
-          .distance_m = distance_m,
-          .at_start = distance_m < least_distance_m};
+  const PlatePoint start{start_m.x, -start_m.z};
+  const PlatePoint point{point_m.x, -point_m.z};
+  const double distance = distance_m(start, point);
+  return {.direction_deg = bearing_deg(start, point),
+          .distance_m = distance,
+          .at_start = distance < least_distance_m};
 }
 
 bool is_valid(const Pose& pose) {

@@ -51,7 +51,6 @@ struct BatchResult {
   double mean_miss_deg() const { return miss.mean_deg(trials); }
   double rms_miss_deg() const { return miss.rms_deg(trials); }
   /// Standard deviation of the final direction.
-  double final_direction_sd_deg() const { return miss.standard_deviation_deg(trials); }
   /// Root mean square of theta_hat - theta_V in the last step.
   double rms_felt_error_deg() const { return felt_error.rms_deg(trials); }
 

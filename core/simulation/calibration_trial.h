@@ -10,8 +10,7 @@ namespace hrt {
 /// Who slides, and how they are tracked.
 struct CalibrationCondition {
   Participant participant;
-  double bias_deg = 0.0;            ///< the person takes the goal to lie this much further left
-  double goal_direction_deg = 0.0;  ///< where they are told to go
+  double goal_direction_deg = 0.0;  ///< of the target
   double distance_m = 0.1;          ///< of the path, > 0
   double duration_s = 3.0;          ///< of the path, > 0
   double step_period_s = 0.1;       ///< of the participant's steps, > 0

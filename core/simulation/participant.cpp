@@ -2,29 +2,33 @@
 
 #include <cmath>
 
+#include "core/perception.h"
+#include "core/plate_limits.h"
+
 namespace hrt {
 
-SimulatedParticipant::SimulatedParticipant(const Participant& participant, double goal_direction_deg)
-    : participant_(participant), filter_(participant, goal_direction_deg) {}
+SimulatedParticipant::SimulatedParticipant(const Participant& participant, double virtual_direction_deg)
+    : participant_(participant),
+      goal_direction_deg_(goal_direction_deg(participant, virtual_direction_deg)),
+      variance_deg2_(participant.initial_variance_deg2) {}
 
-void SimulatedParticipant::set_tactile_weight(double tactile_weight) {
-  participant_.tactile_weight = tactile_weight;
-  filter_.set_tactile_weight(tactile_weight);
-}
-
-ParticipantStep SimulatedParticipant::step(double plate_orientation_deg, double noise) {
-  const double normal_deg = ridge_normal_deg(plate_orientation_deg, filter_.goal_direction_deg());
-  const FilterGain gain = next_gain(participant_, filter_.variance_deg2());
-  filter_.update(normal_deg, finger_direction_deg_);
-  const ParticipantStep step{
-      .felt_direction_deg = felt_direction_deg(participant_.tactile_weight, normal_deg, finger_direction_deg_),
-      .gain = gain.gain,
-      .variance_deg2 = gain.variance_deg2,
-      .motor_command_deg = filter_.motor_command_deg(),
-      .noise_deg = std::sqrt(participant_.motor_variance_deg2 + gain.variance_deg2) * noise,
-  };
-  finger_direction_deg_ += step.motor_command_deg + step.noise_deg;
-  return step;
+SimulatedStep SimulatedParticipant::step(double plate_orientation_deg, double noise) {
+  const auto [gain, variance_deg2] = next_gain(participant_, variance_deg2_);
+  const ParticipantStep felt =
+      participant_step({.tactile_weight = participant_.tactile_weight,
+                        .gain = gain,
+                        .goal_direction_deg = goal_direction_deg_,
+                        .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg_),
+                        .finger_direction_deg = finger_direction_deg_});
+  const double noise_deg = std::sqrt(participant_.motor_variance_deg2 + variance_deg2) * noise;
+  variance_deg2_ = variance_deg2;
+  perceived_direction_deg_ = felt.perceived_direction_deg;
+  finger_direction_deg_ += felt.motor_command_deg + noise_deg;
+  return {.felt_direction_deg = felt.felt_direction_deg,
+          .gain = gain,
+          .variance_deg2 = variance_deg2,
+          .motor_command_deg = felt.motor_command_deg,
+          .noise_deg = noise_deg};
 }
 
 }  // namespace hrt

@@ -1,12 +1,12 @@
 // A simulated person, who follows paper section II-A to the letter.
 #pragma once
 
-#include "core/perception.h"
+#include "core/participant.h"
 
 namespace hrt {
 
 /// What went on in a SimulatedParticipant during one step. Angles in degrees.
-struct ParticipantStep {
+struct SimulatedStep {
   double felt_direction_deg;  ///< h_k: what touch and proprioception report together
   double gain;                ///< K_k
   double variance_deg2;       ///< var_k of the perceived direction
@@ -16,26 +16,28 @@ struct ParticipantStep {
 
 class SimulatedParticipant {
  public:
-  /// About to reach for `goal_direction_deg` (theta_V); the finger first moves along the mid-line.
+  /// About to reach for `virtual_direction_deg` (theta_V); the finger first moves along the mid-line.
   /// Requires is_valid(participant).
-  SimulatedParticipant(const Participant& participant, double goal_direction_deg);
+  SimulatedParticipant(const Participant& participant, double virtual_direction_deg);
 
   /// P_k: where the finger moves, degrees from the mid-line.
   double finger_direction_deg() const { return finger_direction_deg_; }
   /// theta_hat: where the person felt the finger move in the last step.
-  double perceived_direction_deg() const { return filter_.perceived_direction_deg(); }
+  double perceived_direction_deg() const { return perceived_direction_deg_; }
 
   /// From now on touch has this share of what is felt, in (0, 0.5).
-  void set_tactile_weight(double tactile_weight);
+  void set_tactile_weight(double tactile_weight) { participant_.tactile_weight = tactile_weight; }
 
   /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
-  ParticipantStep step(double plate_orientation_deg, double noise);
+  SimulatedStep step(double plate_orientation_deg, double noise);
 
  private:
   Participant participant_;
-  PerceptionFilter filter_;
-  double finger_direction_deg_ = 0.0;  // P_0
+  double goal_direction_deg_;
+  double variance_deg2_;                  // of the perceived direction
+  double perceived_direction_deg_ = 0.0;  // theta_hat_0, the mid-line
+  double finger_direction_deg_ = 0.0;     // P_0
 };
 
 }  // namespace hrt

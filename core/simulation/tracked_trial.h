@@ -3,20 +3,14 @@
 #pragma once
 
 #include "core/retargeter.h"
+#include "core/simulation/sliding_finger.h"
 #include "core/simulation/trial.h"
 
 namespace hrt {
 
-enum class SpeedProfile {
-  constant,
-  minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 of the path at the share s of the time
-};
-
 /// All that a tracked reach depends on but its random numbers.
 struct TrackedCondition {
   Participant participant;             ///< who reaches
-  double bias_deg = 0.0;               ///< the person takes the goal to lie this much further left
-  double assumed_bias_deg = 0.0;       ///< what the controller takes bias_deg for
   double weight_drift = 0.0;           ///< w_T changes by this from the start of the reach to its end
   RetargeterConfig controller;         ///< what leads them, and what it assumes
   PlateDynamics plate;                 ///< the servo as it is

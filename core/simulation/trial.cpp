@@ -27,7 +27,7 @@ TrialOutcome simulate_trial(const Condition& condition, const TrialId& id, std::
   for (int k = 0; k < condition.steps; ++k) {
     const double finger_direction_deg = participant.finger_direction_deg();
     const PlateCommand command = retargeter.step(finger_direction_deg);
-    const ParticipantStep felt =
+    const SimulatedStep felt =
         participant.step(command.plate_orientation_deg, normal(static_cast<std::uint32_t>(k)));
     if (command.active != ActiveBound::none) ++outcome.saturated_steps;
     if (steps) {

@@ -1,4 +1,4 @@
-// One simulated reach: a participant who is told to go to the virtual target, and the controller that leads
+// One simulated reach: a participant who goes for the virtual target, and the controller that leads
 // them to the real one, step by step as in paper section II-A and III.
 #pragma once
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 
+#include "core/plate_limits.h"
 #include "core/simulation/batch.h"
 #include "core/simulation/control_law.h"
 #include "core/simulation/lanes.h"
@@ -45,7 +46,8 @@ ControlLaw constant_law(double plate_offset_deg) {
 
 std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
   const RetargeterConfig& controller = condition.controller;
-  if (!looks_at_direction_alone(controller) || !stays_in_range(condition)) return std::nullopt;
+  const bool biased = condition.participant.bias_deg != 0.0 || controller.participant.bias_deg != 0.0;
+  if (biased || !looks_at_direction_alone(controller) || !stays_in_range(condition)) return std::nullopt;
   const double w = condition.participant.tactile_weight;
   TrialTable table;
   table.real_offset_deg_ = condition.real_direction_deg - condition.virtual_direction_deg;

@@ -25,8 +25,8 @@ class PhiloxKeys;
 class TrialTable {
  public:
   /// None if the plate's orientation is no such function: with a rate bound, a controller that learns, a
-  /// plate that lags by a step, a gain of 0, or noise that could carry the finger out of the range of the
-  /// law. Requires is_valid(condition). Uses the heap.
+  /// bias, a plate that lags by a step, a gain of 0, or noise that could carry the finger out of the range of
+  /// the law. Requires is_valid(condition). Uses the heap.
   static std::optional<TrialTable> tabulate(const Condition& condition);
 
   /// Runs trials `first_trial` up to, not including, `last_trial`. Lanes: see lanes.h; ScalarLanes and

@@ -9,7 +9,8 @@ namespace {
 
 hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
                            const hrt_target_config& real, const hrt_target_config& virtual_) {
-  const double goal_deg = view(session.config(), virtual_).direction_deg + session.config().bias_deg;
+  const double goal_deg = goal_direction_deg(to_core(session.config()).participant,
+                                             view(session.config(), virtual_).direction_deg);
   const double gap_deg = wrap_deg(goal_deg - view(session.config(), real).direction_deg, 360.0);
   const Authority authority = steering_authority(
       goal_deg - gap_deg, goal_deg, session.config().tactile_weight, session.config().plate_bound_deg);

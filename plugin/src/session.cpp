@@ -1,7 +1,5 @@
 #include "plugin/src/session.h"
 
-#include <algorithm>
-
 #include "core/trigonometry.h"
 #include "plugin/src/checked.h"
 #include "plugin/src/finger_sample.h"
@@ -90,14 +88,13 @@ hrt_result Session::try_begin(const hrt_reach_config& config, Reach* out) {
   if (!(reach.real_distance_m >= least_distance_m))
     return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", reach.real_distance_m,
                 " m from the start; at least ", least_distance_m, " is needed");
-  Reach felt = reach;
-  felt.virtual_direction_deg += config_.bias_deg;
-  if (!is_valid(felt))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", felt.real_direction_deg,
-                " degrees, the virtual at ", felt.virtual_direction_deg,
+  const Participant participant = to_core(config_).participant;
+  if (!is_valid(reach, participant))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
+                " degrees, the virtual at ", goal_direction_deg(participant, reach.virtual_direction_deg),
                 config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
-  retargeter_.begin(felt);
+  retargeter_.begin(reach);
   plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   reaching_ = true;
   sampled_ = false;
@@ -121,7 +118,7 @@ hrt_result Session::try_update(const hrt_sample& sample, hrt_command* out_comman
 }
 
 hrt_command Session::command(std::uint32_t flags) const {
-  const PlateCommand& command = retargeter_.command();
+  const PlateCommand command = retargeter_.command();
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
   if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
@@ -174,18 +171,12 @@ hrt_result Session::try_end(hrt_reach_summary* out_summary) {
 }
 
 void Session::carry(const FingerEstimate& estimate) {
-  config_.tactile_weight = estimate.tactile_weight;
-  config_.tactile_weight_sd = std::clamp(estimate.tactile_weight_sd, least_carried_weight_sd, most_weight_sd);
-  const double learnt_deg2 = estimate.motor_variance_deg2;
-  const double assumed_deg2 = config_.motor_variance_deg2;
-  const double limited_deg2 = std::clamp(learnt_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
-  config_.motor_variance_deg2 =
-      std::clamp(limited_deg2, Estimator::least_motor_variance_deg2, Estimator::most_motor_variance_deg2);
-  // Far from what was assumed, the reach is surer than it can be.
-  if (limited_deg2 == learnt_deg2)
-    config_.motor_variance_sd_deg2 =
-        std::max(estimate.motor_variance_sd_deg2, least_carried_motor_variance_sd_deg2);
-  retargeter_ = Retargeter(to_core(config_));
+  const RetargeterConfig next = carried(to_core(config_), estimate);
+  config_.tactile_weight = next.participant.tactile_weight;
+  config_.tactile_weight_sd = next.estimator.tactile_weight_sd;
+  config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
+  config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
+  retargeter_ = Retargeter(next);
 }
 
 }  // namespace hrt::plugin

@@ -124,7 +124,8 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .participant = {.tactile_weight = config.tactile_weight,
                       .motor_variance_deg2 = config.motor_variance_deg2,
                       .sensory_variance_deg2 = config.sensory_variance_deg2,
-                      .initial_variance_deg2 = config.initial_variance_deg2},
+                      .initial_variance_deg2 = config.initial_variance_deg2,
+                      .bias_deg = config.bias_deg},
       .mpc = {.horizon = static_cast<int>(config.horizon),
               .perceived_weight = config.perceived_weight,
               .actual_weight = config.actual_weight,
@@ -140,8 +141,8 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,
-                .lower_stop_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
-                .upper_stop_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg},
+                .stops = {.lower_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
+                          .upper_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg}},
       .step_period_ns = config.step_period_ns,
   };
 }

@@ -4,17 +4,12 @@
 #include <cstddef>
 #include <span>
 
+#include "core/learning.h"
 #include "core/retargeter.h"
 #include "haptic_retargeting/session.h"
 #include "scene/plate_coordinates.h"
 
 namespace hrt::plugin {
-
-/// People change: what was learnt of them is never surer than this.
-inline constexpr double least_carried_weight_sd = 0.01;
-inline constexpr double least_carried_motor_variance_sd_deg2 = 0.1;
-/// Of a configured tactile_weight_sd.
-inline constexpr double most_weight_sd = 0.49;
 
 /// A field that is a number with a range.
 struct NumberField {

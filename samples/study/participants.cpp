@@ -52,7 +52,7 @@ std::string session_csv(const Session& session) {
   const CalibrationCondition& condition = session.condition;
   const Participant& participant = condition.participant;
   std::string csv = "# hrt-study participants: SIMULATION of the model's participant; the true values:\n";
-  csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", condition.bias_deg) +
+  csv += comment("tactile_weight", participant.tactile_weight) + comment("bias_deg", participant.bias_deg) +
          comment("motor_variance_deg2", participant.motor_variance_deg2) +
          comment("sensory_variance_deg2", participant.sensory_variance_deg2) +
          comment("tracker_noise_m", condition.tracker_noise_m) +

@@ -67,7 +67,8 @@ RetargeterConfig make_controller(Controller controller, const Setting& setting) 
 // By how much the nearest direction that can be held misses the real one.
 double beyond_authority_deg(const TrackedCondition& condition) {
   const double weight = condition.participant.tactile_weight + condition.weight_drift;
-  const double gap_deg = condition.virtual_direction_deg + condition.bias_deg - condition.real_direction_deg;
+  const double gap_deg = goal_direction_deg(condition.participant, condition.virtual_direction_deg) -
+                         condition.real_direction_deg;
   return std::abs(gap_deg) - largest_gap_deg(weight, condition.controller.mpc.plate_bound_deg);
 }
 
@@ -92,7 +93,6 @@ RobustnessCell simulate(const Case& the_case, Controller controller, const Robus
     const Setting setting = the_case.setting(options.seed, trial);
     TrackedCondition condition = setting.condition;
     condition.controller = make_controller(controller, setting);
-    if (controller == Controller::informed) condition.assumed_bias_deg = condition.bias_deg;
     const TrackedOutcome outcome =
         simulate_tracked_trial(condition, {.seed = options.seed, .condition = 0, .trial = trial});
     near_direction += std::abs(outcome.final_direction_deg - condition.real_direction_deg) <= tolerance_deg;
@@ -231,7 +231,7 @@ std::span<const Factor> robustness_factors() {
        "Constant bias of the person, deg",
        {-3.0, -1.5, 0.0, 1.5, 3.0},
        0.0,
-       [](Setting& s, double value) { s.condition.bias_deg = value; }},
+       [](Setting& s, double value) { s.condition.participant.bias_deg = value; }},
   };
   return factors;
 }

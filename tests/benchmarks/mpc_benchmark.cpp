@@ -291,10 +291,16 @@ void print_worst_cases() {
 
 void run_filter(benchmark::State& state) {
   const Participant participant;
-  PerceptionFilter filter(participant, 5.0);
+  FilterGain step{0.0, participant.initial_variance_deg2};
   double plate_deg = 0.0;
   for (auto _ : state) {
-    plate_deg = filter.update(plate_deg, 1.0);
+    step = next_gain(participant, step.variance_deg2);
+    plate_deg = participant_step({.tactile_weight = participant.tactile_weight,
+                                  .gain = step.gain,
+                                  .goal_direction_deg = 5.0,
+                                  .plate_orientation_deg = plate_deg,
+                                  .finger_direction_deg = 1.0})
+                    .perceived_direction_deg;
     benchmark::DoNotOptimize(plate_deg);
   }
 }

@@ -9,11 +9,10 @@
 #include <fstream>
 #include <ios>
 
-#include "core/plate.h"
-#include "core/plate_point.h"
+#include "core/plate_frame.h"
+#include "core/plate_model.h"
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 
 namespace {
@@ -59,8 +58,7 @@ class World {
       : plate_({.max_speed_deg_s = config.plate_max_speed_deg_s,
                 .max_acceleration_deg_s2 = config.plate_max_acceleration_deg_s2,
                 .latency_ns = config.plate_latency_ns,
-                .lower_stop_deg = config.plate_lower_stop_deg,
-                .upper_stop_deg = config.plate_upper_stop_deg},
+                .stops = {config.plate_lower_stop_deg, config.plate_upper_stop_deg}},
                0.0) {}
 
   /// Lets 1 ms pass. A lifted finger stays above where it was, and feels nothing.
@@ -68,8 +66,7 @@ class World {
     now_ns_ += ms;
     plate_.advance(now_ns_);
     if (resting || lifted) return;
-    finger_.right_m -= speed_m_per_ms * hrt::sin_deg(person_.finger_direction_deg());
-    finger_.away_m += speed_m_per_ms * hrt::cos_deg(person_.finger_direction_deg());
+    finger_ = hrt::point_ahead(finger_, person_.finger_direction_deg(), speed_m_per_ms);
     moving_ms_ += 1;
     if (moving_ms_ % 100 == 0) person_.step(plate_.orientation_deg(), normal(step_++));
   }
@@ -109,7 +106,7 @@ class World {
     return static_cast<double>(std::llround(value * per_unit)) / per_unit;
   }
 
-  hrt::Plate plate_;
+  hrt::PlateModel plate_;
   hrt::SimulatedParticipant person_{{.tactile_weight = 0.12}, 5.0};
   hrt::PlatePoint finger_{0.0, -0.05};
   std::int64_t now_ns_ = 0;

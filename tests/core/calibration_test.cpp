@@ -107,13 +107,13 @@ TEST(Calibration, IntervalsCoverTheTruth) {
   for (std::uint32_t person = 0; person < people; ++person) {
     CalibrationCondition condition;
     condition.participant.tactile_weight = 0.1 + 0.008 * person;
-    condition.bias_deg = -3.0 + 0.25 * person;
+    condition.participant.bias_deg = -3.0 + 0.25 * person;
     const Calibration calibration = calibrated(simulate(condition, 3, person));
     const auto covers = [](const Interval& interval, double truth) {
       return interval.lower <= truth && truth <= interval.upper;
     };
     weight_covered += covers(calibration.tactile_weight, condition.participant.tactile_weight);
-    bias_covered += covers(calibration.bias_deg, condition.bias_deg);
+    bias_covered += covers(calibration.bias_deg, condition.participant.bias_deg);
     noise_covered += covers(calibration.tracker_noise_m, condition.tracker_noise_m);
     weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
   }
@@ -191,7 +191,7 @@ TEST(Calibration, RefusesBrokenDataByName) {
 // Mirrored slides over a mirrored plate: the same w_T, the opposite bias.
 TEST(Calibration, MirrorSymmetry) {
   CalibrationCondition condition;
-  condition.bias_deg = 2.0;
+  condition.participant.bias_deg = 2.0;
   std::vector<CalibrationTrial> trials = simulate(condition, 3);
   const Calibration one = calibrated(trials);
   for (CalibrationTrial& trial : trials) {

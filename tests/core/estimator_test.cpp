@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/onset.h"
+#include "core/perception.h"
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
 #include "core/time.h"

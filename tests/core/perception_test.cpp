@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <limits>
+#include <array>
 
 namespace hrt {
 namespace {
@@ -33,14 +32,6 @@ TEST(Perception, SteadyGainIsAFixedPointThatTheRecursionReaches) {
   }
 }
 
-// h = 0.15 * 40 + 0.85 * (-2) = 4.3; theta_hat = 10 + 5/6 (4.3 - 10) = 5.25; u = 4.75.
-TEST(Perception, OneStepByHand) {
-  EXPECT_DOUBLE_EQ(felt_direction_deg(0.15, 40.0, -2.0), 4.3);
-  PerceptionFilter filter(Participant{}, 10.0);
-  EXPECT_DOUBLE_EQ(filter.update(40.0, -2.0), 5.25);
-  EXPECT_DOUBLE_EQ(filter.motor_command_deg(), 4.75);
-}
-
 TEST(Perception, WindowHoldsTheGainsAhead) {
   const Participant participant;
   GainWindow window(participant, 3);
@@ -50,31 +41,6 @@ TEST(Perception, WindowHoldsTheGainsAhead) {
   for (std::size_t k = 0; k + 3 <= gains.size(); ++k, window.advance()) {
     for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(window.data()[i], gains[k + i]) << k << ' ' << i;
   }
-}
-
-TEST(Perception, RidgesRepeatEveryHalfTurn) {
-  EXPECT_EQ(ridge_normal_deg(30.0, 10.0), 30.0);
-  EXPECT_DOUBLE_EQ(ridge_normal_deg(120.0, 10.0), -60.0);
-  EXPECT_DOUBLE_EQ(ridge_normal_deg(-171.0, 10.0), 9.0);
-}
-
-// goal + 90 - goal is not 90 for every goal.
-TEST(Perception, AnOrientationOnTheBoundStaysThere) {
-  for (int i = -600; i <= 600; ++i) {
-    const double goal_deg = i / 7.0;
-    EXPECT_EQ(ridge_normal_deg(goal_deg + 90.0, goal_deg), goal_deg + 90.0);
-    EXPECT_EQ(ridge_normal_deg(goal_deg - 90.0, goal_deg), goal_deg - 90.0);
-  }
-}
-
-TEST(Perception, InvalidParametersAreRecognised) {
-  EXPECT_TRUE(is_valid(Participant{}));
-  EXPECT_FALSE(is_valid(Participant{.tactile_weight = 0.0}));
-  EXPECT_FALSE(is_valid(Participant{.tactile_weight = 0.5}));
-  EXPECT_FALSE(is_valid(Participant{.tactile_weight = std::nan("")}));
-  EXPECT_FALSE(is_valid(Participant{.motor_variance_deg2 = -1.0}));
-  EXPECT_FALSE(is_valid(Participant{.sensory_variance_deg2 = 0.0}));
-  EXPECT_FALSE(is_valid(Participant{.initial_variance_deg2 = std::numeric_limits<double>::infinity()}));
 }
 
 }  // namespace

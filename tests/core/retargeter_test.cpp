@@ -7,7 +7,7 @@
 
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
+#include "core/simulation/sliding_finger.h"
 
 namespace hrt {
 namespace {
@@ -50,6 +50,25 @@ TEST(Retargeter, ConditionOneOfTableOne) {
   EXPECT_NEAR(hits / 2000.0, 0.928, 0.023);
 }
 
+// A person with a bias of 3 who sees the target at 2 goes for 5.
+TEST(Retargeter, APersonsBiasShiftsTheGoal) {
+  RetargeterConfig biased;
+  biased.participant.bias_deg = 3.0;
+  Retargeter a(biased);
+  Retargeter b{RetargeterConfig{}};
+  a.begin({.real_direction_deg = -5, .virtual_direction_deg = 2});
+  b.begin({.real_direction_deg = -5, .virtual_direction_deg = 5});
+  for (int k = 0; k < 10; ++k) {
+    const PlateCommand command = a.step(std::sin(k));
+    EXPECT_EQ(command.plate_orientation_deg, b.step(std::sin(k)).plate_orientation_deg);
+    EXPECT_NE(command.plate_orientation_deg, 0.0);
+  }
+  EXPECT_EQ(a.summary().perceived_error_deg, b.summary().perceived_error_deg);
+  const Reach wide{.real_direction_deg = 90, .virtual_direction_deg = -1};
+  EXPECT_FALSE(is_valid(wide, Participant{}));
+  EXPECT_TRUE(is_valid(wide, biased.participant));
+}
+
 constexpr std::int64_t ms = 1'000'000;
 
 // A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
@@ -63,7 +82,7 @@ struct StreamedReach {
 
   ReachSummary summary{};
   double final_direction_deg = 0.0;
-  PlatePoint finger{0.0, -0.05};
+  PlatePoint first{0.0, -0.05};  // where the finger starts
 
   void run() {
     RetargeterConfig config;
@@ -72,15 +91,11 @@ struct StreamedReach {
     const Reach reach{.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}};
     retargeter.begin(reach);
     SimulatedParticipant participant(config.participant, reach.virtual_direction_deg);
-    const double speed_m_per_ns = 0.1 / 3e9;
-    std::int64_t moved_to_ns = 0;
-    int step = 0;
+    SlidingFinger finger(first, 0.1, 3.0);
     const auto move_to = [&](std::int64_t time_ns) {
-      const double travel_m = speed_m_per_ns * static_cast<double>(time_ns - moved_to_ns);
-      finger.right_m -= travel_m * sin_deg(participant.finger_direction_deg());
-      finger.away_m += travel_m * cos_deg(participant.finger_direction_deg());
-      moved_to_ns = time_ns;
+      finger.slide(static_cast<double>(time_ns) * 1e-9, participant.finger_direction_deg());
     };
+    int step = 0;
     for (int i = 0; step < 30; ++i) {
       const std::int64_t time_ns = -phase_ns + static_cast<std::int64_t>(i * 1e9 / rate_hz);
       while (step < 30 && time_ns >= (step + 1) * 100 * ms) {
@@ -88,9 +103,10 @@ struct StreamedReach {
         participant.step(retargeter.command().plate_orientation_deg, 0.0);
         ++step;
       }
-      if (time_ns > 0) move_to(time_ns);
+      move_to(time_ns);
       if (step >= dropped_from && step < dropped_to) continue;
-      retargeter.update({.time_ns = time_ns, .observation = Observation::position, .position = finger});
+      retargeter.update(
+          {.time_ns = time_ns, .observation = Observation::position, .position = finger.place()});
     }
     summary = retargeter.summary();
     final_direction_deg = participant.finger_direction_deg();
@@ -110,9 +126,9 @@ TEST(Retargeter, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
 
 TEST(Retargeter, LineOfSightLeadsToThePlace) {
   // A finger that starts 5 mm beside the agreed place: a fixed direction keeps the offset.
-  StreamedReach fixed{.finger = {0.005, -0.05}};
+  StreamedReach fixed{.first = {0.005, -0.05}};
   fixed.run();
-  StreamedReach sight{.guidance = GuidanceMode::line_of_sight, .finger = {0.005, -0.05}};
+  StreamedReach sight{.guidance = GuidanceMode::line_of_sight, .first = {0.005, -0.05}};
   sight.run();
   EXPECT_GT(fixed.summary.distance_to_target_m, 0.004);
   EXPECT_LT(sight.summary.distance_to_target_m, 0.001);
@@ -135,15 +151,15 @@ TEST(Retargeter, DirectionSamplesAreThePapersLoop) {
   stepped.begin(reach);
   for (int k = 0; k < 30; ++k) {
     const double direction_deg = 3.0 * std::sin(k * 1.7);
-    const PlateCommand& a = streamed.update(
+    const PlateCommand a = streamed.update(
         {.time_ns = k * 100 * ms, .observation = Observation::direction, .direction_deg = direction_deg});
-    const PlateCommand& b = stepped.step(direction_deg);
+    const PlateCommand b = stepped.step(direction_deg);
     EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
     EXPECT_EQ(a.perceived_direction_deg, b.perceived_direction_deg);
     EXPECT_EQ(a.step, k);
     // Between steps the command is held.
     const double held_deg = a.plate_orientation_deg;
-    const PlateCommand& c = streamed.update(
+    const PlateCommand c = streamed.update(
         {.time_ns = k * 100 * ms + 50 * ms, .observation = Observation::direction, .direction_deg = 40.0});
     EXPECT_TRUE(c.held);
     EXPECT_EQ(c.plate_orientation_deg, held_deg);
@@ -159,7 +175,7 @@ TEST(Retargeter, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
   retargeter.update(sample(std::numeric_limits<std::int64_t>::min()));
   retargeter.update(sample(0));
   EXPECT_EQ(retargeter.update(sample(3'600'000 * ms)).held, false);
-  const PlateCommand& last = retargeter.update(sample(std::numeric_limits<std::int64_t>::max()));
+  const PlateCommand last = retargeter.update(sample(std::numeric_limits<std::int64_t>::max()));
   EXPECT_TRUE(std::isfinite(last.plate_orientation_deg));
   const ReachSummary summary = retargeter.summary();
   EXPECT_EQ(summary.steps, 4);
@@ -176,7 +192,7 @@ TEST(Retargeter, AFingerThatFeelsNothingStopsTheSteps) {
   constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
   retargeter.update(sample(start_ns, Observation::direction));
   retargeter.update(sample(start_ns + 50 * ms, Observation::lifted));
-  const PlateCommand& command =
+  const PlateCommand command =
       retargeter.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
   EXPECT_EQ(command.step, 0);
   EXPECT_TRUE(command.held);
@@ -192,6 +208,59 @@ TEST(Retargeter, AFingerThatFeelsNothingStopsTheSteps) {
   }
   EXPECT_TRUE(resting.command().held);
   EXPECT_LT(resting.command().step, 12);
+}
+
+// While samples are missing, the finger moves as the model says, P - K (w_T t + (1 - w_T) p), from 3 with the
+// plate held. Step 2 is the first without a sample, so the commands from step 3 on are predicted.
+TEST(Retargeter, PredictedStepsPublishThePredictedFinger) {
+  Retargeter retargeter{RetargeterConfig{}};
+  retargeter.begin({.real_direction_deg = 5, .virtual_direction_deg = -5});
+  for (int k = 0; k < 2; ++k) {
+    retargeter.update(
+        {.time_ns = k * 100 * ms, .observation = Observation::direction, .direction_deg = 3.0 * k});
+  }
+  const double plate_deg = retargeter.command().plate_orientation_deg;
+  const Participant participant;
+  FilterGain step = next_gain(participant, next_gain(participant, 0.0).variance_deg2);
+  double finger_deg = 3.0;
+  const auto felt_error_deg = [&] {
+    return step.gain * (0.15 * (plate_deg + 5.0) + 0.85 * (finger_deg + 5.0));
+  };
+  for (int k = 2; k < 8; ++k) {
+    finger_deg -= felt_error_deg();
+    step = next_gain(participant, step.variance_deg2);
+    const PlateCommand command = retargeter.update({.time_ns = k * 100 * ms});
+    EXPECT_EQ(command.predicted, k > 2);
+    EXPECT_EQ(command.plate_orientation_deg, plate_deg);
+    if (k == 2) continue;
+    EXPECT_NEAR(command.finger_direction_deg, finger_deg, 1e-9) << k;
+    EXPECT_NEAR(command.perceived_direction_deg, -5.0 + felt_error_deg(), 1e-9) << k;
+    const ReachSummary summary = retargeter.summary();
+    EXPECT_EQ(summary.final_direction_deg, command.finger_direction_deg);
+    EXPECT_EQ(summary.final_miss_deg, command.finger_direction_deg - 5.0);
+    EXPECT_EQ(summary.perceived_direction_deg, command.perceived_direction_deg);
+  }
+  EXPECT_NEAR(finger_deg, 4.65, 0.005);
+}
+
+// A finger at 33 mm/s that is lost at 35 mm of 100: the distance falls with the predicted finger, and stands
+// still while the finger is lifted.
+TEST(Retargeter, TheDistanceToGoFollowsThePredictedFinger) {
+  Retargeter retargeter{RetargeterConfig{}};
+  retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 0});
+  int t = 0;
+  for (; t < 1000; t += 10) {
+    retargeter.update({.time_ns = t * ms, .observation = Observation::position, .position = {0, 33e-6 * t}});
+  }
+  const double seen_m = retargeter.command().distance_to_go_m;
+  EXPECT_NEAR(seen_m, 0.1 - 0.033, 0.001);
+  for (; t < 1500; t += 10) retargeter.update({.time_ns = t * ms});
+  EXPECT_TRUE(retargeter.command().predicted);
+  const double predicted_m = retargeter.command().distance_to_go_m;
+  EXPECT_NEAR(predicted_m, seen_m - 0.033 * 0.5, 0.002);
+  EXPECT_EQ(retargeter.summary().distance_to_target_m, predicted_m);
+  for (; t < 2000; t += 10) retargeter.update({.time_ns = t * ms, .observation = Observation::lifted});
+  EXPECT_EQ(retargeter.command().distance_to_go_m, predicted_m);
 }
 
 TEST(Retargeter, ASampleSentTwiceCountsOnce) {
@@ -211,8 +280,7 @@ TEST(Retargeter, ASampleSentTwiceCountsOnce) {
 
 // Between stops at 90 and 270 there is no 0, but 180 feels the same.
 TEST(Retargeter, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
-  RetargeterConfig config{
-      .plate = {.max_speed_deg_s = 400.0, .lower_stop_deg = 90.0, .upper_stop_deg = 270.0}};
+  RetargeterConfig config{.plate = {.max_speed_deg_s = 400.0, .stops = {90.0, 270.0}}};
   const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
   Retargeter stays(config);
   stays.begin(reach);
@@ -254,7 +322,7 @@ TEST(Retargeter, ThePlateStaysUntilTheFingerMoves) {
   Retargeter retargeter{RetargeterConfig{}};
   retargeter.begin({.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
   for (int i = 0; i < 100; ++i) {
-    const PlateCommand& command =
+    const PlateCommand command =
         retargeter.update({.time_ns = i * 50 * ms, .observation = Observation::position, .position = {0, 0}});
     EXPECT_EQ(command.plate_orientation_deg, 12.5);
     EXPECT_EQ(command.step, -1);

@@ -66,10 +66,8 @@ TEST(TrackedTrial, StopsOfThePlateDoNotKeepTheFingerFromTheTarget) {
     int near = 0;
     for (std::uint32_t trial = 0; trial < 400; ++trial) {
       TrackedCondition condition = adaptive();
-      condition.plate = condition.controller.plate = {.max_speed_deg_s = 400.0,
-                                                      .latency_ns = 30'000'000,
-                                                      .lower_stop_deg = -stop_deg,
-                                                      .upper_stop_deg = stop_deg};
+      condition.plate = condition.controller.plate = {
+          .max_speed_deg_s = 400.0, .latency_ns = 30'000'000, .stops = {-stop_deg, stop_deg}};
       condition.plate_orientation_deg = uniform(-stop_deg, stop_deg, trial, 3);
       condition.virtual_direction_deg = uniform(-12.0, 12.0, trial, 4);
       condition.real_direction_deg = condition.virtual_direction_deg + (trial % 2 == 0 ? 10.0 : -10.0);
@@ -89,8 +87,7 @@ TEST(TrackedTrial, TheHalfTurnWithRoomForTheFirstStepsIsTaken) {
   for (std::uint32_t trial = 0; trial < 100; ++trial) {
     TrackedCondition condition = adaptive();
     condition.participant.tactile_weight = condition.controller.participant.tactile_weight = 0.2;
-    condition.plate = condition.controller.plate = {
-        .max_speed_deg_s = 400.0, .lower_stop_deg = -30.0, .upper_stop_deg = 150.0};
+    condition.plate = condition.controller.plate = {.max_speed_deg_s = 400.0, .stops = {-30.0, 150.0}};
     condition.plate_orientation_deg = uniform(-30.0, 150.0, trial, 3);
     condition.virtual_direction_deg = -80.0;
     condition.real_direction_deg = -92.0;

@@ -107,7 +107,7 @@ void expect_same(const hrt_calibration_result& streamed, const std::vector<Calib
 }
 
 TEST_F(CalibrationTest, StreamedTrialsTellWhatWholeOnesDo) {
-  CalibrationCondition condition{.bias_deg = 2.0, .goal_direction_deg = 4.0};
+  CalibrationCondition condition{.participant = {.bias_deg = 2.0}, .goal_direction_deg = 4.0};
   condition.participant.tactile_weight = 0.2;
   const auto trials = simulate(condition, 3);
   hrt_session_config session_setup = session_config();

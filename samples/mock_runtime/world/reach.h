@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/plate.h"
+#include "core/plate_model.h"
 #include "core/simulation/participant.h"
 #include "samples/mock_runtime/world/settings.h"
 
@@ -31,7 +31,7 @@ class Reach {
 
   /// Makes the steps that end up to `time`. During step k the finger moves along P_k; at its end the
   /// participant feels the plate and chooses P_k+1. `plate` stands at the time of the call before.
-  void advance(XrTime time, const Plate& plate);
+  void advance(XrTime time, const PlateModel& plate);
 
   /// Up to the end of the step under way; later times give that end.
   Eigen::Vector2d position_m(XrTime time) const;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/perception.h"
-#include "core/plate.h"
+#include "core/plate_model.h"
 
 namespace hrt::mock {
 

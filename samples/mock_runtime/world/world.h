@@ -86,7 +86,7 @@ class World {
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
 
   WorldSettings settings_;
-  Plate servo_;
+  PlateModel servo_;
   Pose plate_;
   double plate_radius_m_ = 0.0;
   std::array<Hand, 2> hands_;

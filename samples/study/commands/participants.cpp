@@ -89,7 +89,7 @@ void add_participants(CLI::App& app) {
   CalibrationCondition& condition = options->session.condition;
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Share of touch in the felt direction (w_T); a participant each.");
-  add_number(command, "--bias", &condition.bias_deg, {-45.0, 45.0},
+  add_number(command, "--bias", &condition.participant.bias_deg, {-45.0, 45.0},
              "Perceptual bias: perceived minus true goal direction, deg.");
   add_number(command, "--motor-variance", &condition.participant.motor_variance_deg2, variance_range,
              "Variance of the motor command (sigma_u^2), deg^2.");

@@ -4,7 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
+
+#include "core/plate_limits.h"
 
 namespace hrt {
 
@@ -13,30 +14,17 @@ struct PlateDynamics {
   double max_speed_deg_s = std::numeric_limits<double>::infinity();          ///< > 0
   double max_acceleration_deg_s2 = std::numeric_limits<double>::infinity();  ///< > 0
   std::int64_t latency_ns = 0;  ///< from a command to the first motion, 0 to 1 s
-  /// The stops, degrees from the mid-line; infinite: none. At least 180 apart, so that every direction of
-  /// ridges can be had.
-  double lower_stop_deg = -std::numeric_limits<double>::infinity();
-  double upper_stop_deg = std::numeric_limits<double>::infinity();
+  PlateStops stops;
 };
 
 /// True if every field is in its range.
 bool is_valid(const PlateDynamics& dynamics);
 
-/// Ridges repeat every 180 degrees: of the orientations that feel the same as `orientation_deg` and lie
-/// between the stops, the one nearest to `current_deg`.
-double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateDynamics& dynamics);
-
-/// For a plate that shall turn anywhere from `lowest_deg` to `highest_deg` without a swing of half a turn in
-/// between: how many half turns further it does so while the stops cut the least from that range, and of
-/// those the ones nearest to `current_deg`. A whole number.
-double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
-                                const PlateDynamics& dynamics);
-
 /// Follows a plate through its commands and reports. No heap, no lock, no exception. One thread at a time.
-class Plate {
+class PlateModel {
  public:
   /// At rest at `orientation_deg`. Requires is_valid(dynamics).
-  Plate(const PlateDynamics& dynamics, double orientation_deg);
+  PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
   /// Lets time pass until `time_ns`; earlier than now does nothing. A gap of more than two seconds counts
   /// as two: any motion has ended by then.
@@ -45,8 +33,7 @@ class Plate {
   /// Commands an orientation as of now.
   void command(double orientation_deg);
 
-  /// The device reports where it stands now. A plate without stops may count its turns as it likes: of the
-  /// orientations that feel the same, the one nearest to where it was expected is taken.
+  /// The device reports where it stands now; see reported_orientation_deg().
   void report(double orientation_deg);
 
   /// Puts the plate there at once.
@@ -60,8 +47,6 @@ class Plate {
 
   /// How far the plate can turn in `seconds`, from rest to rest.
   double reach_deg(double seconds) const;
-
-  const PlateDynamics& dynamics() const { return dynamics_; }
 
  private:
   struct Command {

@@ -1,4 +1,4 @@
-#include "core/plate.h"
+#include "core/plate_model.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,37 +16,13 @@ constexpr std::int64_t longest_motion_ns = 2'000'000'000;
 
 bool is_valid(const PlateDynamics& dynamics) {
   return dynamics.max_speed_deg_s > 0.0 && dynamics.max_acceleration_deg_s2 > 0.0 &&
-         dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 &&
-         !std::isnan(dynamics.lower_stop_deg) && dynamics.upper_stop_deg - dynamics.lower_stop_deg >= 180.0;
+         dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 && is_valid(dynamics.stops);
 }
 
-double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateDynamics& dynamics) {
-  double half_turns = std::floor((current_deg - orientation_deg) / 180.0 + 0.5);
-  if (orientation_deg + 180.0 * half_turns > dynamics.upper_stop_deg) {
-    half_turns = std::floor((dynamics.upper_stop_deg - orientation_deg) / 180.0);
-  }
-  if (orientation_deg + 180.0 * half_turns < dynamics.lower_stop_deg) {
-    half_turns = std::ceil((dynamics.lower_stop_deg - orientation_deg) / 180.0);
-  }
-  return orientation_deg + 180.0 * half_turns;
-}
-
-double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
-                                const PlateDynamics& dynamics) {
-  const double nearest = std::floor((current_deg - 0.5 * (lowest_deg + highest_deg)) / 180.0 + 0.5);
-  const double fewest = std::ceil((dynamics.lower_stop_deg - lowest_deg) / 180.0);
-  const double most = std::floor((dynamics.upper_stop_deg - highest_deg) / 180.0);
-  if (fewest <= most) return std::clamp(nearest, fewest, most);
-  const double cut_below_deg = dynamics.lower_stop_deg - (lowest_deg + 180.0 * most);
-  const double cut_above_deg = highest_deg + 180.0 * fewest - dynamics.upper_stop_deg;
-  if (cut_below_deg == cut_above_deg) return std::clamp(nearest, most, fewest);
-  return cut_below_deg < cut_above_deg ? most : fewest;
-}
-
-Plate::Plate(const PlateDynamics& dynamics, double orientation_deg)
+PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg)
     : dynamics_(dynamics), orientation_deg_(orientation_deg), target_deg_(orientation_deg) {}
 
-void Plate::advance(std::int64_t time_ns) {
+void PlateModel::advance(std::int64_t time_ns) {
   if (!timed_) {
     timed_ = true;
     now_ns_ = time_ns;
@@ -76,7 +52,7 @@ void Plate::advance(std::int64_t time_ns) {
   now_ns_ = time_ns;
 }
 
-void Plate::command(double orientation_deg) {
+void PlateModel::command(double orientation_deg) {
   if (dynamics_.latency_ns == 0) {
     pending_count_ = 0;
     target_deg_ = orientation_deg;
@@ -98,21 +74,19 @@ void Plate::command(double orientation_deg) {
   pending_[pending_count_++] = {effective_ns, orientation_deg};
 }
 
-void Plate::report(double orientation_deg) {
-  const bool turns_freely = std::isinf(dynamics_.lower_stop_deg) && std::isinf(dynamics_.upper_stop_deg);
-  orientation_deg_ =
-      turns_freely ? nearest_equivalent_deg(orientation_deg, orientation_deg_, dynamics_) : orientation_deg;
+void PlateModel::report(double orientation_deg) {
+  orientation_deg_ = reported_orientation_deg(orientation_deg, orientation_deg_, dynamics_.stops);
 }
 
-double Plate::orientation_at_deg(std::int64_t time_ns) const {
+double PlateModel::orientation_at_deg(std::int64_t time_ns) const {
   if (orientation_deg_ == target_deg_ && pending_count_ == 0) return orientation_deg_;
-  Plate ahead = *this;
+  PlateModel ahead = *this;
   ahead.advance(time_ns);
   return ahead.orientation_deg_;
 }
 
 // Half the time speeding up and half slowing down, or with a stretch at full speed between.
-double Plate::reach_deg(double seconds) const {
+double PlateModel::reach_deg(double seconds) const {
   if (seconds <= 0.0) return 0.0;
   const double acceleration = dynamics_.max_acceleration_deg_s2;
   const double speed = dynamics_.max_speed_deg_s;
@@ -122,7 +96,7 @@ double Plate::reach_deg(double seconds) const {
 }
 
 // As fast as the target allows: never faster than it can still brake from.
-void Plate::turn(double seconds) {
+void PlateModel::turn(double seconds) {
   const double to_go_deg = target_deg_ - orientation_deg_;
   const double acceleration = dynamics_.max_acceleration_deg_s2;
   double wanted_deg_s = std::min(dynamics_.max_speed_deg_s, std::abs(to_go_deg) / seconds);

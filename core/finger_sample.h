@@ -1,0 +1,29 @@
+// One tracked sample, as it comes into the core.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/plate_frame.h"
+
+namespace hrt {
+
+/// What a sample observed of the finger.
+enum class Observation {
+  none,       ///< nothing: tracking lost
+  lifted,     ///< the finger is off the plate: nothing is felt
+  direction,  ///< FingerSample::direction_deg
+  position,   ///< FingerSample::position
+};
+
+/// Fields that its observation does not name are not read.
+struct FingerSample {
+  std::int64_t time_ns = 0;  ///< the caller's monotonic clock; not before the last sample's
+  Observation observation = Observation::none;
+  double direction_deg = 0.0;  ///< finite
+  PlatePoint position;         ///< finite
+  /// Where the plate stands, if its device reports it.
+  std::optional<double> plate_orientation_deg;
+};
+
+}  // namespace hrt

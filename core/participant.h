@@ -1,0 +1,59 @@
+// What a person feels and how they steer: the participant of paper section II-A. Every equation that moves P
+// or theta_hat is here. No heap, no lock, no exception.
+#pragma once
+
+namespace hrt {
+
+/// A participant's parameters. The defaults are condition 1 of Table I with the sensory variance that fits
+/// that table.
+struct Participant {
+  /// w_T: share of touch in the felt direction, in (0, 0.5); proprioception has the rest.
+  double tactile_weight = 0.15;
+  /// sigma_u^2: variance of the motor command, degrees squared in a model step, >= 0.
+  double motor_variance_deg2 = 0.5;
+  /// sigma_h^2: variance of the somatosensory measurement, degrees squared, > 0.
+  double sensory_variance_deg2 = 0.1;
+  /// Variance of the perceived direction before the first step, degrees squared, >= 0.
+  double initial_variance_deg2 = 0.0;
+  /// The person takes targets to lie this much further left, degrees.
+  double bias_deg = 0.0;
+};
+
+/// True if every field is finite and in its range.
+bool is_valid(const Participant& participant);
+
+/// G: where a person goes who sees a target in `virtual_direction_deg`.
+double goal_direction_deg(const Participant& participant, double virtual_direction_deg);
+
+/// h = w_T T + (1 - w_T) P: what touch and proprioception report together.
+double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);
+
+/// One step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
+/// person goes for `goal_direction_deg`. Degrees from any direction, the same for all three; the orientation
+/// is the one that is felt, see ridge_normal_deg().
+struct ParticipantInput {
+  double tactile_weight;         ///< w_T
+  double gain;                   ///< K, of the perception filter
+  double goal_direction_deg;     ///< G
+  double plate_orientation_deg;  ///< T
+  double finger_direction_deg;   ///< P
+};
+
+/// What the person makes of it. P of the next step is P + motor_command_deg + noise.
+struct ParticipantStep {
+  double felt_direction_deg;       ///< h
+  double perceived_direction_deg;  ///< theta_hat = G + K (h - G): the filter's prior is the goal itself
+  double motor_command_deg;        ///< u = G - theta_hat
+};
+
+ParticipantStep participant_step(const ParticipantInput& input);
+
+/// Derivatives of the next step's P.
+struct ParticipantSlopes {
+  double by_direction;  ///< by P: 1 - K (1 - w_T)
+  double by_weight;     ///< by w_T: -K (T - P)
+};
+
+ParticipantSlopes participant_slopes(const ParticipantInput& input);
+
+}  // namespace hrt

@@ -1,0 +1,75 @@
+// Which orientations the plate may take: its stops, the half turns by which ridges repeat, and the bound that
+// holds a command. Degrees; no heap, no lock, no exception.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace hrt {
+
+/// Between which orientations the plate turns, from the mid-line; infinite: it turns freely. At least 180
+/// apart, so that every direction of ridges can be had.
+struct PlateStops {
+  double lower_deg = -std::numeric_limits<double>::infinity();
+  double upper_deg = std::numeric_limits<double>::infinity();
+};
+
+/// True if every field is in its range.
+bool is_valid(const PlateStops& stops);
+
+/// What holds an orientation: the bound about the virtual direction or a stop, or the rate bound.
+enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
+
+/// An orientation for the plate, and what holds it.
+struct PlateOrientation {
+  double orientation_deg = 0.0;
+  ActiveBound active = ActiveBound::none;
+};
+
+/// The normal that is felt when the plate stands at `plate_orientation_deg`: of those that repeat every half
+/// turn, the one within 90 of the goal (paper section III).
+double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg);
+
+/// Of the orientations that feel the same as `orientation_deg` and lie between the stops, the one nearest to
+/// `current_deg`.
+double nearest_equivalent_deg(double orientation_deg, double current_deg, const PlateStops& stops);
+
+/// `orientation_deg` as an encoder counts it that may be any number of half turns off, if the plate turns
+/// freely: the one nearest to `expected_deg`. Between stops the encoder is right.
+double reported_orientation_deg(double orientation_deg, double expected_deg, const PlateStops& stops);
+
+/// For a plate that shall turn anywhere from `lowest_deg` to `highest_deg` without a swing of half a turn in
+/// between: how many half turns further it does so while the stops cut the least from that range, and of
+/// those the ones nearest to `current_deg`. A whole number.
+double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
+                                const PlateStops& stops);
+
+/// The limits of one reach.
+class PlateLimits {
+ public:
+  /// A plate that turns at once: each command is the nearest of the orientations that feel the same.
+  PlateLimits(const PlateStops& stops, double goal_direction_deg);
+
+  /// A plate that takes time to turn keeps to one half turn for the reach, so that no swing is felt on the
+  /// way: the one in which the stops leave most of the orientations from 30 short of `holding_deg`, which
+  /// holds the real direction, to `bound_deg` from the goal beyond it. Of several, the nearest to
+  /// `current_deg`.
+  PlateLimits(const PlateStops& stops, double goal_direction_deg, double bound_deg, double holding_deg,
+              double current_deg);
+
+  /// The goal in the half turn that the plate keeps to: orientations are planned about it.
+  double centre_deg() const { return centre_deg_; }
+
+  /// `planned` held at a stop, if the plate keeps to one half turn.
+  PlateOrientation at_stops(const PlateOrientation& planned) const;
+
+  /// at_stops(), or else the equivalent of `planned` that is nearest to `current_deg`.
+  PlateOrientation limit(const PlateOrientation& planned, double current_deg) const;
+
+ private:
+  PlateStops stops_;
+  double centre_deg_;
+  bool keeps_half_turn_;
+};
+
+}  // namespace hrt

@@ -1,0 +1,32 @@
+// A finger that slides along a path of given length and time, wherever the person steers it.
+#pragma once
+
+#include "core/plate_frame.h"
+
+namespace hrt {
+
+enum class SpeedProfile {
+  constant,
+  minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 of the path at the share s of the time
+};
+
+class SlidingFinger {
+ public:
+  /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_m` of path.
+  SlidingFinger(const PlatePoint& start, double distance_m, double duration_s,
+                SpeedProfile profile = SpeedProfile::constant);
+
+  /// Slides along `direction_deg` from where the last call left the finger until `time_s`, not before it.
+  void slide(double time_s, double direction_deg);
+
+  const PlatePoint& place() const { return place_; }
+
+ private:
+  PlatePoint place_;
+  double distance_m_;
+  double duration_s_;
+  SpeedProfile profile_;
+  double travelled_ = 0.0;  // share of the path
+};
+
+}  // namespace hrt
