@@ -46,7 +46,7 @@ struct Pose {
   Quaternion orientation;
 };
 
-/// The three axes of an affine map: what it makes of +X, +Y and +Z. Of a rotation: unit and perpendicular.
+/// The three axes of an affine map: the images of +X, +Y and +Z. Of a rotation: unit and perpendicular.
 struct Axes {
   Vec3 x{1.0, 0.0, 0.0};
   Vec3 y{0.0, 1.0, 0.0};

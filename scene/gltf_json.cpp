@@ -17,7 +17,7 @@ using nlohmann::json;
 constexpr std::array needed_sections{"asset", "extensionsRequired", "extensionsUsed", "nodes", "scene",
                                      "scenes"};
 
-// Required extensions that leave every node where it is; none of what they add is looked at.
+// Required extensions that leave every node where it is; their content is ignored.
 constexpr std::array harmless_prefixes{"KHR_materials_",
                                        "KHR_texture_",
                                        "EXT_texture_",
@@ -271,7 +271,7 @@ class Checker {
     check_for_cycles(nodes);
   }
 
-  // Every node has at most one parent, so whoever is not reached from a root is on a cycle or below one.
+  // Every node has at most one parent, so a node not reached from a root is on a cycle or below one.
   void check_for_cycles(const json& nodes) const {
     std::vector<std::size_t> reached;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -350,7 +350,7 @@ std::string percent_decoded(std::string_view uri) {
   return result;
 }
 
-// The names that Windows takes for devices, whatever extension follows.
+// Names of devices on Windows, with any extension.
 bool is_device(std::string name) {
   name = name.substr(0, name.find('.'));
   std::transform(name.begin(), name.end(), name.begin(),
@@ -408,7 +408,7 @@ JsonExtent json_extent(std::string_view head, std::uint64_t file_bytes, const st
     const std::uint32_t version = little_endian(head.substr(4));
     const std::uint32_t claimed_bytes = little_endian(head.substr(8));
     if (version != 2) {
-      fail("the binary glTF header tells version " + std::to_string(version) + "; glTF 2 is read");
+      fail("the binary glTF header has version " + std::to_string(version) + "; glTF 2 is read");
     }
     if (claimed_bytes != file_bytes) {
       fail("the binary glTF header claims " + std::to_string(claimed_bytes) + " bytes, and there are " +

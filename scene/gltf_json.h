@@ -1,5 +1,5 @@
 // The JSON of a glTF 2.0 file, checked before a glTF library sees it: found in its container, bounded,
-// stripped to what targets need, every index, size and type right, its nodes a forest.
+// stripped to the needed sections, every index, size and type right, its nodes a forest.
 #pragma once
 
 #include <cstddef>
@@ -15,10 +15,10 @@ struct JsonExtent {
   std::size_t size;
 };
 
-/// So much of a file's head is enough for json_extent().
+/// Bytes of a file's head that json_extent() needs.
 inline constexpr std::size_t glb_head_bytes = 20;
 
-/// Of a .glb (told by its magic number) its JSON chunk, else the whole file. `head` is the file's first
+/// Of a .glb (recognised by its magic number) the JSON chunk, else the whole file. `head` is the file's first
 /// glb_head_bytes bytes, or all of a shorter one. Throws SceneError.
 JsonExtent json_extent(std::string_view head, std::uint64_t file_bytes, const std::string& file);
 

@@ -14,7 +14,7 @@
 namespace hrt {
 namespace {
 
-// An affine map: what it makes of the axes and of the origin.
+// An affine map: the images of the axes and of the origin.
 struct Transform {
   Axes axes;
   Vec3 origin;
@@ -46,7 +46,7 @@ Transform local_transform(const tinygltf::Node& node) {
   return result;
 }
 
-// A map that flattens space: what is below it has lost its place.
+// A map that flattens space: nodes below it have no place.
 bool is_degenerate(const Axes& axes) {
   constexpr double least_length = 1e-9;
   constexpr double least_volume = 1e-9;
@@ -172,7 +172,7 @@ std::vector<HapticNode> haptic_nodes_of(std::string_view json, const std::string
   if (scene < 0) {
     if (model.scenes.size() != 1) {
       throw SceneError(file + ": has " + std::to_string(model.scenes.size()) +
-                       " scenes and no default: `scene` must tell which one to read");
+                       " scenes and no default: `scene` must name one");
     }
     scene = 0;
   }

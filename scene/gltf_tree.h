@@ -1,4 +1,4 @@
-// The node tree of one scene of a glTF 2.0 file: what scene.cpp needs of a file, checked. The only file
+// The node tree of one scene of a glTF 2.0 file: checked, as scene.cpp needs it. The only file
 // that uses tinygltf is gltf_tree.cpp.
 #pragma once
 

@@ -1,4 +1,4 @@
-// A node's haptic role and what goes with it, from the node's `extras`.
+// A node's haptic role and its properties, from the node's `extras`.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -9,7 +9,7 @@ namespace hrt {
 
 enum class HapticRole { plate, real, virtual_target, start };
 
-/// As the file tells, in its ranges. A property that the role does not take is absent.
+/// As in the file, checked against the ranges. A property that the role does not take is absent.
 struct HapticProperties {
   HapticRole role;
   std::optional<std::string> name;        ///< 1 to 255 bytes, no control characters

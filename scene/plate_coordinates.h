@@ -10,7 +10,7 @@ namespace hrt {
 /// Closer to the start than this (along the plate) there is no direction: a tracker's noise is larger.
 inline constexpr double least_distance_m = 1e-3;
 
-/// What of a plate decides where on it a fingertip is.
+/// The plate's geometry that locate_finger() needs.
 struct PlateSurface {
   Vec3 start_m;                  ///< where reaches start, in plate coordinates; y is not used
   double radius_m = 0.0;         ///< > 0

@@ -7,7 +7,7 @@
 namespace hrt {
 namespace {
 
-// Between a plate's +Y and -Z, as a cosine: what single-precision files leave.
+// Between a plate's +Y and -Z, as a cosine: the rounding of single-precision files.
 constexpr double largest_shear = 1e-4;
 constexpr double largest_coordinate_m = 1e6;
 

@@ -1,5 +1,5 @@
-// A glTF 2.0 file with haptic roles, read into a plate, a start point and targets. README.md tells the
-// conventions and what a designer writes into the file. Metres and degrees throughout.
+// A glTF 2.0 file with haptic roles, read into a plate, a start point and targets. README.md has the
+// conventions and the properties that a designer sets. Metres and degrees throughout.
 //
 // Any thread may load, and several at once. Loading allocates, reads no other file than the one named and
 // opens no image or buffer.
@@ -22,7 +22,7 @@ namespace hrt {
 struct ScenePlate {
   Pose pose;  ///< in the world; +Y is the plate's normal, -Z its mid-line away from the user
   double radius_m;
-  std::optional<double> max_speed_deg_s;  ///< of its servo, if the file tells
+  std::optional<double> max_speed_deg_s;  ///< of its servo, if the file has it
   std::string node_path;                  ///< names from the root, joined with '/'
 };
 
@@ -38,7 +38,7 @@ struct SceneTarget {
   Vec3 position_m;                 ///< the same in plate coordinates; y is the height above the plate
   double direction_deg;            ///< from the start, in (-180, 180]
   double distance_m;               ///< from the start along the plate, >= least_distance_m
-  std::optional<double> radius_m;  ///< if the file tells
+  std::optional<double> radius_m;  ///< if the file has it
   std::optional<std::size_t>
       served_by;  ///< of a virtual target, always: the real one's index in Scene::targets
   std::string node_path;
@@ -54,7 +54,7 @@ struct Scene {
 /// What locate_finger() needs of the scene.
 PlateSurface surface_of(const Scene& scene);
 
-/// Reads a .gltf or .glb file, told apart by content. Throws SceneError; std::bad_alloc.
+/// Reads a .gltf or .glb file, recognised by content. Throws SceneError; std::bad_alloc.
 Scene load_scene(const std::filesystem::path& file);
 
 /// The same from memory. `name` stands for the file in messages.

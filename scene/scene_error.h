@@ -1,4 +1,4 @@
-// How a file is refused.
+// Messages of refusal.
 #pragma once
 
 #include <cstddef>
@@ -20,10 +20,10 @@ std::string printable(std::string_view text);
 /// `text` in double quotes for a message: printable, cut after at most 80 bytes.
 std::string in_quotes(std::string_view text);
 
-/// A number for a message, to six digits, whatever the locale.
+/// A number for a message: six digits, in the "C" locale.
 std::string number_text(double value);
 
-/// An index as `[7]`: the name of what has none.
+/// An index as `[7]`: stands for a missing name.
 std::string in_brackets(std::size_t index);
 
 }  // namespace hrt

@@ -1,4 +1,4 @@
-// Every function of the runtime, once: its OpenXR name, what implements it, and the extension that it
+// Every function of the runtime, once: its OpenXR name, its implementation, and the extension that it
 // belongs to (core: none). Declarations, dispatch table, call log and fault injection follow from this.
 #pragma once
 

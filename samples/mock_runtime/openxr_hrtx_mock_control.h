@@ -1,11 +1,11 @@
 /*
-** XR_HRTX_mock_control: what a test says to the mock runtime behind the application's back.
+** XR_HRTX_mock_control: a test's control of the mock runtime, unknown to the application.
 **
 ** A vendor extension of the mock runtime beside this header; README.md there has the script's format.
 ** Enable it in XrInstanceCreateInfo::enabledExtensionNames and fetch its functions with
 ** xrGetInstanceProcAddr. The author tag HRTX and the number of its structure type are not registered
 ** with Khronos. Every function may be called from any thread and returns, beside the results named below,
-** XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST (but for xrGetCallLogHRTX, which a test wants then), and
+** XR_ERROR_HANDLE_INVALID, XR_ERROR_INSTANCE_LOST (except xrGetCallLogHRTX), and
 ** XR_ERROR_VALIDATION_FAILURE for null pointers and wrong structure types.
 */
 #ifndef OPENXR_HRTX_MOCK_CONTROL_H_
@@ -45,7 +45,7 @@ typedef struct XrCallRecordHRTX {
 ** not valid: the call log says what is wrong in it and what is allowed; the script before stays. */
 typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);
 
-/* Lets a manual clock go on by `duration` >= 0, at most an hour, with all that happens meanwhile.
+/* Advances a manual clock by `duration`, 0 to one hour; events in between happen.
 ** XR_ERROR_CALL_ORDER_INVALID with the real-time clock. */
 typedef XrResult(XRAPI_PTR* PFN_xrAdvanceTimeHRTX)(XrInstance instance, XrDuration duration);
 

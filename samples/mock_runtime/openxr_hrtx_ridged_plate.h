@@ -46,7 +46,7 @@ typedef struct XrPlatePlacementHRTX {
   double radius; /* metres, in (0, 10] */
 } XrPlatePlacementHRTX;
 
-/* What the participant is told to do. */
+/* A reach that the participant shall make. */
 typedef struct XrReachInstructionHRTX {
   XrStructureType type; /* XR_TYPE_REACH_INSTRUCTION_HRTX */
   const void* XR_MAY_ALIAS next;
@@ -66,7 +66,7 @@ typedef struct XrReachTruthHRTX {
   double tactileWeight;      /* the share that touch has in what the participant feels */
   XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
   uint32_t stepCount;        /* steps of the participant's model so far */
-  XrBool32 isDone;           /* the path's whole length has been gone */
+  XrBool32 isDone;           /* the fingertip has travelled the whole path */
 } XrReachTruthHRTX;
 
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
@@ -81,8 +81,8 @@ typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint
 /* Turns the plate: its servo gets a new target, in degrees within [-360, 360]. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, double orientation);
 
-/* Where the servo has the plate at `time`; for a time to come, if it gets no further target.
-** XR_ERROR_TIME_INVALID if `time` is not positive. */
+/* The orientation of the plate at `time`: in the future, if the servo gets no further target; in the past, as
+** now. XR_ERROR_TIME_INVALID if `time` is not positive. */
 typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time,
                                                            double* orientation);
 

@@ -35,7 +35,7 @@ TargetSet load_targets(const Plugin& plugin, const Options& options) {
   return load_targets(plugin, options.scene, config);
 }
 
-// What is to be reached for, in order.
+// The reaches to make, in order.
 std::vector<TargetPair> choose(const TargetSet& targets, const Options& options) {
   std::vector<TargetPair> chosen;
   if (options.targets.empty()) chosen = targets.pairs;
@@ -86,14 +86,14 @@ class Run {
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
-  // However it ends, what has been made until then is kept.
+  // However the run ends, the files keep the reaches made until then.
   ExitCode run() {
     ExitCode code = ExitCode::success;
     try {
       make_reaches();
     } catch (const Interrupted&) {
       status_.clear();
-      std::cerr << "hrt-reach: interrupted; the reach under way counts for nothing\n";
+      std::cerr << "hrt-reach: interrupted; the unfinished reach does not count\n";
       code = ExitCode::interrupted;
     } catch (...) {
       status_.clear();
@@ -122,13 +122,13 @@ class Run {
         losses = next_ == before ? losses + 1 : 1;
         if (losses > losses_allowed)
           throw Failure(ExitCode::runtime_failed,
-                        std::string("the OpenXR runtime was lost again and again: ") + lost.what());
+                        std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
         std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
       }
     }
   }
 
-  // On the way out with a failure, which must not be hidden by another one.
+  // During a failure, which a second one must not hide.
   void keep_files_as_they_are() {
     try {
       stop_recording();
@@ -138,7 +138,7 @@ class Run {
     }
   }
 
-  // Makes instance and session and goes on with the reaches that are left.
+  // Makes instance and session, then the remaining reaches.
   void run_in_one_session() {
     XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
     XrHeadlessSession session(runtime, targets_.plate_pose, options_.runtime_limit);
@@ -146,7 +146,7 @@ class Run {
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
       simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
-      // A new session goes on with the same participant.
+      // A new session has the same participant.
       simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
     }
     std::unique_ptr<Plate> plate =
@@ -177,7 +177,7 @@ class Run {
     session.end();
   }
 
-  // What the device says of itself counts more than what the scene says of it.
+  // The device's own limits replace the scene's.
   void plan_with(const PlateLimits& limits) {
     constexpr double least_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
     hrt_session_config config{.struct_size = sizeof config};
@@ -192,9 +192,8 @@ class Run {
 
   // Whose numbers these are.
   std::string origin() const {
-    if (!is_simulated_) return "Directions are as tracked; what is felt is what the plugin's model says.";
-    return "SIMULATION: the user is simulated, with seed " + std::to_string(options_.seed) +
-           "; nothing here was measured on people.";
+    if (!is_simulated_) return "Tracked directions; felt ones as the model predicts.";
+    return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 
   void start_recording() {
@@ -212,7 +211,7 @@ class Run {
                                           std::to_string(status.rows_lost) + " rows could not be written");
   }
 
-  // Whoever reads the rows may have gone.
+  // The reader of the rows may have closed the pipe.
   static void check_output() {
     if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
   }

@@ -1,4 +1,4 @@
-// Why hrt-reach ended.
+// Exit codes of hrt-reach.
 #pragma once
 
 #include <stdexcept>
@@ -10,11 +10,11 @@ enum class ExitCode : int {
   success = 0,         ///< the fingertip ended inside every target that can be held
   target_missed = 1,   ///< it ended outside of one
   usage = 2,           ///< the command line
-  plugin = 3,          ///< the plugin cannot be opened, or refused what it was told
+  plugin = 3,          ///< the plugin cannot be opened, or refused a call
   scene = 4,           ///< the scene cannot be loaded, or has no such target
   no_runtime = 5,      ///< no OpenXR runtime answers
   runtime_lacks = 6,   ///< the runtime has no hand tracking, or no headless session
-  runtime_failed = 7,  ///< the runtime failed, or was lost too often, or ended the session, or let it not run
+  runtime_failed = 7,  ///< the runtime failed, was lost too often, ended the session or kept it from running
   no_hand = 8,         ///< no fingertip came to the start, or the reach did not end, in time
   plate = 9,           ///< the plate's device failed
   output = 10,         ///< a file, or the standard output, cannot be written

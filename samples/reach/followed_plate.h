@@ -1,4 +1,4 @@
-// Whatever plate turns, a simulated user feels it.
+// Lets a simulated user feel a plate that is not the simulation's own.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace hrt::reach {
 
-/// Passes everything on to `plate`, and in every frame tells the simulation where that stands.
+/// Forwards to `plate`, and copies its orientation to the simulation in every frame.
 class FollowedPlate : public Plate {
  public:
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)

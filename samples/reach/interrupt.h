@@ -1,11 +1,11 @@
-// Being told to end: Ctrl-C, or SIGTERM, or the terminal's end.
+// Ctrl-C, SIGTERM, and SIGHUP when the terminal closes.
 #pragma once
 
 #include <stdexcept>
 
 namespace hrt::reach {
 
-/// The user, or the system, wants the program to end.
+/// A signal asks the program to end.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}

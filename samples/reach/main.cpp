@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   hrt::reach::Options options;
   hrt::reach::note_interrupts();
   std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
-  // The loader would tell of a failure in six lines of its own. Whoever wants those sets this.
+  // Set this variable to keep the loader's own report of a failure.
   setenv("XR_LOADER_DEBUG", "none", 0);
   try {
     if (const std::optional<int> code = hrt::reach::parse_command_line(argc, argv, options)) return *code;

@@ -9,9 +9,9 @@ namespace hrt::reach {
 namespace {
 
 constexpr const char* description =
-    "Leads a tracked fingertip to real targets while its owner feels that it goes to virtual ones:\n"
-    "OpenXR hand tracking in, the orientation of the ridged plate out. Whatever a simulating runtime\n"
-    "(samples/mock_runtime) reports is simulation and says nothing about people.";
+    "Leads a tracked fingertip to real targets while the user feels that it reaches virtual ones:\n"
+    "OpenXR hand tracking in, the orientation of the ridged plate out. With samples/mock_runtime all\n"
+    "numbers are simulation.";
 
 constexpr const char* exit_codes =
     "Exit codes:\n"
@@ -82,16 +82,16 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
   app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
-  app.add_option("--repeat", options.repeat, "Go through the targets so often [1]")
+  app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
       ->check(CLI::Range(1, 1'000'000));
-  app.add_option("--seed", options.seed, "Seed of a simulated user: who it is, and the noise [1]")
+  app.add_option("--seed", options.seed, "Seed of a simulated user and of the noise [1]")
       ->check(CLI::Validator(
           [](const std::string& text) -> std::string {
             const bool digits = text.find_first_not_of("0123456789") == std::string::npos;
             return digits ? "" : "\"" + text + "\" is not a whole number from 0";
           },
           "a whole number from 0"));
-  app.add_option("--hand", hand, "left, right, or either: the one that comes to the start [right]")
+  app.add_option("--hand", hand, "left, right, or either: the first at the start [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
   app.add_option(
          "--plate", plate,
@@ -103,26 +103,26 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
             return "\"" + text + "\" is not runtime, servo, servo:SPEED (1 to 1000000) or serial:DEVICE";
           },
           "PLATE"));
-  app.add_option("--time-limit", options.time_limit_s, "Seconds for a reach, and for its start [30]")
+  app.add_option("--time-limit", options.time_limit_s,
+                 "Longest reach, and longest wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
-  app.add_option("--runtime-limit", runtime_limit_s, "Seconds that a wait for the runtime may take [10]")
+  app.add_option("--runtime-limit", runtime_limit_s, "Longest wait for the runtime, seconds [10]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option(
          "--controller", controller,
-         "adaptive: learns the user's share of touch and aims by line of sight; or paper: takes it as\n"
-         "known and aims in a fixed direction [adaptive]")
+         "adaptive: learns the user's share of touch and aims by line of sight; or paper: takes that share\n"
+         "as known and aims in a fixed direction [adaptive]")
       ->check(CLI::IsMember({"adaptive", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
-                 "Share of touch that the controller assumes of the user [0.15]")
+                 "Share of touch that the controller assumes, at first if adaptive [0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
-                 "Variance of the user's motor noise that it assumes, degrees squared a step [0.5]")
+                 "Variance of motor noise that the controller assumes, degrees squared a step [0.5]")
       ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
-  app.add_option("--record", options.record,
-                 "Record all that the plugin is told and says into this CSV file");
+  app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
   app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");
   app.add_flag("--person", options.person,
-               "Take the user for a person, who is asked on the terminal, even if the runtime simulates one");
+               "Instruct a person on the terminal, even if the runtime simulates a user");
   app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
   try {
     app.parse(argc, argv);

@@ -39,7 +39,7 @@ struct Options {
 };
 
 /// Parses the command line. Returns the exit code if the program is to end at once: after --help, or with a
-/// sentence on stderr about what is wrong. `options` is then unspecified.
+/// sentence on stderr about the mistake. `options` is then unspecified.
 std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options);
 
 }  // namespace hrt::reach

@@ -9,7 +9,7 @@
 
 namespace hrt::reach {
 
-/// What a plate says.
+/// Messages from a plate.
 struct PlateGreeting {
   double least_deg;
   double most_deg;
@@ -33,7 +33,7 @@ std::optional<std::string_view> decode_line(std::string_view line);
 /// What a body from the plate means; nothing if it is not in the protocol.
 std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
-/// Cuts a stream of bytes into lines. Its memory is bounded, whatever arrives.
+/// Cuts a stream of bytes into lines, in bounded memory.
 class LineReader {
  public:
   static constexpr std::size_t max_line = 64;  ///< bytes with the end

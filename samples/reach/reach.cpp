@@ -29,7 +29,7 @@ double distance_along_plate_m(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[2] - b[2]);
 }
 
-// A reach of the plugin that is ended in any case, and a plate that is stopped if anything goes wrong.
+// Ends the plugin's reach, and after a failure stops the plate.
 class ActiveReach {
  public:
   ActiveReach(Stage& stage, const TargetPair& pair, XrTime now) : stage_(stage), time_(now) {
@@ -51,7 +51,7 @@ class ActiveReach {
     try {
       stage_.plate.stop(time_);
     } catch (const std::exception&) {
-      // It failed together with what brought us here, which is already on its way up.
+      // The first failure is already being reported.
     }
   }
   ActiveReach(const ActiveReach&) = delete;
@@ -99,8 +99,8 @@ bool is_on_plate(const Stage& stage, const Fingertip& tip) {
          distance_along_plate_m(tip.position_m, {}) <= stage.targets.plate_radius_m;
 }
 
-// The finger that slides. When it has been off the plate for settle_ns and the other hand's is on it, that
-// one takes over: the user changed hands, or the tracker takes one hand for the other.
+// The finger that slides. If it has been off the plate for settle_ns and the other hand's finger is on the
+// plate, the other one takes over: the user changed hands, or the tracker confused them.
 class FingerInUse {
  public:
   FingerInUse(Stage& stage, Hand first, XrTime now)
@@ -133,7 +133,7 @@ class FingerInUse {
   bool changed_ = false;
 };
 
-// Waits until one of the hands rests its fingertip at the start, and tells which.
+// Waits until one of the hands rests its fingertip at the start; returns that hand.
 Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
   stage.tell_user("Put your index finger to the start, then slide it to \"" + pair.virtual_name + "\".");
   const XrTime began = next_frame(stage);
@@ -156,7 +156,7 @@ Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
   throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns));
 }
 
-// True if this finger, after at least half the way, has been seen to stay in place for as long as settle_ns.
+// True if this finger, past half the way, has stayed in place for settle_ns.
 bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m,
                 double distance_m) {
   const Moment& last = moments.back();
@@ -169,8 +169,7 @@ bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Po
   return false;
 }
 
-// The path's length has been gone (which a simulated participant tells), or the finger touches the real
-// target or has come to rest (which is all that can be known of a person).
+// A simulated participant has travelled the whole path; a person's finger touches the real target or rests.
 bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
                  const std::vector<Moment>& moments) {
   if (stage.simulation != nullptr) return stage.simulation->truth(finger.hand()).done;

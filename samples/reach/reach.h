@@ -1,5 +1,5 @@
-// One reach: the user's fingertip goes from the start to the real target, the plugin is asked in every frame
-// what the plate is to do, and the plate does it.
+// One reach: the fingertip moves from the start to the real target; in every frame the plugin computes an
+// orientation, and the plate turns to it.
 #pragma once
 
 #include <array>
@@ -23,7 +23,7 @@ struct Moment {
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;
   bool saturated;
-  bool can_be_held;  ///< the real direction, for all that the controller knows of the user
+  bool can_be_held;  ///< the real direction, by the controller's estimate of the user
 };
 
 struct ReachResult {
@@ -31,8 +31,8 @@ struct ReachResult {
   double felt_direction_deg;   ///< in the last step: the simulation's truth, or else as the model predicts
   double miss_deg;             ///< final_direction_deg less the real target's
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
-  bool is_truth;               ///< all of the above, and the next, are the simulation's truth
-  double tactile_weight;       ///< share of touch in what the user feels; 0 if nobody knows
+  bool is_truth;               ///< the fields above and the next are the simulation's truth
+  double tactile_weight;       ///< share of touch in what the user feels; 0 if unknown
   double assumed_weight;       ///< what the controller assumed of that at the end
   bool can_be_held;            ///< with what it assumed then (HRT_COMMAND_UNREACHABLE)
   double largest_gap_deg;      ///< between real and virtual direction that can be held so (authority.h)
@@ -48,7 +48,7 @@ struct Stage {
   const Plugin& plugin;
   const TargetSet& targets;
   XrHeadlessSession& session;
-  Simulation* simulation;  ///< null: a person, told on the terminal
+  Simulation* simulation;  ///< null: a person, instructed on the terminal
   Plate& plate;
   std::vector<Hand> hands;   ///< any of which may reach
   XrDuration time_limit_ns;  ///< for coming to the start, and for the reach
@@ -56,8 +56,8 @@ struct Stage {
   std::function<void(const std::string&)> tell_user;
 };
 
-/// Throws Failure, XrFailure; XrLost if the session was lost: the reach then counts for nothing. On every
-/// failure the plate is stopped.
+/// Throws Failure, XrFailure; XrLost if the session was lost and the reach must be repeated. Every failure
+/// stops the plate.
 ReachResult run_reach(Stage& stage, const TargetPair& pair);
 
 }  // namespace hrt::reach

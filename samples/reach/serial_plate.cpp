@@ -24,7 +24,7 @@ constexpr auto greeting_period = 200ms;  // a plate that starts up may not hear 
 constexpr auto beat_period = 50ms;       // half of what the protocol asks for
 constexpr auto silence_limit = 500ms;
 constexpr std::size_t most_unsent = 1024;
-constexpr int most_reads = 64;  // at a time: who talks without end is not listened to without end
+constexpr int most_reads = 64;  // at a time, however much the plate sends
 
 std::string set_line(double orientation_deg) {
   std::array<char, 32> text{};
@@ -124,11 +124,7 @@ void SerialPlate::listen() {
       const std::optional<std::string_view> line = reader_.take(bytes[static_cast<std::size_t>(k)]);
       if (!line) continue;
       const std::optional<std::string_view> body = decode_line(*line);
-      const std::optional<PlateMessage> message = body ? parse_plate_message(*body) : std::nullopt;
-      if (message)
-        take(*message);
-      else
-        ++ignored_lines_;
+      if (const auto message = body ? parse_plate_message(*body) : std::nullopt) take(*message);
     }
   }
 }
@@ -145,7 +141,6 @@ void SerialPlate::take(const PlateMessage& message) {
       case StopReason::host:
         break;
       case StopReason::heartbeat:
-        ++missed_heartbeats_;
         last_set_.clear();  // so that the next command is sent even if it is the same
         break;
       case StopReason::limit:

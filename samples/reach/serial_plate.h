@@ -27,11 +27,6 @@ class SerialPlate : public Plate {
   std::optional<double> orientation_deg(XrTime time) override;
   void stop(XrTime time) override;
 
-  /// Lines that arrived and were not in the protocol.
-  int ignored_lines() const { return ignored_lines_; }
-  /// How often the plate stopped because it had not heard from us in time.
-  int missed_heartbeats() const { return missed_heartbeats_; }
-
  private:
   using Clock = std::chrono::steady_clock;
 
@@ -54,8 +49,6 @@ class SerialPlate : public Plate {
   Clock::time_point heard_;
   Clock::time_point said_;
   std::string last_set_;
-  int ignored_lines_ = 0;
-  int missed_heartbeats_ = 0;
 };
 
 }  // namespace hrt::reach

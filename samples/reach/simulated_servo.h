@@ -1,5 +1,5 @@
-// A servo that exists in this program only: it turns at a constant speed, as far round as it likes, towards
-// the nearest orientation that is felt like the last command.
+// A servo simulated by this program: no stops, constant speed towards the nearest orientation that feels like
+// the last command.
 #pragma once
 
 #include "samples/reach/plate.h"
@@ -8,7 +8,7 @@ namespace hrt::reach {
 
 class SimulatedServo : public Plate {
  public:
-  /// Stands at 0 and tells where it stands within 90 degrees; turns at `speed_deg_per_s` > 0.
+  /// Starts at 0; reports its orientation modulo 180, within 90 degrees; turns at `speed_deg_per_s` > 0.
   explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
 
   std::optional<PlateLimits> limits() const override { return PlateLimits{speed_deg_per_s_, 0.0, 0.0}; }

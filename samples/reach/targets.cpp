@@ -5,7 +5,7 @@
 namespace hrt::reach {
 namespace {
 
-// A scene of the plugin's, which is needed for no longer than it takes to register it.
+// A scene of the plugin, loaded until its targets are registered.
 class LoadedScene {
  public:
   LoadedScene(const Plugin& plugin, const std::filesystem::path& file) : plugin_(plugin) {

@@ -1,4 +1,4 @@
-// The scene as hrt-reach needs it: the plate's place, and which real target serves which virtual one.
+// The scene: the plate's place, and the real target that serves each virtual one.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -20,7 +20,7 @@ struct TargetPair {
   double virtual_direction_deg;
   double real_direction_deg;
   double real_distance_m;  ///< from the start, along the plate
-  double real_radius_m;    ///< 0 if the scene tells none
+  double real_radius_m;    ///< 0 if the scene gives none
   std::array<double, 3> virtual_position_m;
   std::array<double, 3> real_position_m;
   hrt_target virtual_target;

@@ -28,16 +28,6 @@ std::string integer_text(std::uint64_t low, std::uint64_t high) {
   return "a whole number from " + std::to_string(low) + " to " + std::to_string(high);
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(separator, begin);
-    parts.push_back(text.substr(begin, end - begin));
-    if (end == std::string_view::npos) return parts;
-    begin = end + 1;
-  }
-}
-
 // "a,b,c" or "first:last:count"; nullopt if it is neither.
 std::optional<std::vector<double>> parse_list(std::string_view text) {
   std::vector<double> values;
@@ -96,6 +86,16 @@ std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
 }
 
 }  // namespace
+
+std::vector<std::string_view> split(std::string_view text, char separator) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0;;) {
+    const std::size_t end = text.find(separator, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    if (end == std::string_view::npos) return parts;
+    begin = end + 1;
+  }
+}
 
 bool NumberRange::contains(double value) const {
   if (std::isinf(value)) return infinity_allowed && value > 0.0;

@@ -18,7 +18,7 @@ class Option;
 
 namespace hrt::study {
 
-/// A mistake of the caller's: one line that names the argument and what is allowed. Exit code 2.
+/// A mistake of the caller's: one line that names the argument and its allowed values. Exit code 2.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -29,7 +29,7 @@ struct NumberRange {
   double high;
   bool low_allowed = true;
   bool high_allowed = true;
-  bool infinity_allowed = false;  ///< "inf" as well, whatever `high` is
+  bool infinity_allowed = false;  ///< "inf" as well
   bool whole = false;             ///< whole numbers only
 
   bool contains(double value) const;
@@ -85,6 +85,9 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
 
 /// Adds --trials.
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
+
+/// The parts of `text` between separators, empty ones too; at least one.
+std::vector<std::string_view> split(std::string_view text, char separator);
 
 /// "NAME: 'TEXT' is not allowed; it must be WHAT".
 std::string not_allowed(const std::string& name, std::string_view text, const std::string& what);

@@ -1,4 +1,4 @@
-// Reading calibration data, of which nothing is trusted.
+// Reads calibration data and checks all of it.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -30,17 +30,14 @@ enum { trial, time, right_of_midline, away, plate };
 constexpr double rest_tolerance_deg = 1.0;
 constexpr std::size_t longest_shown = 40;
 
-std::vector<std::string_view> split(std::string_view line) {
-  std::vector<std::string_view> fields;
-  for (std::size_t begin = 0;;) {
-    const std::size_t end = line.find(',', begin);
-    std::string_view field = line.substr(begin, end - begin);
-    while (!field.empty() && (field.front() == ' ' || field.front() == '\t')) field.remove_prefix(1);
-    while (!field.empty() && (field.back() == ' ' || field.back() == '\t')) field.remove_suffix(1);
-    fields.push_back(field);
-    if (end == std::string_view::npos) return fields;
-    begin = end + 1;
+// Fields without the blanks around them.
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields = split(line, ',');
+  for (std::string_view& field : fields) {
+    field.remove_prefix(std::min(field.find_first_not_of(" \t"), field.size()));
+    field.remove_suffix(field.size() - (field.find_last_not_of(" \t") + 1));
   }
+  return fields;
 }
 
 class Reader {
@@ -52,7 +49,7 @@ class Reader {
     if (line_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (line.empty() || line.front() == '#') return;
-    const std::vector<std::string_view> fields = split(line);
+    const std::vector<std::string_view> fields = fields_of(line);
     has_header_ ? read_row(fields) : read_header(fields);
   }
 

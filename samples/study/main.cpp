@@ -13,14 +13,14 @@
 
 namespace {
 
-// One line, whatever the arguments held.
+// One line, without control characters.
 void complain(std::string message) {
   for (char& character : message)
     if (std::iscntrl(static_cast<unsigned char>(character))) character = '?';
   std::cerr << "hrt-study: " << message << '\n';
 }
 
-// CLI11's words, and what is allowed where they do not say it.
+// CLI11's message, with the allowed values if it lacks them.
 std::string explain(const CLI::App& app, const CLI::ParseError& error,
                     const std::vector<std::string>& words) {
   const std::string message = error.what();

@@ -81,7 +81,7 @@ Output::Output(const std::string& argument, const std::string& path) {
   const auto status = std::filesystem::status(path_, error);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
     throw UsageError(not_allowed(argument, path, allowed + " (this is not a regular file)"));
-  // Only trying tells: permissions, read-only and full file systems, names too long.
+  // Only an attempt shows permissions, read-only and full file systems, names too long.
   const std::filesystem::path temporary = temporary_beside(path_);
   const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) throw UsageError(not_allowed(argument, path, allowed + " (" + std::strerror(errno) + ")"));

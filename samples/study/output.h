@@ -1,5 +1,5 @@
-// What the subcommands write, and how: numbers that read back to the same bits whatever the locale, files
-// that are whole or not there, and a progress bar for a person who waits.
+// Output of the subcommands: numbers that read back to the same bits in any locale, files that are whole or
+// absent, a progress bar.
 #pragma once
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// What a simulated reach depends on beside its two directions, one number each: `trial` takes one of each,
+// The parameters of a simulated reach except its two directions, one number each: `trial` takes one of each,
 // `sweep` a list of each.
 #pragma once
 
@@ -32,7 +32,7 @@ ParameterValues default_values();
 Condition make_condition(const ParameterValues& values, double real_direction_deg,
                          double virtual_direction_deg);
 
-/// The values of a condition: what make_condition() was given, with nothing left open.
+/// The values of a condition, with an assumed weight of NaN replaced.
 ParameterValues values_of(const Condition& condition);
 
 }  // namespace hrt::study

@@ -26,11 +26,11 @@ struct Session {
 
 std::vector<CalibrationTrial> simulate_session(const Session& session);
 
-/// The session as CSV, under comments that say what is true of the simulated person.
+/// The session as CSV, under comments with the true values of the simulated person.
 std::string session_csv(const Session& session);
 
 /// Reads calibration data; `name` is what errors call the file. Comments (#), empty lines, CRLF and columns
-/// of other names are passed over. Throws UsageError naming line, column and what is allowed.
+/// of other names are ignored. Throws UsageError naming line, column and the allowed values.
 std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text);
 
 }  // namespace hrt::study

@@ -53,7 +53,7 @@ RetargeterConfig make_controller(Controller controller, const Setting& setting) 
   if (controller == Controller::paper) return config;
   config.plate = condition.plate;
   if (controller != Controller::adaptive) config.guidance = GuidanceMode::line_of_sight;
-  if (controller != Controller::told) {
+  if (controller != Controller::informed) {
     config.estimator.adapt = true;
     return config;
   }
@@ -133,8 +133,8 @@ const char* controller_name(Controller controller) {
       return "adaptive";
     case Controller::adaptive_sight:
       return "adaptive_line_of_sight";
-    case Controller::told:
-      return "told_the_truth";
+    case Controller::informed:
+      return "informed";
   }
   return "";
 }
@@ -147,8 +147,8 @@ const char* controller_title(Controller controller) {
       return "adaptive";
     case Controller::adaptive_sight:
       return "adaptive, sight";
-    case Controller::told:
-      return "told the truth";
+    case Controller::informed:
+      return "informed";
   }
   return "";
 }
@@ -254,13 +254,13 @@ std::vector<RobustnessRow> simulate_robustness(
   const std::size_t cells = rows.size() * controllers.size();
   std::atomic<std::size_t> next = 0;
   std::atomic<std::size_t> done = 0;
-  const auto work = [&](bool tells) {
+  const auto work = [&](bool reports) {
     for (std::size_t i = next++; i < cells; i = next++) {
       RobustnessRow& row = rows[i / controllers.size()];
       const std::size_t column = i % controllers.size();
       row.cells[column] = simulate({row.factor, row.value}, controllers[column], options);
       ++done;
-      if (tells && progress) progress(done, cells);
+      if (reports && progress) progress(done, cells);
     }
   };
   std::vector<std::jthread> others;

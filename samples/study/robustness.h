@@ -1,5 +1,5 @@
-// How the controllers hold up on people, trackers and plates that are not as assumed: four controllers on the
-// same simulated reaches, in the middle case and with one factor at a time away from it.
+// Robustness to people, trackers and plates other than assumed: four controllers on the same simulated
+// reaches, in the middle case and with one factor at a time changed.
 #pragma once
 
 #include <array>
@@ -17,15 +17,16 @@ enum class Controller {
   paper,           ///< assumes w_T = 0.15, a fixed direction and a plate that follows at once
   adaptive,        ///< learns w_T within the reach and knows its plate
   adaptive_sight,  ///< that, aimed along the line of sight: what the plugin does with tracked positions
-  told,  ///< as that, but told the person's w_T, bias, variances and step period, and the tracker's noise
+  informed,  ///< as that, but knows the person's w_T, bias, variances and step period, and the tracker's
+             ///< noise
 };
 inline constexpr std::array controllers{Controller::paper, Controller::adaptive, Controller::adaptive_sight,
-                                        Controller::told};
+                                        Controller::informed};
 
 const char* controller_name(Controller controller);   ///< in CSV and JSON
 const char* controller_title(Controller controller);  ///< in text
 
-/// What a simulated reach is like, and what its controller gets wrong on purpose.
+/// A simulated reach, and the deliberate errors of its controller.
 struct Setting {
   TrackedCondition condition;  ///< its controller is filled in last
   /// Variances that are assumed, as multiples of the person's; 0: those assumed by default.
@@ -46,7 +47,7 @@ struct Factor {
 /// The middle case first, as a factor with one value.
 std::span<const Factor> robustness_factors();
 
-/// What one controller made of the trials of one value of one factor.
+/// Results of one controller in the trials of one value of one factor.
 struct RobustnessCell {
   double direction_percent;    ///< of trials that end within 1.5 deg of the direction wanted
   double bearing_percent;      ///< of trials that end within 1.5 deg of the target's bearing

@@ -1,4 +1,4 @@
-// The file that a sweep grows row by row, and takes up again after it was stopped.
+// The file of a sweep: grows row by row, and a stopped sweep continues it.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 namespace hrt::study {
 
 /// Rows are appended to FILE.partial, which becomes FILE once all are there. A run that was stopped leaves
-/// FILE.partial; the next one with the same rows keeps those that are whole and goes on after them.
+/// FILE.partial; the next run with the same rows keeps the whole ones and continues after them.
 class SweepFile {
  public:
   /// What the file must hold: `header`, maybe empty, then `rows` rows of `commas` commas each, row r starting

@@ -138,7 +138,7 @@ void judge_claims(std::vector<CellGroup>& claims) {
     } else {
       const double gain_percent = group->mean_percent() - three.mean_percent();
       const double squared = squared_difference(group->mean_percent(), trials, three.mean_percent(), trials);
-      // A longer window may gain what nobody would see, a shorter one must lose.
+      // A longer window may gain imperceptibly, a shorter one must lose.
       const bool no_better = gain_percent < 1.0 || squared < significant;
       group->reproduced = horizon > 3 ? no_better : gain_percent < 0.0;
       group->verdict = group->reproduced ? "reproduced" : "NOT reproduced";
@@ -149,6 +149,15 @@ void judge_claims(std::vector<CellGroup>& claims) {
 }
 
 }  // namespace
+
+std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
+                                           std::uint64_t threads) {
+  Progress progress;
+  return run_batch(
+      jobs, seed,
+      {.threads = static_cast<int>(threads),
+       .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
+}
 
 double CellGroup::mean_percent() const {
   double sum = 0.0;
@@ -185,11 +194,7 @@ Table1 simulate_table1(const Table1Options& options) {
                     .condition_id = static_cast<std::uint32_t>(jobs.size()),
                     .first_trial = 0,
                     .last_trial = static_cast<std::uint32_t>(options.trials)});
-  Progress progress;
-  const std::vector<BatchResult> results =
-      run_batch(jobs, options.seed,
-                {.threads = static_cast<int>(options.threads),
-                 .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
+  const std::vector<BatchResult> results = run_with_progress(jobs, options.seed, options.threads);
   for (std::size_t i = 0; i < cells.size(); ++i) cells[i]->result = results[i];
 
   for (CellGroup& group : table.conditions) {

@@ -1,4 +1,4 @@
-// The paper's Table I and its other claims beside what the model gives.
+// The paper's Table I and its other claims beside the model's results.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@ struct Cell {
   std::optional<double> paper_percent;  ///< if the paper gives one for this very cell
 };
 
-/// Several cells and what the paper says of them as a whole.
+/// Several cells and the paper's mean over them.
 struct CellGroup {
   std::string name;  ///< a word, for CSV and JSON
   std::string title;
@@ -51,6 +51,10 @@ struct Table1 {
   int degrees_of_freedom;
   double p_value;
 };
+
+/// run_batch() with a progress bar.
+std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
+                                           std::uint64_t threads);
 
 /// Simulates all of it, with a progress bar.
 Table1 simulate_table1(const Table1Options& options);

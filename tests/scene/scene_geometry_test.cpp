@@ -135,11 +135,11 @@ TEST(SceneGeometry, DefaultSceneOfSeveral) {
   file["scene"] = 0;
   EXPECT_EQ(load(file).plate.node_path, "Other");
   file.erase("scene");
-  EXPECT_EQ(refusal(file), "test.gltf: has 2 scenes and no default: `scene` must tell which one to read");
+  EXPECT_EQ(refusal(file), "test.gltf: has 2 scenes and no default: `scene` must name one");
   file["scenes"].erase(0);
   EXPECT_EQ(load(file).plate.node_path, "Plate");
   file.erase("scenes");
-  EXPECT_EQ(refusal(file), "test.gltf: has 0 scenes and no default: `scene` must tell which one to read");
+  EXPECT_EQ(refusal(file), "test.gltf: has 0 scenes and no default: `scene` must name one");
 }
 
 // Two nodes may show one mesh; roles belong to nodes.

@@ -60,7 +60,7 @@ TEST(SceneRefusal, BinaryHeader) {
     return refusal(std::string(binary).replace(at, 4, little_endian(value)));
   };
   const std::string size = std::to_string(binary.size());
-  EXPECT_EQ(with_word(4, 1), "test.gltf: the binary glTF header tells version 1; glTF 2 is read");
+  EXPECT_EQ(with_word(4, 1), "test.gltf: the binary glTF header has version 1; glTF 2 is read");
   EXPECT_EQ(with_word(8, 0x80000000u),
             "test.gltf: the binary glTF header claims 2147483648 bytes, and there are " + size);
   EXPECT_EQ(with_word(12, 0x7fffffffu), "test.gltf: the JSON chunk claims 2147483647 bytes, and " +
@@ -191,7 +191,7 @@ TEST(SceneRefusal, Properties) {
             "test.gltf: node \"Plate\": extras.haptic.radius_m is 0; allowed is more than 0, up to 10");
   EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", -0.075),
             "test.gltf: node \"Plate\": extras.haptic.radius_m is -0.075; allowed is more than 0, up to 10");
-  // 2^32 + 1, which is 1 to whoever reads 32 bits of it.
+  // 2^32 + 1, of which 32 bits are 1.
   EXPECT_EQ(
       refusal_with("/nodes/0/extras/haptic/radius_m", 4294967297),
       "test.gltf: node \"Plate\": extras.haptic.radius_m is 4.29497e+09; allowed is more than 0, up to 10");

@@ -1,4 +1,4 @@
-// Action sets and actions, and what drives them: the bindings that the application suggests, and the
+// Action sets, actions and their drivers: the bindings that the application suggests, and the
 // state of the simulated devices as of the last xrSyncActions.
 #pragma once
 

@@ -1,4 +1,4 @@
-// What the application has called, and what came of it.
+// The calls of the application, with their results.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -34,7 +34,7 @@ class CallLog {
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 
-/// "XR_SUCCESS"; a number for what has no name.
+/// "XR_SUCCESS"; its number if it has no name.
 std::string result_name(XrResult result);
 
 }  // namespace hrt::mock

@@ -1,4 +1,4 @@
-// XR_HRTX_mock_control, but for the call log.
+// XR_HRTX_mock_control, except the call log.
 #include "samples/mock_runtime/api/session.h"
 
 namespace hrt::mock {

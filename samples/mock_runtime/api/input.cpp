@@ -12,7 +12,7 @@ namespace {
 // From here on a float is a pressed button.
 constexpr float press_threshold = 0.5F;
 
-// "/user/hand/left/input/trigger" of "/user/hand/left/input/trigger/value": what action sets compete for.
+// "/user/hand/left/input/trigger" of "/user/hand/left/input/trigger/value": action sets compete for it.
 std::string identifier_of(const std::string& source) {
   return source.find("/input/") == std::string::npos ? source : source.substr(0, source.rfind('/'));
 }

@@ -66,7 +66,7 @@ class Registry {
     return object;
   }
 
-  /// The same for the functions that destroy: they still work on what is lost.
+  /// The same for the functions that destroy, which work on lost objects too.
   template <typename T, typename Handle>
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));

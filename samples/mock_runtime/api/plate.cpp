@@ -40,7 +40,7 @@ XrResult set_plate_orientation(XrSession handle, double orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,
           "orientation must be within 360 degrees");
-  session.world().command_plate(session.instance().clock.now(), orientation_deg);
+  session.world().command_plate(orientation_deg);
   return XR_SUCCESS;
 }
 

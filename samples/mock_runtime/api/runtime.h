@@ -1,4 +1,4 @@
-// What there is one of: the lock that every entry point holds, the objects, and the instance.
+// The one lock, held by every entry point, the objects and the instance.
 #pragma once
 
 #include <condition_variable>
@@ -13,9 +13,9 @@ namespace hrt::mock {
 class Instance;
 
 struct Runtime {
-  /// Held by every entry point for as long as it runs, but for the waits of xrWaitFrame.
+  /// Held by every entry point while it runs, except in the waits of xrWaitFrame.
   std::mutex mutex;
-  /// Notified when a frame begins, and when a session ends or is lost: what xrWaitFrame waits for.
+  /// Notified when a frame begins, and when a session ends or is lost: xrWaitFrame waits for these.
   std::condition_variable_any frame_begun;
   Registry registry;
   Instance* instance = nullptr;
@@ -25,7 +25,7 @@ struct Runtime {
   std::string script_error;  ///< why the script of the environment could not be read; empty if it could
 
   void apply(Script new_script);
-  /// Lets everything happen that the script has for now.
+  /// Runs the events of the script that are due.
   void fire_due_events();
   XrTime now() const;  ///< 0 without an instance
 };

@@ -22,10 +22,10 @@ World& Session::world() {
 void Session::enter(XrSessionState state) {
   if (state == state_) return;
   state_ = state;
-  tell_state();
+  report_state();
 }
 
-void Session::tell_state() {
+void Session::report_state() {
   XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
   event.session = handle_of<XrSession>(*this);
   event.state = state_;
@@ -61,7 +61,7 @@ void Session::fire_due_events() {
 
 void Session::happen(const ScriptEvent& event) {
   if (const auto* state = std::get_if<StateEvent>(&event.what)) go_to(state->state);
-  if (std::holds_alternative<RepeatState>(event.what)) tell_state();
+  if (std::holds_alternative<RepeatState>(event.what)) report_state();
   if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
   if (std::holds_alternative<InstanceLossPending>(event.what))
@@ -125,7 +125,7 @@ XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   if (info->primaryViewConfigurationType != 0) require_view_configuration(info->primaryViewConfigurationType);
   session.running = true;
   session.exit_requested = false;
-  // "A transition to session running resets the frame function call order"; times go on increasing.
+  // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   session.go_to(XR_SESSION_STATE_FOCUSED);

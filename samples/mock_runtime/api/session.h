@@ -27,14 +27,14 @@ class Session : public Object {
   /// The simulated world as it is now.
   World& world();
 
-  /// Enters a state and tells the application. A state is never told twice in a row.
+  /// Enters a state and queues its event. A state is never reported twice in a row.
   void enter(XrSessionState state);
   XrSessionState state() const { return state_; }
   /// Enters a state of a running session by way of the states in between. Does nothing to a session that
   /// does not run, or whose loss is pending.
   void go_to(XrSessionState state);
 
-  /// Lets happen what the script has for this session by now.
+  /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
   bool running = false;
@@ -45,7 +45,7 @@ class Session : public Object {
 
  private:
   void happen(const ScriptEvent& event);
-  void tell_state();
+  void report_state();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   XrTime created_;

@@ -26,7 +26,7 @@ class Faults {
   Faults() = default;
   explicit Faults(std::vector<CallFault> faults) : faults_(std::move(faults)) {}
 
-  /// Counts a call. What is to happen to it, if anything is.
+  /// Counts a call; returns its fault, if it has one.
   std::optional<CallFault> next(FunctionId function);
 
  private:

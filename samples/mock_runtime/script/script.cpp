@@ -28,7 +28,7 @@ std::string quoted_list(const std::vector<std::string>& texts) {
   return list;
 }
 
-// The members of one JSON object, each of which is asked for once; finish() refuses what nobody asked for.
+// The members of one JSON object; finish() refuses any that was not read.
 class Members {
  public:
   Members(const Json& object, std::string where) : object_(object), where_(std::move(where)) {
@@ -49,8 +49,9 @@ class Members {
   double number(const std::string& key, double otherwise, double least, double most) {
     return has(key) ? checked_number(object_[key], where(key), least, most) : otherwise;
   }
-  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double least_ms = 0.0) {
-    return std::llround(number(key, otherwise_ms, least_ms, hour_ms) * 1e6);
+  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double least_ms = 0.0,
+                           double most_ms = hour_ms) {
+    return std::llround(number(key, otherwise_ms, least_ms, most_ms) * 1e6);
   }
   std::uint64_t count(const std::string& key, std::uint64_t otherwise, std::uint64_t least) {
     if (!has(key)) return otherwise;
@@ -165,10 +166,10 @@ TrackerSettings read_tracker(Members& members) {
   return settings;
 }
 
-ServoSettings read_servo(Members& members) {
-  ServoSettings settings;
-  settings.speed_deg_per_s = members.number("speed_deg_per_s", settings.speed_deg_per_s, 1.0, 1e6);
-  settings.latency_ns = members.nanoseconds("latency_ms", 0.0);
+PlateDynamics read_servo(Members& members) {
+  PlateDynamics settings;
+  settings.max_speed_deg_s = members.number("speed_deg_per_s", settings.max_speed_deg_s, 1.0, 1e6);
+  settings.latency_ns = members.nanoseconds("latency_ms", 0.0, 0.0, 1000.0);
   return settings;
 }
 

@@ -1,4 +1,4 @@
-// A script in JSON: what is simulated, and what goes wrong when. README.md has its format.
+// A script in JSON: the simulation and its faults. README.md has the format.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -46,7 +46,7 @@ struct Script {
   std::vector<CallFault> calls;
 };
 
-/// Throws an Error whose text says where in the script what is wrong, and what is allowed.
+/// Throws an Error that names the place in the script, the mistake and the allowed values.
 Script parse_script(std::string_view json);
 
 /// The script in the file that HRT_MOCK_SCRIPT names, or the default one if it names none. Throws as

@@ -7,8 +7,8 @@
 
 namespace hrt::mock {
 
-/// A manual clock stands still but for xrWaitFrame and xrAdvanceTimeHRTX: a run takes no longer than its
-/// computations, and is the same every time. A real-time clock is CLOCK_MONOTONIC.
+/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX: a run takes no longer than its
+/// computations and repeats exactly. A real-time clock is CLOCK_MONOTONIC.
 class Clock {
  public:
   enum class Kind { manual, real_time };

@@ -36,10 +36,10 @@ XrTime Reach::step_end(std::uint32_t step) const {
   return start_ + std::min<XrDuration>(duration_, (step + XrDuration{1}) * settings_.model_step_ns);
 }
 
-void Reach::advance(XrTime time, const Servo& servo) {
+void Reach::advance(XrTime time, const PlateModel& plate) {
   for (; !done() && step_end(steps_) <= time; ++steps_) {
     const XrTime end = step_end(steps_);
-    participant_.step(servo.orientation_deg(end), standard_normal({seed_, 0, number_, steps_}));
+    participant_.step(plate.orientation_at_deg(end), standard_normal({seed_, 0, number_, steps_}));
     if (steps_ + 1 < total_steps_)
       legs_.push_back(
           {position_m(end), settings_.speed_m_per_s * unit_vector(participant_.finger_direction_deg())});

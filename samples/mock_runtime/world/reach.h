@@ -1,5 +1,5 @@
-// One reach of the simulated participant: the fingertip slides over the plate at a constant speed, and
-// after every step of the participant's model it goes on in the direction that the model chooses.
+// One reach of the simulated participant: the fingertip slides over the plate at a constant speed; each step
+// of the participant's model sets its direction.
 //
 // Coordinates are the plate's (metres; x to the right, z towards the user), directions in degrees from
 // the mid-line, counter-clockwise positive seen from above: direction d is (-sin d, -cos d).
@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/plate_model.h"
 #include "core/simulation/participant.h"
-#include "samples/mock_runtime/world/servo.h"
 #include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
@@ -29,9 +29,9 @@ class Reach {
   Reach(const ParticipantSettings& participant, const ReachInstruction& instruction, std::uint64_t seed,
         std::uint32_t number, XrTime start);
 
-  /// Makes the steps that end up to `time`. During step k the finger moves along P_k; at its end touch is
-  /// integrated with the orientation the plate has then, and the participant chooses P_k+1.
-  void advance(XrTime time, const Servo& servo);
+  /// Makes the steps that end up to `time`. During step k the finger moves along P_k; at its end the
+  /// participant feels the plate and chooses P_k+1. `plate` stands at the time of the call before.
+  void advance(XrTime time, const PlateModel& plate);
 
   /// Up to the end of the step under way; later times give that end.
   Eigen::Vector2d position_m(XrTime time) const;

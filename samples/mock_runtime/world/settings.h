@@ -1,14 +1,14 @@
-// What a script can set of the simulated world (script.h reads it from JSON). The defaults are the paper's
+// The settings of the simulated world (script.h reads them from JSON). The defaults are the paper's
 // participant under ideal conditions.
 #pragma once
 
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/perception.h"
+#include "core/plate_model.h"
 
 namespace hrt::mock {
 
@@ -21,7 +21,7 @@ struct ParticipantSettings {
   std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
 };
 
-/// What XrHandJointVelocitiesEXT says: nothing valid, valid zeros, valid linear ones only, or all.
+/// Content of XrHandJointVelocitiesEXT: nothing valid, valid zeros, valid linear ones only, or all.
 enum class Velocities { none, zero, linear, full };
 
 /// The hand tracker.
@@ -30,12 +30,6 @@ struct TrackerSettings {
   std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
   std::int64_t period_ns = 0;   ///< time between samples; 0: a new sample at every time that is asked for
   Velocities velocities = Velocities::full;
-};
-
-/// The servo that turns the plate.
-struct ServoSettings {
-  double speed_deg_per_s = std::numeric_limits<double>::infinity();  ///< > 0
-  std::int64_t latency_ns = 0;                                       ///< from a command to its effect, >= 0
 };
 
 /// Where an index fingertip is at a time.
@@ -54,7 +48,7 @@ struct WorldSettings {
   std::uint64_t seed = 1;
   std::vector<ParticipantSettings> participants = {{}};  ///< reach n is made by number n modulo their count
   TrackerSettings tracker;
-  ServoSettings servo;
+  PlateDynamics servo;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
 };
 

@@ -52,7 +52,7 @@ double uniform(std::uint64_t seed, std::uint64_t number) {
   return static_cast<double>(bits >> 11) * 0x1p-53;
 }
 
-// Where a hand is before it is told anything: beside the keyboard.
+// A hand without a path or a reach: beside the keyboard.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
   return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0),
@@ -70,7 +70,8 @@ Eigen::Quaterniond resting_hand_orientation() {
 }
 
 World::World(const WorldSettings& settings, XrTime start)
-    : settings_(settings), servo_(settings.servo), start_(start), now_(start) {
+    : settings_(settings), servo_(settings.servo, 0.0), start_(start), now_(start) {
+  servo_.advance(start);
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
     at(side).tracked = settings_of(side).tracked;
 }
@@ -118,6 +119,7 @@ void World::advance(XrTime now) {
   now_ = now;
   for (Hand& hand : hands_)
     if (hand.reach) hand.reach->advance(now, servo_);
+  servo_.advance(now);
 }
 
 std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {

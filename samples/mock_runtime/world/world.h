@@ -1,4 +1,4 @@
-// What is simulated: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
+// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
 // the plate. All poses are in world coordinates, which are those of STAGE space.
 #pragma once
 
@@ -9,7 +9,6 @@
 
 #include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/reach.h"
-#include "samples/mock_runtime/world/servo.h"
 #include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
@@ -38,11 +37,12 @@ class World {
   bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
   double plate_radius_m() const { return plate_radius_m_; }
 
-  /// All that is drawn comes from this seed from now on, and the next reach has this number.
+  /// From now on every draw comes from this seed; the next reach has this number.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
-  void command_plate(XrTime now, double orientation_deg) { servo_.command(now, orientation_deg); }
-  double plate_orientation_deg(XrTime time) const { return servo_.orientation_deg(time); }
+  void command_plate(double orientation_deg) { servo_.command(orientation_deg); }
+  /// At a time from now on; an earlier one gives where the plate stands now.
+  double plate_orientation_deg(XrTime time) const { return servo_.orientation_at_deg(time); }
 
   /// The participant starts to slide now, with the index tip joint at `height_m` above the plate.
   /// Requires plate_is_placed().
@@ -52,7 +52,7 @@ class World {
   /// Where the index tip joint of a hand with a reach is now, in plate coordinates.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
-  /// What goes wrong with a hand, from now on.
+  /// Faults of a hand, from now on.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
@@ -86,7 +86,7 @@ class World {
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
 
   WorldSettings settings_;
-  Servo servo_;
+  PlateModel servo_;
   Pose plate_;
   double plate_radius_m_ = 0.0;
   std::array<Hand, 2> hands_;

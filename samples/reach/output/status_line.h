@@ -1,4 +1,4 @@
-// What hrt-reach shows of a reach while it goes on.
+// Progress of a reach on the terminal.
 #pragma once
 
 #include <chrono>
@@ -7,14 +7,14 @@
 
 namespace hrt::reach {
 
-/// On a terminal, one line that is written over and over; with `verbose` a line a frame instead.
+/// On a terminal, one line that is rewritten; with `verbose`, a line a frame instead.
 class StatusLine {
  public:
   explicit StatusLine(bool verbose);
 
   void show(const TargetPair& pair, const Moment& moment);
 
-  /// Wipes the line, so that something else can be printed.
+  /// Clears the line, so that other output can follow.
   void clear();
 
  private:

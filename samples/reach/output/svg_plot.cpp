@@ -2,24 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
+
+#include "samples/reach/output/text.h"
 
 namespace hrt::reach {
 namespace {
 
 constexpr double panel_px = 360.0;  // width of a panel; the plate fits into it with a margin
 constexpr double title_px = 44.0;   // above the plate
-constexpr double footer_px = 58.0;  // below all panels
+constexpr double footer_px = 82.0;  // below all panels
 constexpr std::size_t columns = 3;
 constexpr double pi = std::numbers::pi;
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char text[512];
-  std::snprintf(text, sizeof text, pattern, values...);
-  return text;
-}
 
 std::string escaped(const std::string& text) {
   std::string result;
@@ -160,8 +154,8 @@ std::string legend(double y, double width, double scale_bar_px) {
   out += text_at(160, y, "", "felt path");
   for (int i = 0; i < 5; ++i)
     out += format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"ridges\"/>\n",
-                  236.0 + 5.0 * i, y + 1.0, 246.0 + 5.0 * i, y - 9.0);
-  out += text_at(274, y, "", "ridges under the finger");
+                  15.0 + 5.0 * i, y + 25.0, 25.0 + 5.0 * i, y + 15.0);
+  out += text_at(50, y + 24.0, "", "ridges under the finger");
   out += format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"bar\"/>\n",
                 width - 60.0 - scale_bar_px, y - 4.0, width - 60.0, y - 4.0);
   out += text_at(width - 54.0, y, "", "20 mm");
@@ -182,7 +176,7 @@ std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& ta
                    const std::string& note) {
   const std::size_t drawn = std::min(reaches.size(), most_plotted);
   const std::size_t rows = std::max<std::size_t>(1, (drawn + columns - 1) / columns);
-  const double width = panel_px * static_cast<double>(std::clamp<std::size_t>(drawn, 2, columns));
+  const double width = panel_px * static_cast<double>(std::clamp<std::size_t>(drawn, 1, columns));
   const double panels_px = static_cast<double>(rows) * (panel_px + title_px);
   const double height = panels_px + footer_px;
   std::string out = format(
@@ -198,7 +192,7 @@ std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& ta
   out += legend(panels_px + 18.0, width, Panel(0.0, 0.0, targets.plate_radius_m).length(0.02));
   std::string below = note;
   if (drawn < reaches.size()) below += format(" The first %zu of %zu reaches.", drawn, reaches.size());
-  out += text_at(16, panels_px + 42.0, "", below);
+  out += text_at(16, panels_px + 66.0, "", below);
   return out + "</svg>\n";
 }
 

@@ -13,9 +13,8 @@ struct PlottedReach {
   ReachResult result;
 };
 
-/// One panel a reach: the plate, its ridges at a few moments, the finger's true path, the path that its
-/// owner feels, and both targets. `note` stands below. At most `most_plotted` reaches are drawn; the note
-/// then says so.
+/// One panel a reach: plate, ridges under the finger at five moments, true path, felt path, both targets.
+/// `note` stands below. At most `most_plotted` reaches are drawn; the note then says so.
 std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& targets,
                    const std::string& note);
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <ostream>
 #include <string>
 #include <string_view>
@@ -13,13 +12,6 @@ namespace hrt::reach {
 namespace {
 
 constexpr std::size_t widest_name = 32;
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  char line[512];
-  std::snprintf(line, sizeof line, pattern, values...);
-  return line;
-}
 
 // Directions are shown in tenths of a degree, in which -0.01 would be "-0.0".
 double without_minus_zero(double value) {
@@ -68,14 +60,16 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << "final: direction in which the finger moves after the last step. felt: the direction that its owner "
-         "feels.\n"
-         "miss: final less the real target's direction, and how far from the real target, along the plate, "
+  out << "final: direction of the finger after the last step; felt: as the user feels it. miss: final minus "
+         "the "
+         "real\n"
+         "target's direction, and the distance along the plate from the real target to the fingertip's end.\n"
+         "touch: share of touch in what the user feels; assumed: the controller's estimate of touch at the "
+         "end.\n"
+         "lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended "
+         "inside "
          "the\n"
-         "fingertip ended. touch: its share in what the user feels; assumed: what the controller took it for "
-         "at\n"
-         "the end. lost: frames without a tracked finger. bound: steps with the plate at a limit.\n"
-         "reached: ended inside the real target's radius.\n";
+         "real target's radius.\n";
 }
 
 void Tally::add(const TargetPair& pair, const ReachResult& result) {

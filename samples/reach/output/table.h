@@ -1,4 +1,4 @@
-// What hrt-reach prints of its reaches.
+// The printed results.
 #pragma once
 
 #include <iosfwd>
@@ -23,7 +23,7 @@ class Table {
   /// Column titles with units.
   void print_header(std::ostream& out) const;
   void print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const;
-  /// What the columns mean.
+  /// The meaning of the columns.
   void print_legend(std::ostream& out) const;
 
  private:

@@ -1,10 +1,19 @@
-// Text in columns: UTF-8, counted in characters.
+// Text: numbers by printf, columns of UTF-8 counted in characters.
 #pragma once
 
 #include <cstddef>
+#include <cstdio>
 #include <string>
 
 namespace hrt::reach {
+
+/// printf into a string, cut after 511 bytes.
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[512];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
 
 std::size_t length_of(const std::string& text);
 

@@ -21,19 +21,19 @@ class XrFailure : public std::runtime_error {
   XrResult result_;
 };
 
-/// The session, or with it the instance, is gone: both have to be made anew.
+/// The session or the instance is lost; create both again.
 class XrLost : public XrFailure {
  public:
   using XrFailure::XrFailure;
 };
 
-/// Returns `result` if it tells of success. Throws XrLost for the results that tell of a loss, pending ones
-/// among them, and XrFailure for every other error.
+/// Returns a successful `result`. Throws XrLost if session or instance is lost or about to be, XrFailure for
+/// every other error.
 XrResult check_xr(XrResult result, const char* expression, const char* file, int line);
 
 #define CHECK_XR(command) ::hrt::reach::check_xr((command), #command, __FILE__, __LINE__)
 
-/// For a function of an extension, which is called through a pointer: `name` is what it is called in the API.
+/// For a function of an extension, called through a pointer: `name` is its name in the API.
 #define CHECK_XR_NAMED(name, result) ::hrt::reach::check_xr((result), name, __FILE__, __LINE__)
 
 }  // namespace hrt::reach

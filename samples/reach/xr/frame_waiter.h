@@ -10,8 +10,7 @@
 
 namespace hrt::reach {
 
-/// Calls xrWaitFrame of one session in a thread of its own, because a runtime may block there for as long as
-/// it likes and nothing can call it back. One thread.
+/// Calls xrWaitFrame of one session in a thread of its own: a runtime may block in it forever. One thread.
 class FrameWaiter {
  public:
   explicit FrameWaiter(XrSession session);
@@ -19,8 +18,8 @@ class FrameWaiter {
   FrameWaiter(const FrameWaiter&) = delete;
   FrameWaiter& operator=(const FrameWaiter&) = delete;
 
-  /// What xrWaitFrame returned, and filled in `state`; nothing if it has not returned within `limit`. Then
-  /// the call goes on, and the session must neither be used nor destroyed any more.
+  /// The result of xrWaitFrame, which filled `state`; nothing if it did not return within `limit`. In that
+  /// case the call is still running: do not use or destroy the session any more.
   std::optional<XrResult> wait(XrFrameState& state, std::chrono::milliseconds limit);
 
  private:

@@ -1,4 +1,4 @@
-// An OpenXR instance with what hrt-reach needs: headless sessions and hand tracking.
+// An OpenXR instance with headless sessions and hand tracking.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -31,7 +31,7 @@ class XrRuntime {
   const std::string& name() const { return name_; }
   bool enabled(const std::string& extension) const;
 
-  /// A call into the runtime does not come back: nothing may be destroyed under it any more.
+  /// A call into the runtime did not return: nothing is destroyed any more.
   void abandon() { abandoned_ = true; }
   bool is_abandoned() const { return abandoned_; }
 

@@ -17,7 +17,7 @@ constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 constexpr auto poll_period = 2ms;                // while there are no frames to wait for
 constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
 
-// A failure that stays one: the runtime does what the specification forbids, or takes too long.
+// A final failure: the runtime violates the specification, or takes too long.
 [[noreturn]] void fail(const std::string& sentence) {
   throw Failure(ExitCode::runtime_failed, sentence);
 }
@@ -83,7 +83,7 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
   }
 }
 
-// Handles of a lost session or instance are still destroyed; what that returns then changes nothing.
+// Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
 void XrHeadlessSession::destroy() {
   if (is_blocked()) return;
   frame_waiter_.reset();
@@ -107,8 +107,8 @@ XrTime XrHeadlessSession::next_frame() {
   }
 }
 
-// A frame by the runtime's loop. Where that gives no time (a headless session need not have a frame loop),
-// by our own, at the time that the runtime tells for now.
+// A frame of the runtime's loop. If its frames have no time (a headless session needs no frame loop), a frame
+// of our own, at the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
     std::this_thread::sleep_for(own_frame_period);
@@ -172,7 +172,6 @@ void XrHeadlessSession::poll_events() {
 
 // A state that comes again, or one that this version of the API does not know, changes nothing.
 void XrHeadlessSession::change_state(XrSessionState state) {
-  state_ = state;
   switch (state) {
     case XR_SESSION_STATE_READY:
       if (!running_) {

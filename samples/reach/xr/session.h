@@ -12,7 +12,7 @@ namespace hrt::reach {
 
 enum class Hand { left = 0, right = 1 };
 
-/// Where an index finger's tip is. Without `tracked` the position says nothing.
+/// An index fingertip. If not `tracked`, the position is meaningless.
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
@@ -28,10 +28,9 @@ class XrHeadlessSession {
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
-  /// Goes on to the next frame and returns its time, which is later than any before. While the runtime
-  /// keeps the session from running, waits. Throws XrLost when the session has to be made anew; Failure
-  /// (ExitCode::runtime_failed) when the runtime ended it for good, or when a wait went over its limit;
-  /// Failure (ExitCode::runtime_blocked) when xrWaitFrame did; Interrupted.
+  /// Waits for the next frame and returns its time, later than any before. Throws XrLost if the session must
+  /// be created again; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
+  /// limit; Failure (ExitCode::runtime_blocked) if xrWaitFrame did; Interrupted.
   XrTime next_frame();
 
   /// The fingertip at a time that next_frame() returned.
@@ -42,8 +41,7 @@ class XrHeadlessSession {
 
   XrSession handle() const { return session_; }
   XrSpace local_space() const { return local_space_; }
-  XrSessionState state() const { return state_; }
-  /// xrWaitFrame did not return in time, so that this session does nothing any more.
+  /// xrWaitFrame did not return in time: this session makes no more calls.
   bool is_blocked() const { return runtime_.is_abandoned(); }
 
  private:
@@ -65,7 +63,6 @@ class XrHeadlessSession {
   XrSpace local_space_ = XR_NULL_HANDLE;
   XrSpace plate_space_ = XR_NULL_HANDLE;
   std::array<XrHandTrackerEXT, 2> trackers_{};
-  XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool running_ = false;
   bool ending_ = false;            // because we asked for it
   bool frames_have_times_ = true;  // until a frame has none

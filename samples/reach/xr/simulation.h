@@ -1,5 +1,5 @@
-// The other side of a runtime that simulates its user (XR_HRTX_ridged_plate): the participant is told what
-// to do, the simulated plate turns, and the truth about the reach can be asked for.
+// A runtime that simulates its user (XR_HRTX_ridged_plate): instructs the participant, turns the simulated
+// plate, reads the truth about the reach.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -20,7 +20,7 @@ class Simulation {
   /// `pose` of the plate in the LOCAL reference space.
   void place_plate(const XrPosef& pose, double radius_m);
 
-  /// The participant, and the noise, come from this seed from now on; the next reach has this number, from 0.
+  /// From now on participant and noise come from this seed; the next reach has this number, from 0.
   void seed(std::uint64_t seed, std::uint32_t next_reach);
 
   /// The participant starts to slide now, from `start_m` in plate coordinates.
@@ -32,7 +32,7 @@ class Simulation {
     double perceived_direction_deg;  ///< felt in that step
     double tactile_weight;           ///< the share of touch in what the participant feels
     std::array<double, 3> tip_m;     ///< in plate coordinates, without the tracker's errors
-    bool done;                       ///< the path's whole length has been gone
+    bool done;                       ///< the fingertip has travelled the whole path
   };
   Truth truth(Hand hand) const;
 

@@ -1,4 +1,4 @@
-// hrt-study authority: which gaps between a real and a virtual target can be held, over the tactile weight.
+// hrt-study authority: the gaps that the plate can sustain, over the tactile weight.
 #include "core/authority.h"
 
 #include <nlohmann/json.hpp>

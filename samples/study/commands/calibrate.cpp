@@ -76,7 +76,7 @@ void run(Options options) {
   const Output plot("--plot", options.plot);
   const Output profile("--profile", options.profile);
 
-  // Whatever can fail does so before anything is written.
+  // Everything that can fail does so before anything is written.
   const CalibrationReport report = calibrated(options);
   const std::string page = options.format == "json" ? calibration_json(report) : calibration_text(report);
   const std::string picture = options.plot.empty() ? "" : draw(calibration_figure(report), options.plot);
@@ -101,7 +101,7 @@ void add_calibrate(CLI::App& app) {
           "0,\n"
           "30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed "
           "are\n"
-          "ten such slides at three orientations that span 40 deg. If the data can't tell, there is a reason "
+          "ten such slides at three orientations that span 40 deg. If the data do not suffice, the reason is "
           "on\n"
           "standard error, and the exit code is 1.\n"
           "\n"
@@ -111,8 +111,7 @@ void add_calibrate(CLI::App& app) {
       [options] { run(*options); });
   require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
   add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
-             "Where the person was told to go, deg; best 0: off the mid-line the motor variance comes out "
-             "too large.");
+             "Direction of the goal, deg. Best 0: off the mid-line the motor variance is overestimated.");
   add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
   add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
   add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",

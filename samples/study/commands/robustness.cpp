@@ -166,13 +166,13 @@ void add_robustness(CLI::App& app) {
   CLI::App& command = add_command(
       app, "robustness", "Four controllers on people, trackers and plates that are not as they assume.",
       "The controllers: the paper's, which assumes w_T = 0.15 and a plate that follows at once; one that\n"
-      "learns w_T within the reach; that one aimed along the line of sight to the real target; and one that\n"
-      "is told w_T, bias, variances, step period and tracker noise. All see noisy\n"
+      "learns w_T within the reach; that one aimed along the line of sight to the real target; and an\n"
+      "informed one, which knows w_T, bias, variances, step period and tracker noise. All see noisy\n"
       "positions. Trial i has the same person and the same random numbers on every line and with every\n"
       "controller.\n"
       "\n"
       "With --out there is a folder of robustness.csv, robustness.json, a picture for each thing that is\n"
-      "varied (.svg and .png) and robustness.html, which holds all itself. Needs gnuplot.\n"
+      "varied (.svg and .png) and robustness.html, one file with everything in it. Needs gnuplot.\n"
       "\n"
       "Examples:\n"
       "  hrt-study robustness\n"

@@ -1,4 +1,4 @@
-// hrt-study scene: what a glTF scene holds, and which of its pairs can be held with which plate orientation.
+// hrt-study scene: content of a glTF scene, and the plate orientation that sustains each pair.
 #include "scene/scene.h"
 
 #include <algorithm>
@@ -124,7 +124,7 @@ void add_scene(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command =
       add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
-                  "scene/README.md tells what a designer writes into the file.\n"
+                  "scene/README.md lists the properties of the file.\n"
                   "\n"
                   "Examples:\n"
                   "  hrt-study scene samples/scenes/desk.gltf\n"

@@ -124,10 +124,10 @@ void add_sweep(CLI::App& app) {
       app, "sweep", "Every combination of lists of values, as CSV; in parts, and resumable.",
       "Every option that takes a list makes the grid larger by the number of its values. A row of the CSV "
       "is\n"
-      "one point of the grid: all it depends on, then what came of its trials. Point i takes the random\n"
+      "one point of the grid: its parameters, then the results of its trials. Point i takes the random\n"
       "numbers of condition i, so the rows do not depend on threads or parts.\n"
       "\n"
-      "Stopped and started again with the same arguments, it goes on where it was: rows gather in\n"
+      "Stopped and started again with the same arguments, it continues where it stopped: rows gather in\n"
       "FILE.partial, which becomes FILE when all are there. If FILE is there already, nothing is done.\n"
       "Part 1 has the header and the others have none: 'cat' of all parts in order is the whole.\n"
       "\n"

@@ -47,7 +47,7 @@ std::string calibration_text(const CalibrationReport& report) {
   for (const Quantity& quantity : quantities(report.calibration)) {
     text += quantity.interval.known ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals),
                                           interval_text(quantity))
-                                    : row(quantity.words, "can't tell",
+                                    : row(quantity.words, "not determined",
                                           interval_text(quantity) + " is all as likely, most at " +
                                               fixed(quantity.interval.value, quantity.decimals));
   }

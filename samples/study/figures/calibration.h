@@ -1,4 +1,4 @@
-// What calibration data say of a person, as text, JSON, a profile for the plugin, and a picture.
+// The result of a calibration as text, JSON, a profile for the plugin, and a picture.
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@ struct CalibrationReport {
 std::string calibration_text(const CalibrationReport& report);
 std::string calibration_json(const CalibrationReport& report);
 
-/// What hrt_profile_load() takes; has no field of which the data can't tell.
+/// JSON for hrt_profile_load(); without the fields that the data cannot determine.
 std::string calibration_profile(const Calibration& calibration);
 
 /// Directions against the plate's orientation with the fit, and the residuals.

@@ -1,4 +1,4 @@
-// The figures of the report: what each shows, in words and as a gnuplot script that carries its data.
+// The figures of the report, each with its words and a gnuplot script that contains the data.
 #pragma once
 
 #include <cstdint>

@@ -53,11 +53,7 @@ Figure frontier_figure(const FigureOptions& options) {
                         .condition_id = static_cast<std::uint32_t>(jobs.size()),
                         .first_trial = 0,
                         .last_trial = static_cast<std::uint32_t>(options.trials)});
-  Progress progress;
-  const std::vector<BatchResult> results =
-      run_batch(jobs, options.seed,
-                {.threads = static_cast<int>(options.threads),
-                 .progress = [&](std::uint64_t done, std::uint64_t total) { progress.update(done, total); }});
+  const std::vector<BatchResult> results = run_with_progress(jobs, options.seed, options.threads);
 
   Figure figure{
       .name = "frontier",

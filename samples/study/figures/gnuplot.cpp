@@ -38,7 +38,7 @@ std::string in_one_line(std::FILE* file) {
   return line;
 }
 
-// Waits for `child` whatever signals come meanwhile.
+// Waits for `child`, through interrupting signals.
 int status_of(pid_t child) {
   int status = 0;
   while (waitpid(child, &status, 0) < 0)

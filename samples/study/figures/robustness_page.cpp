@@ -109,7 +109,7 @@ std::string middle_case_words() {
   return "The middle case: 100 mm in 3 s at constant speed, a gap of 10 deg, 1.2 mm of tracker noise at 90 "
          "Hz, "
          "a servo of 400 deg/s after 30 ms; w_T drawn from 0.12 to 0.25 and sigma_u^2 from 0.5 to 1, both "
-         "unknown to all but the controller that is told.";
+         "known to the informed controller only.";
 }
 
 std::string limit_words(const RobustnessRow& row) {
@@ -133,13 +133,14 @@ std::string robustness_page(const RobustnessOptions& options, const std::vector<
       "<table>\n<tr><th></th><th class=\"words\">controller</th><th>median miss, mm</th><th>95 %, mm</th>"
       "<th>within 1.5 deg of bearing, %</th><th>of direction, %</th><th>felt error, deg</th>"
       "<th>says unreachable, %</th></tr>\n";
-  std::string page = page_start("Haptic retargeting by touch: who and what it holds up on");
+  std::string page = page_start("Haptic retargeting by touch: robustness");
   page +=
       "<p>Four controllers lead the same simulated people, " + std::to_string(options.trials) +
       " a line (seed " + std::to_string(options.seed) +
       "), by noisy tracked positions: the paper's, which assumes w_T = 0.15 and a plate that follows at "
       "once; one that learns w_T within the reach; that one aimed along the line of sight to the real "
-      "target, as the plugin does; and one that is told w_T, bias, variances, step period and tracker "
+      "target, as the plugin does; and an informed one, which knows w_T, bias, variances, step period and "
+      "tracker "
       "noise. " +
       escaped(middle_case_words()) +
       " Each section varies one thing. Felt error is the mean absolute difference of the direction that is "

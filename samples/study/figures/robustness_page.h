@@ -10,7 +10,7 @@
 
 namespace hrt::study {
 
-/// One sentence: what stands still while one thing is varied.
+/// One sentence: the middle case, of which each factor changes one thing.
 std::string middle_case_words();
 
 /// Why some people of this row can't be led to the target by any controller; empty if all can.

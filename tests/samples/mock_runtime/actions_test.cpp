@@ -158,7 +158,7 @@ TEST_F(MockActions, SuggestedBindingsAreThoseOfTheProfile) {
             suggest(simple, {{reinterpret_cast<XrAction>(std::uintptr_t{0x1234}), binding.binding}}));
 }
 
-// "Interaction Profile Paths": every core profile, with sources that tell it from the others.
+// "Interaction Profile Paths": every core profile, with sources that distinguish it from the others.
 TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
   const XrAction any = make_action(set, "any", XR_ACTION_TYPE_FLOAT_INPUT);
   const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{

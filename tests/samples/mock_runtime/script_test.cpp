@@ -124,7 +124,7 @@ TEST_F(MockScript, CallsFailOnOrderAndTheCallsAroundThemDoNot) {
   }
 }
 
-// A call takes long, in real time whatever the clock, and other threads' calls do not wait for it.
+// A call takes long, in real time under either clock, and other threads' calls do not wait for it.
 TEST_F(MockScript, CallsTakeLongOnOrder) {
   begin_with(R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 300}]})");
   EXPECT_XR(XR_SUCCESS, wait());
@@ -181,7 +181,7 @@ TEST_F(MockScript, JumpsShiftTheTrackedHandOnly) {
   EXPECT_NEAR(after.z - before.z, -0.030F, 1e-6F);
 }
 
-// "No repeated state": each is told once, by way of those in between; a hand is not active without focus.
+// "No repeated state": each is reported once, with those in between; a hand is not active without focus.
 TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
   begin_with(R"({"events": [{"frame": 2, "do": "session_state", "state": "SYNCHRONIZED"},
                             {"frame": 3, "do": "session_state", "state": "SYNCHRONIZED"},
@@ -315,6 +315,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
   // Turned back half way there: 72.5 ms after the first command it stands at -21.
   ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 52'500'000));
   ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 10.0));
+  EXPECT_NEAR(at(30), -13.0, 1e-9);  // in the past: as now, 32.5 ms after the turn began
   EXPECT_NEAR(at(72), -20.8, 1e-9);
   EXPECT_NEAR(at(82), -21.0 + 0.4 * 9.5, 1e-9);
 }
@@ -450,7 +451,7 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   EXPECT_NEAR(static_cast<double>(frame() - time), 0.0, 1e9);
 }
 
-// The environment: a script from a file, errors that xrCreateInstance tells, and a log that outlives the
+// The environment: a script from a file, errors that xrCreateInstance reports, and a log that outlives the
 // instance.
 class MockEnvironment : public ::testing::Test {
  protected:

@@ -75,7 +75,7 @@ class MockRuntime : public ::testing::Test {
   /// create_session(), xrBeginSession, and every event so far read.
   void begin_session();
 
-  /// The next session state that is told, or nothing.
+  /// The next reported session state, or nothing.
   std::optional<XrSessionState> next_state();
   std::vector<XrSessionState> all_states();
 

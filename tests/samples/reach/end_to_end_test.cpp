@@ -34,8 +34,8 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
   }
 }
 
-// A seed is a person, who has one weight of touch, whatever it is, in all reaches of a run. What nobody has
-// told the controller, it learns, and leads everyone to the targets; or it says that nobody could.
+// A seed is a person with one weight of touch in all reaches of a run. The controller learns that weight, and
+// leads each person to the targets or reports them unreachable.
 TEST(ReachEndToEnd, LeadsEveryoneWhomASeedMakes) {
   std::set<std::string> weights;
   for (int seed = 1; seed <= 25; ++seed) {
@@ -109,7 +109,7 @@ TEST(ReachEndToEnd, ReachesWithTheLeftHand) {
 }
 
 // With a weight of touch of 0.10 gaps up to 84.5 / 9 = 9.4 degrees can be held: not the pawn's 12. The
-// paper's controller is told so, ours finds it out.
+// paper's controller assumes it, ours learns it.
 TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
   const std::string light = R"({"participants": [{"tactile_weight": 0.1}]})";
   for (const std::vector<std::string>& arguments :

@@ -38,7 +38,7 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
 }
 
-// Noise so small that chance decides nothing: it is the faults that are looked at here.
+// Noise so small that only the faults matter.
 const std::string calm = R"("participants": [{"tactile_weight": 0.15, "motor_variance_deg2": 0.05}])";
 
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
@@ -116,7 +116,7 @@ TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
 }
 
 // The person stays the same, and the reach that was lost is made again as it would have been made: with a
-// controller that learns nothing, nothing tells that there was a loss.
+// controller that learns nothing, the loss leaves no trace.
 TEST(ReachFault, ALossChangesNoReach) {
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
   const Outcome outcome = run_scripted(event_at(400, R"("do": "lose_session")"), arguments);
@@ -128,7 +128,7 @@ TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
   for (const int frame : {1, 2, 50, 200}) {
     const Outcome outcome = run_desk(event_at(frame, R"("do": "lose_session")"));
     EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
-    EXPECT_TRUE(says(outcome, "lost again and again")) << outcome.err;
+    EXPECT_TRUE(says(outcome, "lost repeatedly")) << outcome.err;
     EXPECT_TRUE(rows_of(outcome).empty());
   }
 }
@@ -150,7 +150,7 @@ TEST(ReachFault, ACallThatAlwaysFindsTheSessionLostIsGivenUp) {
        {"xrBeginSession", "xrCreateReferenceSpace", "xrCreateHandTrackerEXT", "xrWaitFrame"}) {
     const Outcome outcome = run_desk(failing_call(function, 1, "XR_ERROR_SESSION_LOST"));
     EXPECT_EQ(outcome.exit_code, 7) << function << outcome.err;
-    EXPECT_TRUE(says(outcome, "lost again and again: " + function)) << outcome.err;
+    EXPECT_TRUE(says(outcome, "lost repeatedly: " + function)) << outcome.err;
   }
 }
 
@@ -206,7 +206,7 @@ TEST(ReachFault, TheRuntimeLacksWhatIsUseful) {
                  "has no plate to turn; --plate names another one");
 }
 
-// Then time is the monotonic clock's, if the runtime can tell what it takes that for.
+// Then time is the monotonic clock's, if the runtime can convert it.
 TEST(ReachFault, FramesHaveNoTimes) {
   const Outcome outcome = run_scripted("{" + calm + R"(, "clock": "real-time", "frame_times": false})",
                                        {desk, "--target", "goblet"});
@@ -275,7 +275,7 @@ TEST(ReachFault, TheCoreValidationLayerHasNothingToSayAboutLosses) {
   EXPECT_EQ(outcome.out, without_layer);
 }
 
-// Whoever the user is, told the truth about their weight of touch, the plate leads them there.
+// A controller that knows the user's weight of touch leads every user there.
 TEST(ReachOfParticipants, WithWeightsOfTouchFromATenthToThreeTenths) {
   for (const std::string weight : {"0.10", "0.15", "0.20", "0.25", "0.30"}) {
     const std::string script =

@@ -74,6 +74,13 @@ TEST(ReachPlot, DrawsEveryReach) {
   EXPECT_EQ(svg.find("nan"), std::string::npos);
 }
 
+TEST(ReachPlot, DrawsThePictureOfTheReadme) {
+  const std::string file = scratch_folder() + "/reach.svg";
+  ASSERT_EQ(run_program({desk, "--target", "pawn", "--plot", file}).exit_code, 0);
+  EXPECT_EQ(read_file(file), read_file(std::string(HRT_SCENES) + "/../reach/reach.svg"))
+      << "regenerate it: samples/run --target pawn --plot samples/reach/reach.svg";
+}
+
 TEST(ReachPlot, ThatCannotBeWrittenIsRefusedBeforeAnyoneMoves) {
   const Outcome outcome = run_program({desk, "--plot", "/nonexistent/reach.svg"});
   EXPECT_EQ(outcome.exit_code, 10);
@@ -152,7 +159,7 @@ TEST(ReachStatusLine, IsNotShownWithoutATerminal) {
   EXPECT_EQ(run_scripted(half_a_second, {desk, "--target", "bottle"}).err, "");
 }
 
-TEST(ReachOutput, ThatNobodyReadsEndsTheRun) {
+TEST(ReachOutput, WithoutReaderEndsTheRun) {
   const std::string command =
       "exec 2>&1 >/dev/full; LSAN_OPTIONS=print_suppressions=0:suppressions=" HRT_LEAK_SUPPRESSIONS
       " exec " HRT_REACH_PROGRAM " " +
@@ -181,7 +188,7 @@ TEST(ReachPlate, IsASimulatedServo) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
-// A plate that never turns leads nobody anywhere: proof that what the simulated user feels is this plate.
+// A plate that never turns leads to no target: the simulated user feels this plate.
 TEST(ReachPlate, ThatHardlyTurnsMissesTheTarget) {
   const Outcome outcome = run_program({desk, "--target", "pawn", "--plate", "servo:1"});
   EXPECT_EQ(outcome.exit_code, 1);
@@ -237,7 +244,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
     program.send_signal(signal);
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 130);
-    EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the reach under way counts for nothing\n");
+    EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the unfinished reach does not count\n");
     EXPECT_NE(outcome.out.find("0 of 0 targets"), std::string::npos) << outcome.out;
     EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
     EXPECT_FALSE(device.moving_allowed());
@@ -249,7 +256,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
   }
 }
 
-// Whatever hangs, the second Ctrl-C ends it.
+// The second Ctrl-C ends a program that hangs.
 TEST(ReachInterrupted, ASecondTimeEndsAtOnce) {
   Program program({desk}, scripted_environment(
                               R"({"calls": [{"function": "xrWaitFrame", "call": 2, "delay_ms": 50000}]})"));
@@ -278,8 +285,8 @@ TEST(ReachPlate, FallsSilentInTheMiddleOfAReach) {
   EXPECT_EQ(report.complete, 1U);
 }
 
-// A person: nobody can be told to start and nobody tells the truth. The scripted hand comes to the start,
-// waits, and slides straight towards the cylinder, whatever the plate does. Plate coordinates to LOCAL space:
+// A person: without instruction and without truth. The scripted hand comes to the start, waits, and slides
+// straight towards the cylinder regardless of the plate. Plate coordinates to LOCAL space:
 // the desk's plate stands at (0.12, 0.75, -0.32), turned by 20 degrees about the vertical.
 std::string keyframe(int time_ms, double right_m, double towards_user_m) {
   const double angle = 20.0 * std::numbers::pi / 180.0;
@@ -323,7 +330,7 @@ TEST(ReachOfAPerson, TakesTheHandThatComes) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
 }
 
-// The right finger is lost half way; the left one comes down where it was and goes on to the cylinder.
+// The right finger is lost half way; the left one comes down there and slides to the cylinder.
 std::string relay(const std::string& left_tracked_from, double left_height_m) {
   std::string left = R"({"tracked": true, "path": [)" + keyframe(3000, 0.0, 0.0) + ", " +
                      keyframe(3400, 0.0, 0.0) + ", " + keyframe(5500, 0.0, -0.06) + "]}";

@@ -132,7 +132,7 @@ Outcome run_scripted(const std::string& script, const std::vector<std::string>& 
 }
 
 std::vector<Row> rows_of(const Outcome& outcome) {
-  // Names may hold spaces and signs; directions are told from them by their decimals.
+  // Names may hold spaces and signs; directions differ from them by their decimals.
   static const std::regex pattern(
       R"((.*?) +([+-]\d+\.\d)  (.*?) +([+-]\d+\.\d) +([+-]\d+\.\d\d) +([+-]\d+\.\d\d) +([+-]\d+\.\d\d) +(\d+\.\d) )"
       R"(+([0-9.]+|-) +(\d\.\d+) +(\d+) +(\d+) +(\d+)%  (reached|missed).*)");

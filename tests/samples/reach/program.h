@@ -58,7 +58,7 @@ struct Row {
   double felt_direction_deg;
   double miss_deg;
   double miss_mm;
-  std::string touch;  ///< "-" if nobody knows
+  std::string touch;  ///< "-" if unknown
   double assumed;
   int frames;
   int lost;

@@ -53,7 +53,7 @@ class PtyPlate {
   std::atomic<bool> silent_ = false;
   std::atomic<bool> unplugged_ = false;
   std::atomic<bool> gone_ = false;     // unplugged, and the line is closed
-  std::atomic<bool> allowed_ = false;  // to move: a SET came and heartbeats go on
+  std::atomic<bool> allowed_ = false;  // to move: a SET came and heartbeats continue
   std::atomic<double> orientation_deg_ = 0.0;
   bool greeted_ = false;
   mutable std::mutex mutex_;  // of heard_ and to_send_

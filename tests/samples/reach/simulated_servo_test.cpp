@@ -17,7 +17,7 @@ TEST(SimulatedServo, TurnsAtItsSpeedAndStaysAtItsGoal) {
   EXPECT_DOUBLE_EQ(*servo.orientation_deg(2 * second + second / 2), 0.0);
 }
 
-// From 50, -80 is felt like 100, which is nearer; and 100 is told as -80.
+// From 50, -80 is felt like 100, which is nearer; and 100 is reported as -80.
 TEST(SimulatedServo, TakesTheShortWayRound) {
   SimulatedServo servo(100.0);
   servo.command(1 * second, 50.0);

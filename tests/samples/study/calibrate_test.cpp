@@ -132,7 +132,7 @@ TEST(StudyCalibrate, SaysWhereTheDataCannotTell) {
   ASSERT_EQ(run_study({"participants", "--tracker-noise", "2", "--trials", "2", "--out", data}).exit_code, 0);
   const StudyRun run = run_study({"calibrate", data, "--profile", folder / "profile.json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("can't tell"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("not determined"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("simulated people only"), std::string::npos);
   EXPECT_FALSE(json::parse(read_file(folder.path / "profile.json")).contains("sensory_variance_deg2"));
 }

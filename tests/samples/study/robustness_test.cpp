@@ -28,7 +28,7 @@ std::vector<RobustnessRow> rows_of(const std::string& name, std::uint64_t trials
   return simulate_robustness({&*found, 1}, {.trials = trials, .seed = 1, .threads = 2});
 }
 
-// What the plugin must reach on people whom nobody has measured.
+// The plugin's target for unknown participants.
 TEST(StudyRobustness, TheMiddleCaseMeetsItsGoals) {
   const RobustnessRow row = rows_of("middle", 1000).front();
   const RobustnessCell& sight = cell(row, Controller::adaptive_sight);
@@ -44,9 +44,9 @@ TEST(StudyRobustness, TheMiddleCaseMeetsItsGoals) {
 
 TEST(StudyRobustness, KnowingTheTruthHelpsLittle) {
   const RobustnessRow row = rows_of("middle", 400).front();
-  const double told_mm = cell(row, Controller::told).miss_median_mm;
-  EXPECT_GT(told_mm, 0.05);
-  EXPECT_LT(cell(row, Controller::adaptive_sight).miss_median_mm, told_mm + 0.2);
+  const double informed_mm = cell(row, Controller::informed).miss_median_mm;
+  EXPECT_GT(informed_mm, 0.05);
+  EXPECT_LT(cell(row, Controller::adaptive_sight).miss_median_mm, informed_mm + 0.2);
   EXPECT_LT(cell(row, Controller::adaptive_sight).miss_median_mm,
             cell(row, Controller::adaptive).miss_median_mm);
 }
@@ -56,8 +56,8 @@ TEST(StudyRobustness, KnowingTheTruthHelpsLittle) {
 TEST(StudyRobustness, ABiasThatIsKnownCostsNothing) {
   const RobustnessRow biased = rows_of("bias_deg", 200).front();
   ASSERT_EQ(biased.value, -3.0);
-  EXPECT_EQ(cell(biased, Controller::told).bearing_percent, 100.0);
-  EXPECT_LT(cell(biased, Controller::told).miss_median_mm, 0.2);
+  EXPECT_EQ(cell(biased, Controller::informed).bearing_percent, 100.0);
+  EXPECT_LT(cell(biased, Controller::informed).miss_median_mm, 0.2);
 }
 
 // By hand: 84.5 * 0.08 / 0.92 = 7.348 deg can be held of 10, and 100 mm * sin(2.652 deg) = 4.627 mm remain.
