@@ -33,6 +33,9 @@ endfunction()
 function(hrt_add_executable name)
   add_executable(${name} ${ARGN})
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:hrt_flags>)
+  if(HRT_SANITIZE)  # programs in C too load libraries that need the C++ part of clang's sanitizers
+    set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  endif()
   if(EMSCRIPTEN)
     # For node: its files, its exit code. The loader is not optimised (-O1); what the compiler made is.
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
