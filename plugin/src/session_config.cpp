@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
 namespace {

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <cstring>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/session_config.h"
 
 namespace hrt::plugin {

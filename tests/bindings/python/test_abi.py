@@ -1,4 +1,4 @@
-"""The declarations against tests/plugin/abi.txt, which the build is held against."""
+"""The declarations against tests/plugin/abi/abi.txt, which the build is held against."""
 
 import ctypes
 import re
@@ -8,7 +8,7 @@ from conftest import BINDINGS, ROOT
 import haptic_retargeting as hrt
 from haptic_retargeting import _abi
 
-ABI = (ROOT / "tests/plugin/abi.txt").read_text()
+ABI = (ROOT / "tests/plugin/abi/abi.txt").read_text()
 
 
 def python_name(c_name: str) -> str:

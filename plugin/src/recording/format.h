@@ -8,7 +8,7 @@
 #include "core/retargeter.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/target.h"
-#include "plugin/src/json.h"
+#include "plugin/src/recording/json.h"
 
 namespace hrt::plugin {
 

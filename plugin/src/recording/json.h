@@ -5,7 +5,7 @@
 
 #include "haptic_retargeting/session.h"
 #include "haptic_retargeting/target.h"
-#include "plugin/src/text.h"
+#include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
 

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/simulation/participant.h"
-#include "fixture.h"
+#include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {

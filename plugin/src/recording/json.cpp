@@ -1,4 +1,4 @@
-#include "plugin/src/json.h"
+#include "plugin/src/recording/json.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/decimal.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/decimal.h"
 #include "plugin/src/session_config.h"
 #include "plugin/src/targets.h"
 

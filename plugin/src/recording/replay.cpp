@@ -1,12 +1,12 @@
-#include "plugin/src/replay.h"
+#include "plugin/src/recording/replay.h"
 
 #include <bit>
 #include <map>
 #include <optional>
 #include <utility>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/recording_format.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/recording/format.h"
 #include "plugin/src/session.h"
 
 namespace hrt::plugin {
@@ -43,15 +43,14 @@ class Rerun {
   Rerun(Session& session, const TargetIds& ids, Hash& hash, Record& record)
       : session_(session), ids_(ids), hash_(hash), record_(record) {}
   void operator()(ReachBegun& call) {
-    record_.result = session_.begin(
-        {
-            .struct_size = sizeof(hrt_reach_config),
-            .flags = call.flags,
-            .real_target = target(call.real_number),
-            .virtual_target = target(call.virtual_number),
-            .plate_orientation_deg = call.plate_orientation_deg,
-        },
-        &call.reach);
+    record_.result = session_.begin({
+        .struct_size = sizeof(hrt_reach_config),
+        .flags = call.flags,
+        .real_target = target(call.real_number),
+        .virtual_target = target(call.virtual_number),
+        .plate_orientation_deg = call.plate_orientation_deg,
+    });
+    call.reach = session_.reach();
   }
   void operator()(Updated& call) {
     record_.result = session_.update(call.sample, &call.command);

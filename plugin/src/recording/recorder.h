@@ -6,8 +6,8 @@
 #include <memory>
 #include <thread>
 
-#include "plugin/src/file.h"
-#include "plugin/src/recording_format.h"
+#include "plugin/src/abi/file.h"
+#include "plugin/src/recording/format.h"
 #include "plugin/src/targets.h"
 
 namespace hrt::plugin {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "plugin/src/error.h"
+#include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
 

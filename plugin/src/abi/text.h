@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "plugin/src/decimal.h"
+#include "plugin/src/abi/decimal.h"
 
 namespace hrt::plugin {
 

@@ -1,4 +1,4 @@
-#include "plugin/src/decimal.h"
+#include "plugin/src/abi/decimal.h"
 
 #include <algorithm>
 #include <cctype>

@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "haptic_retargeting/base.h"
-#include "plugin/src/text.h"
+#include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
 

@@ -1,5 +1,5 @@
 // What decimal.cpp makes of C's functions is what std::to_chars() and std::from_chars() give.
-#include "plugin/src/decimal.h"
+#include "plugin/src/abi/decimal.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "plugin/src/recorder.h"
+#include "plugin/src/recording/recorder.h"
 
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <system_error>
 
-#include "plugin/src/host.h"
+#include "plugin/src/abi/host.h"
 
 namespace hrt::plugin {
 

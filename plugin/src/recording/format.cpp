@@ -1,10 +1,10 @@
-#include "plugin/src/recording_format.h"
+#include "plugin/src/recording/format.h"
 
 #include <algorithm>
 #include <array>
 #include <iterator>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
 namespace {
