@@ -8,7 +8,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "plugin/src/abi/decimal.h"
+#include "plugin/src/abi/number.h"
 
 namespace hrt::plugin {
 
@@ -34,8 +34,8 @@ class Text {
     if constexpr (std::is_floating_point_v<Number>) {
       if (std::isnan(number)) return *this << std::string_view("NaN");
       if (std::isinf(number)) return *this << std::string_view(number > 0 ? "Inf" : "-Inf");
-      char digits[longest_decimal];
-      return *this << std::string_view(digits, write_decimal(double{number}, digits));
+      char digits[longest_number];
+      return *this << std::string_view(digits, write_number(double{number}, digits));
     } else {
       char digits[32];
       const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);

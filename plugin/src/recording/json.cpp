@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/abi/decimal.h"
+#include "plugin/src/abi/number.h"
 #include "plugin/src/session_config.h"
 #include "plugin/src/targets.h"
 
@@ -76,12 +76,13 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
   }
-  bool number_float(number_float_t value, const string_t& text) override {
-    // `value` comes from strtod(), which is not exact everywhere. (In a locale with a comma the text has one,
-    // and is not read.)
-    double exact = value;
-    read_decimal(text, &exact);
-    return number(exact, false, 0);
+  bool number_float(number_float_t, const string_t& text) override {
+    // The parser has put the locale's decimal point into the text, and read its value by that.
+    std::string token = text;
+    const std::size_t point = token.find_first_not_of("+-0123456789eE");
+    if (point != token.npos) token[point] = '.';
+    double value = 0.0;
+    return read_number(token, &value) && number(value, false, 0);
   }
   bool string(string_t& value) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;

@@ -183,11 +183,11 @@ class Replay {
     HRT_RETURN_IF_FAILED(read_row(line, &record));
     std::visit(Rerun(*session_, target_ids_, hash_, record), record.call);
     ++report_.rows;
-    // Numbers are written so that different bits give different texts.
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (row != line && report_.first_different_line == 0) report_.first_different_line = line_number_;
+    if (report_.first_different_line == 0 && !is_same_row(row, line))
+      report_.first_different_line = line_number_;
     return HRT_OK;
   }
 

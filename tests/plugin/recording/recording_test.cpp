@@ -196,6 +196,16 @@ TEST_F(RecordingTest, FirstDifferenceIsFound) {
   EXPECT_EQ(replay(text).first_different_line, static_cast<uint64_t>(line));
 }
 
+// Releases differ in how they spell a number, not in its bits.
+TEST_F(RecordingTest, OtherSpellingsOfANumberAreNoDifference) {
+  std::string text = recording();
+  const std::size_t update = text.find("\nupdate,0,");
+  const std::size_t weight = text.find(",0.15,", update);
+  ASSERT_NE(weight, std::string::npos);
+  text.replace(weight, 6, ",1.50e-01,");
+  EXPECT_EQ(replay(text).first_different_line, 0u);
+}
+
 /// The cells of a row.
 std::vector<std::string> split(const std::string& row) {
   std::istringstream line(row);
