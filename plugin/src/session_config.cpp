@@ -148,10 +148,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {
-  const auto& start_m = config.start_position_m;
-  return {.start_m = {start_m[0], start_m[1], start_m[2]},
-          .radius_m = config.plate_radius_m,
-          .lift_height_m = config.lift_height_m};
+  return {.radius_m = config.plate_radius_m, .lift_height_m = config.lift_height_m};
 }
 
 Pose plate_pose_of(const hrt_session_config& config) {

@@ -145,7 +145,8 @@ Bearing view(const hrt_session_config& config, const hrt_target_config& target) 
   FingerOnPlate place{};
   locate_finger(surface_of(config), target.place == HRT_PLACE_WORLD_POSITION ? plate_pose_of(config) : Pose{},
                 {p[0], p[1], p[2]}, place);
-  return place.bearing;
+  const auto& start_m = config.start_position_m;
+  return bearing_from({start_m[0], start_m[1], start_m[2]}, place.position_m);
 }
 
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,
