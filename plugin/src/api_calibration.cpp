@@ -56,9 +56,8 @@ class StreamedCalibration {
     HRT_RETURN_IF_FAILED(check_trial());
     HRT_RETURN_IF_FAILED(check_sample(sample));
     if (sample.flags & HRT_SAMPLE_DIRECTION)
-      return fail(
-          HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-          "; allowed: PLATE_POSITION or WORLD_POSITION, or none; DIRECTION can't tell what is sought");
+      return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
+                  "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
     if (sampled_ && sample.time_ns < last_time_ns_)
       return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns,
                   "; allowed: from the last sample's, ", last_time_ns_);

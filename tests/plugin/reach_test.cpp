@@ -78,7 +78,7 @@ TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
 // The plate lies in the world at (1, 2, 3), turned by 90 degrees to the left about the world's up axis, so
 // that its mid-line, -z, is the world's -x. Going from (1, 2, 3) along -x is going straight ahead.
 // Half way along the mid-line to a target 100 mm away at -5 degrees, which stands at (8.7, 99.6) mm, the line
-// of sight is at -atan(8.716 / 49.619) = -9.96 degrees. Directions alone do not tell where the finger is.
+// of sight is at -atan(8.716 / 49.619) = -9.96 degrees. Directions alone do not locate the finger.
 TEST_F(ReachTest, AimsAlongTheLineOfSightWherePositionsTellIt) {
   create(session_config());
   begin_reach();

@@ -21,7 +21,7 @@ class HandleTable {
  public:
   constexpr HandleTable() = default;
 
-  /// The object while this lives; without one, `result` tells why.
+  /// The object while this lives; without one, result() is the reason.
   class Lease {
    public:
     explicit Lease(hrt_result failure) : result_(failure) {}

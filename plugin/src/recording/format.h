@@ -81,7 +81,7 @@ hrt_result read_row(std::string_view line, Record* out);
 /// Whether every cell of two rows is the same, numbers to the bit.
 bool is_same_row(std::string_view row, std::string_view other);
 
-/// Reads the rest of a comment about a target, or about the plate. Checked but for what depends on others.
+/// Reads the rest of a comment about a target, or about the plate. Checked except for what depends on others.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
 

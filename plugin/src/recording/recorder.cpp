@@ -54,8 +54,8 @@ void Recorder::push(const Record& record) noexcept {
   }
   Entry& entry = ring_[pushed % capacity];
   entry.record = record;
-  entry.lost_before = lost - lost_told_;
-  lost_told_ = lost;
+  entry.lost_before = lost - lost_noted_;
+  lost_noted_ = lost;
   pushed_.store(pushed + 1, std::memory_order_release);
 }
 
@@ -83,7 +83,7 @@ void Recorder::write_all() {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   drain();
-  write_lost(lost_.load() - lost_told_);
+  write_lost(lost_.load() - lost_noted_);
   write(end_comment);
   write("\n");
   drain();
@@ -125,7 +125,7 @@ void Recorder::write_lost(std::uint64_t count) {
 void Recorder::give_up(int error) {
   system_error_.store(error == 0 ? EIO : error);
   Text<240> text;
-  text << "the recording ends here, control goes on: " << std::strerror(error);
+  text << "the recording ends here, control continues: " << std::strerror(error);
   log(HRT_LOG_ERROR, text.c_str());
 }
 

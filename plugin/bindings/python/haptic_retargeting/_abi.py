@@ -865,7 +865,7 @@ class SceneTarget(Struct):
 
 
 def declare(library: CDLL) -> None:
-    """Tells ctypes the type of every function; AttributeError names one that the library lacks."""
+    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""
     library.hrt_result_string.argtypes = (c_int32,)
     library.hrt_result_string.restype = c_char_p
     library.hrt_last_error.argtypes = ()
