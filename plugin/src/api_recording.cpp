@@ -27,9 +27,12 @@ std::string read_file(const char* path) {
   char block[65536];
   while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) {
     text.append(block, n);
-    if (text.size() > largest_file) throw std::system_error(EFBIG, std::generic_category(), path);
+    if (text.size() > largest_file) {
+      errno = EFBIG;
+      throw file_error(path);
+    }
   }
-  if (std::ferror(file.get())) throw std::system_error(errno, std::generic_category(), path);
+  if (std::ferror(file.get())) throw file_error(path);
   return text;
 }
 

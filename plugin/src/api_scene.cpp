@@ -20,9 +20,9 @@ void copy(Vec3 from, double (&to)[3]) {
   to[2] = from.z;
 }
 
-// Runs a loader, whose errors are those of the file.
+// Runs a loader, whose errors begin with the name of the file.
 template <class Load>
-hrt_result add_scene(hrt_scene* out_scene, Load&& load) {
+hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
   if (!out_scene) return fail(HRT_ERROR_NULL_ARGUMENT, "out_scene is null");
   try {
     auto scene = std::make_unique<Scene>(load());
@@ -37,7 +37,9 @@ hrt_result add_scene(hrt_scene* out_scene, Load&& load) {
     out_scene->value = handle;
     return HRT_OK;
   } catch (const SceneError& error) {
-    return fail(HRT_ERROR_BAD_FORMAT, error.what());
+    const std::string_view what = error.what();
+    if (!what.starts_with(file)) return fail(HRT_ERROR_BAD_FORMAT, what);
+    return fail(HRT_ERROR_BAD_FORMAT, Shown{file}, what.substr(file.size()));
   }
 }
 
@@ -111,7 +113,7 @@ using namespace hrt::plugin;
 hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load_file", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    return add_scene(out_scene, [&] { return hrt::load_scene(path_of(path)); });
+    return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
   });
 }
 
@@ -122,7 +124,7 @@ hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char*
     if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
     const std::span<const std::byte> file(static_cast<const std::byte*>(bytes),
                                           static_cast<std::size_t>(length));
-    return add_scene(out_scene, [&] { return hrt::load_scene(file, name); });
+    return add_scene(out_scene, name, [&] { return hrt::load_scene(file, name); });
   });
 }
 

@@ -75,7 +75,7 @@ hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* ou
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
     const std::string_view wanted(name, strnlen(name, HRT_NAME_SIZE));
     const std::uint64_t id = s.session().targets.find(wanted);
-    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", wanted, "\"");
+    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", Shown{wanted}, "\"");
     out_target->value = id;
     return HRT_OK;
   });

@@ -25,6 +25,7 @@ hrt_result fail(hrt_result code, const Parts&... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);
+  thread_error.text.make_printable();
   return code;
 }
 

@@ -183,7 +183,7 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
 template <class What, class Number>
 hrt_result take_number(const What& what, std::string_view text, Number* out) {
   if (read_number(text, out)) return HRT_OK;
-  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", text.substr(0, 40), "\", which is not a number");
+  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
 }
 
 template <class Number>
@@ -244,8 +244,8 @@ hrt_result read_refused(const Cells& cells, Record* out) {
     out->call = refused;
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", name.substr(0, 40), "\", which \"",
-              cells[0].substr(0, 40), "\" does not have");
+  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", Shown{name}, "\", which \"",
+              Shown{cells[0]}, "\" does not have");
 }
 
 hrt_result read_update(const Cells& cells, Record* out) {
@@ -283,7 +283,7 @@ hrt_result read_row(std::string_view line, Record* out) {
     out->call = ReachEnded{};
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", cells[0].substr(0, 40),
+  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
               "\"; allowed: begin, update, end");
 }
 
@@ -309,8 +309,7 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   const std::string_view verb = next_word();
   const auto known = std::find(std::begin(verbs), std::end(verbs), verb);
   if (known == std::end(verbs))
-    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", verb.substr(0, 40),
-                "\"; allowed: added, set, removed");
+    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", Shown{verb}, "\"; allowed: added, set, removed");
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);

@@ -121,7 +121,7 @@ hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
   for (const Field& field : reader.fields) {
     const auto same = [&](const Field& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is there twice");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
   *out = std::move(reader.fields);
   return HRT_OK;
@@ -177,7 +177,7 @@ hrt_result read_field(const Field& field, hrt_session_config* config) {
       return read_array(field, vector.size,
                         reinterpret_cast<double*>(reinterpret_cast<char*>(config) + vector.offset));
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "\"", key, "\" is not a field of a configuration");
+  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{key}, "\" is not a field of a configuration");
 }
 
 bool is_of_participant(const std::string& key) {
@@ -246,7 +246,7 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
     } else if (field.key == "position_m") {
       HRT_RETURN_IF_FAILED(read_array(field, 3, target.position_m));
     } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a target");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a target");
     }
   }
   HRT_RETURN_IF_FAILED(check_target_fields(&target));
@@ -275,7 +275,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config) {
     } else if (is_of_participant(field.key)) {
       HRT_RETURN_IF_FAILED(read_field(field, &read));
     } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a profile");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a profile");
     }
   }
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");

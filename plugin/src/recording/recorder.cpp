@@ -35,8 +35,7 @@ Recorder::Recorder(const char* path, const hrt_session_config& config, const Tar
   append({.call = PlateStands{plate_orientation_deg}}, file_.get());
   for (const auto& [id, target] : targets.all())
     append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
-  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()))
-    throw std::system_error(errno, std::generic_category(), path);
+  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) throw file_error(path);
   if (has_threads) writer_ = std::thread([this] { write_all(); });
 }
 

@@ -214,7 +214,10 @@ class Replay {
 }  // namespace
 
 hrt_result replay(std::string_view text, hrt_replay_report* out) {
-  return Replay().run(text, out);
+  const ThreadError before = thread_error;  // the calls in the recording may fail
+  const hrt_result result = Replay().run(text, out);
+  if (result == HRT_OK) thread_error = before;
+  return result;
 }
 
 }  // namespace hrt::plugin
