@@ -71,7 +71,8 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return true;
   }
   bool number_integer(number_integer_t value) override {
-    return number(static_cast<double>(value), true, value);
+    // Called for what has a sign: 0 is "-0".
+    return number(value == 0 ? -0.0 : static_cast<double>(value), true, value);
   }
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
@@ -200,12 +201,15 @@ void write_config(const hrt_session_config& config, JsonText& out) {
 }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
+  // Fields that the place does not name are not read, and may hold anything.
+  const bool by_direction = target.place == HRT_PLACE_DIRECTION;
+  constexpr double unread_m[3] = {};
   out << "{\"name\":";
   write_string(target.name, out);
   out << ",\"role\":" << target.role << ",\"place\":" << target.place
-      << ",\"direction_deg\":" << target.direction_deg << ",\"distance_m\":" << target.distance_m
-      << ",\"position_m\":";
-  write_array(target.position_m, 3, out);
+      << ",\"direction_deg\":" << (by_direction ? target.direction_deg : 0.0)
+      << ",\"distance_m\":" << (by_direction ? target.distance_m : 0.0) << ",\"position_m\":";
+  write_array(by_direction ? unread_m : target.position_m, 3, out);
   out << "}";
 }
 

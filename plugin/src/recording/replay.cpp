@@ -3,6 +3,7 @@
 #include <bit>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "plugin/src/abi/checks.h"
@@ -102,6 +103,12 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {
+    std::string with_line_feeds;
+    if (text.substr(0, text.find('\n')).ends_with('\r')) {  // editors on Windows write CR LF
+      with_line_feeds = text;
+      std::erase(with_line_feeds, '\r');
+      text = with_line_feeds;
+    }
     if (text.starts_with("# haptic retargeting recording, version 1\n"))
       return fail(
           HRT_ERROR_BAD_FORMAT,
@@ -109,7 +116,7 @@ class Replay {
     if (!starts_with_and_drops(text, recording_header()))
       return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 2 does");
     for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
-    while (!text.empty() && !finished_) {
+    while (!text.empty() && !lost_) {
       ++line_number_;
       const std::size_t end = text.find('\n');
       if (end == std::string_view::npos) break;  // cut off within a line
@@ -123,13 +130,13 @@ class Replay {
 
  private:
   hrt_result take(std::string_view line) {
+    if (report_.complete) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
     if (line.starts_with(lost_comment)) {
-      finished_ = true;
+      lost_ = true;
     } else if (line == end_comment) {
-      finished_ = true;
       report_.complete = 1;
     } else if (!line.starts_with("#")) {
       return take_row(line);
@@ -208,7 +215,7 @@ class Replay {
                             .first_different_line = 0,
                             .hash = 0};
   std::uint64_t line_number_ = 0;
-  bool finished_ = false;
+  bool lost_ = false;
 };
 
 }  // namespace

@@ -206,6 +206,45 @@ TEST_F(RecordingTest, OtherSpellingsOfANumberAreNoDifference) {
   EXPECT_EQ(replay(text).first_different_line, 0u);
 }
 
+// They are not read, so they may hold anything; -0 is not 0 in a row.
+TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  hrt_target_config config = target_config(HRT_TARGET_REAL, -5.0);
+  for (double& coordinate_m : config.position_m) coordinate_m = std::nan("");
+  hrt_target real{}, virtual_target{};
+  ASSERT_OK(hrt_target_add(session, &config, &real));
+  config = target_config(HRT_TARGET_VIRTUAL, std::nan(""));
+  config.place = HRT_PLACE_PLATE_POSITION;
+  config.distance_m = INFINITY;
+  config.position_m[2] = -0.1;
+  ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
+  ASSERT_OK(begin(real, virtual_target));
+  end();
+  config = target_config(HRT_TARGET_VIRTUAL, -0.0);
+  ASSERT_OK(hrt_target_set(session, virtual_target, &config));
+  ASSERT_OK(begin(real, virtual_target));
+  end();
+  stop();
+  const hrt_replay_report report = replay(read(path()));
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.rows, 4u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+TEST_F(RecordingTest, LinesMayEndInCrLf) {
+  std::string text;
+  for (const char c : recording()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+TEST_F(RecordingTest, NothingFollowsTheEnd) {
+  const std::string text = recording() + "update,0\n";
+  auto report = output<hrt_replay_report>();
+  expect_error(hrt_replay_text(text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, "after the end");
+}
+
 /// The cells of a row.
 std::vector<std::string> split(const std::string& row) {
   std::istringstream line(row);
