@@ -41,6 +41,9 @@ bool turns_freely(const C& config) {
   return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0;
 }
 
+// The core squares it; the square of less would lose its digits, or be 0.
+constexpr double least_tracker_noise_m = 1e-9;
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double limit_or_none(double limit) {
@@ -137,7 +140,9 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
-                    .tracker_noise_m = config.tracker_noise_m},
+                    .tracker_noise_m = config.tracker_noise_m > 0.0
+                                           ? std::max(config.tracker_noise_m, least_tracker_noise_m)
+                                           : 0.0},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,

@@ -416,5 +416,28 @@ TEST_F(ReachTest, MirroredReachIsMirrored) {
     EXPECT_NEAR(update(direction_sample(i * step_ns, i - 10.0)).plate_orientation_deg, -left[i], 1e-10);
 }
 
+// The square of so small a noise is less than the least double.
+TEST_F(ReachTest, TinyTrackerNoiseGivesFiniteCommands) {
+  for (const double noise_m : {1e-300, 1e-170, 1e-165, 1e-162, 1e-12}) {
+    hrt_session_config config = session_config();
+    config.tracker_noise_m = noise_m;
+    config.adaptation = HRT_ADAPTATION_CARRIED;
+    create(config);
+    begin_reach();
+    for (int i = 0; i < 200; ++i) {
+      const hrt_command command =
+          update(position_sample(std::int64_t{i} * 11'111'111, 0.0002 * (i % 3), 0.0004 * i - 0.05));
+      ASSERT_TRUE(std::isfinite(command.plate_orientation_deg)) << noise_m;
+      ASSERT_TRUE(std::isfinite(command.tactile_weight) && std::isfinite(command.finger_direction_deg))
+          << noise_m;
+    }
+    ASSERT_TRUE(std::isfinite(end().tactile_weight)) << noise_m;
+    auto carried = output<hrt_session_config>();
+    ASSERT_OK(hrt_session_get_config(session, &carried));
+    EXPECT_TRUE(std::isfinite(carried.tactile_weight)) << noise_m;
+    EXPECT_EQ(carried.tracker_noise_m, noise_m);
+  }
+}
+
 }  // namespace
 }  // namespace hrt::test

@@ -259,7 +259,7 @@ class SessionConfig(Struct):
     initial_variance_deg2: Variance of the user's felt direction before the first step. Raising it models a
         user who trusts touch more in the first steps. 0 to 1e4. Default 0.
     tracker_noise_m: Standard deviation of white noise in each tracked coordinate. Raising it smooths
-        positions more. 0 to 0.1; 0: learnt from the samples. Default 0.
+        positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0.
     start_position_m: Start of reaches in plate coordinates. Directions of targets are measured from here.
         Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user.
     plate_radius_m: Radius of the plate: positions beyond it get CommandFlag.OFF_PLATE. 0.001 to 1000.

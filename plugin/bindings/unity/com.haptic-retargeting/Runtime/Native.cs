@@ -245,7 +245,7 @@ namespace Hrt
         /// trusts touch more in the first steps. 0 to 1e4. Default 0.</summary>
         public double initialVarianceDeg2;
         /// <summary>Standard deviation of white noise in each tracked coordinate. Raising it smooths
-        /// positions more. 0 to 0.1; 0: learnt from the samples. Default 0.</summary>
+        /// positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0.</summary>
         public double trackerNoiseM;
         /// <summary>Start of reaches in plate coordinates. Directions of targets are measured from here. Each
         /// within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user.</summary>
