@@ -32,13 +32,14 @@ inline std::system_error file_error(const char* path) {
   return {error, std::generic_category(), shown.c_str()};
 }
 
-/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Throws std::system_error
+/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Children of the process do
+/// not inherit it. Throws std::system_error
 /// that names the path.
 inline File open_file(const char* path, FileMode mode) {
 #if defined(_WIN32)
-  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rb" : L"wb"));
+  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rbN" : L"wbN"));
 #else
-  File file(std::fopen(path, mode == FileMode::read ? "rb" : "wb"));
+  File file(std::fopen(path, mode == FileMode::read ? "rbe" : "wbe"));
 #endif
   if (!file) throw file_error(path);
   return file;

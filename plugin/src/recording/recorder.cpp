@@ -2,6 +2,7 @@
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 
@@ -18,6 +19,21 @@ constexpr bool has_threads = false;  // who calls writes the file, whenever the 
 #else
 constexpr bool has_threads = true;
 #endif
+
+// Starts a thread that leaves the process's signals to the host's threads.
+template <class Run>
+std::thread start_thread(Run&& run) {
+#if defined(_WIN32)
+  return std::thread(run);
+#else
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
+  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if it throws
+  return std::thread(run);
+#endif
+}
 
 void append(const Record& record, std::FILE* file) {
   RecordText line;
@@ -36,7 +52,7 @@ Recorder::Recorder(const char* path, const hrt_session_config& config, const Tar
   for (const auto& [id, target] : targets.all())
     append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
   if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) throw file_error(path);
-  if (has_threads) writer_ = std::thread([this] { write_all(); });
+  if (has_threads) writer_ = start_thread([this] { write_all(); });
 }
 
 Recorder::~Recorder() {

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -594,6 +595,40 @@ TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
   EXPECT_EQ(replay(text).first_different_line, 0u);
 }
 
+std::set<std::string> threads() {
+  std::set<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task"))
+    ids.insert(entry.path().filename().string());
+  return ids;
+}
+
+// The host's signals are for the host's threads, and its children inherit no file.
+TEST_F(RecordingTest, LeavesSignalsAndChildrenAlone) {
+  const std::set<std::string> before = threads();
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  int writers = 0;
+  for (const std::string& id : threads()) {
+    if (before.contains(id)) continue;
+    ++writers;
+    const std::string status = read("/proc/self/task/" + id + "/status");
+    const std::uint64_t blocked = std::stoull(status.substr(status.find("SigBlk:") + 7), nullptr, 16);
+    EXPECT_TRUE(blocked >> (SIGUSR1 - 1) & 1) << std::hex << blocked;
+    EXPECT_TRUE(blocked >> (SIGTERM - 1) & 1) << std::hex << blocked;
+  }
+  EXPECT_EQ(writers, 1);
+  sigset_t own;
+  ASSERT_EQ(pthread_sigmask(SIG_SETMASK, nullptr, &own), 0);
+  EXPECT_EQ(sigismember(&own, SIGUSR1), 0);
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    if (std::filesystem::read_symlink(entry.path(), gone) != std::filesystem::canonical(path())) continue;
+    ++files;
+    EXPECT_NE(fcntl(std::stoi(entry.path().filename().string()), F_GETFD) & FD_CLOEXEC, 0);
+  }
+  EXPECT_EQ(files, 1);
+  stop();
+}
 #endif
 
 TEST_F(RecordingTest, PathsAreUtf8) {
