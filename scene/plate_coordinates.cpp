@@ -43,7 +43,6 @@ bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingerti
   }
   const Vec3 position_m = along(axes_of(normalized(plate.orientation)), fingertip_m - plate.position_m);
   out = {.position_m = position_m,
-         .bearing = bearing_from(surface.start_m, position_m),
          .off_plate =
              position_m.x * position_m.x + position_m.z * position_m.z > surface.radius_m * surface.radius_m,
          .lifted = position_m.y > surface.lift_height_m};

@@ -12,7 +12,6 @@ inline constexpr double least_distance_m = 1e-3;
 
 /// The plate's geometry that locate_finger() needs.
 struct PlateSurface {
-  Vec3 start_m;                  ///< where reaches start, in plate coordinates; y is not used
   double radius_m = 0.0;         ///< > 0
   double lift_height_m = 0.015;  ///< a tracked fingertip higher than this above the plate has left it, > 0
 };
@@ -29,9 +28,8 @@ Bearing bearing_from(Vec3 start_m, Vec3 point_m);
 
 struct FingerOnPlate {
   Vec3 position_m;  ///< in plate coordinates; y is the height above the plate
-  Bearing bearing;
-  bool off_plate;  ///< beyond the plate's edge
-  bool lifted;     ///< higher than PlateSurface::lift_height_m
+  bool off_plate;   ///< beyond the plate's edge
+  bool lifted;      ///< higher than PlateSurface::lift_height_m
 };
 
 /// True if every number is finite and below 1e6 m, and the quaternion is of unit length within 1e-3.

@@ -173,7 +173,7 @@ class SceneBuilder {
 }  // namespace
 
 PlateSurface surface_of(const Scene& scene) {
-  return {.start_m = scene.start_m, .radius_m = scene.plate.radius_m};
+  return {.radius_m = scene.plate.radius_m};
 }
 
 Scene load_scene(const std::filesystem::path& file) {

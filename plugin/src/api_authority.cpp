@@ -1,8 +1,10 @@
+#include "haptic_retargeting/authority.h"
+
 #include "core/authority.h"
 
 #include "core/trigonometry.h"
-#include "plugin/src/checked.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -34,36 +36,39 @@ using namespace hrt::plugin;
 
 hrt_result hrt_authority_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
                                hrt_authority* out_authority) noexcept {
-  return with_session("hrt_authority_query", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_authority_query", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_authority", out_authority));
     const hrt_target_config* real = nullptr;
     const hrt_target_config* virtual_ = nullptr;
-    HRT_RETURN_IF_FAILED(find_target(s.targets, "real_target", real_target, HRT_TARGET_REAL, &real));
     HRT_RETURN_IF_FAILED(
-        find_target(s.targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_));
-    write_struct(authority_of(s, real_target, virtual_target, *real, *virtual_), out_authority);
+        find_target(s.session().targets, "real_target", real_target, HRT_TARGET_REAL, &real));
+    HRT_RETURN_IF_FAILED(
+        find_target(s.session().targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_));
+    write_struct(authority_of(s.session(), real_target, virtual_target, *real, *virtual_), out_authority);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacity, hrt_authority* out_authorities,
                                    uint64_t* out_count) noexcept {
-  return with_session("hrt_authority_query_all", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_authority_query_all", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
     std::uint64_t reals = 0;
-    for (const auto& [id, target] : s.targets.all()) reals += target.role == HRT_TARGET_REAL ? 1 : 0;
-    const std::uint64_t count = reals * (s.targets.all().size() - reals);
+    for (const auto& [id, target] : s.session().targets.all())
+      reals += target.role == HRT_TARGET_REAL ? 1 : 0;
+    const std::uint64_t count = reals * (s.session().targets.all().size() - reals);
     if (capacity > 0) {
       HRT_RETURN_IF_FAILED(check_output("out_authorities", out_authorities));
       if (capacity < count)
         return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", count, " pairs");
       const std::uint32_t element_size = out_authorities->struct_size;
       auto* out = reinterpret_cast<unsigned char*>(out_authorities);
-      for (const auto& [virtual_id, virtual_] : s.targets.all()) {
+      for (const auto& [virtual_id, virtual_] : s.session().targets.all()) {
         if (virtual_.role != HRT_TARGET_VIRTUAL) continue;
-        for (const auto& [real_id, real] : s.targets.all()) {
+        for (const auto& [real_id, real] : s.session().targets.all()) {
           if (real.role != HRT_TARGET_REAL) continue;
-          write_struct_of(element_size, authority_of(s, {real_id}, {virtual_id}, real, virtual_), out);
+          write_struct_of(element_size, authority_of(s.session(), {real_id}, {virtual_id}, real, virtual_),
+                          out);
           out += element_size;
         }
       }
@@ -75,15 +80,15 @@ hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacity, hrt_a
 
 hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_target,
                                     hrt_authority* out_authority) noexcept {
-  return with_session("hrt_authority_query_best", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_authority_query_best", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_authority", out_authority));
     const hrt_target_config* virtual_ = nullptr;
     HRT_RETURN_IF_FAILED(
-        find_target(s.targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_));
+        find_target(s.session().targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_));
     hrt_authority best{};
-    for (const auto& [real_id, real] : s.targets.all()) {
+    for (const auto& [real_id, real] : s.session().targets.all()) {
       if (real.role != HRT_TARGET_REAL) continue;
-      const hrt_authority authority = authority_of(s, {real_id}, virtual_target, real, *virtual_);
+      const hrt_authority authority = authority_of(s.session(), {real_id}, virtual_target, real, *virtual_);
       if (best.struct_size == 0 || authority.margin_deg > best.margin_deg) best = authority;
     }
     if (best.struct_size == 0) return fail(HRT_ERROR_NOT_FOUND, "the session has no real target");

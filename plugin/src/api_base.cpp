@@ -1,5 +1,5 @@
 #include "haptic_retargeting/base.h"
-#include "plugin/src/error.h"
+#include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
 

@@ -1,11 +1,13 @@
+#include "haptic_retargeting/calibration.h"
+
 #include <algorithm>
 #include <memory>
 #include <vector>
 
 #include "core/calibration.h"
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
-#include "plugin/src/session.h"
+#include "plugin/src/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -54,9 +56,8 @@ class StreamedCalibration {
     HRT_RETURN_IF_FAILED(check_trial());
     HRT_RETURN_IF_FAILED(check_sample(sample));
     if (sample.flags & HRT_SAMPLE_DIRECTION)
-      return fail(
-          HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
-          "; allowed: PLATE_POSITION or WORLD_POSITION, or none; DIRECTION can't tell what is sought");
+      return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
+                  "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
     if (sampled_ && sample.time_ns < last_time_ns_)
       return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns,
                   "; allowed: from the last sample's, ", last_time_ns_);
@@ -209,13 +210,13 @@ hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config, ui
 
 hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_config* config,
                                   hrt_calibration* out_calibration) noexcept {
-  return with_session("hrt_calibration_create", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_calibration_create", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_calibration) return fail(HRT_ERROR_NULL_ARGUMENT, "out_calibration is null");
     hrt_calibration_config checked = default_calibration_config;
     HRT_RETURN_IF_FAILED(read_struct("config", config, &checked));
     HRT_RETURN_IF_FAILED(check_calibration_config(checked));
     const std::uint64_t handle =
-        calibrations.insert(std::make_unique<StreamedCalibration>(s.config(), checked));
+        calibrations.insert(std::make_unique<StreamedCalibration>(s.session().config(), checked));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_CALIBRATIONS_MAX,
                   " calibrations; destroy one first");
@@ -266,8 +267,8 @@ hrt_result hrt_calibration_solve(hrt_calibration calibration, hrt_calibration_re
 }
 
 hrt_result hrt_calibration_apply(hrt_session session, const hrt_calibration_result* result) noexcept {
-  return with_session("hrt_calibration_apply", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.check_no_reach());
+  return with_session("hrt_calibration_apply", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
     hrt_calibration_result known{};
     HRT_RETURN_IF_FAILED(read_struct("result", result, &known));
     HRT_RETURN_IF_FAILED(check_interval("tactile_weight", known.tactile_weight));
@@ -275,7 +276,7 @@ hrt_result hrt_calibration_apply(hrt_session session, const hrt_calibration_resu
     HRT_RETURN_IF_FAILED(check_interval("motor_variance_deg2", known.motor_variance_deg2));
     HRT_RETURN_IF_FAILED(check_interval("sensory_variance_deg2", known.sensory_variance_deg2));
     HRT_RETURN_IF_FAILED(check_interval("tracker_noise_m", known.tracker_noise_m));
-    const hrt_session_config config = calibrated(s.config(), known);
+    const hrt_session_config config = calibrated(s.session().config(), known);
     HRT_RETURN_IF_FAILED(check_session_config(config));
     return s.set_config(config);
   });

@@ -6,8 +6,8 @@
 #include <new>
 
 #include "haptic_retargeting/host.h"
-#include "plugin/src/checked.h"
-#include "plugin/src/host.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/host.h"
 
 namespace hrt::plugin {
 namespace {

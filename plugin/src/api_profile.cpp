@@ -1,16 +1,18 @@
+#include "haptic_retargeting/profile.h"
+
 #include <cstring>
 
-#include "plugin/src/json.h"
-#include "plugin/src/session.h"
+#include "plugin/src/recording/json.h"
+#include "plugin/src/sessions.h"
 
 using namespace hrt::plugin;
 
 hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                             uint64_t* out_length) noexcept {
-  return with_session("hrt_profile_save", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
     JsonText text;
-    write_profile(s.config(), text);
+    write_profile(s.session().config(), text);
     if (capacity > 0) {
       if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
       if (capacity <= text.view().size())
@@ -24,10 +26,10 @@ hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_te
 }
 
 hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) noexcept {
-  return with_session("hrt_profile_load", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.check_no_reach());
+  return with_session("hrt_profile_load", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
     if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
-    hrt_session_config config = s.config();
+    hrt_session_config config = s.session().config();
     HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config));
     return s.set_config(config);
   });

@@ -1,7 +1,7 @@
-#include <cstring>
+#include "haptic_retargeting/reach.h"
 
-#include "plugin/src/checked.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -14,16 +14,6 @@ constexpr hrt_reach_config default_reach_config{
     .plate_orientation_deg = 0.0,
 };
 
-// Takes note of a call that is refused because of an argument that can't be read or written.
-template <class Struct>
-hrt_result refuse(const Session& session, hrt_result result, Refused::Argument argument,
-                  const Struct* given) {
-  Refused refused{argument, 0};
-  if (given) std::memcpy(&refused.struct_size, given, sizeof refused.struct_size);
-  session.record({result, refused});
-  return result;
-}
-
 }  // namespace
 }  // namespace hrt::plugin
 
@@ -35,23 +25,22 @@ hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struc
 }
 
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
-  return with_session("hrt_reach_begin", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
     hrt_reach_config known = default_reach_config;
     if (const hrt_result result = read_struct("config", config, &known); result != HRT_OK)
-      return refuse(s, result, Refused::Argument::config, config);
-    hrt::Reach reach;
-    return s.begin(known, &reach);
+      return s.refuse(result, Refused::Argument::config, config);
+    return s.begin(known);
   });
 }
 
 hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                             hrt_command* out_command) noexcept {
-  return with_session("hrt_reach_update", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_reach_update", session, [&](RecordedSession& s) -> hrt_result {
     if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
-      return refuse(s, result, Refused::Argument::out_command, out_command);
+      return s.refuse(result, Refused::Argument::out_command, out_command);
     hrt_sample known{};
     if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
-      return refuse(s, result, Refused::Argument::sample, sample);
+      return s.refuse(result, Refused::Argument::sample, sample);
     hrt_command command{};
     HRT_RETURN_IF_FAILED(s.update(known, &command));
     write_struct(command, out_command);
@@ -60,9 +49,9 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
 }
 
 hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) noexcept {
-  return with_session("hrt_reach_end", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_reach_end", session, [&](RecordedSession& s) -> hrt_result {
     if (const hrt_result result = check_output("out_summary", out_summary); result != HRT_OK)
-      return refuse(s, result, Refused::Argument::out_summary, out_summary);
+      return s.refuse(result, Refused::Argument::out_summary, out_summary);
     hrt_reach_summary summary{};
     HRT_RETURN_IF_FAILED(s.end(&summary));
     write_struct(summary, out_summary);

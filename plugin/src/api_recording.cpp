@@ -1,9 +1,11 @@
+#include "haptic_retargeting/recording.h"
+
 #include <string>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/file.h"
-#include "plugin/src/replay.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/file.h"
+#include "plugin/src/recording/replay.h"
+#include "plugin/src/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -19,19 +21,18 @@ hrt_recording_status to_abi(const RecorderStatus& status) {
   };
 }
 
-hrt_result check_recording(const Session& session) {
-  return session.recorder ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
-}
-
 std::string read_file(const char* path) {
   const File file = open_file(path, FileMode::read);
   std::string text;
   char block[65536];
   while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) {
     text.append(block, n);
-    if (text.size() > largest_file) throw std::system_error(EFBIG, std::generic_category(), path);
+    if (text.size() > largest_file) {
+      errno = EFBIG;
+      throw file_error(path);
+    }
   }
-  if (std::ferror(file.get())) throw std::system_error(errno, std::generic_category(), path);
+  if (std::ferror(file.get())) throw file_error(path);
   return text;
 }
 
@@ -41,32 +42,26 @@ std::string read_file(const char* path) {
 using namespace hrt::plugin;
 
 hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
-  return with_session("hrt_recording_start", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_recording_start", session, [&](RecordedSession& s) -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    HRT_RETURN_IF_FAILED(s.check_no_reach());
-    if (s.recorder)
-      return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
-    s.recorder = std::make_unique<Recorder>(path, s.config(), s.targets, s.plate_orientation_deg());
-    return HRT_OK;
+    return s.start_recording(path);
   });
 }
 
 hrt_result hrt_recording_get_status(hrt_session session, hrt_recording_status* out_status) noexcept {
-  return with_session("hrt_recording_get_status", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_recording(s));
+  return with_session("hrt_recording_get_status", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.check_recording());
     HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
-    write_struct(to_abi(s.recorder->status()), out_status);
+    write_struct(to_abi(s.recording_status()), out_status);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) noexcept {
-  return with_session("hrt_recording_stop", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_recording(s));
+  return with_session("hrt_recording_stop", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.check_recording());
     HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
-    const hrt_recording_status status = to_abi(s.recorder->stop());
-    s.recorder.reset();
-    write_struct(status, out_status);
+    write_struct(to_abi(s.stop_recording()), out_status);
     return HRT_OK;
   });
 }

@@ -3,9 +3,9 @@
 #include <cstring>
 #include <vector>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/file.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/file.h"
+#include "plugin/src/sessions.h"
 #include "scene/scene.h"
 
 namespace hrt::plugin {
@@ -20,9 +20,9 @@ void copy(Vec3 from, double (&to)[3]) {
   to[2] = from.z;
 }
 
-// Runs a loader, whose errors are those of the file.
+// Runs a loader, whose errors begin with the name of the file.
 template <class Load>
-hrt_result add_scene(hrt_scene* out_scene, Load&& load) {
+hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
   if (!out_scene) return fail(HRT_ERROR_NULL_ARGUMENT, "out_scene is null");
   try {
     auto scene = std::make_unique<Scene>(load());
@@ -37,7 +37,9 @@ hrt_result add_scene(hrt_scene* out_scene, Load&& load) {
     out_scene->value = handle;
     return HRT_OK;
   } catch (const SceneError& error) {
-    return fail(HRT_ERROR_BAD_FORMAT, error.what());
+    const std::string_view what = error.what();
+    if (!what.starts_with(file)) return fail(HRT_ERROR_BAD_FORMAT, what);
+    return fail(HRT_ERROR_BAD_FORMAT, Shown{file}, what.substr(file.size()));
   }
 }
 
@@ -81,51 +83,24 @@ hrt_target_config config_of(const SceneTarget& target) {
   return config;
 }
 
-// Removes what was added so far unless all of it was.
-class Addition {
- public:
-  explicit Addition(Targets& targets) : targets_(targets) {}
-  ~Addition() {
-    for (const std::uint64_t id : ids_) targets_.remove(id);
-  }
-  Addition(const Addition&) = delete;
-  Addition& operator=(const Addition&) = delete;
-  Addition(Addition&&) = delete;
-  Addition& operator=(Addition&&) = delete;
-
-  hrt_result add(const hrt_target_config& checked_config) {
-    ids_.push_back(0);
-    const hrt_result result = targets_.add(checked_config, &ids_.back());
-    if (result != HRT_OK) ids_.pop_back();
-    return result;
-  }
-  std::vector<std::uint64_t> keep() { return std::move(ids_); }
-
- private:
-  Targets& targets_;
-  std::vector<std::uint64_t> ids_;
-};
-
-hrt_result register_scene(const Scene& scene, Session& session, std::uint32_t capacity,
+hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint32_t capacity,
                           hrt_target* out_targets) {
-  HRT_RETURN_IF_FAILED(session.check_no_reach());
+  HRT_RETURN_IF_FAILED(session.session().check_no_reach());
   if (capacity > 0 && !out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
   if (out_targets && capacity < scene.targets.size())
     return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ",
                 scene.targets.size(), " targets");
-  const hrt_session_config config = with_plate_of(scene, session.config());
+  const hrt_session_config config = with_plate_of(scene, session.session().config());
   HRT_RETURN_IF_FAILED(check_session_config(config));
-  Addition addition(session.targets);
+  std::vector<hrt_target_config> targets;
   for (const SceneTarget& target : scene.targets) {
-    hrt_target_config checked = config_of(target);
-    HRT_RETURN_IF_FAILED(check_target_config(config, &checked));
-    HRT_RETURN_IF_FAILED(addition.add(checked));
+    targets.push_back(config_of(target));
+    HRT_RETURN_IF_FAILED(check_target_config(config, &targets.back()));
   }
-  HRT_RETURN_IF_FAILED(session.set_config(config));
-  for (const std::uint64_t id : addition.keep()) {
-    session.record({.call = TargetChanged{TargetChanged::Change::added, session.targets.number(id),
-                                          *session.targets.find(id)}});
-    if (out_targets) (out_targets++)->value = id;
+  std::vector<std::uint64_t> ids;
+  HRT_RETURN_IF_FAILED(session.add_scene(config, targets, &ids));
+  if (out_targets) {
+    for (const std::uint64_t id : ids) (out_targets++)->value = id;
   }
   return HRT_OK;
 }
@@ -138,7 +113,7 @@ using namespace hrt::plugin;
 hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) noexcept {
   return guarded("hrt_scene_load_file", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    return add_scene(out_scene, [&] { return hrt::load_scene(path_of(path)); });
+    return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
   });
 }
 
@@ -149,7 +124,7 @@ hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char*
     if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
     const std::span<const std::byte> file(static_cast<const std::byte*>(bytes),
                                           static_cast<std::size_t>(length));
-    return add_scene(out_scene, [&] { return hrt::load_scene(file, name); });
+    return add_scene(out_scene, name, [&] { return hrt::load_scene(file, name); });
   });
 }
 
@@ -200,7 +175,7 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
 hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint32_t capacity,
                               hrt_target* out_targets) noexcept {
   return with_scene("hrt_scene_register", scene, [&](const hrt::Scene& loaded) -> hrt_result {
-    return with_session("hrt_scene_register", session, [&](Session& s) -> hrt_result {
+    return with_session("hrt_scene_register", session, [&](RecordedSession& s) -> hrt_result {
       return register_scene(loaded, s, capacity, out_targets);
     });
   });

@@ -1,7 +1,15 @@
+#include "haptic_retargeting/session.h"
+
 #include <memory>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/sessions.h"
+
+namespace hrt::plugin {
+
+constinit Sessions sessions;
+
+}  // namespace hrt::plugin
 
 using namespace hrt::plugin;
 
@@ -16,7 +24,7 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
     hrt_session_config checked = default_session_config();
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
-    const std::uint64_t handle = sessions.insert(std::make_unique<Session>(checked));
+    const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(checked));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_SESSIONS_MAX, " sessions; destroy one first");
     out_session->value = handle;
@@ -34,17 +42,17 @@ hrt_result hrt_session_destroy(hrt_session session) noexcept {
 }
 
 hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) noexcept {
-  return with_session("hrt_session_get_config", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_session_get_config", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
-    write_struct(s.config(), out_config);
+    write_struct(s.session().config(), out_config);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) noexcept {
-  return with_session("hrt_session_set_config", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.check_no_reach());
-    hrt_session_config checked = s.config();
+  return with_session("hrt_session_set_config", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    hrt_session_config checked = s.session().config();
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     return s.set_config(checked);
   });

@@ -1,7 +1,9 @@
+#include "haptic_retargeting/target.h"
+
 #include <cstring>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/session.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/sessions.h"
 
 namespace hrt::plugin {
 namespace {
@@ -36,52 +38,44 @@ hrt_result hrt_target_config_default(hrt_target_config* out_config, uint32_t str
 
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
                           hrt_target* out_target) noexcept {
-  return with_session("hrt_target_add", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
     hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
-    HRT_RETURN_IF_FAILED(s.targets.add(checked, &out_target->value));
-    s.record(
-        {.call = TargetChanged{TargetChanged::Change::added, s.targets.number(out_target->value), checked}});
-    return HRT_OK;
+    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    return s.add_target(checked, &out_target->value);
   });
 }
 
 hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_target_config* config) noexcept {
-  return with_session("hrt_target_set", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_target_set", session, [&](RecordedSession& s) -> hrt_result {
     hrt_target_config checked;
-    HRT_RETURN_IF_FAILED(read_target_config(s.config(), config, &checked));
-    HRT_RETURN_IF_FAILED(s.targets.set(target.value, checked));
-    s.record({.call = TargetChanged{TargetChanged::Change::set, s.targets.number(target.value), checked}});
-    return HRT_OK;
+    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    return s.set_target(target.value, checked);
   });
 }
 
 hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_config* out_config) noexcept {
-  return with_session("hrt_target_get", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_target_get", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
     const hrt_target_config* config = nullptr;
-    HRT_RETURN_IF_FAILED(find_target(s.targets, "target", target, 0, &config));
+    HRT_RETURN_IF_FAILED(find_target(s.session().targets, "target", target, 0, &config));
     write_struct(*config, out_config);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
-  return with_session("hrt_target_remove", session, [&](Session& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(s.targets.remove(target.value));
-    s.record({.call = TargetChanged{TargetChanged::Change::removed, s.targets.number(target.value), {}}});
-    return HRT_OK;
-  });
+  return with_session("hrt_target_remove", session,
+                      [&](RecordedSession& s) { return s.remove_target(target.value); });
 }
 
 hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* out_target) noexcept {
-  return with_session("hrt_target_find", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_target_find", session, [&](RecordedSession& s) -> hrt_result {
     if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
     if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
     const std::string_view wanted(name, strnlen(name, HRT_NAME_SIZE));
-    const std::uint64_t id = s.targets.find(wanted);
-    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", wanted, "\"");
+    const std::uint64_t id = s.session().targets.find(wanted);
+    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", Shown{wanted}, "\"");
     out_target->value = id;
     return HRT_OK;
   });
@@ -89,17 +83,17 @@ hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* ou
 
 hrt_result hrt_target_list(hrt_session session, uint32_t role, uint32_t capacity, hrt_target* out_targets,
                            uint32_t* out_count) noexcept {
-  return with_session("hrt_target_list", session, [&](Session& s) -> hrt_result {
+  return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
     HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
     const auto listed = [role](const auto& entry) { return role == 0 || entry.second.role == role; };
     std::uint32_t count = 0;
-    for (const auto& entry : s.targets.all()) count += listed(entry) ? 1 : 0;
+    for (const auto& entry : s.session().targets.all()) count += listed(entry) ? 1 : 0;
     if (capacity > 0) {
       if (!out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
       if (capacity < count)
         return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", count, " targets");
-      for (const auto& entry : s.targets.all()) {
+      for (const auto& entry : s.session().targets.all()) {
         if (listed(entry)) (out_targets++)->value = entry.first;
       }
     }

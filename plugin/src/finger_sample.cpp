@@ -1,6 +1,6 @@
 #include "plugin/src/finger_sample.h"
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/session_config.h"
 
 namespace hrt::plugin {

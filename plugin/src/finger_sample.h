@@ -6,7 +6,7 @@
 
 namespace hrt::plugin {
 
-/// Which fields of a sample tell of the finger.
+/// The fields of a sample that hold the finger.
 inline constexpr std::uint32_t finger_flags =
     HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION;
 

@@ -1,12 +1,10 @@
 #include "plugin/src/session.h"
 
 #include "core/trigonometry.h"
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 
 namespace hrt::plugin {
-
-constinit Sessions sessions;
 
 Session::Session(const hrt_session_config& checked_config)
     : config_(checked_config), retargeter_(to_core(checked_config)) {}
@@ -23,35 +21,7 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
   config_ = checked_config;
   retargeter_ = Retargeter(to_core(checked_config));
-  record({.call = ConfigSet{checked_config}});
   return HRT_OK;
-}
-
-hrt_result Session::begin(const hrt_reach_config& config, Reach* out_reach) {
-  ReachBegun begun{
-      .flags = config.flags,
-      .plate_orientation_deg = config.plate_orientation_deg,
-      .real_number = targets.find(config.real_target.value) ? targets.number(config.real_target.value) : 0,
-      .virtual_number =
-          targets.find(config.virtual_target.value) ? targets.number(config.virtual_target.value) : 0,
-      .reach = {},
-  };
-  const hrt_result result = try_begin(config, &begun.reach);
-  record({result, begun});
-  *out_reach = begun.reach;
-  return result;
-}
-
-hrt_result Session::update(const hrt_sample& sample, hrt_command* command) {
-  const hrt_result result = try_update(sample, command);
-  record({result, Updated{sample, *command}});
-  return result;
-}
-
-hrt_result Session::end(hrt_reach_summary* summary) {
-  const hrt_result result = try_end(summary);
-  record({result, ReachEnded{*summary}});
-  return result;
 }
 
 // The reach that a configuration and its targets make.
@@ -81,7 +51,7 @@ hrt_result Session::resolve(const hrt_reach_config& config, Reach* out) const {
   return HRT_OK;
 }
 
-hrt_result Session::try_begin(const hrt_reach_config& config, Reach* out) {
+hrt_result Session::begin(const hrt_reach_config& config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
   Reach reach{};
   HRT_RETURN_IF_FAILED(resolve(config, &reach));
@@ -98,11 +68,11 @@ hrt_result Session::try_begin(const hrt_reach_config& config, Reach* out) {
   plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   reaching_ = true;
   sampled_ = false;
-  *out = reach;
+  reach_ = reach;
   return HRT_OK;
 }
 
-hrt_result Session::try_update(const hrt_sample& sample, hrt_command* out_command) {
+hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   HRT_RETURN_IF_FAILED(check_reach());
   HRT_RETURN_IF_FAILED(check_sample(sample));
   if (sampled_ && sample.time_ns < last_time_ns_)
@@ -140,7 +110,7 @@ hrt_command Session::command(std::uint32_t flags) const {
   };
 }
 
-hrt_result Session::try_end(hrt_reach_summary* out_summary) {
+hrt_result Session::end(hrt_reach_summary* out_summary) {
   HRT_RETURN_IF_FAILED(check_reach());
   reaching_ = false;
   const ReachSummary summary = retargeter_.summary();

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
 namespace {
@@ -40,6 +40,9 @@ constexpr VectorField all_vector_fields[] = {
 bool turns_freely(const C& config) {
   return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0;
 }
+
+// The core squares it; the square of less would lose its digits, or be 0.
+constexpr double least_tracker_noise_m = 1e-9;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -137,7 +140,9 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
-                    .tracker_noise_m = config.tracker_noise_m},
+                    .tracker_noise_m = config.tracker_noise_m > 0.0
+                                           ? std::max(config.tracker_noise_m, least_tracker_noise_m)
+                                           : 0.0},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,
@@ -148,10 +153,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {
-  const auto& start_m = config.start_position_m;
-  return {.start_m = {start_m[0], start_m[1], start_m[2]},
-          .radius_m = config.plate_radius_m,
-          .lift_height_m = config.lift_height_m};
+  return {.radius_m = config.plate_radius_m, .lift_height_m = config.lift_height_m};
 }
 
 Pose plate_pose_of(const hrt_session_config& config) {

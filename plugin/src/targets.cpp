@@ -3,7 +3,8 @@
 #include <atomic>
 #include <cstring>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/utf8.h"
 #include "plugin/src/session_config.h"
 
 namespace hrt::plugin {
@@ -18,32 +19,6 @@ hrt_result name_taken(const char* name) {
 
 hrt_result no_such_target(std::uint64_t id) {
   return fail(HRT_ERROR_INVALID_HANDLE, "target ", id, " is not one of this session's");
-}
-
-// UTF-8 as RFC 3629 has it: shortest forms only, no surrogates, nothing above U+10FFFF.
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto byte = [&](std::size_t at) {
-      return static_cast<unsigned char>(at < text.size() ? text[at] : 0);
-    };
-    const unsigned char lead = byte(i);
-    const int tail = lead < 0x80   ? 0
-                     : lead < 0xc2 ? -1
-                     : lead < 0xe0 ? 1
-                     : lead < 0xf0 ? 2
-                     : lead < 0xf5 ? 3
-                                   : -1;
-    if (tail < 0) return false;
-    for (int k = 1; k <= tail; ++k) {
-      if ((byte(i + k) & 0xc0) != 0x80) return false;
-    }
-    const unsigned char second = byte(i + 1);
-    if ((lead == 0xe0 && second < 0xa0) || (lead == 0xed && second > 0x9f) ||
-        (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second > 0x8f))
-      return false;
-    i += static_cast<std::size_t>(tail) + 1;
-  }
-  return true;
 }
 
 hrt_result check_name(char (&name)[HRT_NAME_SIZE]) {
@@ -145,7 +120,8 @@ Bearing view(const hrt_session_config& config, const hrt_target_config& target) 
   FingerOnPlate place{};
   locate_finger(surface_of(config), target.place == HRT_PLACE_WORLD_POSITION ? plate_pose_of(config) : Pose{},
                 {p[0], p[1], p[2]}, place);
-  return place.bearing;
+  const auto& start_m = config.start_position_m;
+  return bearing_from({start_m[0], start_m[1], start_m[2]}, place.position_m);
 }
 
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,

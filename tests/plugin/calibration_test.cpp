@@ -231,7 +231,8 @@ TEST_F(CalibrationTest, BadArgumentsAreRefused) {
   ASSERT_OK(add(position_sample(1000, 0.0, 0.0)));
   expect_error(add(position_sample(999, 0.0, 0.0)), HRT_ERROR_TIME_REVERSED, "allowed: from");
   expect_error(add(position_sample(1001, std::nan(""), 0.0)), HRT_ERROR_OUT_OF_RANGE, "finger_position_m");
-  expect_error(add(direction_sample(1001, 0.0)), HRT_ERROR_OUT_OF_RANGE, "DIRECTION can't tell");
+  expect_error(add(direction_sample(1001, 0.0)), HRT_ERROR_OUT_OF_RANGE,
+               "allowed: PLATE_POSITION or WORLD_POSITION");
   hrt_sample sample = position_sample(1001, 0.0, 0.0);
   sample.flags = 1u << 31;
   expect_error(add(sample), HRT_ERROR_OUT_OF_RANGE, "flags");

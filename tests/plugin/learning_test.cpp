@@ -124,7 +124,7 @@ TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
     }
     EXPECT_NEAR(mean, truth, 0.15 * truth);
 
-    // A tracker with 0.4 mm of noise takes longer to tell.
+    // A tracker with 0.4 mm of noise takes longer.
     set(adapting(HRT_ADAPTATION_CARRIED));
     mean = 0.0;
     for (std::uint32_t reach = 0; reach < 160; ++reach) {
@@ -135,7 +135,7 @@ TEST_F(LearningTest, MotorVarianceComesToBeThePersons) {
   }
 }
 
-// With the same random numbers: what is carried does no harm, where the tracker can't tell it either.
+// With the same random numbers: what is carried does no harm, where the tracker cannot show it either.
 TEST_F(LearningTest, MissesDoNotGetWorse) {
   for (const double tracker_noise_m : {0.0001, 0.0012}) {
     for (const double truth : {0.3, 1.0, 2.0}) {

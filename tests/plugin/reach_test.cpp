@@ -78,7 +78,7 @@ TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
 // The plate lies in the world at (1, 2, 3), turned by 90 degrees to the left about the world's up axis, so
 // that its mid-line, -z, is the world's -x. Going from (1, 2, 3) along -x is going straight ahead.
 // Half way along the mid-line to a target 100 mm away at -5 degrees, which stands at (8.7, 99.6) mm, the line
-// of sight is at -atan(8.716 / 49.619) = -9.96 degrees. Directions alone do not tell where the finger is.
+// of sight is at -atan(8.716 / 49.619) = -9.96 degrees. Directions alone do not locate the finger.
 TEST_F(ReachTest, AimsAlongTheLineOfSightWherePositionsTellIt) {
   create(session_config());
   begin_reach();
@@ -414,6 +414,29 @@ TEST_F(ReachTest, MirroredReachIsMirrored) {
   ASSERT_OK(hrt_reach_begin(session, &reach));
   for (int i = 0; i < 30; ++i)
     EXPECT_NEAR(update(direction_sample(i * step_ns, i - 10.0)).plate_orientation_deg, -left[i], 1e-10);
+}
+
+// The square of so small a noise is less than the least double.
+TEST_F(ReachTest, TinyTrackerNoiseGivesFiniteCommands) {
+  for (const double noise_m : {1e-300, 1e-170, 1e-165, 1e-162, 1e-12}) {
+    hrt_session_config config = session_config();
+    config.tracker_noise_m = noise_m;
+    config.adaptation = HRT_ADAPTATION_CARRIED;
+    create(config);
+    begin_reach();
+    for (int i = 0; i < 200; ++i) {
+      const hrt_command command =
+          update(position_sample(std::int64_t{i} * 11'111'111, 0.0002 * (i % 3), 0.0004 * i - 0.05));
+      ASSERT_TRUE(std::isfinite(command.plate_orientation_deg)) << noise_m;
+      ASSERT_TRUE(std::isfinite(command.tactile_weight) && std::isfinite(command.finger_direction_deg))
+          << noise_m;
+    }
+    ASSERT_TRUE(std::isfinite(end().tactile_weight)) << noise_m;
+    auto carried = output<hrt_session_config>();
+    ASSERT_OK(hrt_session_get_config(session, &carried));
+    EXPECT_TRUE(std::isfinite(carried.tactile_weight)) << noise_m;
+    EXPECT_EQ(carried.tracker_noise_m, noise_m);
+  }
 }
 
 }  // namespace

@@ -180,7 +180,7 @@ TEST(SessionConfig, SmallerStructTakesDefaultsForWhatItLacks) {
   ASSERT_OK(hrt_session_destroy(session));
 }
 
-// What an older caller can't see it can't undo either.
+// An older caller cannot undo the fields that its struct lacks.
 TEST_F(SessionTest, SmallerStructLeavesWhatItLacks) {
   hrt_session_config config = session_config();
   config.bias_deg = 2.0;

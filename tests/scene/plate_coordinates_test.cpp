@@ -33,7 +33,7 @@ TEST(BearingFrom, NothingToSeeAtTheStart) {
   EXPECT_FALSE(bearing_from({0.0, 0.0, 0.05}, {0.0011, 0.0, 0.05}).at_start);
 }
 
-const PlateSurface plate_of_75_mm{.start_m = {0.0, 0.0, 0.05}, .radius_m = 0.075, .lift_height_m = 0.015};
+const PlateSurface plate_of_75_mm{.radius_m = 0.075, .lift_height_m = 0.015};
 
 // A plate at (1, 2, 3) turned a quarter to the left: its -Z looks along the world's -X, its +X along the
 // world's -Z. A finger 50 mm along the world's -X from its centre is on the mid-line.
@@ -44,15 +44,12 @@ TEST(LocateFinger, PlateTurnedAQuarterLeft) {
   EXPECT_NEAR(finger.position_m.x, 0.0, 1e-15);
   EXPECT_NEAR(finger.position_m.y, 0.01, 1e-15);
   EXPECT_NEAR(finger.position_m.z, -0.05, 1e-15);
-  EXPECT_NEAR(finger.bearing.direction_deg, 0.0, 1e-12);
-  EXPECT_NEAR(finger.bearing.distance_m, 0.1, 1e-15);
   EXPECT_FALSE(finger.off_plate);
   EXPECT_FALSE(finger.lifted);
 
   // 20 mm towards the world's -Z is 20 mm to the right.
   ASSERT_TRUE(locate_finger(plate_of_75_mm, plate, {0.95, 2.01, 2.98}, finger));
   EXPECT_NEAR(finger.position_m.x, 0.02, 1e-15);
-  EXPECT_LT(finger.bearing.direction_deg, 0.0);
 }
 
 // Half a turn about +X puts the plate upside down: what was above it is below.

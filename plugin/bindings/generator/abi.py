@@ -233,6 +233,7 @@ def _type(node: c_ast.Node) -> Type:
 _COMMENT = re.compile(r"/\*.*?\*/", re.S)
 _DIRECTIVE = re.compile(r"^#(?:\\\n|.)*$", re.M)
 _COMMENT_BEFORE = re.compile(r"/\*\*(?!<)((?:[^*]|\*(?!/))*)\*/\s*$")
+_BARE_DEFINE = re.compile(r"#define HRT_\w+ [^\n*]*\n")
 _COMMENT_BEHIND = re.compile(r"[^\n]*?(?:\\\n[^\n]*?)?/\*\*<((?:[^*]|\*(?!/))*)\*/")
 
 
@@ -258,6 +259,8 @@ def _constant_doc(text: str, at: int) -> tuple[str, str]:
         return _plain(behind.group(1)), _plain(before.group(1)) if before else ""
     if not before:
         return "", ""
+    if _BARE_DEFINE.match(text[text.index("\n", at) + 1 :]):  # the next has no comment: this one is of all
+        return "", _plain(before.group(1))
     earlier = _COMMENT_BEFORE.search(text[: before.start()])
     return _plain(before.group(1)), _plain(earlier.group(1)) if earlier else ""
 

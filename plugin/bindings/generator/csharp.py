@@ -73,7 +73,7 @@ class _Renderer:
                      '    internal const string Library = "haptic_retargeting";\n\n'
                      + "\n".join(self.function(f) for f in self.abi.functions) + "}\n")
         body = textwrap.indent("\n".join(parts), "    ", lambda line: line.strip() != "")
-        return (f"// {notice} They tell what each call does.\n"
+        return (f"// {notice} The headers say what each call does.\n"
                 "using System;\nusing System.Runtime.InteropServices;\n\n"
                 "namespace Hrt\n{\n" + body + "}\n")
 
@@ -89,7 +89,7 @@ class _Renderer:
         constants = [c for c in self.abi.constants if self.members[c.name][0] == name]
         group = next((c.group for c in constants if c.group), "")
         flags = name.endswith("Flags")
-        text = self.doc("What became of a call." if name == "Result" else group, "")
+        text = self.doc("HRT_OK or an error." if name == "Result" else group, "")
         text += "[Flags]\n" if flags else ""
         text += f"public enum {name} : {'int' if name == 'Result' else 'uint'}\n{{\n"
         text += "    None = 0,\n" if flags else ""

@@ -39,7 +39,7 @@ def render(abi: Abi, notice: str) -> str:
     parts.extend(_struct(s, names) for s in abi.structs)
     parts.append(
         "def declare(library: CDLL) -> None:\n"
-        '    """Tells ctypes the type of every function; AttributeError names one that the library lacks."""\n'
+        '    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""\n'
         + "".join(f"    library.{f.name}.argtypes = ({_list([_type(p.type, names) for p in f.parameters])})\n"
                   f"    library.{f.name}.restype = {_type(f.result, names)}\n" for f in abi.functions))
     return "\n\n".join(part.rstrip("\n") + "\n" for part in parts)
@@ -66,12 +66,12 @@ def _sorted_constants(abi: Abi) -> tuple[dict[str, tuple[str, list[Constant]]], 
 
 def _enumeration(name: str, prefix: str, members: list[Constant], names: dict[str, str]) -> str:
     kind = "IntFlag" if members[0].unsigned else "IntEnum"
-    lines = textwrap.wrap(_told(members[0].group, names) or f"The C headers' HRT_{prefix}_*.", 104) + [""]
+    lines = textwrap.wrap(_renamed(members[0].group, names) or f"The C headers' HRT_{prefix}_*.", 104) + [""]
     values = ""
     for member in members:
         short = member.name.removeprefix(f"HRT_{prefix}_")
         values += f"    {short} = {member.value}\n"
-        lines += textwrap.wrap(f"{short}: {_told(member.doc, names)}" if member.doc else short, 104,
+        lines += textwrap.wrap(f"{short}: {_renamed(member.doc, names)}" if member.doc else short, 104,
                                subsequent_indent="    ")
     doc = "\n    ".join(lines).replace("\n    \n", "\n\n")
     return f'class {name}({kind}):\n    """{doc}\n    """\n\n{values}'
@@ -80,7 +80,7 @@ def _enumeration(name: str, prefix: str, members: list[Constant], names: dict[st
 def _docstring(text: str, indent: str, names: dict[str, str]) -> str:
     if not text:
         return ""
-    lines = textwrap.wrap(_told(text, names).replace("\\", "\\\\"), 110 - len(indent) - 6)
+    lines = textwrap.wrap(_renamed(text, names).replace("\\", "\\\\"), 110 - len(indent) - 6)
     return indent + '"""' + f"\n{indent}".join(lines) + '"""\n'
 
 
@@ -91,13 +91,13 @@ def _callback(function: Function, names: dict[str, str]) -> str:
 
 def _struct(struct: Struct, names: dict[str, str]) -> str:
     # What help() shows has the fields too; they stand where a type checker sees them.
-    lines = textwrap.wrap(_told(struct.doc, names), 104) + [""]
+    lines = textwrap.wrap(_renamed(struct.doc, names), 104) + [""]
     hints, fields = "", ""
     for f in struct.fields:
         hints += f"        {f.name}: {_hint(f, names)}\n"
         fields += f'        ("{f.name}", {_type(f.type, names)}{f" * {f.length}" if f.length else ""}),\n'
         if f.doc:
-            lines += textwrap.wrap(f"{f.name}: {_told(f.doc, names)}", 104, subsequent_indent="    ")
+            lines += textwrap.wrap(f"{f.name}: {_renamed(f.doc, names)}", 104, subsequent_indent="    ")
         elif f.name not in ("struct_size", "reserved"):
             lines.append(f.name)
     doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
@@ -106,8 +106,8 @@ def _struct(struct: Struct, names: dict[str, str]) -> str:
             f"    _fields_ = (\n{fields}    )\n")
 
 
-def _told(doc: str, names: dict[str, str]) -> str:
-    """What the headers say, with the names that things have here."""
+def _renamed(doc: str, names: dict[str, str]) -> str:
+    """The headers' text with the names of this module."""
     for prefix, name in _ENUMERATIONS.items():
         doc = doc.replace(f"HRT_{prefix}_*", name).replace(f"HRT_{prefix}_", f"{name}.")
     doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.get(found[1], found[1]) + ".", doc)

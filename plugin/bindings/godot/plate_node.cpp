@@ -246,7 +246,7 @@ void PlateNode::set(const Field& property, const Value& value) noexcept try {
   engine_.push_error(error.what());
 }
 
-/** Whether it succeeded; else the user has been told why not. */
+/** Whether it succeeded; otherwise the reason has been shown to the user. */
 bool PlateNode::ok(hrt_result result) {
   result_ = result;
   if (result == HRT_OK) return true;

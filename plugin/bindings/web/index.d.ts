@@ -5,7 +5,7 @@ import type {
 } from "./abi.js";
 export * from "./abi.js";
 
-/** What the library tells: a struct as an object. 64-bit integers are bigint. */
+/** Output of the library: a struct as an object. 64-bit integers are bigint. */
 type Told<Struct> = Omit<Struct, "struct_size" | "reserved">;
 /** What the library is given: fields that are left out take their defaults; whole numbers may be numbers. */
 type Given<Struct> = {
@@ -58,7 +58,7 @@ export interface Session {
   /** In the order in which they were added; of one role, HRT_TARGET_*, or of both. */
   targets(role?: number): TargetId[];
 
-  /** What can be held for a pair, told before anyone moves. */
+  /** The largest gap that the plate can sustain for a pair, computed before a reach. */
   authority(realTarget: TargetId, virtualTarget: TargetId): Told<hrt_authority>;
   /** The same for the real target that serves a virtual one best. */
   bestAuthority(virtualTarget: TargetId): Told<hrt_authority>;
@@ -67,7 +67,7 @@ export interface Session {
   readonly sample: View<hrt_sample>;
   /** What the last update() gave. */
   readonly command: Readonly<View<hrt_command>>;
-  /** The plate is where the last command left it, unless told. */
+  /** The plate is at the last command, unless its orientation is given. */
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number): void;
   /** Takes `sample` in and gives `command`. Every frame. */
   update(): void;

@@ -1,31 +1,40 @@
 /*
- * Types and calls that everything else stands on: results, version, error texts, memory, log.
+ * Results, error texts and version; and the contract of every call in these headers.
  *
- * Contract of every call in these headers:
- *  - It returns hrt_result. HRT_OK is 0 and every error is negative; on an error nothing changes,
- *    neither the session nor the outputs, and hrt_last_error() says what was wrong and what is allowed.
- *  - It never throws, aborts or terminates; hrt_scene_load_file() tells of one exception.
- *  - Its tag tells the thread rule:
- *      [any-thread]  at any time, from any thread.
- *      [one-thread]  from any thread, but two threads must not be in calls on one session at the same
- *                    time; the second of them gets HRT_ERROR_BUSY and nothing is corrupted.
- *      [real-time]   as [one-thread]; also takes no lock, allocates nothing, makes no system call, does
- *                    no input or output, and takes bounded time, on its error paths too. On Windows
- *                    a thread's first call allocates the room for its error text.
+ * Calls
+ *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error neither the session nor
+ *    the outputs change, and hrt_last_error() names the call, the field, its value and what is allowed.
+ *  - No call throws, aborts or terminates, except as documented at hrt_scene_load_file().
+ *  - Thread tags:
+ *      [any-thread]  any thread, any time.
+ *      [one-thread]  any thread, but one at a time for a session. The second thread gets HRT_ERROR_BUSY.
+ *      [real-time]   as [one-thread]; no lock, allocation, system call or I/O, and bounded time, on error
+ *                    paths too. On Windows a thread's first call allocates memory for its error text.
  *
- * Structs begin with `struct_size`, to be set to sizeof the struct as the caller was compiled with it
- * (the *_default() calls do). A caller compiled against an older header passes a smaller struct, whose
- * missing fields take their defaults; one compiled against a newer header passes a larger one, whose
- * further bytes must be zero. Fields named `reserved` must be zero. Integers have a fixed width, and
- * there is no padding between fields.
- *
- * Texts and paths are UTF-8, on Windows too.
+ * Structs
+ *  - Set `struct_size` to sizeof the struct; the *_default() calls do. From a caller with older headers,
+ *    missing fields take their defaults; from one with newer headers, further bytes must be zero.
+ *  - Fields named `reserved` must be zero. Integers have a fixed width. There is no padding between fields.
+ *  - Texts and paths are UTF-8, on Windows too.
  *
  * Units are in the names: _deg degrees, _deg2 degrees squared, _m metres, _ns nanoseconds.
- * Directions are measured from the plate's mid-line, which points straight away from the user,
- * counter-clockwise positive seen from above: a target to the left has a positive direction.
- * Plate coordinates are right-handed, in metres: x to the user's right, y up from the plate's face,
- * z towards the user; the mid-line is -z.
+ *
+ * Plate coordinates are right-handed: x to the user's right, y up from the plate's face, z towards the user.
+ * The origin is the plate's centre. The mid-line is -z: straight away from the user.
+ *
+ * Directions are measured from the mid-line, counter-clockwise positive seen from above: a target to the left
+ * has a positive direction.
+ *
+ * Plate orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line, seen
+ * from above. 0: ridges across the mid-line, left to right. Ridges repeat every 180 degrees. Seen from above,
+ * with the user at the bottom and arrows along the normal:
+ *
+ *        0 degrees         45 degrees         90 degrees      mid-line
+ *
+ *            ^             ^  /   /             |  |  |           ^
+ *        ----|----          \/   /   /          |  |  |           |
+ *        ----|----          /\  /   /        <--|--+  |           |
+ *        ----|----         /  \/   /            |  |  |          user
  */
 #ifndef HAPTIC_RETARGETING_BASE_H
 #define HAPTIC_RETARGETING_BASE_H
@@ -52,57 +61,57 @@ extern "C" {
 #define HRT_NOEXCEPT
 #endif
 
-/** Version of these headers; hrt_get_version() tells that of the library. */
+/** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
 #define HRT_VERSION_MINOR 2
 #define HRT_VERSION_PATCH 0
 
-/** What became of a call: HRT_OK or one of the errors below. Their numbers never change. */
+/** HRT_OK or one of the errors below. Their numbers never change. */
 typedef int32_t hrt_result;
 
 #define HRT_OK 0
 /** A pointer that must not be null was null. */
 #define HRT_ERROR_NULL_ARGUMENT (-1)
-/** The handle or id is null, was never given out, is of another session, or of something destroyed. */
+/** The handle or id is null, stale, of another session, or was never given out. */
 #define HRT_ERROR_INVALID_HANDLE (-2)
-/** `struct_size` is below the first version's, or bytes beyond what this library knows are not zero. */
+/** `struct_size` is below the first version's, or bytes that this library does not know are not zero. */
 #define HRT_ERROR_STRUCT_SIZE (-3)
 /** A value is outside its documented range, not a number, or infinite. */
 #define HRT_ERROR_OUT_OF_RANGE (-4)
-/** Not now: for example an update without a reach, or a new configuration during one. */
+/** The call is not allowed now: for example an update without a reach. */
 #define HRT_ERROR_WRONG_STATE (-5)
 /** Another thread is in a call on this session. */
 #define HRT_ERROR_BUSY (-6)
-/** The sample's time is before that of the sample before it. */
+/** The sample is older than the one before it. */
 #define HRT_ERROR_TIME_REVERSED (-7)
+/** An allocation failed. */
 #define HRT_ERROR_OUT_OF_MEMORY (-8)
-/** There are as many of these as there can be. */
+/** The number of objects or samples is at its limit. */
 #define HRT_ERROR_LIMIT_REACHED (-9)
 /** Nothing has this name. */
 #define HRT_ERROR_NOT_FOUND (-10)
-/** The caller's buffer cannot hold the answer. */
+/** The caller's buffer is too small for the output. */
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
 #define HRT_ERROR_NAME_TAKEN (-12)
-/** The operating system refused: a file, a thread. */
+/** The operating system refused a file or a thread. */
 #define HRT_ERROR_SYSTEM (-13)
-/** A text is not what it should be; hrt_last_error() tells where. */
+/** A file or text is malformed. hrt_last_error() names the place. */
 #define HRT_ERROR_BAD_FORMAT (-14)
-/** The data do not tell what was asked of them; hrt_last_error() tells what is missing. */
+/** The data cannot determine the requested value. hrt_last_error() names what is missing. */
 #define HRT_ERROR_INSUFFICIENT_DATA (-15)
-/** A defect in this library; please report it with the text of hrt_last_error(). */
+/** A defect in this library. Please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
 
-/** The name of a result, such as "HRT_ERROR_BUSY"; "unknown result" for any other number.
- *  Never null; lives as long as the library. [any-thread] */
+/** Returns the name of a result, such as "HRT_ERROR_BUSY", or "unknown result". Never null; valid as long
+ *  as the library is loaded. [any-thread] */
 HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
 
-/** What went wrong in this thread's last failed call, in English, in one line: the call, the argument,
- *  its value and what is allowed. Empty if none has failed. Never null; valid until the next failed call of
- *  this thread. [any-thread] */
+/** Returns the text of this thread's last failed call: one line of English, empty if no call has failed.
+ *  Never null; valid until this thread's next failed call. [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** The library's version. Within a major version there are only additions. Null pointers are skipped.
+/** Returns the library's version. A major version only grows by additions. Null pointers are skipped.
  *  [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
 

@@ -1,6 +1,6 @@
 /*
- * Haptic retargeting by touch: a ridged plate under the user's finger turns so that the hand arrives at a
- * real target while the user feels that it goes to a virtual one. This header includes all others.
+ * Haptic retargeting by touch: a ridged plate under the finger turns so that the hand arrives at a real
+ * target while the user feels that it goes to a virtual one. This header includes all others.
  */
 #ifndef HAPTIC_RETARGETING_H
 #define HAPTIC_RETARGETING_H

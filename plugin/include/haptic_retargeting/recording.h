@@ -1,10 +1,10 @@
 /*
- * Recordings: all that crosses this interface, in a file, as it happens; and replaying them.
+ * Recordings of a session, and their replay.
  *
- * A recording is CSV with comments (#), numbers in full precision, one row for each begin, update and end of
- * the session, refused ones too, so that R, pandas and MATLAB open it as it is; comments hold configuration,
- * targets and where the plate stands. A thread of the library's own writes it: a slow disk or a full
- * one never holds up a call, loses rows instead, and is reported.
+ * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update
+ * and end of a reach is a row, refused calls too; comments hold configuration, targets and the plate
+ * orientation (base.h). Numbers have full precision. A thread of the library writes the file: a slow or full
+ * disk never delays a call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H
@@ -15,53 +15,51 @@
 extern "C" {
 #endif
 
-/** How a recording does. Set `struct_size` before the call. */
+/** State of a recording. Set `struct_size` before the call. */
 typedef struct hrt_recording_status {
   uint32_t struct_size;
-  /** The errno of the first write that failed, after which nothing more is written; 0: none did. */
+  /** errno of the first failed write, after which nothing is written; 0: none. */
   int32_t system_error;
-  /** Calls recorded, as far as the operating system has taken them. */
+  /** Calls that the operating system has accepted for writing. */
   uint64_t rows_written;
-  /** Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it is complete.
-   */
+  /** Calls dropped because the disk was too slow or failed. 0 after stopping: the file is complete. */
   uint64_t rows_lost;
 } hrt_recording_status;
 
-/** Records the session from now on into a file, which is created or replaced.
- *  Errors: SYSTEM if it can't be created, WRONG_STATE during a reach or while recording, OUT_OF_MEMORY.
- *  [one-thread] */
+/** Starts recording the session into a file, which is created or replaced. Errors: SYSTEM if the file
+ *  cannot be created, WRONG_STATE during a reach or while recording, OUT_OF_MEMORY. [one-thread] */
 HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
-/** How the recording does. Errors: WRONG_STATE if there is none. [real-time] */
+/** Returns the state of the recording. Errors: WRONG_STATE without a recording. [real-time] */
 HRT_API hrt_result hrt_recording_get_status(hrt_session session,
                                             hrt_recording_status* out_status) HRT_NOEXCEPT;
 
-/** Writes what is left, closes the file and tells how it went; may wait for the disk. Destroying the session
- *  does this too. Errors: WRONG_STATE if there is no recording. [one-thread] */
+/** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk.
+ *  Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
 HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
-/** What a replay found. Set `struct_size` before the call. */
+/** Result of a replay. Set `struct_size` before the call. */
 typedef struct hrt_replay_report {
   uint32_t struct_size;
-  /** 1 if the recording is whole: it has its end, and no rows were lost; else 0, and what precedes the gap
-   *  was replayed. */
+  /** 1 if the recording has its end and no lost rows, else 0: only the rows before the gap were replayed. */
   uint32_t complete;
   /** Rows replayed. */
   uint64_t rows;
-  /** The line of the file, from 1, of the first row that came out otherwise than recorded, in its
-   *  result or any number; 0: all came out the same, bit for bit. */
+  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows
+   *  are equal, bit for bit. */
   uint64_t first_different_line;
-  /** FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
-   *  error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first. */
+  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as
+   *  8 bytes, step and the seven numbers after it, least significant byte first. */
   uint64_t hash;
 } hrt_replay_report;
 
-/** Runs the recorded calls again and compares results, commands and summaries. Errors: BAD_FORMAT naming the
- *  line, or the version if it is that of a library of 0.1. [any-thread] */
+/** Repeats the recorded calls and compares results, commands and summaries. Errors: BAD_FORMAT naming the
+ *  line, or the version if a library of 0.1 wrote the file. [any-thread] */
 HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
                                    hrt_replay_report* out_report) HRT_NOEXCEPT;
 
-/** The same of a file of at most 1 GiB. Errors: SYSTEM if it can't be read. [any-thread] */
+/** Replays a file of at most 1 GiB. Errors: as hrt_replay_text(), and SYSTEM if the file cannot be read.
+ *  [any-thread] */
 HRT_API hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

@@ -1,5 +1,5 @@
 /*
- * Targets: what the user sees (virtual) and what the hand is led to (real).
+ * Targets: virtual ones, which the user sees, and real ones, to which the hand is steered.
  */
 #ifndef HAPTIC_RETARGETING_TARGET_H
 #define HAPTIC_RETARGETING_TARGET_H
@@ -10,29 +10,26 @@
 extern "C" {
 #endif
 
-/** A target's id within its session. Zero is never a target. The id of a removed target is never valid
- *  again, in no session. */
+/** A target's id within its session. Zero is never a target. Ids are never reused, in any session. */
 typedef struct hrt_target {
   uint64_t value;
 } hrt_target;
 
-/** Targets that a session can hold. */
+/** Maximum number of targets in a session. */
 #define HRT_TARGETS_MAX 1000000
-/** Bytes of a name, with its terminating zero. */
+/** Bytes of a name, including the terminating zero. */
 #define HRT_NAME_SIZE 64
 
-/** What a target is. */
-#define HRT_TARGET_REAL 1
-#define HRT_TARGET_VIRTUAL 2
+/** Role of a target. */
+#define HRT_TARGET_REAL 1    /**< the hand is steered to it */
+#define HRT_TARGET_VIRTUAL 2 /**< the user sees it and goes to it */
 
 /** How a target's place is given. */
 #define HRT_PLACE_DIRECTION 1      /**< by `direction_deg` and `distance_m` */
 #define HRT_PLACE_PLATE_POSITION 2 /**< by `position_m` in plate coordinates */
-/** By `position_m` in the engine's world; see hrt_session_config::plate_position_m. */
-#define HRT_PLACE_WORLD_POSITION 3
+#define HRT_PLACE_WORLD_POSITION 3 /**< by `position_m` in the engine's world */
 
-/** A target. hrt_target_config_default() fills every field. Fields that `place` does not name are not
- *  read. */
+/** A target. hrt_target_config_default() fills every field. Only the fields that `place` names are read. */
 typedef struct hrt_target_config {
   uint32_t struct_size;
   /** HRT_TARGET_*. Default HRT_TARGET_REAL. */
@@ -40,14 +37,14 @@ typedef struct hrt_target_config {
   /** HRT_PLACE_*. Default HRT_PLACE_DIRECTION. */
   uint32_t place;
   uint32_t reserved;
-  /** Direction from the start, -180 to 180. Default 0. */
+  /** Direction from the start (base.h), -180 to 180. Default 0. */
   double direction_deg;
   /** Distance from the start along the plate, 0.001 to 1000. Default 0.1. */
   double distance_m;
-  /** Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start in the plane
-   *  of the plate; the height y is kept and not used. Default (0, 0, 0). */
+  /** Place in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate;
+   *  the height y has no effect. Each within 1000. Default (0, 0, 0). */
   double position_m[3];
-  /** UTF-8, ended by a zero; unique within the session unless empty. Default empty. */
+  /** UTF-8, terminated by a zero; unique within the session unless empty. Default empty. */
   char name[HRT_NAME_SIZE];
 } hrt_target_config;
 
@@ -60,24 +57,24 @@ HRT_API hrt_result hrt_target_config_default(hrt_target_config* out_config,
 HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
                                   hrt_target* out_target) HRT_NOEXCEPT;
 
-/** Changes a target; its id stays. A reach that is under way keeps the target as it was. Errors: as
+/** Replaces a target and keeps its id. A running reach keeps the former target. Errors: as
  *  hrt_target_add(). [one-thread] */
 HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                   const hrt_target_config* config) HRT_NOEXCEPT;
 
-/** What a target was last set to. `out_config->struct_size` must be set. [one-thread] */
+/** Returns a target. Set `out_config->struct_size` before the call. [one-thread] */
 HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
                                   hrt_target_config* out_config) HRT_NOEXCEPT;
 
-/** Removes a target. A reach that is under way goes on with it as it was. [one-thread] */
+/** Removes a target. A running reach keeps it. [one-thread] */
 HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
 
-/** Finds a target by its name. Errors: NOT_FOUND. [one-thread] */
+/** Finds a target by name. Errors: NOT_FOUND. [one-thread] */
 HRT_API hrt_result hrt_target_find(hrt_session session, const char* name,
                                    hrt_target* out_target) HRT_NOEXCEPT;
 
-/** Lists the targets of a role (0: of both) in the order in which they were added. With `capacity` 0 only
- *  counts them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
+/** Lists the targets of a role (0: both) in the order of addition. With `capacity` 0 the call only counts
+ *  them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
 HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint32_t capacity,
                                    hrt_target* out_targets, uint32_t* out_count) HRT_NOEXCEPT;
 

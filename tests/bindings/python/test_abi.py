@@ -1,4 +1,4 @@
-"""The declarations against tests/plugin/abi.txt, which the build is held against."""
+"""The declarations against tests/plugin/abi/abi.txt, which the build is held against."""
 
 import ctypes
 import re
@@ -8,7 +8,7 @@ from conftest import BINDINGS, ROOT
 import haptic_retargeting as hrt
 from haptic_retargeting import _abi
 
-ABI = (ROOT / "tests/plugin/abi.txt").read_text()
+ABI = (ROOT / "tests/plugin/abi/abi.txt").read_text()
 
 
 def python_name(c_name: str) -> str:
@@ -37,9 +37,9 @@ def test_every_function_is_declared() -> None:
         assert f"library.{name}.argtypes" in source
 
 
-def test_help_tells_units_ranges_and_defaults() -> None:
+def test_help_has_units_ranges_and_defaults() -> None:
     text = hrt.SessionConfig.__doc__ or ""
-    assert "horizon: Steps that the controller looks ahead, 1 to 50. Default 3." in text
+    assert re.search(r"horizon: Steps that the controller plans ahead.*1\s+to 50\. Default 3\.", text, re.S)
     assert "Control.FIXED_PLATE" in text and "HRT_" not in text and "struct_size" not in text
     assert "OUT_OF_RANGE: A value is outside" in (hrt.ErrorCode.__doc__ or "")
     missing = [f"{struct.__name__}.{name}" for struct in vars(_abi).values()
@@ -56,3 +56,10 @@ def test_arrays_are_laid_out_as_the_structs() -> None:
     assert hrt.SAMPLE.itemsize == ctypes.sizeof(_abi.Sample)
     assert hrt.COMMAND.itemsize == ctypes.sizeof(_abi.Command)
     assert hrt.SAMPLE.fields["finger_position_m"][1] == _abi.Sample.finger_position_m.offset
+
+
+def test_the_comment_of_a_group_is_the_enumerations() -> None:
+    for enumeration, doc in ((_abi.Role, "Role of a target."), (_abi.LogLevel, "Level of a log message."),
+                             (_abi.Control, "Source of the plate's commands.")):
+        assert (enumeration.__doc__ or "").startswith(doc)
+    assert "WARNING: " not in (_abi.LogLevel.__doc__ or "")

@@ -1,4 +1,4 @@
-"""Calibration: slides whose answer is known by construction, and slides that can't tell."""
+"""Calibration: slides whose answer is known by construction, and slides with too little data."""
 
 import re
 import runpy

@@ -36,7 +36,7 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
     assert len(reach.samples) == 303 and reach.commands["step"][-1] == 29
-    golden = hrt.read_recording(ROOT / "tests/plugin/golden_recording.csv")
+    golden = hrt.read_recording(ROOT / "tests/plugin/recording/golden_recording.csv")
     assert golden.complete and len(golden.reaches) == 3
     refused = golden.reaches[0].results != 0
     assert refused.any() and np.isnan(golden.reaches[0].commands["plate_orientation_deg"][refused]).all()

@@ -84,7 +84,7 @@ test("targets are found, changed, listed and removed", () => {
   throws(() => session.targets(), "HRT_ERROR_INVALID_HANDLE", "session");
 });
 
-test("authority is told before anyone moves", () => {
+test("authority is computed before a reach", () => {
   const { session, real, virtual } = newSession({ tactile_weight: 0.15 });
   const authority = session.authority(real, virtual);
   assert.equal(authority.reachable, 1);

@@ -48,8 +48,8 @@ def main() -> None:
     print(f"{result.trials_used} simulated slides\n{'':24}truth   estimate (95 % interval)")
     for name, truth in TRUTH.items():
         estimate = getattr(result, name)
-        told = f"{estimate.value:.4g} ({estimate.lower:.4g} to {estimate.upper:.4g})" if estimate.known else "not known"
-        print(f"{name:24}{truth:<7g} {told}")
+        shown = f"{estimate.value:.4g} ({estimate.lower:.4g} to {estimate.upper:.4g})" if estimate.known else "not known"
+        print(f"{name:24}{truth:<7g} {shown}")
     print("profile:", profile)
 
 

@@ -8,7 +8,7 @@ while the user feels that it goes to a virtual one.
         cup = session.add_virtual("cup", direction_deg=5)
         record = session.run_reach(cylinder, cup, hrt.samples(time_ns, position_m=positions))
 
-Metres, degrees and nanoseconds, as the names tell. Directions are measured from the plate's mid-line, straight away
+Metres, degrees and nanoseconds, as the names say. Directions are measured from the plate's mid-line, straight away
 from the user, counter-clockwise positive seen from above. Plate coordinates: x right, y up, z towards the user.
 
 The calls are those of the C library, which is found by the system's loader, or where HRT_LIBRARY says.

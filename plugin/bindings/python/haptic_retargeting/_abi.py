@@ -17,38 +17,38 @@ VERSION = (0, 2, 0)
 """Of the headers that this was written from."""
 OK = 0
 CALIBRATIONS_MAX = 16
-"""Calibrations that can exist at the same time in a process."""
+"""Maximum number of calibrations in a process."""
 SCENES_MAX = 64
-"""Scenes that can be loaded at the same time in a process."""
+"""Maximum number of scenes in a process."""
 SESSIONS_MAX = 64
-"""Sessions that can exist at the same time in a process."""
+"""Maximum number of sessions in a process."""
 TARGETS_MAX = 1000000
-"""Targets that a session can hold."""
+"""Maximum number of targets in a session."""
 NAME_SIZE = 64
-"""Bytes of a name, with its terminating zero."""
+"""Bytes of a name, including the terminating zero."""
 
 
 class ErrorCode(IntEnum):
     """The C headers' HRT_ERROR_*.
 
     NULL_ARGUMENT: A pointer that must not be null was null.
-    INVALID_HANDLE: The handle or id is null, was never given out, is of another session, or of something
-        destroyed.
-    STRUCT_SIZE: `struct_size` is below the first version's, or bytes beyond what this library knows are not
-        zero.
+    INVALID_HANDLE: The handle or id is null, stale, of another session, or was never given out.
+    STRUCT_SIZE: `struct_size` is below the first version's, or bytes that this library does not know are
+        not zero.
     OUT_OF_RANGE: A value is outside its documented range, not a number, or infinite.
-    WRONG_STATE: Not now: for example an update without a reach, or a new configuration during one.
+    WRONG_STATE: The call is not allowed now: for example an update without a reach.
     BUSY: Another thread is in a call on this session.
-    TIME_REVERSED: The sample's time is before that of the sample before it.
-    OUT_OF_MEMORY
-    LIMIT_REACHED: There are as many of these as there can be.
+    TIME_REVERSED: The sample is older than the one before it.
+    OUT_OF_MEMORY: An allocation failed.
+    LIMIT_REACHED: The number of objects or samples is at its limit.
     NOT_FOUND: Nothing has this name.
-    BUFFER_TOO_SMALL: The caller's buffer cannot hold the answer.
+    BUFFER_TOO_SMALL: The caller's buffer is too small for the output.
     NAME_TAKEN: Another target of this session has this name.
-    SYSTEM: The operating system refused: a file, a thread.
-    BAD_FORMAT: A text is not what it should be; hrt_last_error() tells where.
-    INSUFFICIENT_DATA: The data do not tell what was asked of them; hrt_last_error() tells what is missing.
-    INTERNAL: A defect in this library; please report it with the text of hrt_last_error().
+    SYSTEM: The operating system refused a file or a thread.
+    BAD_FORMAT: A file or text is malformed. hrt_last_error() names the place.
+    INSUFFICIENT_DATA: The data cannot determine the requested value. hrt_last_error() names what is
+        missing.
+    INTERNAL: A defect in this library. Please report it with the text of hrt_last_error().
     """
 
     NULL_ARGUMENT = -1
@@ -70,10 +70,10 @@ class ErrorCode(IntEnum):
 
 
 class Control(IntEnum):
-    """What decides the plate's orientation.
+    """Source of the plate's commands.
 
     MPC: the model-predictive controller
-    FIXED_PLATE: none, as a baseline: the plate stays where it is told to
+    FIXED_PLATE: a plate that does not turn, as a baseline
     """
 
     MPC = 0
@@ -81,12 +81,11 @@ class Control(IntEnum):
 
 
 class Guidance(IntEnum):
-    """Where the finger is wanted.
+    """Direction to which the controller steers the finger.
 
-    FIXED_DIRECTION: in the real target's direction from the start
-    LINE_OF_SIGHT: In the direction from where the finger is to where the real target is, held once less
-        than a fifth of the path remains. Takes effect when positions are streamed; with directions alone it
-        is as above.
+    FIXED_DIRECTION: the real target's, seen from the start
+    LINE_OF_SIGHT: From the finger to the real target; constant over the last fifth of the path. Needs
+        positions: with directions alone this is FIXED_DIRECTION.
     """
 
     FIXED_DIRECTION = 0
@@ -94,15 +93,15 @@ class Guidance(IntEnum):
 
 
 class Adaptation(IntEnum):
-    """Whether the user's share of touch and motor variance are learnt.
+    """Learning of the tactile weight and the motor variance.
 
-    OFF: no: they are taken as known
-    REACH: The share of touch within each reach, from tactile_weight and its deviation. The reach's summary
-        also tells the motor variance, from motor_variance_deg2 and its deviation.
-    CARRIED: As REACH; and what a reach has learnt becomes the configuration's: tactile_weight and
-        tactile_weight_sd, the latter no less than 0.01, and motor_variance_deg2 and motor_variance_sd_deg2,
-        the latter no less than 0.1, as people change. One reach changes the motor variance by a factor of
-        two at most, in which case its deviation stays; it is kept within 0.05 to 5.
+    OFF: both are taken as known
+    REACH: The tactile weight is learnt within each reach. The summary also has the motor variance of the
+        reach.
+    CARRIED: As REACH; the end of a reach also writes tactile_weight, motor_variance_deg2 and their
+        deviations into the configuration. Deviations stay at or above 0.01 and 0.1, because people change.
+        One reach changes the motor variance by a factor of 2 at most, within 0.05 to 5; if clamped to it,
+        its deviation is unchanged.
     """
 
     OFF = 0
@@ -111,10 +110,10 @@ class Adaptation(IntEnum):
 
 
 class Role(IntEnum):
-    """The C headers' HRT_TARGET_*.
+    """Role of a target.
 
-    REAL: What a target is.
-    VIRTUAL
+    REAL: the hand is steered to it
+    VIRTUAL: the user sees it and goes to it
     """
 
     REAL = 1
@@ -126,7 +125,7 @@ class Place(IntEnum):
 
     DIRECTION: by `direction_deg` and `distance_m`
     PLATE_POSITION: by `position_m` in plate coordinates
-    WORLD_POSITION: By `position_m` in the engine's world; see SessionConfig.plate_position_m.
+    WORLD_POSITION: by `position_m` in the engine's world
     """
 
     DIRECTION = 1
@@ -135,9 +134,9 @@ class Place(IntEnum):
 
 
 class LogLevel(IntEnum):
-    """The C headers' HRT_LOG_*.
+    """Level of a log message.
 
-    WARNING: LogCallback: how bad it is.
+    WARNING
     ERROR
     """
 
@@ -148,25 +147,24 @@ class LogLevel(IntEnum):
 class ReachFlag(IntFlag):
     """ReachConfig.flags.
 
-    PLATE_ORIENTATION: `plate_orientation_deg` is given; without this the plate is where the session's last
-        command left it (at first 0).
+    PLATE_ORIENTATION: `plate_orientation_deg` is given. Otherwise the plate is at the session's last
+        command, at first 0.
     """
 
     PLATE_ORIENTATION = 1
 
 
 class SampleFlag(IntFlag):
-    """Sample.flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at most one
-    may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and the model
-    predicts until the finger is seen again.
+    """Sample.flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and WORLD_POSITION. With
+    none of these and without LIFTED the sample is a dropout: the plate is held, and the model predicts.
 
     DIRECTION: finger_direction_deg
     PLATE_POSITION: finger_position_m, in plate coordinates
-    PLATE_ORIENTATION: plate_orientation_deg, measured by the device
-    LIFTED: The finger is off the plate, and so feels nothing: the model waits.
+    PLATE_ORIENTATION: plate_orientation_deg, as measured
+    LIFTED: the finger does not touch the plate: the model waits
     WORLD_POSITION: finger_position_m, in the engine's world
-    PLATE_POSE: plate_position_m and plate_rotation: the plate has moved in the world; else it is where the
-        session's configuration has it. Goes with WORLD_POSITION.
+    PLATE_POSE: plate_position_m and plate_rotation, for WORLD_POSITION. Otherwise the session's
+        configuration has them.
     """
 
     DIRECTION = 1
@@ -180,12 +178,12 @@ class SampleFlag(IntFlag):
 class CommandFlag(IntFlag):
     """Command.flags.
 
-    HELD: between steps: nothing new was decided in this call
-    PREDICTED: the last step had no direction and was predicted
-    SATURATED: the plate's bound or a stop holds the command
-    RATE_LIMITED: the plate's speed holds the command
-    UNREACHABLE: the real direction cannot be held: see authority.h
-    LIFTED: the finger is above the plate: the model waits
+    HELD: between steps: the former command is repeated
+    PREDICTED: the last step had no sample and was predicted
+    SATURATED: the plate's bound or a stop limits the command
+    RATE_LIMITED: the plate's speed limits the command
+    UNREACHABLE: the plate cannot sustain the gap: see authority.h
+    LIFTED: the finger does not touch the plate: the model waits
     OFF_PLATE: the finger is beyond the plate's edge
     """
 
@@ -199,17 +197,17 @@ class CommandFlag(IntFlag):
 
 
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
-"""Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it can't."""
+"""Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure."""
 AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
-"""Takes back what allocate() returned."""
+"""Releases memory that allocate() returned."""
 LogCallback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
-"""Hears what no call can return, such as that a recording's disk is full. `text` is one line, valid during
-the call. Called from a thread of the library's own, never from within a call of the host's; must not
-call this library, and must not throw."""
+"""Receives what no call can return, for example that a recording's disk is full. `level` is LogLevel.
+`text` is one line, valid during the call. Called on a thread of the library. It may not call this
+library or throw."""
 
 
 class SessionHandle(Struct):
-    """A session's handle. Zero is never a session. A handle of a destroyed session is never valid again.
+    """A session's handle. Zero is never a session. Handles are never reused.
 
     value
     """
@@ -223,52 +221,60 @@ class SessionHandle(Struct):
 
 
 class SessionConfig(Struct):
-    """Everything that a session is made from.
+    """Configuration of a session.
 
-    horizon: Steps that the controller looks ahead, 1 to 50. Default 3.
-    step_period_ns: Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default
-        100 ms.
+    horizon: Steps that the controller plans ahead. With 1 most reaches miss; more than 3 changes little and
+        costs time. 1 to 50. Default 3.
+    step_period_ns: Duration of one step of the model and of the controller. The variances below are per
+        step: scale them with it. 1 ms to 10 s. Default 100 ms.
     control: Control. Default Control.MPC.
     guidance: Guidance. Default Guidance.LINE_OF_SIGHT.
     adaptation: Adaptation. Default Adaptation.OFF.
-    perceived_weight: Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1.
-    actual_weight: Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.
-    plate_bound_deg: The plate stays within this of the direction that the user goes for, the virtual
-        target's and bias_deg, or of what feels the same; 0.1 to 90. Default 84.5.
-    plate_max_speed_deg_s: The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit.
-        Default 0.
-    plate_max_acceleration_deg_s2: Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit.
-        Default 0.
-    plate_latency_ns: The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods.
-        Default 0.
-    plate_lower_stop_deg: The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0:
-        it turns freely. Default 0 and 0.
+    perceived_weight: Cost of the error that the user feels. Raising it keeps the felt direction closer to
+        the virtual one and steers more slowly. 1e-6 to 1e6. Default 1.
+    actual_weight: Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0
+        steers not at all. 0 to 1e6. Default 1.
+    plate_bound_deg: Maximum angle, modulo 180, between the plate orientation (base.h) and the virtual
+        direction plus bias_deg. Raising it allows larger gaps; near 90 the ridges run along the motion and
+        signal nothing. 0.1 to 90. Default 84.5.
+    plate_max_speed_deg_s: Maximum speed of the plate's servo, within which the controller plans. 0 to 1e6
+        degrees a second; 0: no limit. Default 0.
+    plate_max_acceleration_deg_s2: Maximum acceleration of the servo, within which the controller plans. 0
+        to 1e8 degrees a second squared; 0: no limit. Default 0.
+    plate_latency_ns: Time from a command to the plate's first motion. The controller plans from where the
+        plate will be by then. 0 to 1 s, and at most 8 step periods. Default 0.
+    plate_lower_stop_deg: Mechanical stops, as plate orientations (base.h): no command lies beyond them.
+        -3600 to 3600, the upper at least 180 above the lower; both 0: no stops. Default 0 and 0.
     plate_upper_stop_deg
-    fixed_plate_orientation_deg: Where the plate stays under Control.FIXED_PLATE, -180 to 180: there, or at
-        what feels the same between the stops and is nearer to where it stands. Default 0.
-    tactile_weight: Share of touch in the direction that the user feels, 0.001 to 0.499. Default 0.15.
-    tactile_weight_sd: Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default
-        0.05.
-    motor_variance_deg2: Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5.
-    sensory_variance_deg2: Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1.
-    initial_variance_deg2: Variance of the user's perceived direction before the first step, 0 to 1e4.
-        Default 0.
-    tracker_noise_m: White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0:
-        learn it from the samples. Default 0.
-    start_position_m: Where reaches start, in plate coordinates; target directions are measured from here,
-        in the plane of the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the
-        user.
-    plate_radius_m: Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default
-        0.075.
-    lift_height_m: Higher than this above the plate a position is lifted, 0.0001 to 1000. Default 0.015.
-    plate_position_m: The plate's centre in the engine's world, each within 1000. Default (0, 0, 0).
-    plate_rotation: How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that
-        takes plate coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0, 1).
-    bias_deg: The user's own bias: how much further to the left than it is they take a virtual target to
-        lie, -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in reaches.
-        Default 0. Since version 0.2.
-    motor_variance_sd_deg2: Standard deviation of motor_variance_deg2, for adaptation to start from, 0.001
-        to 10. Default 0.5. Since version 0.2.
+    fixed_plate_orientation_deg: Plate orientation (base.h) under Control.FIXED_PLATE. With stops, the plate
+        goes to the nearest orientation with the same ridges. -180 to 180. Default 0.
+    tactile_weight: Share of touch in the direction that the user feels. At a higher weight, the same turn
+        of the plate steers the hand further. 0.001 to 0.499. Default 0.15.
+    tactile_weight_sd: Standard deviation of tactile_weight, from which adaptation starts. Raising it makes
+        adaptation faster and less steady. 0.001 to 0.49. Default 0.05.
+    motor_variance_deg2: Variance of the user's motor command per step. Raising it makes the estimator
+        follow the samples more closely. 1e-9 to 1e4. Default 0.5.
+    sensory_variance_deg2: Variance of the felt direction per step. Raising it models a user who reacts to
+        touch more slowly. 1e-9 to 1e4. Default 0.1.
+    initial_variance_deg2: Variance of the user's felt direction before the first step. Raising it models a
+        user who trusts touch more in the first steps. 0 to 1e4. Default 0.
+    tracker_noise_m: Standard deviation of white noise in each tracked coordinate. Raising it smooths
+        positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0.
+    start_position_m: Start of reaches in plate coordinates. Directions of targets are measured from here.
+        Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user.
+    plate_radius_m: Radius of the plate: positions beyond it get CommandFlag.OFF_PLATE. 0.001 to 1000.
+        Default 0.075.
+    lift_height_m: Height above the plate: positions above it count as lifted. 0.0001 to 1000. Default
+        0.015.
+    plate_position_m: Centre of the plate in the engine's world. Each within 1000. Default (0, 0, 0).
+    plate_rotation: Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate
+        coordinates to the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default
+        (0, 0, 0, 1).
+    bias_deg: Perceptual bias: perceived minus true direction of a virtual target. The user goes to the
+        virtual direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45. Default
+        0. Since version 0.2.
+    motor_variance_sd_deg2: Standard deviation of motor_variance_deg2, from which adaptation starts. Raising
+        it makes adaptation faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2.
     """
 
     if TYPE_CHECKING:
@@ -336,8 +342,7 @@ class SessionConfig(Struct):
 
 
 class TargetHandle(Struct):
-    """A target's id within its session. Zero is never a target. The id of a removed target is never valid
-    again, in no session.
+    """A target's id within its session. Zero is never a target. Ids are never reused, in any session.
 
     value
     """
@@ -351,15 +356,15 @@ class TargetHandle(Struct):
 
 
 class TargetConfig(Struct):
-    """A target. Fields that `place` does not name are not read.
+    """A target. Only the fields that `place` names are read.
 
     role: Role. Default Role.REAL.
     place: Place. Default Place.DIRECTION.
-    direction_deg: Direction from the start, -180 to 180. Default 0.
+    direction_deg: Direction from the start (base.h), -180 to 180. Default 0.
     distance_m: Distance from the start along the plate, 0.001 to 1000. Default 0.1.
-    position_m: Place in plate coordinates or in the world, each within 1000; at least 1 mm from the start
-        in the plane of the plate; the height y is kept and not used. Default (0, 0, 0).
-    name: UTF-8, ended by a zero; unique within the session unless empty. Default empty.
+    position_m: Place in plate coordinates or in the world, at least 1 mm from the start in the plane of the
+        plate; the height y has no effect. Each within 1000. Default (0, 0, 0).
+    name: UTF-8, terminated by a zero; unique within the session unless empty. Default empty.
     """
 
     if TYPE_CHECKING:
@@ -385,18 +390,17 @@ class TargetConfig(Struct):
 
 
 class Authority(Struct):
-    """What can be held for one pair.
+    """Authority over one pair of targets.
 
-    reachable: 1 if the finger can be held on the real target's direction, else 0.
+    reachable: 1 if the plate can keep the finger on the real target's direction, else 0.
     real_target
     virtual_target
-    gap_deg: Where the user goes, the virtual target's direction and SessionConfig.bias_deg, less the real
-        target's direction; in [-180, 180).
-    largest_gap_deg: The largest gap, either way, that can be held with the session's tactile weight and
-        plate bound.
-    margin_deg: largest_gap_deg less the size of the gap; negative if out of reach.
-    plate_orientation_deg: Where the plate must stand to hold it; on its bound if out of reach.
-    settling_direction_deg: Where the finger settles: the real target's direction if it can be held.
+    gap_deg: The virtual direction plus SessionConfig.bias_deg, minus the real direction; in [-180, 180).
+    largest_gap_deg: Largest gap, to either side, that the session's tactile weight and plate bound can
+        sustain.
+    margin_deg: largest_gap_deg minus the size of the gap; negative: unreachable.
+    plate_orientation_deg: Plate orientation (base.h) that sustains the gap; at the bound if unreachable.
+    settling_direction_deg: Direction in which the finger settles: the real target's, if reachable.
     """
 
     if TYPE_CHECKING:
@@ -424,14 +428,14 @@ class Authority(Struct):
 
 
 class ReachConfig(Struct):
-    """What a reach is.
+    """Configuration of a reach.
 
     flags: ReachFlag. Default 0.
-    real_target: Its direction and the one that the user goes for, the virtual target's and
-        SessionConfig.bias_deg, are less than 90 degrees apart. Default null: to be set.
-    virtual_target
-    plate_orientation_deg: Where the plate stands before the reach, -3600 to 3600; beyond a stop means at
-        the stop. Default 0.
+    real_target: Target of the hand, less than 90 degrees from the virtual direction plus
+        SessionConfig.bias_deg. Default null: to be set.
+    virtual_target: Target that the user goes to. Default null: to be set.
+    plate_orientation_deg: Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600.
+        Default 0.
     """
 
     if TYPE_CHECKING:
@@ -451,19 +455,17 @@ class ReachConfig(Struct):
 
 
 class Sample(Struct):
-    """One sample of the tracked finger. Set it to zero, then `struct_size` and what is known. Fields that
-    `flags` does not name are not read, whatever is in them.
+    """One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the
+    fields that `flags` names are read.
 
     flags: SampleFlag.
-    time_ns: The caller's monotonic clock; any origin. Not before the last sample's; the same time again is
-        taken.
-    finger_direction_deg: The direction in which the finger moves, -180 to 180; taken as exact.
-    finger_position_m: The fingertip, each within 1000. Of a tracked pose this is the position; how the
-        finger is turned is not asked for.
-    plate_orientation_deg: Where the plate stands, -3600 to 3600. A plate without stops may count its turns
-        as it likes: of the orientations that feel the same, the one nearest to where it is expected is
-        taken. With stops it is taken as it is.
-    plate_position_m: The plate in the world, as in SessionConfig.
+    time_ns: The caller's monotonic clock, with any origin; never less than the last sample's.
+    finger_direction_deg: Direction in which the finger moves, taken as exact. -180 to 180.
+    finger_position_m: Position of the fingertip. Each within 1000.
+    plate_orientation_deg: Measured plate orientation (base.h). With stops it is taken as measured. Without
+        stops half turns do not count: the model takes the orientation with the same ridges that is nearest
+        to the expected one. -3600 to 3600.
+    plate_position_m: Pose of the plate in the world; see SessionConfig.
     plate_rotation
     """
 
@@ -490,21 +492,19 @@ class Sample(Struct):
 
 
 class Command(Struct):
-    """What the plate is to do now, and why.
+    """Command for the plate, and its reasons.
 
     flags: CommandFlag.
-    step: The model step, from 0; -1 before the finger moves.
-    plate_orientation_deg: Turn the plate here. Ridges repeat every 180 degrees. If the session's
-        configuration gives the plate no highest speed or acceleration, this is the nearest of the
-        orientations that feel the same and lie between the stops. If it does, the plate keeps to one half
-        turn for a whole reach, so that it swings round at the start or not at all; a command beyond a stop
-        is held at the stop.
-    finger_direction_deg: The finger's direction in the last step, observed or predicted.
-    perceived_direction_deg: The direction that the user feels, as the model predicts it under this command.
-    aimed_direction_deg: Where the finger is wanted; see SessionConfig.guidance.
-    distance_to_go_m: Along the plate to the real target; from the start until a position is streamed.
-    tactile_weight: The share of touch that the controller assumes.
-    tactile_weight_sd: Its standard deviation; 0: it is taken as known.
+    step: Model step, from 0; -1 before the finger moves.
+    plate_orientation_deg: Plate orientation (base.h) to turn to now. Of the orientations with the same
+        ridges between the stops it is the nearest one, if the configured speed and acceleration are
+        unlimited. Otherwise the plate stays in one half turn for the whole reach, limited by the stops.
+    finger_direction_deg: Direction of the finger in the last step, observed or predicted.
+    perceived_direction_deg: Direction that the user feels under this command, as the model predicts it.
+    aimed_direction_deg: Direction to which the finger is steered; see SessionConfig.guidance.
+    distance_to_go_m: Distance along the plate to the real target; from the start until the first position.
+    tactile_weight: Tactile weight that the controller assumes.
+    tactile_weight_sd: Standard deviation of tactile_weight; 0: taken as known.
     """
 
     if TYPE_CHECKING:
@@ -534,30 +534,29 @@ class Command(Struct):
 
 
 class ReachSummary(Struct):
-    """What became of a reach.
+    """Result of a reach.
 
-    samples: Samples taken in, and of these the dropouts and what was left out as an outlier.
+    samples: Samples, and those of them that were dropouts or rejected as outliers.
     dropped_samples
-    steps: Model steps with samples, and steps without, which were predicted.
+    steps: Model steps with samples, and predicted steps without.
     predicted_steps
-    saturated_steps: Of the steps with samples, those whose command the plate's bound, a stop, or its speed
-        held.
+    saturated_steps: Steps with samples in which the plate's bound or a stop, or its speed, limited the
+        command.
     rate_limited_steps
-    final_direction_deg: The finger's direction in the last step, and that less the real target's.
+    final_direction_deg: Direction of the finger in the last step, and that direction minus the real
+        target's.
     final_miss_deg
-    perceived_direction_deg: What the user felt in the last step, and that less where they went: the virtual
-        target's direction and SessionConfig.bias_deg.
+    perceived_direction_deg: Direction that the user felt in the last step, and that direction minus the
+        virtual target's and SessionConfig.bias_deg.
     perceived_error_deg
-    distance_to_target_m: From the last position along the plate to the real target; from the start if none
-        was streamed.
-    tactile_weight: What the controller assumed at the end; see Command.
+    distance_to_target_m: Distance along the plate from the last position to the real target; from the start
+        without positions.
+    tactile_weight: Tactile weight and deviation at the end; see Command.
     tactile_weight_sd
-    tracker_noise_m: White noise of each coordinate of the tracked positions, standard deviation, as learnt
-        or configured.
-    motor_variance_deg2: The user's motor variance as this reach corrects what the configuration assumes.
-        Since version 0.2.
-    motor_variance_sd_deg2: Its standard deviation; close to SessionConfig.motor_variance_sd_deg2 if the
-        reach could not tell; 0: it is taken as known. Since version 0.2.
+    tracker_noise_m: Standard deviation of white noise in each tracked coordinate, learnt or configured.
+    motor_variance_deg2: Motor variance: the configured one, corrected by this reach. Since version 0.2.
+    motor_variance_sd_deg2: Standard deviation of motor_variance_deg2; close to the configured one if the
+        reach had too little data; 0: taken as known. Since version 0.2.
     """
 
     if TYPE_CHECKING:
@@ -603,7 +602,7 @@ class ReachSummary(Struct):
 
 
 class CalibrationHandle(Struct):
-    """A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never valid again.
+    """A calibration's handle. Zero is never a calibration. Handles are never reused.
 
     value
     """
@@ -617,12 +616,13 @@ class CalibrationHandle(Struct):
 
 
 class CalibrationConfig(Struct):
-    """What a calibration is.
+    """Configuration of a calibration.
 
-    max_trials: Trials that it can hold, 10 to 10000. Default 200.
-    max_samples: Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at
-        creation. Default 100000: 18 minutes at 90 Hz.
-    goal_direction_deg: Where the user is told to go, -180 to 180. Default 0: straight ahead.
+    max_trials: Maximum number of trials. 10 to 10000. Default 200.
+    max_samples: Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000.
+        Default 100000: 18 minutes at 90 Hz.
+    goal_direction_deg: Direction of the user's target. -180 to 180. Default 0: straight ahead, where the
+        motor variance is accurate.
     """
 
     if TYPE_CHECKING:
@@ -647,8 +647,8 @@ class Interval(Struct):
     value
     lower
     upper
-    known: 1, or 0: the data can't tell. Then the interval is what was searched, and the value no more than
-        its likeliest point.
+    known: 1; or 0: the data cannot determine the value. Then the interval is the range that was searched,
+        and the value its likeliest point.
     """
 
     if TYPE_CHECKING:
@@ -668,13 +668,13 @@ class Interval(Struct):
 
 
 class CalibrationResult(Struct):
-    """What the slides tell of the user. The fields are those of SessionConfig.
+    """Parameters of the user; the fields are those of SessionConfig.
 
-    trials: Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone count.
+    trials: Ended trials, and those of them with a slide of at least 30 mm. Only the latter count.
     trials_used
-    tactile_weight: Always known; otherwise hrt_calibration_solve() refuses.
+    tactile_weight: Always known: otherwise hrt_calibration_solve() fails.
     bias_deg: Always known.
-    motor_variance_deg2: Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly is.
+    motor_variance_deg2: Known with an accurate tracker; rarely at 1.2 mm of noise.
     sensory_variance_deg2: As motor_variance_deg2.
     tracker_noise_m: Always known.
     """
@@ -704,13 +704,13 @@ class CalibrationResult(Struct):
 
 
 class Allocator(Struct):
-    """Where the library's memory comes from. The functions may be called from any thread, at the same time;
-    they must not call this library, and must not throw.
+    """Source of the library's memory. Both functions are called from any thread, concurrently. Neither may
+    call this library or throw.
 
-    context: Passed to both functions; never read.
-    allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null if it
-        can't.
-    release: Takes back what allocate() returned.
+    context: Passed to both functions. The library does not read it.
+    allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on
+        failure.
+    release: Releases memory that allocate() returned.
     """
 
     if TYPE_CHECKING:
@@ -730,12 +730,11 @@ class Allocator(Struct):
 
 
 class RecordingStatus(Struct):
-    """How a recording does.
+    """State of a recording.
 
-    system_error: The errno of the first write that failed, after which nothing more is written; 0: none
-        did.
-    rows_written: Calls recorded, as far as the operating system has taken them.
-    rows_lost: Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it is
+    system_error: errno of the first failed write, after which nothing is written; 0: none.
+    rows_written: Calls that the operating system has accepted for writing.
+    rows_lost: Calls dropped because the disk was too slow or failed. 0 after stopping: the file is
         complete.
     """
 
@@ -754,15 +753,15 @@ class RecordingStatus(Struct):
 
 
 class ReplayReport(Struct):
-    """What a replay found.
+    """Result of a replay.
 
-    complete: 1 if the recording is whole: it has its end, and no rows were lost; else 0, and what precedes
-        the gap was replayed.
+    complete: 1 if the recording has its end and no lost rows, else 0: only the rows before the gap were
+        replayed.
     rows: Rows replayed.
-    first_different_line: The line of the file, from 1, of the first row that came out otherwise than
-        recorded, in its result or any number; 0: all came out the same, bit for bit.
-    hash: FNV-1a of the commands as replayed, which is the same on every host: of each row "update" without
-        error, flags as 8 bytes, step, and the seven numbers after them, least significant byte first.
+    first_different_line: Line, from 1, of the first row whose result or any number differs from the
+        recorded one; 0: all rows are equal, bit for bit.
+    hash: FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags
+        as 8 bytes, step and the seven numbers after it, least significant byte first.
     """
 
     if TYPE_CHECKING:
@@ -782,7 +781,7 @@ class ReplayReport(Struct):
 
 
 class SceneHandle(Struct):
-    """A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid again.
+    """A scene's handle. Zero is never a scene. Handles are never reused.
 
     value
     """
@@ -798,12 +797,12 @@ class SceneHandle(Struct):
 class SceneInfo(Struct):
     """The plate of a scene.
 
-    target_count: How many targets the scene has, real and virtual.
-    plate_position_m: The plate in the world, as in SessionConfig.
+    target_count: Number of targets, real and virtual.
+    plate_position_m: Pose of the plate in the world; see SessionConfig.
     plate_rotation
     plate_radius_m
-    plate_max_speed_deg_s: Of the plate's servo; 0 if the file does not tell.
-    start_position_m: In plate coordinates.
+    plate_max_speed_deg_s: Maximum speed of the servo, degrees per second; 0: not in the file.
+    start_position_m: Start of reaches, in plate coordinates.
     """
 
     if TYPE_CHECKING:
@@ -830,12 +829,12 @@ class SceneTarget(Struct):
     """A target of a scene.
 
     role: Role.
-    served_by: Of a virtual target: the index of the real one that serves it; of a real one -1.
+    served_by: Index of the real target that serves this virtual one; -1 for a real target.
     position_m: In plate coordinates; y is the height above the plate.
     world_position_m
-    direction_deg: Seen from the start, along the plate.
+    direction_deg: From the start, along the plate.
     distance_m
-    radius_m: 0 if the file does not tell.
+    radius_m: 0: not in the file.
     name
     """
 
@@ -866,7 +865,7 @@ class SceneTarget(Struct):
 
 
 def declare(library: CDLL) -> None:
-    """Tells ctypes the type of every function; AttributeError names one that the library lacks."""
+    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""
     library.hrt_result_string.argtypes = (c_int32,)
     library.hrt_result_string.restype = c_char_p
     library.hrt_last_error.argtypes = ()

@@ -35,7 +35,7 @@ def library() -> ctypes.CDLL:
     try:
         loaded = ctypes.CDLL(name)
     except OSError as error:
-        raise ImportError(f"{name} can't be loaded: {error}. Install the haptic_retargeting library, or set "
+        raise ImportError(f"{name} cannot be loaded: {error}. Install the haptic_retargeting library, or set "
                           "HRT_LIBRARY to its file") from error
     needed = _abi.VERSION
     try:

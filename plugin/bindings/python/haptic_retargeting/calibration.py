@@ -15,7 +15,7 @@ from .session import Session
 
 
 class Calibration:
-    """Slides of one user, and what they tell.
+    """Slides of one user, and the parameters fitted to them.
 
         with Calibration(session) as calibration:
             for plate_deg, samples in slides:      # eight to ten at each of -60, -30, 0, 30 and 60 degrees

@@ -9,7 +9,7 @@ import numpy as np
 from ._abi import CommandFlag, SampleFlag
 from .record import ReachRecord
 
-# Colours that people with any colour vision tell apart (Okabe and Ito).
+# Colours that people with any colour vision can distinguish (Okabe and Ito).
 REAL, VIRTUAL, FINGER, PLATE = "#0072B2", "#D55E00", "#000000", "#009E73"
 
 

@@ -37,7 +37,7 @@ class Pace:
 
 
 class Reach:
-    """A reach under way, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
+    """A running reach, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
 
     def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
                  plate_orientation_deg: float | None, pace: Pace | None) -> None:
@@ -58,7 +58,7 @@ class Reach:
     def update(self, time_ns: int, *, direction_deg: float | None = None, position_m: Sequence[float] | None = None,
                world_position_m: Sequence[float] | None = None, plate_orientation_deg: float | None = None,
                lifted: bool = False) -> Command:
-        """Takes one sample in and tells what the plate is to do now. The arguments are those of samples(); without
+        """Processes one sample and returns the command for the plate. The arguments are those of samples(); without
         a direction or position the finger is not seen."""
         sample = Sample(time_ns=time_ns)
         flags = SampleFlag.LIFTED if lifted else SampleFlag(0)
@@ -113,7 +113,7 @@ class Reach:
                 raise Error(result, f"samples[{row}]: {text}")
 
     def end(self) -> ReachSummary:
-        """Ends the reach and tells what became of it."""
+        """Ends the reach and returns its summary."""
         summary = ReachSummary()
         check(library().hrt_reach_end(self._session, byref(summary)))
         self.summary = summary

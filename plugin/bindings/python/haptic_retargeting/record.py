@@ -214,7 +214,7 @@ def _read(lines: Iterable[str]) -> Recording:
 
 
 def _from_json(struct: Any, text: str) -> Any:
-    """`struct` with what the text tells; what only newer structs have is left out."""
+    """`struct` with the values of the text; what only newer structs have is left out."""
     values = json.loads(text)
     for name in struct.names():
         if name in values:

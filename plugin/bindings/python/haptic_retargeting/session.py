@@ -52,14 +52,14 @@ class Target:
         return Role(self.config.role)
 
     def configure(self, **fields: Any) -> None:
-        """Sets fields of TargetConfig; the others stay. A reach that is under way keeps the target as it was."""
+        """Sets fields of TargetConfig; the others stay. A running reach keeps the former target."""
         config = self.config
         for name, value in fields.items():
             setattr(config, name, value)
         check(library().hrt_target_set(self._session.handle, self.handle, byref(config)))
 
     def remove(self) -> None:
-        """Removes the target. A reach that is under way goes on with it as it was."""
+        """Removes the target. A running reach keeps it."""
         check(library().hrt_target_remove(self._session.handle, self.handle))
 
     def __eq__(self, other: object) -> bool:
@@ -99,7 +99,7 @@ class Session:
         self._pace: Pace | None = None
 
     def close(self) -> None:
-        """Ends the session, its targets, and a reach or a recording that is under way. Twice does nothing."""
+        """Ends the session, its targets, its reach and its recording. A second call does nothing."""
         if self._destroy.alive:
             check(self._destroy() or _abi.OK)
 
@@ -178,7 +178,7 @@ class Session:
     # Authority
 
     def authority(self, real: Target, virtual: Target) -> Authority:
-        """What can be held for a pair, told before anyone moves."""
+        """The largest gap that the plate can sustain for a pair, computed before a reach."""
         authority = Authority()
         check(library().hrt_authority_query(self.handle, real.handle, virtual.handle, byref(authority)))
         return authority

@@ -8,7 +8,7 @@ namespace Hrt
     /// <summary>
     /// A plate, a finger and targets of the scene, given to the controller each frame. Begin a reach with
     /// <see cref="BeginReach(Transform)"/>; turn the real plate as <see cref="Commanded"/> or
-    /// <see cref="onPlateOrientation"/> tells; end it with <see cref="EndReach"/>.
+    /// <see cref="onPlateOrientation"/> receives; end it with <see cref="EndReach"/>.
     ///
     /// Samples go out in LateUpdate, after all scripts have moved the finger, with the frame's unscaled time: a
     /// game that is slowed down or paused does not slow the hand. One unit of length is one metre.

@@ -56,7 +56,7 @@ namespace Hrt
 
         /// <summary>Fits the user to the trials, which stay. Takes half a second for 20000 samples: call it on a
         /// thread that draws no frames. Throws <see cref="Result.InsufficientData"/>, with what is needed, if the
-        /// trials can't tell.</summary>
+        /// trials have too little data.</summary>
         public CalibrationResult Solve()
         {
             var result = new CalibrationResult { structSize = SizeOf<CalibrationResult>.Value };

@@ -107,7 +107,7 @@ namespace Hrt
             {
                 throw new DllNotFoundException(
                     $"The native library {Native.Library} was not found. This package needs it in " +
-                    "Runtime/Plugins for the platform that it runs on; its documentation tells how to put it there.",
+                    "Runtime/Plugins for the platform that it runs on; its documentation says how to put it there.",
                     e);
             }
             if (major != Constants.VersionMajor || minor < Constants.VersionMinor)

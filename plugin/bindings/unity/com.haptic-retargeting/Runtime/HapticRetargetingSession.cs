@@ -6,7 +6,7 @@ namespace Hrt
     /// <summary>
     /// One user, one plate, and what the controller assumes of both. Add targets; then, as often as wanted,
     /// begin a reach, stream samples of the finger, end it; dispose of the session.
-    /// Disposing of it ends a reach that is under way and completes a recording.
+    /// Disposing of it ends its reach and its recording.
     ///
     /// <see cref="BeginReach(TargetId, TargetId)"/>, <see cref="Update"/>,
     /// <see cref="TryUpdate"/> and <see cref="EndReach"/> make no garbage, and the library takes no lock, allocates
@@ -62,7 +62,7 @@ namespace Hrt
             return AddTarget(config);
         }
 
-        /// <summary>Changes a target; its id stays. A reach that is under way keeps the target as it was.</summary>
+        /// <summary>Changes a target; its id stays. A running reach keeps the former target.</summary>
         public void SetTarget(TargetId target, TargetConfig config)
         {
             config.structSize = SizeOf<TargetConfig>.Value;
@@ -118,7 +118,7 @@ namespace Hrt
             }
         }
 
-        /// <summary>What can be held for a pair, told before anyone moves.</summary>
+        /// <summary>The largest gap that the plate can sustain for a pair, computed before a reach.</summary>
         public Authority QueryAuthority(TargetId realTarget, TargetId virtualTarget)
         {
             var authority = new Authority { structSize = SizeOf<Authority>.Value };
@@ -157,7 +157,7 @@ namespace Hrt
             Check(Native.hrt_reach_begin(Handle, ref config));
         }
 
-        /// <summary>Takes one sample of the finger in and tells what the plate is to do now.</summary>
+        /// <summary>Processes one sample of the finger and returns the command for the plate.</summary>
         public Command Update(Sample sample)
         {
             Check(Exchange(ref sample, out Command command));
@@ -165,7 +165,7 @@ namespace Hrt
         }
 
         /// <summary>As <see cref="Update"/>, for a loop that must make no garbage when a sample is refused:
-        /// returns false then; <see cref="HapticRetargetingLibrary.LastError"/> tells why.</summary>
+        /// returns false then; <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command)
         {
             return Exchange(ref sample, out command) == Result.Ok;
@@ -195,7 +195,7 @@ namespace Hrt
             Check(Native.hrt_profile_load(Handle, text, (ulong)text.Length));
         }
 
-        /// <summary>Takes what a calibration has told of the user into the configuration, and so into the profile.
+        /// <summary>Copies the known values of a calibration into the configuration, and so into the profile.
         /// Refused during a reach.</summary>
         public void Apply(CalibrationResult calibrated)
         {
@@ -204,7 +204,7 @@ namespace Hrt
         }
 
         /// <summary>Records all that crosses the interface into a CSV file, which is created or replaced; not
-        /// during a reach. A full or slow disk never holds up a call: it is logged, and the status tells.</summary>
+        /// during a reach. A full or slow disk never delays a call: it is logged, and the status says.</summary>
         public void StartRecording(string path)
         {
             Check(Native.hrt_recording_start(Handle, Utf8.ZeroEnded(path, nameof(path))));

@@ -1,4 +1,4 @@
-// Written by plugin/bindings/generate from the C headers. They tell what each call does.
+// Written by plugin/bindings/generate from the C headers. The headers say what each call does.
 using System;
 using System.Runtime.InteropServices;
 
@@ -6,109 +6,109 @@ namespace Hrt
 {
     public static class Constants
     {
-        /// <summary>Version of these headers; hrt_get_version() tells that of the library.</summary>
+        /// <summary>Version of these headers. hrt_get_version() returns the library's.</summary>
         public const int VersionMajor = 0;
         public const int VersionMinor = 2;
         public const int VersionPatch = 0;
-        /// <summary>Calibrations that can exist at the same time in a process.</summary>
+        /// <summary>Maximum number of calibrations in a process.</summary>
         public const int CalibrationsMax = 16;
-        /// <summary>Scenes that can be loaded at the same time in a process.</summary>
+        /// <summary>Maximum number of scenes in a process.</summary>
         public const int ScenesMax = 64;
-        /// <summary>Sessions that can exist at the same time in a process.</summary>
+        /// <summary>Maximum number of sessions in a process.</summary>
         public const int SessionsMax = 64;
-        /// <summary>Targets that a session can hold.</summary>
+        /// <summary>Maximum number of targets in a session.</summary>
         public const int TargetsMax = 1000000;
-        /// <summary>Bytes of a name, with its terminating zero.</summary>
+        /// <summary>Bytes of a name, including the terminating zero.</summary>
         public const int NameSize = 64;
     }
 
-    /// <summary>What became of a call.</summary>
+    /// <summary>Result.Ok or an error.</summary>
     public enum Result : int
     {
         Ok = 0,
         /// <summary>A pointer that must not be null was null.</summary>
         NullArgument = -1,
-        /// <summary>The handle or id is null, was never given out, is of another session, or of something
-        /// destroyed.</summary>
+        /// <summary>The handle or id is null, stale, of another session, or was never given out.</summary>
         InvalidHandle = -2,
-        /// <summary><c>structSize</c> is below the first version's, or bytes beyond what this library knows
+        /// <summary><c>structSize</c> is below the first version's, or bytes that this library does not know
         /// are not zero.</summary>
         StructSize = -3,
         /// <summary>A value is outside its documented range, not a number, or infinite.</summary>
         OutOfRange = -4,
-        /// <summary>Not now: for example an update without a reach, or a new configuration during
-        /// one.</summary>
+        /// <summary>The call is not allowed now: for example an update without a reach.</summary>
         WrongState = -5,
         /// <summary>Another thread is in a call on this session.</summary>
         Busy = -6,
-        /// <summary>The sample's time is before that of the sample before it.</summary>
+        /// <summary>The sample is older than the one before it.</summary>
         TimeReversed = -7,
+        /// <summary>An allocation failed.</summary>
         OutOfMemory = -8,
-        /// <summary>There are as many of these as there can be.</summary>
+        /// <summary>The number of objects or samples is at its limit.</summary>
         LimitReached = -9,
         /// <summary>Nothing has this name.</summary>
         NotFound = -10,
-        /// <summary>The caller's buffer cannot hold the answer.</summary>
+        /// <summary>The caller's buffer is too small for the output.</summary>
         BufferTooSmall = -11,
         /// <summary>Another target of this session has this name.</summary>
         NameTaken = -12,
-        /// <summary>The operating system refused: a file, a thread.</summary>
+        /// <summary>The operating system refused a file or a thread.</summary>
         System = -13,
-        /// <summary>A text is not what it should be; hrt_last_error() tells where.</summary>
+        /// <summary>A file or text is malformed. hrt_last_error() names the place.</summary>
         BadFormat = -14,
-        /// <summary>The data do not tell what was asked of them; hrt_last_error() tells what is
+        /// <summary>The data cannot determine the requested value. hrt_last_error() names what is
         /// missing.</summary>
         InsufficientData = -15,
-        /// <summary>A defect in this library; please report it with the text of hrt_last_error().</summary>
+        /// <summary>A defect in this library. Please report it with the text of hrt_last_error().</summary>
         Internal = -99,
     }
 
+    /// <summary>Level of a log message.</summary>
     public enum LogLevel : uint
     {
-        /// <summary>LogCallback: how bad it is.</summary>
         Warning = 1,
         Error = 2,
     }
 
-    /// <summary>What decides the plate's orientation.</summary>
+    /// <summary>Source of the plate's commands.</summary>
     public enum Control : uint
     {
         /// <summary>the model-predictive controller</summary>
         Mpc = 0,
-        /// <summary>none, as a baseline: the plate stays where it is told to</summary>
+        /// <summary>a plate that does not turn, as a baseline</summary>
         FixedPlate = 1,
     }
 
-    /// <summary>Where the finger is wanted.</summary>
+    /// <summary>Direction to which the controller steers the finger.</summary>
     public enum Guidance : uint
     {
-        /// <summary>in the real target's direction from the start</summary>
+        /// <summary>the real target's, seen from the start</summary>
         FixedDirection = 0,
-        /// <summary>In the direction from where the finger is to where the real target is, held once less
-        /// than a fifth of the path remains. Takes effect when positions are streamed; with directions alone
-        /// it is as above.</summary>
+        /// <summary>From the finger to the real target; constant over the last fifth of the path. Needs
+        /// positions: with directions alone this is FIXED_DIRECTION.</summary>
         LineOfSight = 1,
     }
 
-    /// <summary>Whether the user's share of touch and motor variance are learnt.</summary>
+    /// <summary>Learning of the tactile weight and the motor variance.</summary>
     public enum Adaptation : uint
     {
-        /// <summary>no: they are taken as known</summary>
+        /// <summary>both are taken as known</summary>
         Off = 0,
-        /// <summary>The share of touch within each reach, from tactileWeight and its deviation. The reach's
-        /// summary also tells the motor variance, from motorVarianceDeg2 and its deviation.</summary>
+        /// <summary>The tactile weight is learnt within each reach. The summary also has the motor variance
+        /// of the reach.</summary>
         Reach = 1,
-        /// <summary>As REACH; and what a reach has learnt becomes the configuration's: tactileWeight and
-        /// tactileWeightSd, the latter no less than 0.01, and motorVarianceDeg2 and motorVarianceSdDeg2, the
-        /// latter no less than 0.1, as people change. One reach changes the motor variance by a factor of two
-        /// at most, in which case its deviation stays; it is kept within 0.05 to 5.</summary>
+        /// <summary>As REACH; the end of a reach also writes tactileWeight, motorVarianceDeg2 and their
+        /// deviations into the configuration. Deviations stay at or above 0.01 and 0.1, because people
+        /// change. One reach changes the motor variance by a factor of 2 at most, within 0.05 to 5; if
+        /// clamped to it, its deviation is unchanged.</summary>
         Carried = 2,
     }
 
+    /// <summary>Role of a target.</summary>
     public enum TargetRole : uint
     {
-        /// <summary>What a target is.</summary>
+        /// <summary>the hand is steered to it</summary>
         Real = 1,
+        /// <summary>the user sees it and goes to it</summary>
         Virtual = 2,
     }
 
@@ -119,7 +119,7 @@ namespace Hrt
         Direction = 1,
         /// <summary>by <c>positionM</c> in plate coordinates</summary>
         PlatePosition = 2,
-        /// <summary>By <c>positionM</c> in the engine's world; see SessionConfig.platePositionM.</summary>
+        /// <summary>by <c>positionM</c> in the engine's world</summary>
         WorldPosition = 3,
     }
 
@@ -128,14 +128,14 @@ namespace Hrt
     public enum ReachFlags : uint
     {
         None = 0,
-        /// <summary><c>plateOrientationDeg</c> is given; without this the plate is where the session's last
-        /// command left it (at first 0).</summary>
+        /// <summary><c>plateOrientationDeg</c> is given. Otherwise the plate is at the session's last
+        /// command, at first 0.</summary>
         PlateOrientation = 1,
     }
 
-    /// <summary>Sample.flags: which fields hold something. Of DIRECTION, PLATE_POSITION and WORLD_POSITION at
-    /// most one may be given. With none of them, nor LIFTED, the sample is a dropout: the plate is held, and
-    /// the model predicts until the finger is seen again.</summary>
+    /// <summary>Sample.flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
+    /// WORLD_POSITION. With none of these and without LIFTED the sample is a dropout: the plate is held, and
+    /// the model predicts.</summary>
     [Flags]
     public enum SampleFlags : uint
     {
@@ -144,14 +144,14 @@ namespace Hrt
         Direction = 1,
         /// <summary>fingerPositionM, in plate coordinates</summary>
         PlatePosition = 2,
-        /// <summary>plateOrientationDeg, measured by the device</summary>
+        /// <summary>plateOrientationDeg, as measured</summary>
         PlateOrientation = 4,
-        /// <summary>The finger is off the plate, and so feels nothing: the model waits.</summary>
+        /// <summary>the finger does not touch the plate: the model waits</summary>
         Lifted = 8,
         /// <summary>fingerPositionM, in the engine's world</summary>
         WorldPosition = 16,
-        /// <summary>platePositionM and plateRotation: the plate has moved in the world; else it is where the
-        /// session's configuration has it. Goes with WORLD_POSITION.</summary>
+        /// <summary>platePositionM and plateRotation, for WORLD_POSITION. Otherwise the session's
+        /// configuration has them.</summary>
         PlatePose = 32,
     }
 
@@ -160,24 +160,23 @@ namespace Hrt
     public enum CommandFlags : uint
     {
         None = 0,
-        /// <summary>between steps: nothing new was decided in this call</summary>
+        /// <summary>between steps: the former command is repeated</summary>
         Held = 1,
-        /// <summary>the last step had no direction and was predicted</summary>
+        /// <summary>the last step had no sample and was predicted</summary>
         Predicted = 2,
-        /// <summary>the plate's bound or a stop holds the command</summary>
+        /// <summary>the plate's bound or a stop limits the command</summary>
         Saturated = 4,
-        /// <summary>the plate's speed holds the command</summary>
+        /// <summary>the plate's speed limits the command</summary>
         RateLimited = 8,
-        /// <summary>the real direction cannot be held: see authority.h</summary>
+        /// <summary>the plate cannot sustain the gap: see authority.h</summary>
         Unreachable = 16,
-        /// <summary>the finger is above the plate: the model waits</summary>
+        /// <summary>the finger does not touch the plate: the model waits</summary>
         Lifted = 32,
         /// <summary>the finger is beyond the plate's edge</summary>
         OffPlate = 64,
     }
 
-    /// <summary>A session's handle. Zero is never a session. A handle of a destroyed session is never valid
-    /// again.</summary>
+    /// <summary>A session's handle. Zero is never a session. Handles are never reused.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SessionHandle
@@ -185,17 +184,17 @@ namespace Hrt
         public ulong value;
     }
 
-    /// <summary>Everything that a session is made from. hrt_session_config_default() fills every
-    /// field.</summary>
+    /// <summary>Configuration of a session. hrt_session_config_default() fills every field.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SessionConfig
     {
         public uint structSize;
-        /// <summary>Steps that the controller looks ahead, 1 to 50. Default 3.</summary>
+        /// <summary>Steps that the controller plans ahead. With 1 most reaches miss; more than 3 changes
+        /// little and costs time. 1 to 50. Default 3.</summary>
         public uint horizon;
-        /// <summary>Time of one step of the participant's model and of the controller, 1 ms to 10 s. Default
-        /// 100 ms.</summary>
+        /// <summary>Duration of one step of the model and of the controller. The variances below are per
+        /// step: scale them with it. 1 ms to 10 s. Default 100 ms.</summary>
         public long stepPeriodNs;
         /// <summary>Control. Default Control.Mpc.</summary>
         public Control control;
@@ -204,72 +203,76 @@ namespace Hrt
         /// <summary>Adaptation. Default Adaptation.Off.</summary>
         public Adaptation adaptation;
         public uint reserved;
-        /// <summary>Weight of the perceived error in the controller's cost, 1e-6 to 1e6. Default 1.</summary>
+        /// <summary>Cost of the error that the user feels. Raising it keeps the felt direction closer to the
+        /// virtual one and steers more slowly. 1e-6 to 1e6. Default 1.</summary>
         public double perceivedWeight;
-        /// <summary>Weight of the actual error in the controller's cost, 0 to 1e6. Default 1.</summary>
+        /// <summary>Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0
+        /// steers not at all. 0 to 1e6. Default 1.</summary>
         public double actualWeight;
-        /// <summary>The plate stays within this of the direction that the user goes for, the virtual target's
-        /// and biasDeg, or of what feels the same; 0.1 to 90. Default 84.5.</summary>
+        /// <summary>Maximum angle, modulo 180, between the plate orientation (base.h) and the virtual
+        /// direction plus biasDeg. Raising it allows larger gaps; near 90 the ridges run along the motion and
+        /// signal nothing. 0.1 to 90. Default 84.5.</summary>
         public double plateBoundDeg;
-        /// <summary>The plate's servo: its highest speed, 0 to 1e6 degrees a second; 0: no limit. Default
-        /// 0.</summary>
+        /// <summary>Maximum speed of the plate's servo, within which the controller plans. 0 to 1e6 degrees a
+        /// second; 0: no limit. Default 0.</summary>
         public double plateMaxSpeedDegS;
-        /// <summary>Its highest acceleration, 0 to 1e8 degrees a second squared; 0: no limit. Default
-        /// 0.</summary>
+        /// <summary>Maximum acceleration of the servo, within which the controller plans. 0 to 1e8 degrees a
+        /// second squared; 0: no limit. Default 0.</summary>
         public double plateMaxAccelerationDegS2;
-        /// <summary>The time from a command to the plate's first motion, 0 to 1 s and to 8 step periods.
-        /// Default 0.</summary>
+        /// <summary>Time from a command to the plate's first motion. The controller plans from where the
+        /// plate will be by then. 0 to 1 s, and at most 8 step periods. Default 0.</summary>
         public long plateLatencyNs;
-        /// <summary>The plate's stops, -3600 to 3600, the upper at least 180 above the lower; both 0: it
-        /// turns freely. Default 0 and 0.</summary>
+        /// <summary>Mechanical stops, as plate orientations (base.h): no command lies beyond them. -3600 to
+        /// 3600, the upper at least 180 above the lower; both 0: no stops. Default 0 and 0.</summary>
         public double plateLowerStopDeg;
         public double plateUpperStopDeg;
-        /// <summary>Where the plate stays under Control.FixedPlate, -180 to 180: there, or at what feels the
-        /// same between the stops and is nearer to where it stands. Default 0.</summary>
+        /// <summary>Plate orientation (base.h) under Control.FixedPlate. With stops, the plate goes to the
+        /// nearest orientation with the same ridges. -180 to 180. Default 0.</summary>
         public double fixedPlateOrientationDeg;
-        /// <summary>Share of touch in the direction that the user feels, 0.001 to 0.499. Default
-        /// 0.15.</summary>
+        /// <summary>Share of touch in the direction that the user feels. At a higher weight, the same turn of
+        /// the plate steers the hand further. 0.001 to 0.499. Default 0.15.</summary>
         public double tactileWeight;
-        /// <summary>Standard deviation of that, for adaptation to start from, 0.001 to 0.49. Default
-        /// 0.05.</summary>
+        /// <summary>Standard deviation of tactileWeight, from which adaptation starts. Raising it makes
+        /// adaptation faster and less steady. 0.001 to 0.49. Default 0.05.</summary>
         public double tactileWeightSd;
-        /// <summary>Variance of the user's motor command per step, 1e-9 to 1e4. Default 0.5.</summary>
+        /// <summary>Variance of the user's motor command per step. Raising it makes the estimator follow the
+        /// samples more closely. 1e-9 to 1e4. Default 0.5.</summary>
         public double motorVarianceDeg2;
-        /// <summary>Variance of what the user feels per step, 1e-9 to 1e4. Default 0.1.</summary>
+        /// <summary>Variance of the felt direction per step. Raising it models a user who reacts to touch
+        /// more slowly. 1e-9 to 1e4. Default 0.1.</summary>
         public double sensoryVarianceDeg2;
-        /// <summary>Variance of the user's perceived direction before the first step, 0 to 1e4. Default
-        /// 0.</summary>
+        /// <summary>Variance of the user's felt direction before the first step. Raising it models a user who
+        /// trusts touch more in the first steps. 0 to 1e4. Default 0.</summary>
         public double initialVarianceDeg2;
-        /// <summary>White noise of each coordinate of a tracked position, standard deviation, 0 to 0.1; 0:
-        /// learn it from the samples. Default 0.</summary>
+        /// <summary>Standard deviation of white noise in each tracked coordinate. Raising it smooths
+        /// positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0.</summary>
         public double trackerNoiseM;
-        /// <summary>Where reaches start, in plate coordinates; target directions are measured from here, in
-        /// the plane of the plate. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the
-        /// user.</summary>
+        /// <summary>Start of reaches in plate coordinates. Directions of targets are measured from here. Each
+        /// within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user.</summary>
         public Double3 startPositionM;
-        /// <summary>Beyond this from the plate's centre a position is off the plate, 0.001 to 1000. Default
-        /// 0.075.</summary>
+        /// <summary>Radius of the plate: positions beyond it get CommandFlags.OffPlate. 0.001 to 1000.
+        /// Default 0.075.</summary>
         public double plateRadiusM;
-        /// <summary>Higher than this above the plate a position is lifted, 0.0001 to 1000. Default
+        /// <summary>Height above the plate: positions above it count as lifted. 0.0001 to 1000. Default
         /// 0.015.</summary>
         public double liftHeightM;
-        /// <summary>The plate's centre in the engine's world, each within 1000. Default (0, 0, 0).</summary>
+        /// <summary>Centre of the plate in the engine's world. Each within 1000. Default (0, 0, 0).</summary>
         public Double3 platePositionM;
-        /// <summary>How the plate's mount is turned in the world, as the unit quaternion x, y, z, w that
-        /// takes plate coordinates to the world's axes. It does not turn with the ridges. Default (0, 0, 0,
-        /// 1).</summary>
+        /// <summary>Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate
+        /// coordinates to the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default
+        /// (0, 0, 0, 1).</summary>
         public Double4 plateRotation;
-        /// <summary>The user's own bias: how much further to the left than it is they take a virtual target
-        /// to lie, -45 to 45. They go for its direction and this. Known from calibration.h, not learnt in
-        /// reaches. Default 0. Since version 0.2.</summary>
+        /// <summary>Perceptual bias: perceived minus true direction of a virtual target. The user goes to the
+        /// virtual direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45.
+        /// Default 0. Since version 0.2.</summary>
         public double biasDeg;
-        /// <summary>Standard deviation of motorVarianceDeg2, for adaptation to start from, 0.001 to 10.
-        /// Default 0.5. Since version 0.2.</summary>
+        /// <summary>Standard deviation of motorVarianceDeg2, from which adaptation starts. Raising it makes
+        /// adaptation faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2.</summary>
         public double motorVarianceSdDeg2;
     }
 
-    /// <summary>A target's id within its session. Zero is never a target. The id of a removed target is never
-    /// valid again, in no session.</summary>
+    /// <summary>A target's id within its session. Zero is never a target. Ids are never reused, in any
+    /// session.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct TargetId
@@ -277,8 +280,8 @@ namespace Hrt
         public ulong value;
     }
 
-    /// <summary>A target. hrt_target_config_default() fills every field. Fields that <c>place</c> does not
-    /// name are not read.</summary>
+    /// <summary>A target. hrt_target_config_default() fills every field. Only the fields that <c>place</c>
+    /// names are read.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct TargetConfig
@@ -289,42 +292,43 @@ namespace Hrt
         /// <summary>Place. Default Place.Direction.</summary>
         public Place place;
         public uint reserved;
-        /// <summary>Direction from the start, -180 to 180. Default 0.</summary>
+        /// <summary>Direction from the start (base.h), -180 to 180. Default 0.</summary>
         public double directionDeg;
         /// <summary>Distance from the start along the plate, 0.001 to 1000. Default 0.1.</summary>
         public double distanceM;
-        /// <summary>Place in plate coordinates or in the world, each within 1000; at least 1 mm from the
-        /// start in the plane of the plate; the height y is kept and not used. Default (0, 0, 0).</summary>
+        /// <summary>Place in plate coordinates or in the world, at least 1 mm from the start in the plane of
+        /// the plate; the height y has no effect. Each within 1000. Default (0, 0, 0).</summary>
         public Double3 positionM;
-        /// <summary>UTF-8, ended by a zero; unique within the session unless empty. Default empty.</summary>
+        /// <summary>UTF-8, terminated by a zero; unique within the session unless empty. Default
+        /// empty.</summary>
         public Name name;
     }
 
-    /// <summary>What can be held for one pair. Set <c>structSize</c> before the call.</summary>
+    /// <summary>Authority over one pair of targets. Set <c>structSize</c> before the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Authority
     {
         public uint structSize;
-        /// <summary>1 if the finger can be held on the real target's direction, else 0.</summary>
+        /// <summary>1 if the plate can keep the finger on the real target's direction, else 0.</summary>
         public uint reachable;
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>Where the user goes, the virtual target's direction and SessionConfig.biasDeg, less the
-        /// real target's direction; in [-180, 180).</summary>
+        /// <summary>The virtual direction plus SessionConfig.biasDeg, minus the real direction; in [-180,
+        /// 180).</summary>
         public double gapDeg;
-        /// <summary>The largest gap, either way, that can be held with the session's tactile weight and plate
-        /// bound.</summary>
+        /// <summary>Largest gap, to either side, that the session's tactile weight and plate bound can
+        /// sustain.</summary>
         public double largestGapDeg;
-        /// <summary>largestGapDeg less the size of the gap; negative if out of reach.</summary>
+        /// <summary>largestGapDeg minus the size of the gap; negative: unreachable.</summary>
         public double marginDeg;
-        /// <summary>Where the plate must stand to hold it; on its bound if out of reach.</summary>
+        /// <summary>Plate orientation (base.h) that sustains the gap; at the bound if unreachable.</summary>
         public double plateOrientationDeg;
-        /// <summary>Where the finger settles: the real target's direction if it can be held.</summary>
+        /// <summary>Direction in which the finger settles: the real target's, if reachable.</summary>
         public double settlingDirectionDeg;
     }
 
-    /// <summary>What a reach is. hrt_reach_config_default() fills every field.</summary>
+    /// <summary>Configuration of a reach. hrt_reach_config_default() fills every field.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ReachConfig
@@ -332,17 +336,18 @@ namespace Hrt
         public uint structSize;
         /// <summary>ReachFlags. Default 0.</summary>
         public ReachFlags flags;
-        /// <summary>Its direction and the one that the user goes for, the virtual target's and
-        /// SessionConfig.biasDeg, are less than 90 degrees apart. Default null: to be set.</summary>
+        /// <summary>Target of the hand, less than 90 degrees from the virtual direction plus
+        /// SessionConfig.biasDeg. Default null: to be set.</summary>
         public TargetId realTarget;
+        /// <summary>Target that the user goes to. Default null: to be set.</summary>
         public TargetId virtualTarget;
-        /// <summary>Where the plate stands before the reach, -3600 to 3600; beyond a stop means at the stop.
-        /// Default 0.</summary>
+        /// <summary>Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default
+        /// 0.</summary>
         public double plateOrientationDeg;
     }
 
-    /// <summary>One sample of the tracked finger. Set it to zero, then <c>structSize</c> and what is known.
-    /// Fields that <c>flags</c> does not name are not read, whatever is in them.</summary>
+    /// <summary>One sample of the tracked finger. Set it to zero, then set <c>structSize</c> and the known
+    /// fields. Only the fields that <c>flags</c> names are read.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Sample
@@ -350,24 +355,23 @@ namespace Hrt
         public uint structSize;
         /// <summary>SampleFlags.</summary>
         public SampleFlags flags;
-        /// <summary>The caller's monotonic clock; any origin. Not before the last sample's; the same time
-        /// again is taken.</summary>
+        /// <summary>The caller's monotonic clock, with any origin; never less than the last
+        /// sample's.</summary>
         public long timeNs;
-        /// <summary>The direction in which the finger moves, -180 to 180; taken as exact.</summary>
+        /// <summary>Direction in which the finger moves, taken as exact. -180 to 180.</summary>
         public double fingerDirectionDeg;
-        /// <summary>The fingertip, each within 1000. Of a tracked pose this is the position; how the finger
-        /// is turned is not asked for.</summary>
+        /// <summary>Position of the fingertip. Each within 1000.</summary>
         public Double3 fingerPositionM;
-        /// <summary>Where the plate stands, -3600 to 3600. A plate without stops may count its turns as it
-        /// likes: of the orientations that feel the same, the one nearest to where it is expected is taken.
-        /// With stops it is taken as it is.</summary>
+        /// <summary>Measured plate orientation (base.h). With stops it is taken as measured. Without stops
+        /// half turns do not count: the model takes the orientation with the same ridges that is nearest to
+        /// the expected one. -3600 to 3600.</summary>
         public double plateOrientationDeg;
-        /// <summary>The plate in the world, as in SessionConfig.</summary>
+        /// <summary>Pose of the plate in the world; see SessionConfig.</summary>
         public Double3 platePositionM;
         public Double4 plateRotation;
     }
 
-    /// <summary>What the plate is to do now, and why. Set <c>structSize</c> before the call.</summary>
+    /// <summary>Command for the plate, and its reasons. Set <c>structSize</c> before the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Command
@@ -375,73 +379,69 @@ namespace Hrt
         public uint structSize;
         /// <summary>CommandFlags.</summary>
         public CommandFlags flags;
-        /// <summary>The model step, from 0; -1 before the finger moves.</summary>
+        /// <summary>Model step, from 0; -1 before the finger moves.</summary>
         public long step;
-        /// <summary>Turn the plate here. Ridges repeat every 180 degrees. If the session's configuration
-        /// gives the plate no highest speed or acceleration, this is the nearest of the orientations that
-        /// feel the same and lie between the stops. If it does, the plate keeps to one half turn for a whole
-        /// reach, so that it swings round at the start or not at all; a command beyond a stop is held at the
-        /// stop.</summary>
+        /// <summary>Plate orientation (base.h) to turn to now. Of the orientations with the same ridges
+        /// between the stops it is the nearest one, if the configured speed and acceleration are unlimited.
+        /// Otherwise the plate stays in one half turn for the whole reach, limited by the stops.</summary>
         public double plateOrientationDeg;
-        /// <summary>The finger's direction in the last step, observed or predicted.</summary>
+        /// <summary>Direction of the finger in the last step, observed or predicted.</summary>
         public double fingerDirectionDeg;
-        /// <summary>The direction that the user feels, as the model predicts it under this command.</summary>
+        /// <summary>Direction that the user feels under this command, as the model predicts it.</summary>
         public double perceivedDirectionDeg;
-        /// <summary>Where the finger is wanted; see SessionConfig.guidance.</summary>
+        /// <summary>Direction to which the finger is steered; see SessionConfig.guidance.</summary>
         public double aimedDirectionDeg;
-        /// <summary>Along the plate to the real target; from the start until a position is
-        /// streamed.</summary>
+        /// <summary>Distance along the plate to the real target; from the start until the first
+        /// position.</summary>
         public double distanceToGoM;
-        /// <summary>The share of touch that the controller assumes.</summary>
+        /// <summary>Tactile weight that the controller assumes.</summary>
         public double tactileWeight;
-        /// <summary>Its standard deviation; 0: it is taken as known.</summary>
+        /// <summary>Standard deviation of tactileWeight; 0: taken as known.</summary>
         public double tactileWeightSd;
     }
 
-    /// <summary>What became of a reach. Set <c>structSize</c> before the call.</summary>
+    /// <summary>Result of a reach. Set <c>structSize</c> before the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ReachSummary
     {
         public uint structSize;
         public uint reserved;
-        /// <summary>Samples taken in, and of these the dropouts and what was left out as an
-        /// outlier.</summary>
+        /// <summary>Samples, and those of them that were dropouts or rejected as outliers.</summary>
         public long samples;
         public long droppedSamples;
-        /// <summary>Model steps with samples, and steps without, which were predicted.</summary>
+        /// <summary>Model steps with samples, and predicted steps without.</summary>
         public long steps;
         public long predictedSteps;
-        /// <summary>Of the steps with samples, those whose command the plate's bound, a stop, or its speed
-        /// held.</summary>
+        /// <summary>Steps with samples in which the plate's bound or a stop, or its speed, limited the
+        /// command.</summary>
         public long saturatedSteps;
         public long rateLimitedSteps;
-        /// <summary>The finger's direction in the last step, and that less the real target's.</summary>
+        /// <summary>Direction of the finger in the last step, and that direction minus the real
+        /// target's.</summary>
         public double finalDirectionDeg;
         public double finalMissDeg;
-        /// <summary>What the user felt in the last step, and that less where they went: the virtual target's
-        /// direction and SessionConfig.biasDeg.</summary>
+        /// <summary>Direction that the user felt in the last step, and that direction minus the virtual
+        /// target's and SessionConfig.biasDeg.</summary>
         public double perceivedDirectionDeg;
         public double perceivedErrorDeg;
-        /// <summary>From the last position along the plate to the real target; from the start if none was
-        /// streamed.</summary>
+        /// <summary>Distance along the plate from the last position to the real target; from the start
+        /// without positions.</summary>
         public double distanceToTargetM;
-        /// <summary>What the controller assumed at the end; see Command.</summary>
+        /// <summary>Tactile weight and deviation at the end; see Command.</summary>
         public double tactileWeight;
         public double tactileWeightSd;
-        /// <summary>White noise of each coordinate of the tracked positions, standard deviation, as learnt or
+        /// <summary>Standard deviation of white noise in each tracked coordinate, learnt or
         /// configured.</summary>
         public double trackerNoiseM;
-        /// <summary>The user's motor variance as this reach corrects what the configuration assumes. Since
-        /// version 0.2.</summary>
+        /// <summary>Motor variance: the configured one, corrected by this reach. Since version 0.2.</summary>
         public double motorVarianceDeg2;
-        /// <summary>Its standard deviation; close to SessionConfig.motorVarianceSdDeg2 if the reach could not
-        /// tell; 0: it is taken as known. Since version 0.2.</summary>
+        /// <summary>Standard deviation of motorVarianceDeg2; close to the configured one if the reach had too
+        /// little data; 0: taken as known. Since version 0.2.</summary>
         public double motorVarianceSdDeg2;
     }
 
-    /// <summary>A calibration's handle. Zero is never a calibration. A handle of a destroyed one is never
-    /// valid again.</summary>
+    /// <summary>A calibration's handle. Zero is never a calibration. Handles are never reused.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationHandle
@@ -449,19 +449,20 @@ namespace Hrt
         public ulong value;
     }
 
-    /// <summary>What a calibration is. hrt_calibration_config_default() fills every field.</summary>
+    /// <summary>Configuration of a calibration. hrt_calibration_config_default() fills every field.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationConfig
     {
         public uint structSize;
-        /// <summary>Trials that it can hold, 10 to 10000. Default 200.</summary>
+        /// <summary>Maximum number of trials. 10 to 10000. Default 200.</summary>
         public uint maxTrials;
-        /// <summary>Samples that all trials together can hold, 100 to 1000000; 24 bytes each, taken at
-        /// creation. Default 100000: 18 minutes at 90 Hz.</summary>
+        /// <summary>Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000.
+        /// Default 100000: 18 minutes at 90 Hz.</summary>
         public uint maxSamples;
         public uint reserved;
-        /// <summary>Where the user is told to go, -180 to 180. Default 0: straight ahead.</summary>
+        /// <summary>Direction of the user's target. -180 to 180. Default 0: straight ahead, where the motor
+        /// variance is accurate.</summary>
         public double goalDirectionDeg;
     }
 
@@ -473,30 +474,29 @@ namespace Hrt
         public double value;
         public double lower;
         public double upper;
-        /// <summary>1, or 0: the data can't tell. Then the interval is what was searched, and the value no
-        /// more than its likeliest point.</summary>
+        /// <summary>1; or 0: the data cannot determine the value. Then the interval is the range that was
+        /// searched, and the value its likeliest point.</summary>
         public uint known;
         public uint reserved;
     }
 
-    /// <summary>What the slides tell of the user. The fields are those of SessionConfig. Set
-    /// <c>structSize</c> before the call.</summary>
+    /// <summary>Parameters of the user; the fields are those of SessionConfig. Set <c>structSize</c> before
+    /// the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationResult
     {
         public uint structSize;
         public uint reserved;
-        /// <summary>Trials that were ended, and of these the ones with a slide of 30 mm or more, which alone
+        /// <summary>Ended trials, and those of them with a slide of at least 30 mm. Only the latter
         /// count.</summary>
         public uint trials;
         public uint trialsUsed;
-        /// <summary>Always known; otherwise hrt_calibration_solve() refuses.</summary>
+        /// <summary>Always known: otherwise hrt_calibration_solve() fails.</summary>
         public Interval tactileWeight;
         /// <summary>Always known.</summary>
         public Interval biasDeg;
-        /// <summary>Known if the tracker is good enough to show it; one with 1.2 mm of noise hardly
-        /// is.</summary>
+        /// <summary>Known with an accurate tracker; rarely at 1.2 mm of noise.</summary>
         public Interval motorVarianceDeg2;
         /// <summary>As motorVarianceDeg2.</summary>
         public Interval sensoryVarianceDeg2;
@@ -504,61 +504,59 @@ namespace Hrt
         public Interval trackerNoiseM;
     }
 
-    /// <summary>Where the library's memory comes from. The functions may be called from any thread, at the
-    /// same time; they must not call this library, and must not throw.</summary>
+    /// <summary>Source of the library's memory. Both functions are called from any thread, concurrently.
+    /// Neither may call this library or throw.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct Allocator
     {
         public uint structSize;
         public uint reserved;
-        /// <summary>Passed to both functions; never read.</summary>
+        /// <summary>Passed to both functions. The library does not read it.</summary>
         public IntPtr context;
         /// <summary>Returns <c>size</c> bytes (at least 1) at a multiple of <c>alignment</c> (a power of
-        /// two), or null if it can't.</summary>
+        /// two), or null on failure.</summary>
         public IntPtr allocate;
-        /// <summary>Takes back what allocate() returned.</summary>
+        /// <summary>Releases memory that allocate() returned.</summary>
         public IntPtr release;
     }
 
-    /// <summary>How a recording does. Set <c>structSize</c> before the call.</summary>
+    /// <summary>State of a recording. Set <c>structSize</c> before the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct RecordingStatus
     {
         public uint structSize;
-        /// <summary>The errno of the first write that failed, after which nothing more is written; 0: none
-        /// did.</summary>
+        /// <summary>errno of the first failed write, after which nothing is written; 0: none.</summary>
         public int systemError;
-        /// <summary>Calls recorded, as far as the operating system has taken them.</summary>
+        /// <summary>Calls that the operating system has accepted for writing.</summary>
         public ulong rowsWritten;
-        /// <summary>Calls that are not in the file, because the disk was too slow or failed. 0 at the end: it
-        /// is complete.</summary>
+        /// <summary>Calls dropped because the disk was too slow or failed. 0 after stopping: the file is
+        /// complete.</summary>
         public ulong rowsLost;
     }
 
-    /// <summary>What a replay found. Set <c>structSize</c> before the call.</summary>
+    /// <summary>Result of a replay. Set <c>structSize</c> before the call.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct ReplayReport
     {
         public uint structSize;
-        /// <summary>1 if the recording is whole: it has its end, and no rows were lost; else 0, and what
-        /// precedes the gap was replayed.</summary>
+        /// <summary>1 if the recording has its end and no lost rows, else 0: only the rows before the gap
+        /// were replayed.</summary>
         public uint complete;
         /// <summary>Rows replayed.</summary>
         public ulong rows;
-        /// <summary>The line of the file, from 1, of the first row that came out otherwise than recorded, in
-        /// its result or any number; 0: all came out the same, bit for bit.</summary>
+        /// <summary>Line, from 1, of the first row whose result or any number differs from the recorded one;
+        /// 0: all rows are equal, bit for bit.</summary>
         public ulong firstDifferentLine;
-        /// <summary>FNV-1a of the commands as replayed, which is the same on every host: of each row "update"
-        /// without error, flags as 8 bytes, step, and the seven numbers after them, least significant byte
+        /// <summary>FNV-1a hash of the replayed commands, equal on every host: for each successful row
+        /// "update", flags as 8 bytes, step and the seven numbers after it, least significant byte
         /// first.</summary>
         public ulong hash;
     }
 
-    /// <summary>A scene's handle. Zero is never a scene. A handle of a destroyed scene is never valid
-    /// again.</summary>
+    /// <summary>A scene's handle. Zero is never a scene. Handles are never reused.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public partial struct SceneHandle
@@ -572,15 +570,15 @@ namespace Hrt
     public partial struct SceneInfo
     {
         public uint structSize;
-        /// <summary>How many targets the scene has, real and virtual.</summary>
+        /// <summary>Number of targets, real and virtual.</summary>
         public uint targetCount;
-        /// <summary>The plate in the world, as in SessionConfig.</summary>
+        /// <summary>Pose of the plate in the world; see SessionConfig.</summary>
         public Double3 platePositionM;
         public Double4 plateRotation;
         public double plateRadiusM;
-        /// <summary>Of the plate's servo; 0 if the file does not tell.</summary>
+        /// <summary>Maximum speed of the servo, degrees per second; 0: not in the file.</summary>
         public double plateMaxSpeedDegS;
-        /// <summary>In plate coordinates.</summary>
+        /// <summary>Start of reaches, in plate coordinates.</summary>
         public Double3 startPositionM;
     }
 
@@ -592,33 +590,32 @@ namespace Hrt
         public uint structSize;
         /// <summary>TargetRole.</summary>
         public TargetRole role;
-        /// <summary>Of a virtual target: the index of the real one that serves it; of a real one
-        /// -1.</summary>
+        /// <summary>Index of the real target that serves this virtual one; -1 for a real target.</summary>
         public int servedBy;
         public uint reserved;
         /// <summary>In plate coordinates; y is the height above the plate.</summary>
         public Double3 positionM;
         public Double3 worldPositionM;
-        /// <summary>Seen from the start, along the plate.</summary>
+        /// <summary>From the start, along the plate.</summary>
         public double directionDeg;
         public double distanceM;
-        /// <summary>0 if the file does not tell.</summary>
+        /// <summary>0: not in the file.</summary>
         public double radiusM;
         public Name name;
     }
 
     /// <summary>Returns <c>size</c> bytes (at least 1) at a multiple of <c>alignment</c> (a power of two), or
-    /// null if it can't.</summary>
+    /// null on failure.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate IntPtr AllocatorAllocate(IntPtr context, UIntPtr size, UIntPtr alignment);
 
-    /// <summary>Takes back what allocate() returned.</summary>
+    /// <summary>Releases memory that allocate() returned.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate void AllocatorRelease(IntPtr context, IntPtr memory);
 
-    /// <summary>Hears what no call can return, such as that a recording's disk is full. <c>text</c> is one
-    /// line, valid during the call. Called from a thread of the library's own, never from within a call of
-    /// the host's; must not call this library, and must not throw.</summary>
+    /// <summary>Receives what no call can return, for example that a recording's disk is full. <c>level</c>
+    /// is LogLevel. <c>text</c> is one line, valid during the call. Called on a thread of the library. It may
+    /// not call this library or throw.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate void LogCallback(IntPtr context, uint level, IntPtr text);
 

@@ -48,7 +48,7 @@ namespace Hrt
             }
         }
 
-        // Every call ends here, so that the finaliser can't run during one.
+        // Every call ends here, so that the finaliser cannot run during one.
         internal void Check(Result result)
         {
             GC.KeepAlive(this);

@@ -168,7 +168,7 @@ namespace Hrt
 
     public partial struct Interval
     {
-        /// <summary>Whether the data tell it; otherwise the value is no more than the likeliest point of what was
+        /// <summary>Whether the data determine the value; otherwise it is only the likeliest point of what was
         /// searched.</summary>
         public bool IsKnown => known != 0;
     }

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace HrtSamples
 {
-    /// <summary>Put this on any object, give it reach.csv and reach_hash.txt, and press play: the console tells
+    /// <summary>Put this on any object, give it reach.csv and reach_hash.txt, and press play: the console shows
     /// whether this machine's commands are those of all others.</summary>
     public sealed class RunScriptedReach : MonoBehaviour
     {

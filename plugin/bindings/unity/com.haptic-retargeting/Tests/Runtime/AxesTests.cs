@@ -103,7 +103,7 @@ namespace Hrt.Tests
             }
         }
 
-        // The library's own geometry, not this test's, tells the direction of a place in Unity's world on a
+        // The library's own geometry, not this test's, gives the direction of a place in Unity's world on a
         // plate that lies anywhere, turned in any way.
         [Test]
         public void TheLibrarySeesUnitysWorldWhereverThePlateIs()

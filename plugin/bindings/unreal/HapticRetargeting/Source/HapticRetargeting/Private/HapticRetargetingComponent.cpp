@@ -10,7 +10,7 @@ DEFINE_LOG_CATEGORY(LogHapticRetargeting);
 
 using namespace HapticConversions;
 
-/** Whether a call of the plugin succeeded; else the log has been told why not. */
+/** Whether a call of the plugin succeeded; otherwise the log has the reason. */
 bool UHapticRetargetingComponent::Succeeded(hrt_result Result) const
 {
 	if (Result == HRT_OK)

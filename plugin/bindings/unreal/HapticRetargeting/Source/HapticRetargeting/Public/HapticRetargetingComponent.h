@@ -49,7 +49,7 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RemoveTarget(const FHapticTarget& Target);
 
-	/** What can be held, told before anyone moves. */
+	/** The largest gap that the plate can sustain, computed before a reach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
 
@@ -74,11 +74,11 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	bool IsReaching() const { return bReaching; }
 
-	/** Of the reach under way, or else the last. */
+	/** Of the running reach, or else the last. */
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Forgets a calibration that there may be, and begins another: the user is told to go to Goal Yaw. Have them slide
+	/** Forgets a calibration that there may be, and begins another: the user is asked to go to Goal Yaw. Have them slide
 	 *  eight to ten times over the plate at rest at each of -60, -30, 0, 30 and 60 degrees, in random order, after half a
 	 *  second at rest. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")

@@ -319,12 +319,12 @@ struct FHapticInterval
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double Upper = 0.0;
 
-	/** False: the data cannot tell. */
+	/** False: the data cannot determine it. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	bool bKnown = false;
 };
 
-/** What slides over a plate at rest tell of the user; the names are those of the settings. */
+/** Parameters of the user, from slides over a plate at rest; the names are those of the settings. */
 USTRUCT(BlueprintType)
 struct FHapticCalibration
 {

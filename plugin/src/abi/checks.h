@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "haptic_retargeting/reach.h"
-#include "plugin/src/error.h"
+#include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
 

@@ -5,7 +5,7 @@
 
 #include "haptic_retargeting/session.h"
 #include "haptic_retargeting/target.h"
-#include "plugin/src/text.h"
+#include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
 
@@ -17,8 +17,8 @@ void write_config(const hrt_session_config& config, JsonText& out);
 /// A target, in one line.
 void write_target(const hrt_target_config& target, JsonText& out);
 
-/// Reads what write_target() wrote; every field must be there, and no other. Checked but for what depends on
-/// other targets or on the session.
+/// Reads what write_target() wrote; every field must be there, and no other. Checked except for what depends
+/// on other targets or on the session.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
 /// Reads what write_config() wrote; every field must be there, and no other. Checked.

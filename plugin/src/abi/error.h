@@ -8,7 +8,7 @@
 #include <system_error>
 
 #include "haptic_retargeting/base.h"
-#include "plugin/src/text.h"
+#include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
 
@@ -25,6 +25,7 @@ hrt_result fail(hrt_result code, const Parts&... parts) {
   thread_error.text.clear();
   thread_error.text << thread_error.call << ": ";
   (thread_error.text << ... << parts);
+  thread_error.text.make_printable();
   return code;
 }
 

@@ -1,12 +1,13 @@
-#include "plugin/src/replay.h"
+#include "plugin/src/recording/replay.h"
 
 #include <bit>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/recording_format.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/recording/format.h"
 #include "plugin/src/session.h"
 
 namespace hrt::plugin {
@@ -43,15 +44,14 @@ class Rerun {
   Rerun(Session& session, const TargetIds& ids, Hash& hash, Record& record)
       : session_(session), ids_(ids), hash_(hash), record_(record) {}
   void operator()(ReachBegun& call) {
-    record_.result = session_.begin(
-        {
-            .struct_size = sizeof(hrt_reach_config),
-            .flags = call.flags,
-            .real_target = target(call.real_number),
-            .virtual_target = target(call.virtual_number),
-            .plate_orientation_deg = call.plate_orientation_deg,
-        },
-        &call.reach);
+    record_.result = session_.begin({
+        .struct_size = sizeof(hrt_reach_config),
+        .flags = call.flags,
+        .real_target = target(call.real_number),
+        .virtual_target = target(call.virtual_number),
+        .plate_orientation_deg = call.plate_orientation_deg,
+    });
+    call.reach = session_.reach();
   }
   void operator()(Updated& call) {
     record_.result = session_.update(call.sample, &call.command);
@@ -103,6 +103,12 @@ bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
 class Replay {
  public:
   hrt_result run(std::string_view text, hrt_replay_report* out) {
+    std::string with_line_feeds;
+    if (text.substr(0, text.find('\n')).ends_with('\r')) {  // editors on Windows write CR LF
+      with_line_feeds = text;
+      std::erase(with_line_feeds, '\r');
+      text = with_line_feeds;
+    }
     if (text.starts_with("# haptic retargeting recording, version 1\n"))
       return fail(
           HRT_ERROR_BAD_FORMAT,
@@ -110,7 +116,7 @@ class Replay {
     if (!starts_with_and_drops(text, recording_header()))
       return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 2 does");
     for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
-    while (!text.empty() && !finished_) {
+    while (!text.empty() && !lost_) {
       ++line_number_;
       const std::size_t end = text.find('\n');
       if (end == std::string_view::npos) break;  // cut off within a line
@@ -124,13 +130,13 @@ class Replay {
 
  private:
   hrt_result take(std::string_view line) {
+    if (report_.complete) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
     if (line.starts_with(lost_comment)) {
-      finished_ = true;
+      lost_ = true;
     } else if (line == end_comment) {
-      finished_ = true;
       report_.complete = 1;
     } else if (!line.starts_with("#")) {
       return take_row(line);
@@ -184,11 +190,11 @@ class Replay {
     HRT_RETURN_IF_FAILED(read_row(line, &record));
     std::visit(Rerun(*session_, target_ids_, hash_, record), record.call);
     ++report_.rows;
-    // Numbers are written so that different bits give different texts.
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (row != line && report_.first_different_line == 0) report_.first_different_line = line_number_;
+    if (report_.first_different_line == 0 && !is_same_row(row, line))
+      report_.first_different_line = line_number_;
     return HRT_OK;
   }
 
@@ -209,13 +215,16 @@ class Replay {
                             .first_different_line = 0,
                             .hash = 0};
   std::uint64_t line_number_ = 0;
-  bool finished_ = false;
+  bool lost_ = false;
 };
 
 }  // namespace
 
 hrt_result replay(std::string_view text, hrt_replay_report* out) {
-  return Replay().run(text, out);
+  const ThreadError before = thread_error;  // the calls in the recording may fail
+  const hrt_result result = Replay().run(text, out);
+  if (result == HRT_OK) thread_error = before;
+  return result;
 }
 
 }  // namespace hrt::plugin

@@ -3,6 +3,7 @@
 // it refer to.
 #include <fcntl.h>
 #include <pthread.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -28,12 +29,14 @@ int fstat64(int file, struct stat64* out) noexcept {
   return static_cast<int>(syscall(SYS_fstat, file, out));
 }
 
-// In libc.so.6 since 2.34, in libpthread.so.0 before; both know them by their first version.
+// In libc.so.6 since 2.32 to 2.34, in libpthread.so.0 before; both know them by their first version.
 int hrt_first_pthread_create(pthread_t*, const pthread_attr_t*, void* (*)(void*), void*);
 int hrt_first_pthread_join(pthread_t, void**);
 int hrt_first_pthread_once(pthread_once_t*, void (*)());
+int hrt_first_pthread_sigmask(int, const sigset_t*, sigset_t*);
 __asm__(".symver hrt_first_pthread_create, pthread_create@" HRT_FIRST_GLIBC);
 __asm__(".symver hrt_first_pthread_join, pthread_join@" HRT_FIRST_GLIBC);
+__asm__(".symver hrt_first_pthread_sigmask, pthread_sigmask@" HRT_FIRST_GLIBC);
 __asm__(".symver hrt_first_pthread_once, pthread_once@" HRT_FIRST_GLIBC);
 
 int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*start)(void*),
@@ -42,6 +45,9 @@ int pthread_create(pthread_t* thread, const pthread_attr_t* attributes, void* (*
 }
 int pthread_join(pthread_t thread, void** out) {
   return hrt_first_pthread_join(thread, out);
+}
+int pthread_sigmask(int how, const sigset_t* mask, sigset_t* out) noexcept {
+  return hrt_first_pthread_sigmask(how, mask, out);
 }
 int pthread_once(pthread_once_t* once, void (*run)()) {
   return hrt_first_pthread_once(once, run);

@@ -1,10 +1,11 @@
-#include "plugin/src/recording_format.h"
+#include "plugin/src/recording/format.h"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <iterator>
 
-#include "plugin/src/checked.h"
+#include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
 namespace {
@@ -180,16 +181,16 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
 }
 
 template <class What, class Number>
-hrt_result read_number(const What& what, std::string_view text, Number* out) {
-  if (read_decimal(text, out)) return HRT_OK;
-  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", text.substr(0, 40), "\", which is not a number");
+hrt_result take_number(const What& what, std::string_view text, Number* out) {
+  if (read_number(text, out)) return HRT_OK;
+  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
 }
 
 template <class Number>
 hrt_result read_cell(std::size_t column, std::string_view cell, Number* out) {
   Text<32> what;
   what << "column " << column + 1;
-  return cell.empty() ? HRT_OK : read_number(what.view(), cell, out);
+  return cell.empty() ? HRT_OK : take_number(what.view(), cell, out);
 }
 
 using Cells = std::array<std::string_view, columns>;
@@ -209,6 +210,17 @@ template <std::size_t n>
 hrt_result read_cells(const Cells& cells, std::size_t first, double (&out)[n]) {
   for (std::size_t i = 0; i < n; ++i) HRT_RETURN_IF_FAILED(read_cell(first + i, cells[first + i], &out[i]));
   return HRT_OK;
+}
+
+// Doubles may be spelled in other ways: other releases have written 1e+05 where this one writes 100000.
+bool is_same_cell(std::string_view cell, std::string_view other) {
+  constexpr std::string_view of_doubles = ".e";
+  if (cell == other) return true;
+  if (cell.find_first_of(of_doubles) == cell.npos && other.find_first_of(of_doubles) == other.npos)
+    return false;
+  double number = 0.0, other_number = 0.0;
+  return read_number(cell, &number) && read_number(other, &other_number) &&
+         std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(other_number);
 }
 
 hrt_result read_begin(const Cells& cells, Record* out) {
@@ -232,8 +244,8 @@ hrt_result read_refused(const Cells& cells, Record* out) {
     out->call = refused;
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", name.substr(0, 40), "\", which \"",
-              cells[0].substr(0, 40), "\" does not have");
+  return fail(HRT_ERROR_BAD_FORMAT, "the refused argument is \"", Shown{name}, "\", which \"",
+              Shown{cells[0]}, "\" does not have");
 }
 
 hrt_result read_update(const Cells& cells, Record* out) {
@@ -271,8 +283,21 @@ hrt_result read_row(std::string_view line, Record* out) {
     out->call = ReachEnded{};
     return HRT_OK;
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", cells[0].substr(0, 40),
+  return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
               "\"; allowed: begin, update, end");
+}
+
+bool is_same_row(std::string_view row, std::string_view other) {
+  const auto next_cell = [](std::string_view& rest) {
+    const std::size_t comma = std::min(rest.find(','), rest.size());
+    const std::string_view cell = rest.substr(0, comma);
+    rest.remove_prefix(std::min(comma + 1, rest.size()));
+    return cell;
+  };
+  while (!row.empty() && !other.empty()) {
+    if (!is_same_cell(next_cell(row), next_cell(other))) return false;
+  }
+  return row.empty() && other.empty();
 }
 
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
@@ -284,15 +309,14 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   const std::string_view verb = next_word();
   const auto known = std::find(std::begin(verbs), std::end(verbs), verb);
   if (known == std::end(verbs))
-    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", verb.substr(0, 40),
-                "\"; allowed: added, set, removed");
+    return fail(HRT_ERROR_BAD_FORMAT, "the target is \"", Shown{verb}, "\"; allowed: added, set, removed");
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
-  HRT_RETURN_IF_FAILED(read_number("the target's number", next_word(), &out->number));
+  HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
 }
 
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out) {
-  HRT_RETURN_IF_FAILED(read_number("the plate's orientation", rest, &out->orientation_deg));
+  HRT_RETURN_IF_FAILED(take_number("the plate's orientation", rest, &out->orientation_deg));
   return check_range("the plate's orientation", out->orientation_deg, -1e9, 1e9);
 }
 

@@ -1,4 +1,4 @@
-#include "plugin/src/json.h"
+#include "plugin/src/recording/json.h"
 
 #include <algorithm>
 #include <cstring>
@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "plugin/src/checked.h"
-#include "plugin/src/decimal.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/number.h"
 #include "plugin/src/session_config.h"
 #include "plugin/src/targets.h"
 
@@ -71,17 +71,19 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return true;
   }
   bool number_integer(number_integer_t value) override {
-    return number(static_cast<double>(value), true, value);
+    // Called for what has a sign: 0 is "-0".
+    return number(value == 0 ? -0.0 : static_cast<double>(value), true, value);
   }
   bool number_unsigned(number_unsigned_t value) override {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
   }
-  bool number_float(number_float_t value, const string_t& text) override {
-    // `value` comes from strtod(), which is not exact everywhere. (In a locale with a comma the text has one,
-    // and is not read.)
-    double exact = value;
-    read_decimal(text, &exact);
-    return number(exact, false, 0);
+  bool number_float(number_float_t, const string_t& text) override {
+    // The parser has put the locale's decimal point into the text, and read its value by that.
+    std::string token = text;
+    const std::size_t point = token.find_first_not_of("+-0123456789eE");
+    if (point != token.npos) token[point] = '.';
+    double value = 0.0;
+    return read_number(token, &value) && number(value, false, 0);
   }
   bool string(string_t& value) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;
@@ -120,7 +122,7 @@ hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
   for (const Field& field : reader.fields) {
     const auto same = [&](const Field& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is there twice");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
   *out = std::move(reader.fields);
   return HRT_OK;
@@ -176,7 +178,7 @@ hrt_result read_field(const Field& field, hrt_session_config* config) {
       return read_array(field, vector.size,
                         reinterpret_cast<double*>(reinterpret_cast<char*>(config) + vector.offset));
   }
-  return fail(HRT_ERROR_BAD_FORMAT, "\"", key, "\" is not a field of a configuration");
+  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{key}, "\" is not a field of a configuration");
 }
 
 bool is_of_participant(const std::string& key) {
@@ -199,12 +201,15 @@ void write_config(const hrt_session_config& config, JsonText& out) {
 }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
+  // Fields that the place does not name are not read, and may hold anything.
+  const bool by_direction = target.place == HRT_PLACE_DIRECTION;
+  constexpr double unread_m[3] = {};
   out << "{\"name\":";
   write_string(target.name, out);
   out << ",\"role\":" << target.role << ",\"place\":" << target.place
-      << ",\"direction_deg\":" << target.direction_deg << ",\"distance_m\":" << target.distance_m
-      << ",\"position_m\":";
-  write_array(target.position_m, 3, out);
+      << ",\"direction_deg\":" << (by_direction ? target.direction_deg : 0.0)
+      << ",\"distance_m\":" << (by_direction ? target.distance_m : 0.0) << ",\"position_m\":";
+  write_array(by_direction ? unread_m : target.position_m, 3, out);
   out << "}";
 }
 
@@ -245,7 +250,7 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
     } else if (field.key == "position_m") {
       HRT_RETURN_IF_FAILED(read_array(field, 3, target.position_m));
     } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a target");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a target");
     }
   }
   HRT_RETURN_IF_FAILED(check_target_fields(&target));
@@ -274,7 +279,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config) {
     } else if (is_of_participant(field.key)) {
       HRT_RETURN_IF_FAILED(read_field(field, &read));
     } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", field.key, "\" is not a field of a profile");
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a profile");
     }
   }
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");

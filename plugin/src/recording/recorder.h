@@ -1,4 +1,4 @@
-// Records to a file as it happens, without holding up the thread that calls.
+// Records to a file as it happens, without delaying the calling thread.
 #pragma once
 
 #include <atomic>
@@ -6,13 +6,13 @@
 #include <memory>
 #include <thread>
 
-#include "plugin/src/file.h"
-#include "plugin/src/recording_format.h"
+#include "plugin/src/abi/file.h"
+#include "plugin/src/recording/format.h"
 #include "plugin/src/targets.h"
 
 namespace hrt::plugin {
 
-/// How a recording does.
+/// State of a recording.
 struct RecorderStatus {
   std::uint64_t written = 0;  ///< records that have gone to the operating system
   std::uint64_t lost = 0;     ///< records that a slow or broken disk left no room for
@@ -36,7 +36,7 @@ class Recorder {
 
   void push(const Record& record) noexcept;
 
-  /// Ends the recording as the destructor does, and tells how it went.
+  /// Ends the recording as the destructor does, and returns the final state.
   RecorderStatus stop();
   RecorderStatus status() const;
 
@@ -60,8 +60,8 @@ class Recorder {
   std::atomic<std::uint64_t> written_{0};
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
-  std::uint64_t lost_told_ = 0;  // of lost_, what entries tell; of the caller's thread
-  std::uint64_t in_flight_ = 0;  // written but not flushed; of the writer's
+  std::uint64_t lost_noted_ = 0;  // of lost_, those noted in entries; of the caller's thread
+  std::uint64_t in_flight_ = 0;   // written but not flushed; of the writer's
   File file_;
   std::thread writer_;
 };

@@ -1,11 +1,12 @@
-#include "plugin/src/recorder.h"
+#include "plugin/src/recording/recorder.h"
 
 #include <cerrno>
 #include <chrono>
+#include <csignal>
 #include <cstring>
 #include <system_error>
 
-#include "plugin/src/host.h"
+#include "plugin/src/abi/host.h"
 
 namespace hrt::plugin {
 
@@ -18,6 +19,21 @@ constexpr bool has_threads = false;  // who calls writes the file, whenever the 
 #else
 constexpr bool has_threads = true;
 #endif
+
+// Starts a thread that leaves the process's signals to the host's threads.
+template <class Run>
+std::thread start_thread(Run&& run) {
+#if defined(_WIN32)
+  return std::thread(run);
+#else
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
+  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if it throws
+  return std::thread(run);
+#endif
+}
 
 void append(const Record& record, std::FILE* file) {
   RecordText line;
@@ -35,9 +51,8 @@ Recorder::Recorder(const char* path, const hrt_session_config& config, const Tar
   append({.call = PlateStands{plate_orientation_deg}}, file_.get());
   for (const auto& [id, target] : targets.all())
     append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
-  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get()))
-    throw std::system_error(errno, std::generic_category(), path);
-  if (has_threads) writer_ = std::thread([this] { write_all(); });
+  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) throw file_error(path);
+  if (has_threads) writer_ = start_thread([this] { write_all(); });
 }
 
 Recorder::~Recorder() {
@@ -54,8 +69,8 @@ void Recorder::push(const Record& record) noexcept {
   }
   Entry& entry = ring_[pushed % capacity];
   entry.record = record;
-  entry.lost_before = lost - lost_told_;
-  lost_told_ = lost;
+  entry.lost_before = lost - lost_noted_;
+  lost_noted_ = lost;
   pushed_.store(pushed + 1, std::memory_order_release);
 }
 
@@ -83,7 +98,7 @@ void Recorder::write_all() {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   drain();
-  write_lost(lost_.load() - lost_told_);
+  write_lost(lost_.load() - lost_noted_);
   write(end_comment);
   write("\n");
   drain();
@@ -125,7 +140,7 @@ void Recorder::write_lost(std::uint64_t count) {
 void Recorder::give_up(int error) {
   system_error_.store(error == 0 ? EIO : error);
   Text<240> text;
-  text << "the recording ends here, control goes on: " << std::strerror(error);
+  text << "the recording ends here, control continues: " << std::strerror(error);
   log(HRT_LOG_ERROR, text.c_str());
 }
 

@@ -3,7 +3,7 @@
 #include <thread>
 
 #include "core/simulation/participant.h"
-#include "fixture.h"
+#include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {

@@ -14,13 +14,14 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
 #include <vector>
 
 #include "core/simulation/participant.h"
-#include "fixture.h"
+#include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {
@@ -194,6 +195,55 @@ TEST_F(RecordingTest, FirstDifferenceIsFound) {
   text[comma - 1] = text[comma - 1] == '1' ? '2' : '1';  // the last digit of the distance to go
   const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(second) + 1, '\n');
   EXPECT_EQ(replay(text).first_different_line, static_cast<uint64_t>(line));
+}
+
+// Releases differ in how they spell a number, not in its bits.
+TEST_F(RecordingTest, OtherSpellingsOfANumberAreNoDifference) {
+  std::string text = recording();
+  const std::size_t update = text.find("\nupdate,0,");
+  const std::size_t weight = text.find(",0.15,", update);
+  ASSERT_NE(weight, std::string::npos);
+  text.replace(weight, 6, ",1.50e-01,");
+  EXPECT_EQ(replay(text).first_different_line, 0u);
+}
+
+// They are not read, so they may hold anything; -0 is not 0 in a row.
+TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  hrt_target_config config = target_config(HRT_TARGET_REAL, -5.0);
+  for (double& coordinate_m : config.position_m) coordinate_m = std::nan("");
+  hrt_target real{}, virtual_target{};
+  ASSERT_OK(hrt_target_add(session, &config, &real));
+  config = target_config(HRT_TARGET_VIRTUAL, std::nan(""));
+  config.place = HRT_PLACE_PLATE_POSITION;
+  config.distance_m = INFINITY;
+  config.position_m[2] = -0.1;
+  ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
+  ASSERT_OK(begin(real, virtual_target));
+  end();
+  config = target_config(HRT_TARGET_VIRTUAL, -0.0);
+  ASSERT_OK(hrt_target_set(session, virtual_target, &config));
+  ASSERT_OK(begin(real, virtual_target));
+  end();
+  stop();
+  const hrt_replay_report report = replay(read(path()));
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.rows, 4u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+TEST_F(RecordingTest, LinesMayEndInCrLf) {
+  std::string text;
+  for (const char c : recording()) text += c == '\n' ? std::string("\r\n") : std::string(1, c);
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+TEST_F(RecordingTest, NothingFollowsTheEnd) {
+  const std::string text = recording() + "update,0\n";
+  auto report = output<hrt_replay_report>();
+  expect_error(hrt_replay_text(text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, "after the end");
 }
 
 /// The cells of a row.
@@ -545,6 +595,40 @@ TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
   EXPECT_EQ(replay(text).first_different_line, 0u);
 }
 
+std::set<std::string> threads() {
+  std::set<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task"))
+    ids.insert(entry.path().filename().string());
+  return ids;
+}
+
+// The host's signals are for the host's threads, and its children inherit no file.
+TEST_F(RecordingTest, LeavesSignalsAndChildrenAlone) {
+  const std::set<std::string> before = threads();
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  int writers = 0;
+  for (const std::string& id : threads()) {
+    if (before.contains(id)) continue;
+    ++writers;
+    const std::string status = read("/proc/self/task/" + id + "/status");
+    const std::uint64_t blocked = std::stoull(status.substr(status.find("SigBlk:") + 7), nullptr, 16);
+    EXPECT_TRUE(blocked >> (SIGUSR1 - 1) & 1) << std::hex << blocked;
+    EXPECT_TRUE(blocked >> (SIGTERM - 1) & 1) << std::hex << blocked;
+  }
+  EXPECT_EQ(writers, 1);
+  sigset_t own;
+  ASSERT_EQ(pthread_sigmask(SIG_SETMASK, nullptr, &own), 0);
+  EXPECT_EQ(sigismember(&own, SIGUSR1), 0);
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    if (std::filesystem::read_symlink(entry.path(), gone) != std::filesystem::canonical(path())) continue;
+    ++files;
+    EXPECT_NE(fcntl(std::stoi(entry.path().filename().string()), F_GETFD) & FD_CLOEXEC, 0);
+  }
+  EXPECT_EQ(files, 1);
+  stop();
+}
 #endif
 
 TEST_F(RecordingTest, PathsAreUtf8) {

@@ -7,6 +7,8 @@
 #include <memory>
 #include <system_error>
 
+#include "plugin/src/abi/text.h"
+
 namespace hrt::plugin {
 
 struct CloseFile {
@@ -22,15 +24,24 @@ inline std::filesystem::path path_of(const char* utf8) {
 
 enum class FileMode { read, write };
 
-/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Throws std::system_error
+/// The last system error, about a file.
+inline std::system_error file_error(const char* path) {
+  const int error = errno;
+  Text<96> shown;
+  shown << Shown{path};
+  return {error, std::generic_category(), shown.c_str()};
+}
+
+/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Children of the process do
+/// not inherit it. Throws std::system_error
 /// that names the path.
 inline File open_file(const char* path, FileMode mode) {
 #if defined(_WIN32)
-  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rb" : L"wb"));
+  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rbN" : L"wbN"));
 #else
-  File file(std::fopen(path, mode == FileMode::read ? "rb" : "wb"));
+  File file(std::fopen(path, mode == FileMode::read ? "rbe" : "wbe"));
 #endif
-  if (!file) throw std::system_error(errno, std::generic_category(), path);
+  if (!file) throw file_error(path);
   return file;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/simulation/calibration_trial.h"
-#include "fixture.h"
+#include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <utility>
 
-#include "plugin/src/error.h"
+#include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
 
@@ -21,7 +21,7 @@ class HandleTable {
  public:
   constexpr HandleTable() = default;
 
-  /// The object while this lives; without one, `result` tells why.
+  /// The object while this lives; without one, result() is the reason.
   class Lease {
    public:
     explicit Lease(hrt_result failure) : result_(failure) {}

@@ -1,4 +1,4 @@
-// What the host lends the library.
+// The host's log.
 #pragma once
 
 #include <cstdint>
@@ -7,7 +7,7 @@
 
 namespace hrt::plugin {
 
-/// Tells the host's log callback, if there is one.
+/// Calls the host's log callback, if there is one.
 void log(std::uint32_t level, const char* text);
 
 }  // namespace hrt::plugin

@@ -8,7 +8,7 @@
 #include "core/retargeter.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/target.h"
-#include "plugin/src/json.h"
+#include "plugin/src/recording/json.h"
 
 namespace hrt::plugin {
 
@@ -78,7 +78,10 @@ inline constexpr std::string_view end_comment = "# end";
 /// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
 hrt_result read_row(std::string_view line, Record* out);
 
-/// Reads the rest of a comment about a target, or about the plate. Checked but for what depends on others.
+/// Whether every cell of two rows is the same, numbers to the bit.
+bool is_same_row(std::string_view row, std::string_view other);
+
+/// Reads the rest of a comment about a target, or about the plate. Checked except for what depends on others.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
 

@@ -1,0 +1,73 @@
+// A line of text in a fixed buffer: no heap, no locale. Characters that do not fit are cut off.
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+
+#include "plugin/src/abi/number.h"
+#include "plugin/src/abi/utf8.h"
+
+namespace hrt::plugin {
+
+/// A name, key or path in a message: cut after 64 bytes, so that there is room for the rest.
+struct Shown {
+  std::string_view text;
+};
+
+template <std::size_t capacity>
+class Text {
+ public:
+  void clear() { text_[length_ = 0] = '\0'; }
+  const char* c_str() const { return text_; }
+  std::string_view view() const { return {text_, length_}; }
+
+  Text& operator<<(std::string_view part) {
+    if (part.empty()) return *this;  // whose data may be null
+    const std::string_view taken = utf8_beginning(part, capacity - 1 - length_);
+    std::memcpy(text_ + length_, taken.data(), taken.size());
+    text_[length_ += taken.size()] = '\0';
+    return *this;
+  }
+
+  Text& operator<<(Shown shown) {
+    const std::string_view beginning = utf8_beginning(shown.text, 64);
+    return *this << beginning << (beginning.size() < shown.text.size() ? "..." : "");
+  }
+
+  /// The shortest text that reads back as the same number; NaN, Inf and -Inf.
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Text& operator<<(Number number) {
+    if constexpr (std::is_floating_point_v<Number>) {
+      if (std::isnan(number)) return *this << std::string_view("NaN");
+      if (std::isinf(number)) return *this << std::string_view(number > 0 ? "Inf" : "-Inf");
+      char digits[longest_number];
+      return *this << std::string_view(digits, write_number(double{number}, digits));
+    } else {
+      char digits[32];
+      const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number);
+      return error == std::errc() ? *this << std::string_view(digits, static_cast<std::size_t>(end - digits))
+                                  : *this;
+    }
+  }
+
+  /// Replaces control characters, and bytes that are not UTF-8, by '?'.
+  void make_printable() {
+    for (std::size_t i = 0; i < length_;) {
+      const std::size_t size = utf8_character_size(view().substr(i)), taken = size == 0 ? 1 : size;
+      const auto byte = static_cast<unsigned char>(text_[i]);
+      const bool c1_control = byte == 0xc2 && static_cast<unsigned char>(text_[i + 1]) < 0xa0;
+      if (size == 0 || byte < 0x20 || byte == 0x7f || c1_control) std::memset(text_ + i, '?', taken);
+      i += taken;
+    }
+  }
+
+ private:
+  char text_[capacity]{};
+  std::size_t length_ = 0;
+};
+
+}  // namespace hrt::plugin

@@ -1,0 +1,44 @@
+// UTF-8 in what crosses the boundary.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace hrt::plugin {
+
+/// Bytes of the character at the beginning of `text`; 0 if that is none. As RFC 3629 has it: shortest forms
+/// only, no surrogates, nothing above U+10FFFF.
+inline std::size_t utf8_character_size(std::string_view text) {
+  const auto byte = [&](std::size_t at) {
+    return static_cast<unsigned char>(at < text.size() ? text[at] : 0);
+  };
+  if (text.empty()) return 0;
+  const unsigned char lead = byte(0), second = byte(1);
+  if (lead < 0x80) return 1;
+  if (lead < 0xc2 || lead > 0xf4) return 0;
+  const std::size_t size = lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : 4;
+  for (std::size_t i = 1; i < size; ++i) {
+    if ((byte(i) & 0xc0) != 0x80) return 0;
+  }
+  const bool overlong = (lead == 0xe0 && second < 0xa0) || (lead == 0xf0 && second < 0x90);
+  const bool beyond = (lead == 0xed && second > 0x9f) || (lead == 0xf4 && second > 0x8f);
+  return overlong || beyond ? 0 : size;
+}
+
+inline bool is_utf8(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t size = utf8_character_size(text);
+    if (size == 0) return false;
+    text.remove_prefix(size);
+  }
+  return true;
+}
+
+/// Whole characters from the beginning of `text`, at most `size` bytes.
+inline std::string_view utf8_beginning(std::string_view text, std::size_t size) {
+  if (text.size() <= size) return text;
+  while (size > 0 && (static_cast<unsigned char>(text[size]) & 0xc0) == 0x80) --size;
+  return text.substr(0, size);
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,135 @@
+#include "plugin/src/recording/recorded_session.h"
+
+#include <cstring>
+#include <utility>
+
+#include "plugin/src/abi/error.h"
+
+namespace hrt::plugin {
+namespace {
+
+// Removes the targets that were added unless all of them are kept.
+class Addition {
+ public:
+  explicit Addition(Targets& targets) : targets_(targets) {}
+  ~Addition() {
+    for (const std::uint64_t id : ids_) targets_.remove(id);
+  }
+  Addition(const Addition&) = delete;
+  Addition& operator=(const Addition&) = delete;
+  Addition(Addition&&) = delete;
+  Addition& operator=(Addition&&) = delete;
+
+  hrt_result add(const hrt_target_config& checked_config) {
+    ids_.push_back(0);
+    const hrt_result result = targets_.add(checked_config, &ids_.back());
+    if (result != HRT_OK) ids_.pop_back();
+    return result;
+  }
+  std::vector<std::uint64_t> keep() { return std::move(ids_); }
+
+ private:
+  Targets& targets_;
+  std::vector<std::uint64_t> ids_;
+};
+
+}  // namespace
+
+hrt_result RecordedSession::set_config(const hrt_session_config& checked_config) {
+  HRT_RETURN_IF_FAILED(session_.set_config(checked_config));
+  record([&] { return Record{.call = ConfigSet{checked_config}}; });
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::add_target(const hrt_target_config& checked_config, std::uint64_t* out_id) {
+  HRT_RETURN_IF_FAILED(session_.targets.add(checked_config, out_id));
+  record_target(TargetChanged::Change::added, *out_id);
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::set_target(std::uint64_t id, const hrt_target_config& checked_config) {
+  HRT_RETURN_IF_FAILED(session_.targets.set(id, checked_config));
+  record_target(TargetChanged::Change::set, id);
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::remove_target(std::uint64_t id) {
+  HRT_RETURN_IF_FAILED(session_.targets.remove(id));
+  record_target(TargetChanged::Change::removed, id);
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::add_scene(const hrt_session_config& checked_config,
+                                      std::span<const hrt_target_config> checked_targets,
+                                      std::vector<std::uint64_t>* out_ids) {
+  Addition addition(session_.targets);
+  for (const hrt_target_config& target : checked_targets) HRT_RETURN_IF_FAILED(addition.add(target));
+  HRT_RETURN_IF_FAILED(set_config(checked_config));
+  *out_ids = addition.keep();
+  for (const std::uint64_t id : *out_ids) record_target(TargetChanged::Change::added, id);
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::begin(const hrt_reach_config& config) {
+  const hrt_result result = session_.begin(config);
+  record([&] {
+    const auto number = [this](hrt_target target) {
+      return session_.targets.find(target.value) ? session_.targets.number(target.value) : 0;
+    };
+    return Record{result, ReachBegun{.flags = config.flags,
+                                     .plate_orientation_deg = config.plate_orientation_deg,
+                                     .real_number = number(config.real_target),
+                                     .virtual_number = number(config.virtual_target),
+                                     .reach = session_.reach()}};
+  });
+  return result;
+}
+
+hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* command) {
+  const hrt_result result = session_.update(sample, command);
+  record([&] { return Record{result, Updated{sample, *command}}; });
+  return result;
+}
+
+hrt_result RecordedSession::end(hrt_reach_summary* summary) {
+  const hrt_result result = session_.end(summary);
+  record([&] { return Record{result, ReachEnded{*summary}}; });
+  return result;
+}
+
+hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument, const void* given) {
+  record([&] {
+    Refused refused{argument, 0};
+    if (given) std::memcpy(&refused.struct_size, given, sizeof refused.struct_size);
+    return Record{result, refused};
+  });
+  return result;
+}
+
+hrt_result RecordedSession::start_recording(const char* path) {
+  HRT_RETURN_IF_FAILED(session_.check_no_reach());
+  if (recorder_) return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
+  recorder_ =
+      std::make_unique<Recorder>(path, session_.config(), session_.targets, session_.plate_orientation_deg());
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::check_recording() const {
+  return recorder_ ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+}
+
+RecorderStatus RecordedSession::stop_recording() {
+  const RecorderStatus status = recorder_->stop();
+  recorder_.reset();
+  return status;
+}
+
+void RecordedSession::record_target(TargetChanged::Change change, std::uint64_t id) const {
+  record([&] {
+    const hrt_target_config* config = session_.targets.find(id);
+    return Record{
+        .call = TargetChanged{change, session_.targets.number(id), config ? *config : hrt_target_config{}}};
+  });
+}
+
+}  // namespace hrt::plugin

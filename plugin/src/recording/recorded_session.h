@@ -1,0 +1,55 @@
+// A session whose calls are recorded while a recording runs.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "plugin/src/recording/recorder.h"
+#include "plugin/src/session.h"
+
+namespace hrt::plugin {
+
+/// Forwards calls to a session and hands each one to the recorder, if there is one; nothing is built for a
+/// recording that is off. Every call that fails changes nothing. begin(), update(), end() and refuse() are
+/// real-time.
+class RecordedSession {
+ public:
+  explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
+
+  const Session& session() const { return session_; }
+
+  hrt_result set_config(const hrt_session_config& checked_config);
+  hrt_result add_target(const hrt_target_config& checked_config, std::uint64_t* out_id);
+  hrt_result set_target(std::uint64_t id, const hrt_target_config& checked_config);
+  hrt_result remove_target(std::uint64_t id);
+  /// Replaces the configuration and adds all targets.
+  hrt_result add_scene(const hrt_session_config& checked_config,
+                       std::span<const hrt_target_config> checked_targets,
+                       std::vector<std::uint64_t>* out_ids);
+
+  hrt_result begin(const hrt_reach_config& config);
+  hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result end(hrt_reach_summary* summary);
+  /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
+  hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
+
+  hrt_result start_recording(const char* path);
+  hrt_result check_recording() const;
+  /// These two while recording.
+  RecorderStatus recording_status() const { return recorder_->status(); }
+  RecorderStatus stop_recording();
+
+ private:
+  template <class MakeRecord>
+  void record(MakeRecord&& make_record) const {
+    if (recorder_) recorder_->push(make_record());
+  }
+  void record_target(TargetChanged::Change change, std::uint64_t id) const;
+
+  Session session_;
+  std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
+};
+
+}  // namespace hrt::plugin

@@ -1,0 +1,67 @@
+// The texts of hrt_last_error(): one line of UTF-8 with the reason in it, whatever was given.
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "plugin/src/abi/utf8.h"
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+class ErrorTextTest : public SessionTest {
+ protected:
+  static void expect_line(hrt_result result, hrt_result expected, const std::string& part) {
+    expect_error(result, expected, part);
+    const std::string text = hrt_last_error();
+    EXPECT_TRUE(plugin::is_utf8(text)) << text;
+    for (const char c : text) {
+      EXPECT_FALSE(static_cast<unsigned char>(c) < 0x20 || c == 0x7f) << text;
+    }
+    EXPECT_EQ(text.find("\u0085"), std::string::npos) << "a line break";
+  }
+
+  hrt_result load(const std::string& profile) {
+    return hrt_profile_load(session, profile.data(), profile.size());
+  }
+  /// 300 characters of two bytes, at an odd offset.
+  static std::string long_text() {
+    std::string text = "x";
+    for (int i = 0; i < 300; ++i) text += "\u00e4";
+    return text;
+  }
+};
+
+TEST_F(ErrorTextTest, KeysOfProfiles) {
+  expect_line(load(R"({"a\nb\u001b[31m\u0085c":1})"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
+  expect_line(load("{\"" + long_text() + "\":1}"), HRT_ERROR_BAD_FORMAT, "is not a field of a profile");
+}
+
+TEST_F(ErrorTextTest, NamesOfTargets) {
+  hrt_target found{};
+  expect_line(hrt_target_find(session, "a\nb\xff\x1b", &found), HRT_ERROR_NOT_FOUND, "\"a?b??\"");
+  expect_line(hrt_target_find(session, long_text().c_str(), &found), HRT_ERROR_NOT_FOUND, "no target");
+}
+
+TEST_F(ErrorTextTest, PathsLeaveRoomForTheReason) {
+  std::string path = "no_such_folder\n";
+  for (int i = 0; i < 10; ++i) path += "/\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4";
+  expect_line(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, std::strerror(ENOENT));
+  auto report = output<hrt_replay_report>();
+  expect_line(hrt_replay_file(path.c_str(), &report), HRT_ERROR_SYSTEM, std::strerror(ENOENT));
+  hrt_scene scene{};
+  const std::string name = long_text();
+  expect_line(hrt_scene_load_memory("x", 1, name.c_str(), &scene), HRT_ERROR_BAD_FORMAT, "...: ");
+}
+
+TEST_F(ErrorTextTest, SuccessfulReplayKeepsTheLastError) {
+  hrt_target found{};
+  expect_error(hrt_target_find(session, "cup", &found), HRT_ERROR_NOT_FOUND, "cup");
+  const std::string before = hrt_last_error();
+  auto report = output<hrt_replay_report>();
+  ASSERT_OK(hrt_replay_file(HRT_GOLDEN_RECORDING, &report));  // has calls that are refused
+  EXPECT_EQ(hrt_last_error(), before);
+}
+
+}  // namespace
+}  // namespace hrt::test

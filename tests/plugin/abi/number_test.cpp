@@ -1,0 +1,89 @@
+// Numbers as text: to the same bits and back, by the C++ library's reader too where there is one.
+#include "plugin/src/abi/number.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace hrt::plugin {
+namespace {
+
+std::string written(double number) {
+  char text[longest_number];
+  return std::string(text, write_number(number, text));
+}
+
+TEST(Number, Texts) {
+  EXPECT_EQ(written(0.0), "0");
+  EXPECT_EQ(written(-0.0), "-0");
+  EXPECT_EQ(written(0.1), "0.1");
+  EXPECT_EQ(written(-84.5), "-84.5");
+  EXPECT_EQ(written(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(written(12e4), "120000");
+  EXPECT_EQ(written(0.0001), "0.0001");
+  EXPECT_EQ(written(0.00001), "1e-05");
+  EXPECT_EQ(written(1e22), "1e+22");
+  EXPECT_EQ(written(5e-324), "5e-324");
+  EXPECT_EQ(written(-std::numeric_limits<double>::max()), "-1.7976931348623157e+308");
+}
+
+TEST(Number, Readings) {
+  double number = 7.0;
+  for (const char* text :
+       {"", " 1", "+1", "1 ", "0x1", "1,5", "1e", "e1", ".", "-", "--1", "1e999", "1.5.5"}) {
+    EXPECT_FALSE(read_number(text, &number)) << text;
+    EXPECT_EQ(number, 7.0);
+  }
+  EXPECT_TRUE(read_number("-.5e1", &number));
+  EXPECT_EQ(number, -5.0);
+  EXPECT_TRUE(read_number("-Inf", &number));
+  EXPECT_EQ(number, -std::numeric_limits<double>::infinity());
+  EXPECT_TRUE(read_number("NaN", &number));
+  EXPECT_TRUE(std::isnan(number));
+}
+
+TEST(Number, WholeReadings) {
+  std::int64_t number = 7;
+  for (const char* text : {"", "1.0", "1 ", "9223372036854775808", "NaN"}) {
+    EXPECT_FALSE(read_number(text, &number)) << text;
+    EXPECT_EQ(number, 7);
+  }
+  EXPECT_TRUE(read_number("-9223372036854775808", &number));
+  EXPECT_EQ(number, std::numeric_limits<std::int64_t>::min());
+}
+
+/// Powers of two and their neighbours, where the distance to the next number changes; any bits; decimals of
+/// few digits.
+TEST(Number, ReadsBackToTheSameBits) {
+  const auto check = [](double number) {
+    const std::string text = written(number);
+    double back = 0.0;
+    ASSERT_TRUE(read_number(text, &back)) << text;
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(number)) << text;
+#if defined(__cpp_lib_to_chars)
+    ASSERT_EQ(std::from_chars(text.data(), text.data() + text.size(), back).ptr, text.data() + text.size());
+    ASSERT_EQ(std::bit_cast<std::uint64_t>(back), std::bit_cast<std::uint64_t>(number)) << text;
+#endif
+  };
+  for (int exponent = -1074; exponent < 1024; ++exponent) {
+    const double power = std::ldexp(1.0, exponent);
+    for (const double number : {std::nextafter(power, 0.0), power, std::nextafter(power, 2.0 * power)})
+      check(number);
+  }
+  std::uint64_t bits = 1;
+  for (int i = 0; i < 20'000; ++i) {
+    bits = bits * 6364136223846793005u + 1442695040888963407u;
+    const double any = std::bit_cast<double>(bits);
+    if (std::isfinite(any)) check(any);
+    const double digits = static_cast<double>(bits >> 44);
+    check(digits * std::pow(10.0, static_cast<double>(bits % 40) - 20.0));
+    check(digits / 1e6);
+  }
+}
+
+}  // namespace
+}  // namespace hrt::plugin

@@ -1,0 +1,110 @@
+// The host's locale has a comma for the decimal point: nothing that the library reads or writes may follow
+// it.
+#include <clocale>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+class LocaleTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    ASSERT_EQ(setenv("LOCPATH", HRT_LOCALES, 1), 0);
+    ASSERT_NE(std::setlocale(LC_ALL, "de_DE.UTF-8"), nullptr) << "no such locale in " << HRT_LOCALES;
+    char text[8];
+    std::snprintf(text, sizeof text, "%.1f", 2.5);
+    ASSERT_STREQ(text, "2,5");
+    SessionTest::SetUp();
+  }
+  void TearDown() override {
+    SessionTest::TearDown();
+    std::setlocale(LC_ALL, "C");
+  }
+
+  std::string save() {
+    uint64_t length = 0;
+    EXPECT_OK(hrt_profile_save(session, 0, nullptr, &length));
+    std::vector<char> text(length + 1);
+    EXPECT_OK(hrt_profile_save(session, text.size(), text.data(), &length));
+    return {text.data(), length};
+  }
+};
+
+TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
+  hrt_session_config config = session_config();
+  config.sensory_variance_deg2 = 2.7;
+  config.tracker_noise_m = 1.25e-5;
+  create(config);
+  const std::string profile = save();
+  EXPECT_NE(profile.find("\"sensory_variance_deg2\":2.7,"), std::string::npos) << profile;
+  create(session_config());
+  ASSERT_OK(hrt_profile_load(session, profile.data(), profile.size()));
+  auto loaded = output<hrt_session_config>();
+  ASSERT_OK(hrt_session_get_config(session, &loaded));
+  EXPECT_EQ(std::memcmp(&loaded, &config, sizeof config), 0);
+}
+
+TEST_F(LocaleTest, RecordingsReplay) {
+  const std::string path =
+      (std::filesystem::temp_directory_path() / ("hrt_locale_" + std::to_string(getpid()) + ".csv")).string();
+  ASSERT_OK(hrt_recording_start(session, path.c_str()));
+  begin_reach();
+  for (int i = 0; i < 50; ++i) update(position_sample(i * 11'111'111, 0.0001 * i, 0.001 * i - 0.05));
+  end();
+  auto status = output<hrt_recording_status>();
+  ASSERT_OK(hrt_recording_stop(session, &status));
+  auto report = output<hrt_replay_report>();
+  EXPECT_OK(hrt_replay_file(path.c_str(), &report));
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.rows, 52u);
+  EXPECT_EQ(report.first_different_line, 0u);
+  std::filesystem::remove(path);
+
+  ASSERT_OK(hrt_replay_file(HRT_GOLDEN_RECORDING, &report));
+  EXPECT_EQ(report.first_different_line, 0u);
+  EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
+}
+
+TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
+  std::vector<hrt_scene_target> targets[2];
+  for (std::vector<hrt_scene_target>& places : targets) {
+    hrt_scene scene{};
+    ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+    auto info = output<hrt_scene_info>();
+    ASSERT_OK(hrt_scene_get_info(scene, &info));
+    for (uint32_t i = 0; i < info.target_count; ++i) {
+      places.push_back(output<hrt_scene_target>());
+      ASSERT_OK(hrt_scene_get_target(scene, i, &places.back()));
+    }
+    ASSERT_OK(hrt_scene_destroy(scene));
+    std::setlocale(LC_ALL, "C");
+  }
+  ASSERT_GE(targets[0].size(), 2u);
+  ASSERT_EQ(targets[0].size(), targets[1].size());
+  for (std::size_t i = 0; i < targets[0].size(); ++i)
+    EXPECT_EQ(std::memcmp(&targets[0][i], &targets[1][i], sizeof targets[0][i]), 0) << targets[0][i].name;
+}
+
+TEST_F(LocaleTest, MessagesHavePoints) {
+  hrt_session_config config = session_config();
+  config.tactile_weight = 0.625;
+  hrt_session other{};
+  expect_error(hrt_session_create(&config, &other), HRT_ERROR_OUT_OF_RANGE,
+               "tactile_weight is 0.625; allowed: 0.001 to 0.499");
+  const std::string scene = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[
+    {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":-2.5}}}]})";
+  hrt_scene loaded{};
+  expect_error(hrt_scene_load_memory(scene.data(), scene.size(), "scene.gltf", &loaded), HRT_ERROR_BAD_FORMAT,
+               "-2.5");
+}
+
+}  // namespace
+}  // namespace hrt::test
