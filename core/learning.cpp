@@ -1,8 +1,18 @@
 #include "core/learning.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace hrt {
+namespace {
+
+using T = PersonTrait;
+
+// Deviations by which a person may have changed since the last reach.
+constexpr double change[T::count] = {0.008, 0.012, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1};
+constexpr double later_wander_sd_deg = 0.75;
+
+}  // namespace
 
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt) {
   RetargeterConfig next = config;
@@ -17,6 +27,20 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
   if (limited_deg2 == learnt.motor_variance_deg2)
     next.estimator.motor_variance_sd_deg2 =
         std::max(learnt.motor_variance_sd_deg2, least_carried_motor_variance_sd_deg2);
+  return next;
+}
+
+PersonBelief carried(const PersonBelief& learnt, const PersonBelief& unknown) {
+  PersonBelief next = learnt;
+  for (int i = 0; i < T::count; ++i) next.covariance(i, i) += change[i] * change[i];
+  // Scaling a row and its column keeps the correlations.
+  for (int i = 0; i < T::count; ++i) {
+    const double excess = next.covariance(i, i) / unknown.covariance(i, i);
+    if (excess <= 1.0) continue;
+    next.covariance.row(i) /= std::sqrt(excess);
+    next.covariance.col(i) /= std::sqrt(excess);
+  }
+  next.wander_sd_deg = std::min(later_wander_sd_deg, unknown.wander_sd_deg);
   return next;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/estimator.h"
+#include "core/person_belief.h"
 #include "core/retargeter.h"
 
 namespace hrt {
@@ -16,5 +17,9 @@ inline constexpr double most_weight_sd = 0.49;
 /// variance and their deviations. The variance is clamped to a factor of 2; if clamped, its deviation is
 /// unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
+
+/// What the next reach begins with after one that ended with `learnt`: people change, so it is wider, yet
+/// never wider than `unknown`.
+PersonBelief carried(const PersonBelief& learnt, const PersonBelief& unknown);
 
 }  // namespace hrt

@@ -25,6 +25,16 @@ PlateLimits limits_of(const RetargeterConfig& config, bool plans_turns, double r
   return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
 }
 
+PersonReachConfig person_config(const RetargeterConfig& config) {
+  return {.person = config.person,
+          .control = config.reach,
+          .plate = config.plate,
+          .tracker_noise_m = config.estimator.tracker_noise_m,
+          .tracker_latency_ns = config.tracker_latency_ns,
+          .step_period_ns = config.step_period_ns,
+          .plate_waits = config.plate_waits};
+}
+
 bool is_saturated(ActiveBound active) {
   return active == ActiveBound::lower || active == ActiveBound::upper;
 }
@@ -40,7 +50,10 @@ bool is_valid(const RetargeterConfig& config) {
          std::isfinite(config.fixed_plate_orientation_deg) && is_valid(config.estimator) &&
          is_valid(config.plate) && config.step_period_ns >= 1'000'000 &&
          config.step_period_ns <= 10'000'000'000 &&
-         config.plate.latency_ns <= max_lead * config.step_period_ns;
+         config.plate.latency_ns <= max_lead * config.step_period_ns && is_valid(config.person) &&
+         config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
+         config.reach.max_felt_error_deg > 0.0 && config.tracker_latency_ns >= 0 &&
+         config.tracker_latency_ns <= 500'000'000;
 }
 
 bool is_valid(const Reach& reach, const Participant& participant) {
@@ -49,13 +62,13 @@ bool is_valid(const Reach& reach, const Participant& participant) {
              90.0 &&
          std::isfinite(reach.plate_orientation_deg) && std::isfinite(reach.start.right_m) &&
          std::isfinite(reach.start.away_m) && std::isfinite(reach.real_distance_m) &&
-         reach.real_distance_m > 0.0;
+         reach.real_distance_m > 0.0 &&
+         (reach.duration_s == 0.0 || (reach.duration_s >= 0.1 && reach.duration_s <= 20.0));
 }
 
 Retargeter::Retargeter(const RetargeterConfig& config)
     : config_(config),
       estimator_(estimator_of(config, 0.0, {})),
-      guidance_(config.guidance, {}, 0.0, 1.0),
       control_(config.mpc, config.plate, config.step_period_ns),
       limits_(config.plate.stops, 0.0),
       plate_(config.plate, 0.0) {}
@@ -67,15 +80,20 @@ void Retargeter::begin(const Reach& reach) {
   // No plate stands beyond its stops, wherever it is said to.
   const double stands_deg = std::clamp(reach.plate_orientation_deg, stops.lower_deg, stops.upper_deg);
   estimator_ = estimator_of(config_, goal_deg_, reach.start);
-  guidance_ = Guidance(config_.guidance, reach.start, reach.real_direction_deg, reach.real_distance_m);
+  target_ = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
   control_.begin(goal_deg_);
   plate_ = PlateModel(config_.plate, stands_deg);
   limits_ = limits_of(config_, control_.plans_turns(), reach.real_direction_deg, goal_deg_, stands_deg);
   decision_ = {.aim = {reach.real_direction_deg, false},
-               .plate = {config_.mode == ControlMode::mpc
-                             ? stands_deg
-                             : nearest_equivalent_deg(config_.fixed_plate_orientation_deg, stands_deg, stops),
+               .plate = {config_.mode == ControlMode::fixed_plate
+                             ? nearest_equivalent_deg(config_.fixed_plate_orientation_deg, stands_deg, stops)
+                             : stands_deg,
                          ActiveBound::none}};
+  person_.reset();
+  if (config_.mode == ControlMode::reach) {
+    person_.emplace(person_config(config_), reach);
+    decision_.plate = {person_->command().plate_orientation_deg, ActiveBound::none};
+  }
   plate_.command(decision_.plate.orientation_deg);
   saturated_steps_ = rate_limited_steps_ = 0;
   finger_ = {.direction_deg = 0.0,
@@ -86,6 +104,8 @@ void Retargeter::begin(const Reach& reach) {
 }
 
 PlateCommand Retargeter::update(const FingerSample& sample) {
+  if (person_ && sample.observation == Observation::direction && !person_->seen()) person_.reset();
+  if (person_) return person_->update(sample);
   const ReachState state = estimator_.observe(sample, plate_);
   const bool decides = state.observed == Observation::position ||
                        (state.observed == Observation::direction && state.step != decision_.step);
@@ -112,6 +132,7 @@ PlateCommand Retargeter::step(double finger_direction_deg) {
 }
 
 ReachSummary Retargeter::summary() const {
+  if (person_) return person_->summary();
   const SampleCounts counts = estimator_.counts();
   return {.steps = counts.steps,
           .predicted_steps = counts.predicted_steps,
@@ -129,22 +150,22 @@ ReachSummary Retargeter::summary() const {
 
 // A direction beyond what can be held would trade felt error for nothing: what can be held is as near as it
 // gets.
-Retargeter::Aim Retargeter::aim(const ReachState& state) {
-  if (state.observed == Observation::position) guidance_.aim_deg(*state.place);
+Retargeter::Aim Retargeter::aim(const ReachState& state) const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double weight = state.finger.tactile_weight;
   const double most_weight =
       std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::most_tactile_weight);
   const bool unreachable =
       std::abs(goal_deg_ - reach_.real_direction_deg) > largest_gap_deg(most_weight, bound_deg);
-  if (!unreachable || !config_.estimator.adapt) return {guidance_.direction_deg(), unreachable};
-  return {steering_authority(guidance_.direction_deg(), goal_deg_, weight, bound_deg).settling_direction_deg,
+  if (!unreachable || !config_.estimator.adapt) return {reach_.real_direction_deg, unreachable};
+  return {steering_authority(reach_.real_direction_deg, goal_deg_, weight, bound_deg).settling_direction_deg,
           unreachable};
 }
 
 PlateOrientation Retargeter::plan(const ReachState& state, const Aim& aim) {
   switch (config_.mode) {
     case ControlMode::mpc:
+    case ControlMode::reach:
       return control_.plan(state, aim.direction_deg, limits_.centre_deg(), plate_);
     case ControlMode::fixed_plate:
       break;
@@ -188,7 +209,7 @@ PlateCommand Retargeter::publish(const ReachState& state, bool held) {
 }
 
 double Retargeter::distance_to_go_m() const {
-  return estimator_.place() ? distance_m(*estimator_.place(), guidance_.target()) : reach_.real_distance_m;
+  return estimator_.place() ? distance_m(*estimator_.place(), target_) : reach_.real_distance_m;
 }
 
 }  // namespace hrt

@@ -30,7 +30,7 @@ bool stays_in_range(const Condition& condition) {
 // Whether the Retargeter, stepped with exact directions, chooses T_k from P_k and the gains of step k alone.
 bool looks_at_direction_alone(const RetargeterConfig& controller) {
   if (controller.mode == ControlMode::fixed_plate) return true;
-  return controller.guidance == GuidanceMode::fixed_direction && !controller.estimator.adapt &&
+  return controller.mode != ControlMode::reach && !controller.estimator.adapt &&
          controller.plate.latency_ns < controller.step_period_ns;
 }
 

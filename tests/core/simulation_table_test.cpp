@@ -130,7 +130,7 @@ TEST(TrialTable, NoneWhereTheDirectionDoesNotDecide) {
   EXPECT_FALSE(TrialTable::tabulate({.controller = {.participant = {.motor_variance_deg2 = 0.0}}}));
   EXPECT_FALSE(TrialTable::tabulate({.participant = {.motor_variance_deg2 = 1e9}}));
   EXPECT_FALSE(TrialTable::tabulate({.controller = {.mpc = {.plate_rate_bound_deg = 40.0}}}));
-  EXPECT_FALSE(TrialTable::tabulate({.controller = {.guidance = GuidanceMode::line_of_sight}}));
+  EXPECT_FALSE(TrialTable::tabulate({.controller = {.mode = ControlMode::reach}}));
   EXPECT_FALSE(TrialTable::tabulate({.controller = {.estimator = {.adapt = true}}}));
   EXPECT_FALSE(TrialTable::tabulate({.controller = {.plate = {.latency_ns = 100'000'000}}}));
 }

@@ -1,0 +1,25 @@
+// How far and how long a reach still goes: the pace at which people move over a path.
+//
+//   s(u) = (1 - a) (10 u^3 - 15 u^4 + 6 u^5) + a u,   u' = r
+//
+// with u the share of the time, s the share of the path, a the evenness of the pace (0: the bell-shaped speed
+// of a minimum-jerk motion, 1: even) and r one over the duration.
+#pragma once
+
+namespace hrt {
+
+/// s and its derivatives by u.
+struct Progress {
+  double share;         ///< s
+  double rate;          ///< s'
+  double acceleration;  ///< s''
+  double by_evenness;   ///< d s' / d a
+};
+
+/// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1].
+Progress progress(double evenness, double phase);
+
+/// u where `share` of the path, in [0, 1], lies behind; within 1e-6.
+double phase_at(double evenness, double share);
+
+}  // namespace hrt

@@ -1,0 +1,40 @@
+// The illusion of touch: how far ridges shift the felt direction of motion, as the controller models it.
+//
+//   g(t) = w t - b t (t / 75)^2,   t = ridge normal - direction of motion, folded to within 90 degrees
+//
+// Linear in w and b, so that both can be learnt. It is linear with b = 0, and with b > 0 it saturates and
+// falls again.
+#pragma once
+
+namespace hrt {
+
+/// What a person feels of ridges.
+struct Illusion {
+  double weight;  ///< w: slope at 0
+  double curve;   ///< b: how much of the slope is gone at 75 degrees, over 3
+};
+
+/// Felt less true direction, degrees, and its derivatives.
+struct FeltShift {
+  double shift_deg;
+  double by_offset;  ///< d g / d t
+  double by_weight;  ///< d g / d w
+  double by_curve;   ///< d g / d b
+};
+
+/// The shift for ridges whose normal stands `offset_deg` (any finite angle) from the motion.
+FeltShift felt_shift(const Illusion& illusion, double offset_deg);
+
+/// The largest shift with the ridge normal within `bound_deg` of the motion, and the offset that gives it.
+struct LargestShift {
+  double shift_deg;
+  double offset_deg;
+};
+
+/// `bound_deg` in (0, 90]; weight > 0.
+LargestShift largest_shift(const Illusion& illusion, double bound_deg);
+
+/// The offset on the rising branch, within `bound_deg`, that gives `shift_deg`, or comes nearest to it.
+double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg);
+
+}  // namespace hrt

@@ -1,0 +1,51 @@
+#include "core/person_belief.h"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+
+namespace hrt {
+namespace {
+
+using T = PersonTrait;
+
+// How the unknown person's illusion goes with the standard deviation of a linear one's weight.
+constexpr double weight_excess = 0.9;  // of w over tactile_weight, in deviations
+constexpr double weight_sd_ratio = 1.7;
+constexpr double curve_mean_ratio = 1.1;
+constexpr double curve_sd_ratio = 1.6;
+constexpr double weight_curve_correlation = 0.85;
+constexpr double first_wander_sd_deg = 1.5;
+constexpr double known_weight_sd = 0.001;
+constexpr double known_bias_sd_deg = 0.05;
+
+}  // namespace
+
+PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, double bias_deg) {
+  PersonBelief belief;
+  belief.mean << tactile_weight + weight_excess * tactile_weight_sd, curve_mean_ratio * tactile_weight_sd,
+      17.0, bias_deg, 0.0, 0.05, 0.2, -0.65;
+  PersonBelief::Vector sd;
+  sd << weight_sd_ratio * tactile_weight_sd, curve_sd_ratio * tactile_weight_sd, 1.5, 1.5, 2.0, 0.35, 0.45,
+      0.55;
+  belief.covariance = sd.cwiseProduct(sd).asDiagonal();
+  belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
+      weight_curve_correlation * sd(T::weight) * sd(T::curve);
+  belief.wander_sd_deg = first_wander_sd_deg;
+  return belief;
+}
+
+PersonBelief known_person(double tactile_weight, double bias_deg) {
+  PersonBelief belief = unknown_person(tactile_weight, known_weight_sd, bias_deg);
+  belief.covariance(T::bias, T::bias) = known_bias_sd_deg * known_bias_sd_deg;
+  return belief;
+}
+
+bool is_valid(const PersonBelief& belief) {
+  if (!belief.mean.allFinite() || !belief.covariance.allFinite()) return false;
+  if (!(belief.wander_sd_deg > 0.0 && belief.wander_sd_deg <= 10.0)) return false;
+  if (!(belief.mean(T::weight) > 0.0 && belief.mean(T::weight) < 1.0)) return false;
+  if (belief.covariance != belief.covariance.transpose()) return false;
+  return belief.covariance.llt().info() == Eigen::Success;
+}
+
+}  // namespace hrt

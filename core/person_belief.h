@@ -1,0 +1,42 @@
+// What is believed of a person before a reach.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hrt {
+
+/// What a person brings to each reach: mean and covariance of PersonBelief are in this order.
+struct PersonTrait {
+  enum Index {
+    weight,    ///< w of the illusion
+    curve,     ///< b of the illusion
+    gain,      ///< k, 1/s
+    bias,      ///< d, degrees
+    habit,     ///< c, degrees
+    evenness,  ///< a
+    heading,   ///< share of the goal's direction in which they set out
+    log_rate,  ///< rho, natural logarithm of one over the duration in seconds
+    count
+  };
+};
+
+struct PersonBelief {
+  using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;
+  using Matrix = Eigen::Matrix<double, PersonTrait::count, PersonTrait::count>;
+  Vector mean;
+  Matrix covariance;     ///< positive definite
+  double wander_sd_deg;  ///< of the fast part dr of the goal: larger on a person's first reach
+};
+
+/// A person of whom nothing is known. `tactile_weight` and its standard deviation are those of a linear
+/// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0.
+PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05,
+                            double bias_deg = 0.0);
+
+/// The same, with illusion and bias taken as known.
+PersonBelief known_person(double tactile_weight, double bias_deg);
+
+/// True if the mean is finite and in its range, and the covariance positive definite.
+bool is_valid(const PersonBelief& belief);
+
+}  // namespace hrt

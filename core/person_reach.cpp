@@ -1,0 +1,269 @@
+#include "core/person_reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/arrival.h"
+#include "core/exponential.h"
+#include "core/time.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double mm_per_m = 1000.0;
+// The illusion's weight is reported for this offset, within the range of human data.
+constexpr double reported_offset_share = 0.64;  // (60 / 75)^2
+// Beyond this share of the time nothing that the plate does is answered any more.
+constexpr double last_phase = 0.97;
+// Before this share of the time a prediction of the miss says little.
+constexpr double first_judged_phase = 0.5;
+constexpr double longest_slew_s = 0.25;
+// The gap is out of reach if the margin lies this many standard deviations below zero.
+constexpr double unreachable_deviations = -0.5;
+constexpr double given_duration_log_sd = 0.12;
+// Below this share of the time a reach teaches nothing.
+constexpr double least_taught_phase = 0.7;
+
+PlaceMm to_mm(const PlatePoint& point) {
+  return {mm_per_m * point.right_m, mm_per_m * point.away_m};
+}
+
+PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
+  PersonBelief belief = config.person;
+  if (reach.duration_s <= 0.0) return belief;
+  using T = PersonTrait;
+  belief.mean(T::log_rate) = -logarithm(reach.duration_s);
+  belief.covariance.row(T::log_rate).setZero();
+  belief.covariance.col(T::log_rate).setZero();
+  belief.covariance(T::log_rate, T::log_rate) = given_duration_log_sd * given_duration_log_sd;
+  return belief;
+}
+
+double deviation(double variance) {
+  return std::sqrt(std::max(0.0, variance));
+}
+
+// A plate that turns freely takes the short way round; between stops it keeps to one half turn.
+PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, double stands_deg) {
+  const PlateStops& stops = config.plate.stops;
+  const double goal_deg = reach.virtual_direction_deg;
+  if (std::isinf(stops.lower_deg) && std::isinf(stops.upper_deg)) return {stops, goal_deg};
+  const Illusion illusion{config.person.mean(PersonTrait::weight), config.person.mean(PersonTrait::curve)};
+  const double holding_deg =
+      reach.real_direction_deg +
+      offset_for_shift(illusion, goal_deg - reach.real_direction_deg, config.control.bound_deg);
+  return {stops, goal_deg, config.control.bound_deg, holding_deg, stands_deg};
+}
+
+double within_stops(const PersonReachConfig& config, const Reach& reach) {
+  return std::clamp(reach.plate_orientation_deg, config.plate.stops.lower_deg, config.plate.stops.upper_deg);
+}
+
+}  // namespace
+
+PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach)
+    : config_(config),
+      reach_(reach),
+      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
+      estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
+                 to_mm(reach.start), mm_per_m * config.tracker_noise_m),
+      plate_(config.plate, within_stops(config, reach)),
+      limits_(limits_of(config, reach, within_stops(config, reach))) {
+  decision_.plate.orientation_deg = plate_.orientation_deg();
+  if (!config.plate_waits) {
+    const double ready_deg = ready_orientation_deg(config.control, estimator_.filter(), aim());
+    decision_.plate =
+        limits_.limit({ready_deg + limits_.centre_deg() - reach.virtual_direction_deg, ActiveBound::none},
+                      plate_.orientation_deg());
+    plate_.command(decision_.plate.orientation_deg);
+  }
+  command_ = publish({}, 0.0, false);
+}
+
+PlateCommand PersonReach::update(const FingerSample& sample) {
+  if (counts_.samples++ == 0) origin_ns_ = sample.time_ns;
+  plate_.advance(sample.time_ns);
+  if (sample.plate_orientation_deg) plate_.report(*sample.plate_orientation_deg);
+  const double now_s = seconds(sample.time_ns);
+  trace_.add(now_s, plate_.orientation_deg());
+
+  const bool observed = observe(sample, now_s - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
+  const bool decides = observed && estimator_.motion() == FingerMotion::moving && estimator_.caught_up() &&
+                       estimator_.filter().state()(PersonFilter::phase) < last_phase;
+  if (decides) {
+    decision_ = decide(now_s);
+    plate_.command(decision_.plate.orientation_deg);
+  }
+  command_ = publish(sample, now_s, decides);
+  count(command_, observed);
+  return command_;
+}
+
+bool PersonReach::observe(const FingerSample& sample, double time_s) {
+  switch (sample.observation) {
+    case Observation::lifted:
+      estimator_.lift(time_s, trace_);
+      return false;
+    case Observation::position:
+      if (position_ns_ != sample.time_ns) {  // else the tracker has sent it twice
+        position_ns_ = sample.time_ns;
+        if (estimator_.observe(time_s, to_mm(sample.position), trace_)) return true;
+      }
+      break;
+    case Observation::none:
+    case Observation::direction:
+      estimator_.predict(time_s, trace_);
+      break;
+  }
+  ++counts_.dropped_samples;
+  return false;
+}
+
+PersonReach::Decision PersonReach::decide(double now_s) {
+  const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
+  const double later_deg = plate_.orientation_at_deg(later_ns(*position_ns_, config_.plate.latency_ns));
+  const ReachPlan plan = plan_reach(config_.control, estimator_.filter(), estimator_.time_s(), aim(),
+                                    {trace_, now_s, latency_s, later_deg, slew_s_});
+  // On average a turn is half done after half its time.
+  slew_s_ =
+      0.5 * std::min(std::abs(wrap_deg(plan.plate_deg - later_deg, 180.0)) / config_.plate.max_speed_deg_s,
+                     longest_slew_s);
+  const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
+                            : plan.plate_deg < later_deg ? ActiveBound::lower
+                                                         : ActiveBound::upper;
+  return {
+      .plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
+                             plate_.orientation_deg()),
+      .predicted_miss_deg = atan2_deg(plan.miss_mm, mm_per_m * reach_.real_distance_m),
+      .time_to_go_s = plan.time_to_go_s};
+}
+
+ReachAim PersonReach::aim() const {
+  const PlaceMm target = to_mm(target_);
+  return {target.right_mm - estimator_.origin().right_mm, target.away_mm - estimator_.origin().away_mm};
+}
+
+double PersonReach::seconds(std::int64_t time_ns) const {
+  return 1e-9 * static_cast<double>(elapsed_ns(origin_ns_, time_ns));
+}
+
+// The largest gap less the one that is to be held, to first order in w, b and d.
+bool PersonReach::can_be_held() const {
+  using F = PersonFilter;
+  const F& filter = estimator_.filter();
+  const LargestShift largest = largest_shift(filter.illusion(), config_.control.bound_deg);
+  const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - reach_.real_direction_deg;
+  const FeltShift g = felt_shift(filter.illusion(), largest.offset_deg);
+  const double slopes[] = {g.by_weight, g.by_curve, gap_deg > 0.0 ? -1.0 : 1.0};
+  const F::Index unknowns[] = {F::weight, F::curve, F::bias};
+  double variance = 0.0;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      variance += slopes[i] * slopes[j] * filter.covariance()(unknowns[i], unknowns[j]);
+  return largest.shift_deg - std::abs(gap_deg) > unreachable_deviations * deviation(variance);
+}
+
+PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool decided) {
+  using F = PersonFilter;
+  const F& filter = estimator_.filter();
+  const F::State& x = filter.state();
+  const auto& covariance = filter.covariance();
+  const PlaceMm place_mm = estimator_.place();
+  const PlatePoint place{place_mm.right_mm / mm_per_m, place_mm.away_mm / mm_per_m};
+  const bool begun = estimator_.motion() != FingerMotion::resting;
+  const bool moving = estimator_.motion() == FingerMotion::moving;
+  const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
+  const double felt_deg =
+      x(F::direction) + felt_shift(filter.illusion(), plate_.orientation_deg() - x(F::direction)).shift_deg;
+  const bool ends = begun && (!moving || x(F::phase) >= last_phase);
+  const double miss_deg =
+      ends ? bearing_deg(reach_.start, place) - reach_.real_direction_deg : decision_.predicted_miss_deg;
+  constexpr double s = reported_offset_share;
+  return {
+      .plate_orientation_deg = decision_.plate.orientation_deg,
+      .finger_direction_deg = x(F::direction),
+      .perceived_direction_deg = felt_deg,
+      .aimed_direction_deg =
+          to_go_m > 0.1 * reach_.real_distance_m ? bearing_deg(place, target_) : command_.aimed_direction_deg,
+      .tactile_weight = x(F::weight) - s * x(F::curve),
+      .tactile_weight_sd =
+          deviation(covariance(F::weight, F::weight) - 2.0 * s * covariance(F::weight, F::curve) +
+                    s * s * covariance(F::curve, F::curve)),
+      .distance_to_go_m = to_go_m,
+      .time_to_go_s = ends ? 0.0 : decision_.time_to_go_s,
+      .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
+      .predicted_miss_deg = miss_deg,
+      .nis = estimator_.fit().nis,
+      .step = begun ? static_cast<std::int64_t>((now_s - estimator_.onset_s()) * 1e9) / config_.step_period_ns
+                    : -1,
+      .active = decision_.plate.active,
+      .held = !decided,
+      .predicted = begun && sample.observation == Observation::none,
+      .unreachable = begun && !can_be_held(),
+      .misfit = begun && !estimator_.fit().holds(),
+      .off_target = begun && x(F::phase) > first_judged_phase && std::abs(miss_deg) > near_deg,
+      .resting = estimator_.motion() == FingerMotion::paused,
+  };
+}
+
+void PersonReach::count(const PlateCommand& command, bool observed) {
+  counts_.misfit = counts_.misfit || command.misfit;
+  if (command.step < 0) return;
+  counts_.nis = std::max(counts_.nis, command.nis);
+  if (estimator_.motion() == FingerMotion::moving) {
+    counts_.peak_felt_error_deg = std::max(counts_.peak_felt_error_deg, std::abs(command.felt_error_deg));
+    square_felt_sum_deg2_ += command.felt_error_deg * command.felt_error_deg;
+    ++felt_samples_;
+  }
+  if (!observed || command.step == counted_step_) return;
+  counted_step_ = command.step;
+  ++counts_.steps;
+  counts_.saturated_steps += command.active != ActiveBound::none;
+}
+
+ReachSummary PersonReach::summary() const {
+  using F = PersonFilter;
+  ReachSummary summary = counts_;
+  const F& filter = estimator_.filter();
+  const auto sd = [&](F::Index i) { return deviation(filter.covariance()(i, i)); };
+  const PlaceMm place = estimator_.place();
+  const PlatePoint ended{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
+  const bool begun = estimator_.motion() != FingerMotion::resting;
+  summary.predicted_steps = command_.step + 1 - counts_.steps;
+  summary.final_direction_deg = command_.finger_direction_deg;
+  summary.final_miss_deg = command_.finger_direction_deg - reach_.real_direction_deg;
+  summary.perceived_direction_deg = command_.perceived_direction_deg;
+  summary.perceived_error_deg = command_.perceived_direction_deg - reach_.virtual_direction_deg;
+  summary.distance_to_target_m = distance_m(ended, target_);
+  summary.bearing_error_deg = begun ? bearing_deg(reach_.start, ended) - reach_.real_direction_deg : 0.0;
+  summary.rms_felt_error_deg =
+      felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;
+  summary.unreachable = command_.unreachable;
+  summary.off_target = begun && std::abs(summary.bearing_error_deg) > near_deg;
+  summary.estimate = {.position = ended,
+                      .speed_m_s = 0.0,
+                      .direction_deg = command_.finger_direction_deg,
+                      .tactile_weight = command_.tactile_weight,
+                      .tactile_weight_sd = command_.tactile_weight_sd,
+                      .tracker_noise_m = std::sqrt(estimator_.noise().variance_mm2()) / mm_per_m};
+  summary.person = {.curve = filter.state()(F::curve),
+                    .curve_sd = sd(F::curve),
+                    .gain_s = filter.state()(F::gain),
+                    .gain_sd_s = sd(F::gain),
+                    .bias_deg = filter.state()(F::bias),
+                    .bias_sd_deg = sd(F::bias),
+                    .habit_deg = filter.state()(F::habit),
+                    .habit_sd_deg = sd(F::habit),
+                    .duration_s = exponential(-filter.state()(F::log_rate))};
+  return summary;
+}
+
+std::optional<PersonBelief> PersonReach::learnt() const {
+  const bool ended = estimator_.motion() != FingerMotion::resting &&
+                     estimator_.filter().state()(PersonFilter::phase) > least_taught_phase;
+  if (!ended || counts_.misfit) return std::nullopt;
+  return estimator_.filter().belief();
+}
+
+}  // namespace hrt

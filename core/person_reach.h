@@ -1,0 +1,77 @@
+// One reach of a person whose fingertip is tracked. A sample passes through
+//   estimate (person_estimator), aim, plan (reach_control), limit (plate_limits), command.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/finger_sample.h"
+#include "core/person_estimator.h"
+#include "core/plate_limits.h"
+#include "core/plate_model.h"
+#include "core/plate_trace.h"
+#include "core/reach.h"
+#include "core/reach_control.h"
+
+namespace hrt {
+
+struct PersonReachConfig {
+  PersonBelief person;  ///< is_valid(person)
+  ReachControlConfig control;
+  PlateDynamics plate;
+  double tracker_noise_m = 0.0;  ///< of a coordinate, standard deviation; 0: learn it while the finger rests
+  std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
+  std::int64_t step_period_ns = 100'000'000;
+  bool plate_waits = false;  ///< the plate stays where it stands until the finger moves
+};
+
+/// No heap, no lock, no exception. One thread at a time.
+class PersonReach {
+ public:
+  /// Requires valid arguments.
+  PersonReach(const PersonReachConfig& config, const Reach& reach);
+
+  /// Takes one sample in, not before the last one's, of any observation but a direction.
+  PlateCommand update(const FingerSample& sample);
+
+  PlateCommand command() const { return command_; }
+  /// A position has been seen.
+  bool seen() const { return position_ns_.has_value(); }
+  ReachSummary summary() const;
+
+  /// What the reach says of the person; none if it ended early, or did not fit the model.
+  std::optional<PersonBelief> learnt() const;
+
+ private:
+  struct Decision {
+    PlateOrientation plate;
+    double predicted_miss_deg = 0.0;
+    double time_to_go_s = 0.0;
+  };
+  bool observe(const FingerSample& sample, double time_s);
+  Decision decide(double now_s);
+  PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
+  void count(const PlateCommand& command, bool observed);
+  ReachAim aim() const;
+  double seconds(std::int64_t time_ns) const;
+  bool can_be_held() const;
+
+  PersonReachConfig config_;
+  Reach reach_;
+  PlatePoint target_;
+  PersonEstimator estimator_;
+  PlateModel plate_;
+  PlateTrace trace_;
+  PlateLimits limits_;
+  Decision decision_;
+  PlateCommand command_;
+  ReachSummary counts_;
+  double slew_s_ = 0.0;
+  double square_felt_sum_deg2_ = 0.0;
+  std::int64_t felt_samples_ = 0;
+  std::int64_t counted_step_ = -1;
+  std::int64_t origin_ns_ = 0;
+  std::optional<std::int64_t> position_ns_;
+};
+
+}  // namespace hrt

@@ -1,0 +1,305 @@
+#include "core/simulation/people.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <deque>
+
+#include "core/exponential.h"
+#include "core/learning.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double bound_deg = 75.0;
+constexpr std::int64_t tick_ns = 1'000'000;
+constexpr double tail_s = 0.3;  // tracked at rest after the motion
+
+// Streams of Draws.
+enum Stream : std::uint32_t { drawing, steering, tracking };
+
+double either_side(double size, Draws& draws) {
+  return draws.uniform() < 0.5 ? -size : size;
+}
+
+template <IllusionFamily family>
+void illusion(PersonCondition& condition, double scale_deg) {
+  condition.person.illusion.family = family;
+  condition.person.illusion.scale_deg = scale_deg;
+}
+
+constexpr PeopleFamily all_families[] = {
+    {"linear", "linear illusion, continuous steering", true, [](PersonCondition&, Draws&) {}},
+    {"steps", "the paper's person, steering every 100 ms", true,
+     [](PersonCondition& c, Draws&) {
+       c.person.steering = Steering::steps;
+       c.person.start_direction_deg = 0.0;
+     }},
+    {"predictive", "predict their own motion over the delay", false,
+     [](PersonCondition& c, Draws&) { c.person.steering = Steering::predictive; }},
+    {"clip-60", "illusion saturates at 60°", true,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 60.0); }},
+    {"clip-45", "illusion saturates at 45°", false,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::saturating>(c, 45.0); }},
+    {"tanh-60", "illusion 60° tanh(t / 60°)", true,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::tanh>(c, 60.0); }},
+    {"sine-45", "illusion 45° sin 2t", true,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::sine>(c, 45.0); }},
+    {"dead-band", "nothing felt within 10°", true,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::dead_band>(c, 10.0); }},
+    {"unequal", "half the illusion to the right", false,
+     [](PersonCondition& c, Draws&) { illusion<IllusionFamily::unequal>(c, 45.0); }},
+    {"bias-3", "bias of vision ±3°", true,
+     [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(3.0, d); }},
+    {"bias-6", "bias of vision ±6°", true,
+     [](PersonCondition& c, Draws& d) { c.person.bias_deg = either_side(6.0, d); }},
+    {"own-3", "bias of the felt own direction ±3°", true,
+     [](PersonCondition& c, Draws& d) { c.person.own_bias_deg = either_side(3.0, d); }},
+    {"habit-5", "habit of curving by ±5°", true,
+     [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(5.0, d); }},
+    {"habit-10", "habit of curving by ±10°", false,
+     [](PersonCondition& c, Draws& d) { c.person.habit_deg = either_side(10.0, d); }},
+    {"place", "seek the virtual target's place", false,
+     [](PersonCondition& c, Draws&) { c.person.steering = Steering::place; }},
+    {"heavy-arm", "a mass of 1 kg, muscles of 40 ms, feedback after 80 ms", false,
+     [](PersonCondition& c, Draws&) {
+       c.person.steering = Steering::heavy_arm;
+       c.person.delay_s = 0.08;
+     }},
+    {"crossings", "ridges felt only as they are crossed", false,
+     [](PersonCondition& c, Draws&) { c.person.steering = Steering::crossings; }},
+    {"drift", "w_T drifts by ±0.05 within a reach", true,
+     [](PersonCondition& c, Draws& d) { c.person.weight_drift = either_side(0.05, d); }},
+    {"even", "even pace", true, [](PersonCondition& c, Draws&) { c.person.pace = Pace::even; }},
+    {"skewed", "early peak of speed", true, [](PersonCondition& c, Draws&) { c.person.pace = Pace::skewed; }},
+    {"stop-and-go", "two rests of 0.3 s", false,
+     [](PersonCondition& c, Draws&) { c.person.pace = Pace::stop_and_go; }},
+    {"pause", "a rest of 0.6 s", false, [](PersonCondition& c, Draws&) { c.person.pace = Pace::pause; }},
+    {"two-parts", "two motions, one after the other", false,
+     [](PersonCondition& c, Draws&) { c.person.pace = Pace::two_parts; }},
+    {"reversal", "overshoot by a tenth and come back", false,
+     [](PersonCondition& c, Draws&) { c.person.pace = Pace::reversal; }},
+    {"path-5", "path 5 % (SD) too long or too short", false,
+     [](PersonCondition& c, Draws& d) { c.person.path_scale = 1.0 + 0.05 * d.normal(); }},
+    {"noise-100", "tracker noise correlated over 100 ms", true,
+     [](PersonCondition& c, Draws&) {
+       c.tracker.white_m = 0.0;
+       c.tracker.correlated_m = 0.0012;
+     }},
+    {"noise-300", "tracker noise correlated over 300 ms", false,
+     [](PersonCondition& c, Draws&) {
+       c.tracker.white_m = 0.0;
+       c.tracker.correlated_m = 0.0012;
+       c.tracker.correlation_s = 0.3;
+     }},
+    {"outliers", "3 % of positions off by 30 mm", false,
+     [](PersonCondition& c, Draws&) { c.tracker.outlier_share = 0.03; }},
+    {"dropouts", "tracking lost for 0.1 s, every third of a second", false,
+     [](PersonCondition& c, Draws&) { c.tracker.dropout_share = 0.03; }},
+    {"slow-tracker", "30 Hz, uneven", false,
+     [](PersonCondition& c, Draws&) {
+       c.tracker.rate_hz = 30.0;
+       c.tracker.jitter_share = 0.5;
+     }},
+    {"slow-plate", "plate at 250°/s, believed 400", false,
+     [](PersonCondition& c, Draws&) { c.plate.max_speed_deg_s = 250.0; }},
+    {"late-plate", "plate 30 ms later than believed", false,
+     [](PersonCondition& c, Draws&) { c.plate.latency_ns = 60'000'000; }},
+    {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
+     [](PersonCondition& c, Draws& d) {
+       illusion<IllusionFamily::saturating>(c, 60.0);
+       c.person.bias_deg = either_side(2.0, d);
+       c.person.habit_deg = either_side(3.0, d);
+       c.tracker.white_m = 0.0006;
+       c.tracker.correlated_m = 0.00104;
+     }},
+};
+
+// A tracker in use.
+class Tracker {
+ public:
+  Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws)
+      : model_(model), about_(about), draws_(draws) {
+    right_m_ = model.correlated_m * draws_.normal();
+    away_m_ = model.correlated_m * draws_.normal();
+  }
+
+  /// Sees the finger if a sample is due at `time_s`.
+  void look(double time_s, const PlatePoint& finger) {
+    if (time_s < next_s_) return;
+    const double period_s = 1.0 / model_.rate_hz;
+    next_s_ += period_s * (1.0 + model_.jitter_share * (2.0 * draws_.uniform() - 1.0));
+    const double kept = exponential(-period_s / model_.correlation_s);
+    const double fresh_m = model_.correlated_m * std::sqrt(1.0 - kept * kept);
+    right_m_ = kept * right_m_ + fresh_m * draws_.normal();
+    away_m_ = kept * away_m_ + fresh_m * draws_.normal();
+    const double right_m = model_.scale * (finger.right_m - about_.right_m);
+    const double away_m = model_.scale * (finger.away_m - about_.away_m);
+    const double sine = sin_deg(model_.turned_deg);
+    const double cosine = cos_deg(model_.turned_deg);
+    PlatePoint seen{
+        about_.right_m + cosine * right_m - sine * away_m + right_m_ + model_.white_m * draws_.normal(),
+        about_.away_m + sine * right_m + cosine * away_m + away_m_ + model_.white_m * draws_.normal()};
+    if (draws_.uniform() < model_.outlier_share) {
+      seen.right_m += 0.03 * draws_.normal();
+      seen.away_m += 0.03 * draws_.normal();
+    }
+    lost_ = lost_ ? draws_.uniform() >= 0.1 : draws_.uniform() < model_.dropout_share;
+    under_way_.push_back({.time_ns = std::llround((time_s + model_.latency_s) * 1e9),
+                          .observation = lost_ ? Observation::none : Observation::position,
+                          .position = seen});
+  }
+
+  /// The next sample that has come by `time_ns`; none if there is none.
+  std::optional<FingerSample> arrived(std::int64_t time_ns) {
+    if (under_way_.empty() || under_way_.front().time_ns > time_ns) return std::nullopt;
+    const FingerSample sample = under_way_.front();
+    under_way_.pop_front();
+    return sample;
+  }
+
+ private:
+  TrackerModel model_;
+  PlatePoint about_;
+  Draws draws_;
+  double next_s_ = 0.0;
+  double right_m_, away_m_;  // correlated noise
+  bool lost_ = false;
+  std::deque<FingerSample> under_way_;
+};
+
+PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
+                             std::uint32_t index, std::uint32_t reach_number) {
+  const PlatePoint start{0.0, 0.0};
+  Draws draws(seed, tracking, index, reach_number);
+  const double rest_s = 0.4 + 0.4 * draws.uniform();
+  Tracker tracker(condition.tracker, start, draws);
+  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
+                       Draws(seed, steering, index, reach_number));
+  PlateModel plate(condition.plate, 0.0);
+  plate.advance(0);
+  if (controller) {
+    controller->begin({.real_direction_deg = condition.real_direction_deg,
+                       .virtual_direction_deg = condition.virtual_direction_deg,
+                       .plate_orientation_deg = 0.0,
+                       .start = start,
+                       .real_distance_m = condition.distance_m});
+    plate.command(controller->command().plate_orientation_deg);
+  }
+  double peak_deg = 0.0;
+  double ended_s = -1.0;
+  for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
+    const double now_s = 1e-9 * static_cast<double>(now_ns);
+    plate.advance(now_ns);
+    if (now_s > rest_s && !person.done()) {
+      person.advance(plate.orientation_deg());
+      if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
+        peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
+    }
+    if (person.done() && ended_s < 0.0) ended_s = now_s;
+    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s) break;
+    tracker.look(now_s, person.position());
+    while (const auto sample = tracker.arrived(now_ns)) {
+      if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
+    }
+  }
+  const double error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
+  return {.bearing_error_deg = error_deg,
+          .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
+          .peak_felt_error_deg = peak_deg,
+          .summary = controller ? controller->summary() : ReachSummary{}};
+}
+
+}  // namespace
+
+std::span<const PeopleFamily> people_families() {
+  return all_families;
+}
+
+const PeopleFamily* people_family(const char* name) {
+  for (const PeopleFamily& family : all_families)
+    if (std::strcmp(family.name, name) == 0) return &family;
+  return nullptr;
+}
+
+PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed,
+                            std::uint32_t index) {
+  Draws draws(seed, drawing, index, static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
+  PersonCondition condition;
+  Person& person = condition.person;
+  person.illusion.tactile_weight = 0.12 + 0.18 * draws.uniform();
+  person.gain_per_s = 5.0 + 7.0 * draws.uniform();
+  person.delay_s = 0.12 * draws.uniform();
+  person.duration_s = duration_s;
+  condition.virtual_direction_deg = either_side(5.0, draws);
+  condition.real_direction_deg = -condition.virtual_direction_deg;
+  person.start_direction_deg = condition.virtual_direction_deg * draws.uniform() + draws.normal();
+  family.set(condition, draws);
+  return condition;
+}
+
+bool can_hold(const PersonCondition& condition) {
+  const Person& person = condition.person;
+  const double gap_deg =
+      condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;
+  return largest_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
+}
+
+std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
+                                           const RetargeterConfig* controller, int reaches,
+                                           std::uint64_t seed, std::uint32_t index) {
+  std::vector<PersonOutcome> outcomes;
+  RetargeterConfig config = controller ? *controller : RetargeterConfig{};
+  for (int i = 0; i < reaches; ++i) {
+    Retargeter retargeter(config);
+    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
+                                      static_cast<std::uint32_t>(i)));
+    if (const auto learnt = retargeter.learnt()) config.person = carried(*learnt, unknown_person());
+  }
+  return outcomes;
+}
+
+RetargeterConfig people_controller() {
+  RetargeterConfig config;
+  config.mode = ControlMode::reach;
+  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
+  return config;
+}
+
+RetargeterConfig informed_controller(const PersonCondition& condition) {
+  using T = PersonTrait;
+  RetargeterConfig config = people_controller();
+  config.plate = condition.plate;
+  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
+  const Person& person = condition.person;
+  PersonBelief& belief = config.person;
+  const auto know = [&belief](int trait, double mean, double sd) {
+    belief.covariance.row(trait).setZero();
+    belief.covariance.col(trait).setZero();
+    belief.mean(trait) = mean;
+    belief.covariance(trait, trait) = sd * sd;
+  };
+  // The cubic that has the person's shift at 35 and at 70 degrees.
+  const double near_slope = felt_shift_deg(person.illusion, 35.0) / 35.0;
+  const double far_slope = felt_shift_deg(person.illusion, 70.0) / 70.0;
+  const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
+  know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.003);
+  know(T::curve, curve, 0.005);
+  know(T::gain, person.gain_per_s, 0.5);
+  know(T::bias, person.bias_deg - person.own_bias_deg, 0.2);
+  know(T::habit, person.habit_deg, 0.2);
+  know(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
+  know(T::log_rate, -logarithm(person.duration_s), 0.05);
+  know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
+  belief.wander_sd_deg = 0.5;
+  return config;
+}
+
+RetargeterConfig paper_controller() {
+  RetargeterConfig config;
+  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
+  return config;
+}
+
+}  // namespace hrt

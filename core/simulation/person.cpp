@@ -1,0 +1,225 @@
+#include "core/simulation/person.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/perception.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double tick_s = 0.001;
+constexpr double ridge_spacing_m = 0.01;
+constexpr double least_felt_speed_m_s = 0.0005;
+constexpr double rad_per_deg = std::numbers::pi / 180.0;
+
+double minimum_jerk(double u) {
+  u = std::clamp(u, 0.0, 1.0);
+  return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+}
+
+// The clock of a person who stops it for `rest_s` when it stands at `at_s`.
+double with_rest(double time_s, double at_s, double rest_s) {
+  return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
+}
+
+std::uint64_t mix(std::uint64_t x) {
+  x += 0x9e3779b97f4a7c15U;
+  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
+  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+}  // namespace
+
+double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
+  const double t = wrap_deg(offset_deg, 180.0);
+  const double w = illusion.tactile_weight;
+  const double scale = illusion.scale_deg;
+  switch (illusion.family) {
+    case IllusionFamily::linear:
+      return w * t;
+    case IllusionFamily::saturating:
+      return w * std::clamp(t, -scale, scale);
+    case IllusionFamily::sine:
+      return w * scale * sin_deg(2.0 * t);
+    case IllusionFamily::tanh:
+      return w * scale * std::tanh(t / scale);
+    case IllusionFamily::dead_band:
+      return w * std::copysign(std::max(0.0, std::abs(t) - scale), t);
+    case IllusionFamily::unequal:
+      return t > 0.0 ? w * t : 0.5 * w * t;
+  }
+  return 0.0;
+}
+
+double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
+  double largest = 0.0;
+  for (double t = 0.0; t <= bound_deg; t += 0.5)
+    largest = std::max(largest, std::copysign(1.0, sign) * felt_shift_deg(illusion, std::copysign(t, sign)));
+  return largest;
+}
+
+Draws::Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)
+    : state_(mix(mix(mix(seed) ^ stream) ^ (static_cast<std::uint64_t>(person) << 32U | reach))) {}
+
+double Draws::uniform() {
+  state_ += 0x9e3779b97f4a7c15U;
+  return static_cast<double>(mix(state_) >> 11U) * 0x1p-53;
+}
+
+double Draws::normal() {
+  if (has_spare_) {
+    has_spare_ = false;
+    return spare_;
+  }
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
+  const double angle = 2.0 * std::numbers::pi * uniform();
+  spare_ = radius * std::sin(angle);
+  has_spare_ = true;
+  return radius * std::cos(angle);
+}
+
+SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
+                             double distance_m, Draws draws)
+    : person_(person),
+      start_(start),
+      virtual_direction_deg_(virtual_direction_deg),
+      distance_m_(distance_m * person.path_scale),
+      draws_(draws),
+      position_(start),
+      felt_position_(start),
+      direction_deg_(person.start_direction_deg),
+      felt_deg_(person.start_direction_deg),
+      goal_deg_(virtual_direction_deg + person.bias_deg + person.habit_deg) {
+  felt_history_.fill(goal_deg_);
+}
+
+double SlidingPerson::total_s() const {
+  switch (person_.pace) {
+    case Pace::stop_and_go:
+      return person_.duration_s + 0.6;
+    case Pace::pause:
+      return person_.duration_s + 0.6;
+    case Pace::reversal:
+      return person_.duration_s * 1.4;
+    default:
+      return person_.duration_s;
+  }
+}
+
+double SlidingPerson::progress(double time_s) const {
+  const double d = person_.duration_s;
+  switch (person_.pace) {
+    case Pace::minimum_jerk:
+      return minimum_jerk(time_s / d);
+    case Pace::even:
+      return std::clamp(time_s / d, 0.0, 1.0);
+    case Pace::skewed: {
+      const double u = std::clamp(time_s / d, 0.0, 1.0);
+      return minimum_jerk(u * (1.0 + 0.4 * (1.0 - u)));
+    }
+    case Pace::stop_and_go:
+      return minimum_jerk(with_rest(with_rest(time_s, 0.35 * d, 0.3), 0.7 * d, 0.3) / d);
+    case Pace::pause:
+      return minimum_jerk(with_rest(time_s, 0.5 * d, 0.6) / d);
+    case Pace::two_parts:
+      return 0.6 * minimum_jerk(time_s / (0.55 * d)) + 0.4 * minimum_jerk((time_s - 0.55 * d) / (0.45 * d));
+    case Pace::reversal:
+      return 1.1 * minimum_jerk(time_s / d) - 0.1 * minimum_jerk((time_s - d) / (0.4 * d));
+  }
+  return 0.0;
+}
+
+void SlidingPerson::advance(double plate_orientation_deg) {
+  if (done_) return;
+  const double before = progress(time_s_);
+  time_s_ += tick_s;
+  ++millisecond_;
+  const double s = progress(time_s_);
+  const double travel_m = distance_m_ * (s - before);
+  speed_m_s_ = travel_m / tick_s;
+
+  // Motion along the present direction; a heavy arm is pulled that way.
+  if (person_.steering == Steering::heavy_arm) {
+    constexpr double damping_n_s_m = 20.0;
+    constexpr double muscle_s = 0.04;
+    const double wanted_right_n =
+        damping_n_s_m * (-speed_m_s_ * sin_deg(direction_deg_) - velocity_right_m_s_);
+    const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cos_deg(direction_deg_) - velocity_away_m_s_);
+    force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / muscle_s;
+    force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / muscle_s;
+    velocity_right_m_s_ += force_right_n_ * tick_s;
+    velocity_away_m_s_ += force_away_n_ * tick_s;
+    position_.right_m += velocity_right_m_s_ * tick_s;
+    position_.away_m += velocity_away_m_s_ * tick_s;
+  } else {
+    position_.right_m -= travel_m * sin_deg(direction_deg_);
+    position_.away_m += travel_m * cos_deg(direction_deg_);
+  }
+  const double speed =
+      std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
+  const double motion_deg = person_.steering == Steering::heavy_arm && speed > 0.002
+                                ? atan2_deg(-velocity_right_m_s_, velocity_away_m_s_)
+                                : direction_deg_;
+
+  SimulatedIllusion illusion = person_.illusion;
+  illusion.tactile_weight =
+      std::clamp(illusion.tactile_weight + person_.weight_drift * (time_s_ / total_s()), 0.01, 0.49);
+  const double offset_deg = plate_orientation_deg - motion_deg;
+  double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
+  if (person_.steering == Steering::crossings) {
+    ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
+    crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / 0.3;
+    if (ridge_travel_m_ >= ridge_spacing_m) {
+      ridge_travel_m_ -= ridge_spacing_m;
+      crossed_shift_deg_ = shift_deg;
+    }
+    shift_deg = crossed_shift_deg_;
+  }
+  felt_deg_ = motion_deg + person_.own_bias_deg + shift_deg;
+
+  goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
+  if (person_.steering == Steering::place) {
+    felt_position_.right_m -= travel_m * sin_deg(felt_deg_);
+    felt_position_.away_m += travel_m * cos_deg(felt_deg_);
+    const PlatePoint target{start_.right_m - distance_m_ * sin_deg(virtual_direction_deg_),
+                            start_.away_m + distance_m_ * cos_deg(virtual_direction_deg_)};
+    if (distance_m(felt_position_, target) > 0.15 * distance_m_) {
+      goal_deg_ += bearing_deg(felt_position_, target) - virtual_direction_deg_;
+    }
+  }
+
+  const double noise_deg = std::sqrt(person_.noise_deg2_per_s * tick_s) * draws_.normal();
+  // A finger at rest feels no motion to steer.
+  if (std::abs(speed_m_s_) < least_felt_speed_m_s) {
+    felt_history_.fill(person_.steering == Steering::predictive ? felt_deg_ - motion_deg : felt_deg_);
+  } else if (person_.steering == Steering::steps) {
+    if (millisecond_ % 100 == 0) {
+      constexpr double motor_deg2 = 0.5;
+      const double prior = perceived_variance_deg2_ + motor_deg2;
+      const double gain = prior / (prior + 0.1);
+      perceived_variance_deg2_ = (1.0 - gain) * prior;
+      direction_deg_ += -gain * (felt_deg_ - goal_deg_) +
+                        std::sqrt(motor_deg2 + perceived_variance_deg2_) * draws_.normal();
+    }
+  } else {
+    const double own_shift = felt_deg_ - motion_deg;  // of touch and of bias, apart from the direction itself
+    felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] =
+        person_.steering == Steering::predictive ? own_shift : felt_deg_;
+    const int delay =
+        std::clamp(static_cast<int>(std::lround(person_.delay_s / tick_s)), 0, history_size - 1);
+    double delayed = goal_deg_;
+    if (millisecond_ > delay) {
+      delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
+      if (person_.steering == Steering::predictive) delayed += direction_deg_;
+      direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
+    }
+    direction_deg_ += noise_deg;
+  }
+  done_ = time_s_ >= total_s() + (person_.steering == Steering::heavy_arm ? 0.25 : 0.0);
+}
+
+}  // namespace hrt

@@ -1,0 +1,137 @@
+// A simulated person who slides a fingertip over the plate: how they feel the ridges, where they mean to go,
+// how they steer, and at what pace. Each part is chosen apart from the others. Nothing here is the model of
+// the controller: results over such people say how the controller does with people who are not its model.
+//
+// Angles are degrees counter-clockwise from the mid-line; t is the ridge normal less the direction of motion,
+// folded to within 90 degrees.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "core/plate_frame.h"
+
+namespace hrt {
+
+/// How far the ridges shift the felt direction, as a function of t.
+enum class IllusionFamily {
+  linear,      ///< w t
+  saturating,  ///< w t within `scale_deg`, constant beyond
+  sine,        ///< w scale_deg sin 2t
+  tanh,        ///< w scale_deg tanh(t / scale_deg)
+  dead_band,   ///< nothing within scale_deg of 0, w (|t| - scale_deg) beyond
+  unequal,     ///< w t to the left, half of w t to the right
+};
+
+struct SimulatedIllusion {
+  IllusionFamily family = IllusionFamily::linear;
+  double tactile_weight = 0.2;  ///< w, in (0, 0.5)
+  double scale_deg = 45.0;      ///< > 0; see the family
+};
+
+/// Felt less true direction of motion for the plate `offset_deg` from the motion; any finite angle, period
+/// 180.
+double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
+
+/// The largest shift with the plate within `bound_deg` of the motion that raises the felt direction (`sign` >
+/// 0) or lowers it.
+double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
+
+enum class Steering {
+  steps,       ///< paper section II-A, every 100 ms
+  continuous,  ///< dP/dt = -k (felt(time - delay) - goal) + noise
+  predictive,  ///< as continuous, and they know their own P without delay
+  place,  ///< as continuous, towards the virtual target's place as seen from where they feel the finger is
+  heavy_arm,  ///< a mass of 1 kg, muscles of 40 ms, feedback after the delay
+  crossings,  ///< as continuous; ridges are felt only when the finger crosses one, every 10 mm
+};
+
+enum class Pace {
+  minimum_jerk,  ///< 10 u^3 - 15 u^4 + 6 u^5
+  even,
+  skewed,       ///< minimum jerk that peaks at two fifths of the time
+  stop_and_go,  ///< minimum jerk whose clock stands still for 0.3 s at 35 and at 70 % of it
+  pause,        ///< minimum jerk whose clock stands still for 0.6 s at half of it
+  two_parts,    ///< minimum jerk to 60 % of the path, then again to the end
+  reversal,     ///< overshoots by a tenth of the path and comes back
+};
+
+struct Person {
+  SimulatedIllusion illusion;
+  Steering steering = Steering::continuous;
+  double gain_per_s = 9.0;           ///< k
+  double delay_s = 0.06;             ///< of what is felt
+  double noise_deg2_per_s = 8.0;     ///< of the direction of motion
+  double start_direction_deg = 0.0;  ///< of the first motion
+  double bias_deg = 0.0;             ///< goal less virtual direction
+  double own_bias_deg = 0.0;         ///< added to what they feel of their own direction
+  double habit_deg = 0.0;            ///< goal bends by habit (1 - 2 s) over the path s
+  double weight_drift = 0.0;         ///< w changes by this from the start of a reach to its end
+  Pace pace = Pace::minimum_jerk;
+  double duration_s = 1.5;  ///< > 0, without pauses
+  double path_scale = 1.0;  ///< length of the path over the distance asked for
+};
+
+/// A 64-bit stream of normal draws, for one reach.
+class Draws {
+ public:
+  Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach);
+  double normal();
+  /// Uniform in [0, 1).
+  double uniform();
+
+ private:
+  std::uint64_t state_;
+  double spare_ = 0.0;
+  bool has_spare_ = false;
+};
+
+/// One reach of a person. Advances in milliseconds.
+class SlidingPerson {
+ public:
+  /// At rest at `start`, told to go `distance_m` to the virtual target in `virtual_direction_deg`.
+  SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
+                double distance_m, Draws draws);
+
+  /// One millisecond of the motion with the plate at `plate_orientation_deg` at its end.
+  void advance(double plate_orientation_deg);
+
+  bool done() const { return done_; }
+  const PlatePoint& position() const { return position_; }
+  double speed_m_s() const { return speed_m_s_; }
+  double direction_deg() const { return direction_deg_; }
+  /// Felt direction less the virtual target's.
+  double felt_error_deg() const { return felt_deg_ - virtual_direction_deg_; }
+  /// Felt direction less the direction they mean to go.
+  double intended_error_deg() const { return felt_deg_ - goal_deg_; }
+  double elapsed_s() const { return time_s_; }
+
+ private:
+  double progress(double time_s) const;
+  double total_s() const;
+
+  Person person_;
+  PlatePoint start_;
+  double virtual_direction_deg_;
+  double distance_m_;
+  Draws draws_;
+  PlatePoint position_;
+  PlatePoint felt_position_;
+  double direction_deg_;
+  double velocity_right_m_s_ = 0.0, velocity_away_m_s_ = 0.0;  // heavy arm
+  double force_right_n_ = 0.0, force_away_n_ = 0.0;
+  double speed_m_s_ = 0.0;
+  double time_s_ = 0.0;
+  double felt_deg_;
+  double goal_deg_;
+  double crossed_shift_deg_ = 0.0;
+  double ridge_travel_m_ = 0.0;
+  double perceived_variance_deg2_ = 0.0;  // steps
+  int millisecond_ = 0;
+  bool done_ = false;
+  static constexpr int history_size = 256;
+  std::array<double, history_size> felt_history_{};
+};
+
+}  // namespace hrt
