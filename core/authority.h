@@ -3,6 +3,8 @@
 // at rest the participant feels the goal, so w_T T + (1 - w_T) P = theta_V.
 #pragma once
 
+#include "core/illusion.h"
+
 namespace hrt {
 
 /// What can be held for one pair of targets and one participant. Angles in degrees.
@@ -22,5 +24,9 @@ double largest_gap_deg(double tactile_weight, double plate_bound_deg);
 /// Authority over the pair of directions, any finite degrees. Ranges as for largest_gap_deg().
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg);
+
+/// What can be held with the plate within `bound_deg` of the motion, for a person of this illusion.
+Authority authority_about_motion(double real_direction_deg, double goal_direction_deg,
+                                 const Illusion& illusion, double bound_deg);
 
 }  // namespace hrt

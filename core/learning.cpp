@@ -10,7 +10,6 @@ using T = PersonTrait;
 
 // Deviations by which a person may have changed since the last reach.
 constexpr double change[T::count] = {0.008, 0.012, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1};
-constexpr double later_wander_sd_deg = 0.75;
 
 }  // namespace
 

@@ -40,6 +40,14 @@ PersonBelief known_person(double tactile_weight, double bias_deg) {
   return belief;
 }
 
+LinearIllusion linear_illusion(const PersonBelief& belief) {
+  constexpr double share = (60.0 / 75.0) * (60.0 / 75.0);
+  const auto& covariance = belief.covariance;
+  const double variance = covariance(T::weight, T::weight) - 2.0 * share * covariance(T::weight, T::curve) +
+                          share * share * covariance(T::curve, T::curve);
+  return {belief.mean(T::weight) - share * belief.mean(T::curve), std::sqrt(variance > 0.0 ? variance : 0.0)};
+}
+
 bool is_valid(const PersonBelief& belief) {
   if (!belief.mean.allFinite() || !belief.covariance.allFinite()) return false;
   if (!(belief.wander_sd_deg > 0.0 && belief.wander_sd_deg <= 10.0)) return false;

@@ -36,6 +36,16 @@ PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_s
 /// The same, with illusion and bias taken as known.
 PersonBelief known_person(double tactile_weight, double bias_deg);
 
+/// The fast part of the goal on a person's later reaches.
+inline constexpr double later_wander_sd_deg = 0.75;
+
+/// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees.
+struct LinearIllusion {
+  double weight;
+  double weight_sd;
+};
+LinearIllusion linear_illusion(const PersonBelief& belief);
+
 /// True if the mean is finite and in its range, and the covariance positive definite.
 bool is_valid(const PersonBelief& belief);
 

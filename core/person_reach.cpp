@@ -12,8 +12,6 @@ namespace hrt {
 namespace {
 
 constexpr double mm_per_m = 1000.0;
-// The illusion's weight is reported for this offset, within the range of human data.
-constexpr double reported_offset_share = 0.64;  // (60 / 75)^2
 // Beyond this share of the time nothing that the plate does is answered any more.
 constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
@@ -168,7 +166,6 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   using F = PersonFilter;
   const F& filter = estimator_.filter();
   const F::State& x = filter.state();
-  const auto& covariance = filter.covariance();
   const PlaceMm place_mm = estimator_.place();
   const PlatePoint place{place_mm.right_mm / mm_per_m, place_mm.away_mm / mm_per_m};
   const bool begun = estimator_.motion() != FingerMotion::resting;
@@ -179,17 +176,15 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   const bool ends = begun && (!moving || x(F::phase) >= last_phase);
   const double miss_deg =
       ends ? bearing_deg(reach_.start, place) - reach_.real_direction_deg : decision_.predicted_miss_deg;
-  constexpr double s = reported_offset_share;
+  const LinearIllusion linear = linear_illusion(filter.belief());
   return {
       .plate_orientation_deg = decision_.plate.orientation_deg,
       .finger_direction_deg = x(F::direction),
       .perceived_direction_deg = felt_deg,
       .aimed_direction_deg =
           to_go_m > 0.1 * reach_.real_distance_m ? bearing_deg(place, target_) : command_.aimed_direction_deg,
-      .tactile_weight = x(F::weight) - s * x(F::curve),
-      .tactile_weight_sd =
-          deviation(covariance(F::weight, F::weight) - 2.0 * s * covariance(F::weight, F::curve) +
-                    s * s * covariance(F::curve, F::curve)),
+      .tactile_weight = linear.weight,
+      .tactile_weight_sd = linear.weight_sd,
       .distance_to_go_m = to_go_m,
       .time_to_go_s = ends ? 0.0 : decision_.time_to_go_s,
       .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,

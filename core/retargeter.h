@@ -68,6 +68,8 @@ class Retargeter {
   /// The last one; begin()'s before the first sample.
   PlateCommand command() const { return person_ ? person_->command() : command_; }
   ReachSummary summary() const;
+  /// The reach is led by the controller for people.
+  bool leads_person() const { return person_.has_value(); }
   /// What the reach says of the person, for carried(); none if it ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
   std::optional<PersonBelief> learnt() const { return person_ ? person_->learnt() : std::nullopt; }

@@ -11,11 +11,17 @@ namespace {
 
 hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
                            const hrt_target_config& real, const hrt_target_config& virtual_) {
-  const double goal_deg = goal_direction_deg(to_core(session.config()).participant,
-                                             view(session.config(), virtual_).direction_deg);
-  const double gap_deg = wrap_deg(goal_deg - view(session.config(), real).direction_deg, 360.0);
-  const Authority authority = steering_authority(
-      goal_deg - gap_deg, goal_deg, session.config().tactile_weight, session.config().plate_bound_deg);
+  const hrt_session_config& config = session.config();
+  const RetargeterConfig core = to_core(config);
+  const bool arrival = core.mode == ControlMode::reach;
+  const double bias_deg = arrival ? core.person.mean(PersonTrait::bias) : config.bias_deg;
+  const double goal_deg = view(config, virtual_).direction_deg + bias_deg;
+  const double gap_deg = wrap_deg(goal_deg - view(config, real).direction_deg, 360.0);
+  const Authority paper =
+      steering_authority(goal_deg - gap_deg, goal_deg, config.tactile_weight, config.plate_bound_deg);
+  const Authority authority = arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg,
+                                                               illusion_of(config), config.motion_bound_deg)
+                                      : paper;
   return {
       .struct_size = sizeof(hrt_authority),
       .reachable = authority.reachable ? 1u : 0u,
@@ -26,6 +32,7 @@ hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_t
       .margin_deg = authority.margin_deg,
       .plate_orientation_deg = authority.plate_orientation_deg,
       .settling_direction_deg = authority.settling_direction_deg,
+      .paper_largest_gap_deg = paper.largest_gap_deg,
   };
 }
 

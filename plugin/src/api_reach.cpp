@@ -12,6 +12,7 @@ constexpr hrt_reach_config default_reach_config{
     .real_target = {0},
     .virtual_target = {0},
     .plate_orientation_deg = 0.0,
+    .duration_s = 0.0,
 };
 
 }  // namespace

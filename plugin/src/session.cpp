@@ -1,10 +1,69 @@
 #include "plugin/src/session.h"
 
+#include <cmath>
+
 #include "core/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 
 namespace hrt::plugin {
+namespace {
+
+// The last line of defence: false, and 0 in its place, if a value is no finite number.
+template <class Struct, std::size_t count>
+bool make_finite(Struct& values, double Struct::*const (&fields)[count]) {
+  bool finite = true;
+  for (double Struct::*field : fields) {
+    if (std::isfinite(values.*field)) continue;
+    values.*field = 0.0;
+    finite = false;
+  }
+  return finite;
+}
+
+bool make_finite(hrt_command& command, double held_orientation_deg) {
+  using C = hrt_command;
+  const bool plate_finite = std::isfinite(command.plate_orientation_deg);
+  if (!plate_finite) command.plate_orientation_deg = held_orientation_deg;
+  const bool finite =
+      make_finite(command, {&C::finger_direction_deg, &C::perceived_direction_deg, &C::aimed_direction_deg,
+                            &C::distance_to_go_m, &C::tactile_weight, &C::tactile_weight_sd, &C::time_to_go_s,
+                            &C::felt_error_deg, &C::predicted_miss_deg, &C::normalised_innovation});
+  if (finite && plate_finite) return true;
+  command.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
+  return false;
+}
+
+bool make_finite(hrt_reach_summary& summary) {
+  using S = hrt_reach_summary;
+  const bool finite = make_finite(summary, {&S::final_direction_deg,
+                                            &S::final_miss_deg,
+                                            &S::perceived_direction_deg,
+                                            &S::perceived_error_deg,
+                                            &S::distance_to_target_m,
+                                            &S::tactile_weight,
+                                            &S::tactile_weight_sd,
+                                            &S::tracker_noise_m,
+                                            &S::motor_variance_deg2,
+                                            &S::motor_variance_sd_deg2,
+                                            &S::bearing_error_deg,
+                                            &S::peak_felt_error_deg,
+                                            &S::rms_felt_error_deg,
+                                            &S::normalised_innovation,
+                                            &S::illusion_curve,
+                                            &S::illusion_curve_sd,
+                                            &S::gain_per_s,
+                                            &S::gain_sd_per_s,
+                                            &S::bias_deg,
+                                            &S::bias_sd_deg,
+                                            &S::habit_deg,
+                                            &S::habit_sd_deg,
+                                            &S::duration_s});
+  if (!finite) summary.flags |= HRT_COMMAND_FAULT;
+  return finite;
+}
+
+}  // namespace
 
 Session::Session(const hrt_session_config& checked_config)
     : config_(checked_config), retargeter_(to_core(checked_config)) {}
@@ -29,6 +88,7 @@ hrt_result Session::resolve(const hrt_reach_config& config, Reach* out) const {
   HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION));
   const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
   if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
+  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
 
   const hrt_target_config* real_target = nullptr;
   const hrt_target_config* virtual_target = nullptr;
@@ -47,6 +107,7 @@ hrt_result Session::resolve(const hrt_reach_config& config, Reach* out) const {
       .plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_,
       .start = {.right_m = start_m[0], .away_m = -start_m[2]},
       .real_distance_m = real.distance_m,
+      .duration_s = config.duration_s,
   };
   return HRT_OK;
 }
@@ -67,7 +128,7 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   retargeter_.begin(reach);
   plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   reaching_ = true;
-  sampled_ = false;
+  sampled_ = faulty_ = false;
   reach_ = reach;
   return HRT_OK;
 }
@@ -82,8 +143,9 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   retargeter_.update(observe(config_, sample, &flags));
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
-  plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
   *out_command = command(flags);
+  if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = true;
+  plate_orientation_deg_ = out_command->plate_orientation_deg;
   return HRT_OK;
 }
 
@@ -96,6 +158,10 @@ hrt_command Session::command(std::uint32_t flags) const {
     flags |= HRT_COMMAND_SATURATED;
   if (command.active == ActiveBound::rate_down || command.active == ActiveBound::rate_up)
     flags |= HRT_COMMAND_RATE_LIMITED;
+  if (!command.optimal) flags |= HRT_COMMAND_APPROXIMATE;
+  if (command.misfit) flags |= HRT_COMMAND_MISFIT;
+  if (command.off_target) flags |= HRT_COMMAND_OFF_TARGET;
+  if (command.resting) flags |= HRT_COMMAND_RESTING;
   return {
       .struct_size = sizeof(hrt_command),
       .flags = flags,
@@ -107,6 +173,10 @@ hrt_command Session::command(std::uint32_t flags) const {
       .distance_to_go_m = command.distance_to_go_m,
       .tactile_weight = command.tactile_weight,
       .tactile_weight_sd = command.tactile_weight_sd,
+      .time_to_go_s = command.time_to_go_s,
+      .felt_error_deg = command.felt_error_deg,
+      .predicted_miss_deg = command.predicted_miss_deg,
+      .normalised_innovation = command.nis,
   };
 }
 
@@ -114,11 +184,24 @@ hrt_result Session::end(hrt_reach_summary* out_summary) {
   HRT_RETURN_IF_FAILED(check_reach());
   reaching_ = false;
   const ReachSummary summary = retargeter_.summary();
+  *out_summary = to_c(summary);
+  faulty_ = !make_finite(*out_summary) || faulty_;
+  if (faulty_) return HRT_OK;  // it teaches nothing
+  if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(summary.estimate);
+  return HRT_OK;
+}
+
+hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
   const FingerEstimate& estimate = summary.estimate;
-  const bool adapts = config_.adaptation != HRT_ADAPTATION_OFF;
-  *out_summary = {
+  const bool learns_variance = config_.adaptation != HRT_ADAPTATION_OFF && !summary.person;
+  const PersonEstimate person = summary.person.value_or(PersonEstimate{});
+  std::uint32_t flags = 0;
+  if (summary.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
+  if (summary.misfit) flags |= HRT_COMMAND_MISFIT;
+  if (summary.off_target) flags |= HRT_COMMAND_OFF_TARGET;
+  return {
       .struct_size = sizeof(hrt_reach_summary),
-      .reserved = 0,
+      .flags = flags,
       .samples = summary.samples,
       .dropped_samples = summary.dropped_samples,
       .steps = summary.steps,
@@ -133,20 +216,37 @@ hrt_result Session::end(hrt_reach_summary* out_summary) {
       .tactile_weight = estimate.tactile_weight,
       .tactile_weight_sd = estimate.tactile_weight_sd,
       .tracker_noise_m = estimate.tracker_noise_m,
-      .motor_variance_deg2 = adapts ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
-      .motor_variance_sd_deg2 = adapts ? estimate.motor_variance_sd_deg2 : 0.0,
+      .motor_variance_deg2 = learns_variance ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
+      .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0,
+      .bearing_error_deg = summary.bearing_error_deg,
+      .peak_felt_error_deg = summary.peak_felt_error_deg,
+      .rms_felt_error_deg = summary.rms_felt_error_deg,
+      .normalised_innovation = summary.nis,
+      .illusion_curve = person.curve,
+      .illusion_curve_sd = person.curve_sd,
+      .gain_per_s = person.gain_s,
+      .gain_sd_per_s = person.gain_sd_s,
+      .bias_deg = person.bias_deg,
+      .bias_sd_deg = person.bias_sd_deg,
+      .habit_deg = person.habit_deg,
+      .habit_sd_deg = person.habit_sd_deg,
+      .duration_s = person.duration_s,
   };
-  if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(estimate);
-  return HRT_OK;
 }
 
 void Session::carry(const FingerEstimate& estimate) {
-  const RetargeterConfig next = carried(to_core(config_), estimate);
-  config_.tactile_weight = next.participant.tactile_weight;
-  config_.tactile_weight_sd = next.estimator.tactile_weight_sd;
-  config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
-  config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
-  retargeter_ = Retargeter(next);
+  if (retargeter_.leads_person()) {
+    const auto learnt = retargeter_.learnt();
+    if (!learnt) return;
+    write_person(carried(*learnt, unknown_person()), &config_);
+  } else {
+    const RetargeterConfig next = carried(to_core(config_), estimate);
+    config_.tactile_weight = next.participant.tactile_weight;
+    config_.tactile_weight_sd = next.estimator.tactile_weight_sd;
+    config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
+    config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
+  }
+  retargeter_ = Retargeter(to_core(config_));
 }
 
 }  // namespace hrt::plugin

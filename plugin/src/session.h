@@ -37,6 +37,7 @@ class Session {
  private:
   hrt_result resolve(const hrt_reach_config& config, Reach* out) const;
   hrt_command command(std::uint32_t finger_flags) const;
+  hrt_reach_summary to_c(const ReachSummary& summary) const;
   void carry(const FingerEstimate& estimate);
 
   hrt_session_config config_;
@@ -44,6 +45,7 @@ class Session {
   Reach reach_{};
   bool reaching_ = false;
   bool sampled_ = false;  // the reach has had a sample
+  bool faulty_ = false;   // a value of the reach was not finite
   std::int64_t last_time_ns_ = 0;
   double plate_orientation_deg_ = 0.0;
 };

@@ -1,6 +1,7 @@
 #include "plugin/src/session_config.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "plugin/src/abi/checks.h"
@@ -29,12 +30,16 @@ constexpr NumberField all_number_fields[] = {
     {"tracker_noise_m", &C::tracker_noise_m, 0.0, 0.1, true},
     {"plate_radius_m", &C::plate_radius_m, 1e-3, largest_coordinate_m, false},
     {"lift_height_m", &C::lift_height_m, 1e-4, largest_coordinate_m, false},
+    {"max_felt_error_deg", &C::max_felt_error_deg, 0.1, 45.0, false},
+    {"motion_bound_deg", &C::motion_bound_deg, 1.0, 89.0, false},
 };
 
 constexpr VectorField all_vector_fields[] = {
-    {"start_position_m", offsetof(C, start_position_m), 3},
-    {"plate_position_m", offsetof(C, plate_position_m), 3},
-    {"plate_rotation", offsetof(C, plate_rotation), 4},
+    {"start_position_m", offsetof(C, start_position_m), 3, false},
+    {"plate_position_m", offsetof(C, plate_position_m), 3, false},
+    {"plate_rotation", offsetof(C, plate_rotation), 4, false},
+    {"person_mean", offsetof(C, person_mean), HRT_PERSON_TRAITS, true},
+    {"person_covariance", offsetof(C, person_covariance), HRT_PERSON_COVARIANCES, true},
 };
 
 bool turns_freely(const C& config) {
@@ -43,6 +48,30 @@ bool turns_freely(const C& config) {
 
 // The core squares it; the square of less would lose its digits, or be 0.
 constexpr double least_tracker_noise_m = 1e-9;
+
+constexpr double default_tactile_weight = 0.2;
+
+static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_LOG_RATE == PersonTrait::log_rate &&
+              HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
+
+bool knows_person(const C& config) {
+  return std::any_of(std::begin(config.person_covariance), std::end(config.person_covariance),
+                     [](double covariance) { return covariance != 0.0; });
+}
+
+PersonBelief person_of(const C& config) {
+  if (config.adaptation == HRT_ADAPTATION_OFF && !knows_person(config))
+    return known_person(config.tactile_weight, config.bias_deg);
+  PersonBelief belief = unknown_person(config.tactile_weight, config.tactile_weight_sd, config.bias_deg);
+  if (!knows_person(config)) return belief;
+  belief.wander_sd_deg = later_wander_sd_deg;
+  const double* covariance = config.person_covariance;
+  for (int i = 0; i < PersonTrait::count; ++i) {
+    belief.mean(i) = config.person_mean[i];
+    for (int j = 0; j <= i; ++j) belief.covariance(i, j) = belief.covariance(j, i) = *covariance++;
+  }
+  return belief;
+}
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -66,9 +95,9 @@ hrt_session_config default_session_config() {
       .horizon = static_cast<std::uint32_t>(core.mpc.horizon),
       .step_period_ns = core.step_period_ns,
       .control = HRT_CONTROL_MPC,
-      .guidance = HRT_GUIDANCE_LINE_OF_SIGHT,
-      .adaptation = HRT_ADAPTATION_OFF,
-      .reserved = 0,
+      .guidance = HRT_GUIDANCE_ARRIVAL,
+      .adaptation = HRT_ADAPTATION_CARRIED,
+      .flags = 0,
       .perceived_weight = core.mpc.perceived_weight,
       .actual_weight = core.mpc.actual_weight,
       .plate_bound_deg = core.mpc.plate_bound_deg,
@@ -78,7 +107,7 @@ hrt_session_config default_session_config() {
       .plate_lower_stop_deg = 0.0,
       .plate_upper_stop_deg = 0.0,
       .fixed_plate_orientation_deg = core.fixed_plate_orientation_deg,
-      .tactile_weight = core.participant.tactile_weight,
+      .tactile_weight = default_tactile_weight,
       .tactile_weight_sd = core.estimator.tactile_weight_sd,
       .motor_variance_deg2 = core.participant.motor_variance_deg2,
       .sensory_variance_deg2 = core.participant.sensory_variance_deg2,
@@ -91,6 +120,11 @@ hrt_session_config default_session_config() {
       .plate_rotation = {0.0, 0.0, 0.0, 1.0},
       .bias_deg = 0.0,
       .motor_variance_sd_deg2 = core.estimator.motor_variance_sd_deg2,
+      .max_felt_error_deg = core.reach.max_felt_error_deg,
+      .motion_bound_deg = core.reach.bound_deg,
+      .tracker_latency_ns = 0,
+      .person_mean = {},
+      .person_covariance = {},
   };
 }
 
@@ -100,11 +134,13 @@ hrt_result check_session_config(const hrt_session_config& config) {
       check_range<std::int64_t>("step_period_ns", config.step_period_ns, 1'000'000, 10'000'000'000));
   HRT_RETURN_IF_FAILED(
       check_range<unsigned>("control", config.control, HRT_CONTROL_MPC, HRT_CONTROL_FIXED_PLATE));
-  HRT_RETURN_IF_FAILED(check_range<unsigned>("guidance", config.guidance, HRT_GUIDANCE_FIXED_DIRECTION,
-                                             HRT_GUIDANCE_LINE_OF_SIGHT));
+  HRT_RETURN_IF_FAILED(
+      check_range<unsigned>("guidance", config.guidance, HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL));
   HRT_RETURN_IF_FAILED(
       check_range<unsigned>("adaptation", config.adaptation, HRT_ADAPTATION_OFF, HRT_ADAPTATION_CARRIED));
-  HRT_RETURN_IF_FAILED(check_zero("reserved", config.reserved));
+  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_SESSION_PLATE_WAITS));
+  HRT_RETURN_IF_FAILED(
+      check_range<std::int64_t>("tracker_latency_ns", config.tracker_latency_ns, 0, 500'000'000));
   HRT_RETURN_IF_FAILED(
       check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0,
                                 std::min<std::int64_t>(max_lead * config.step_period_ns, 1'000'000'000)));
@@ -113,6 +149,11 @@ hrt_result check_session_config(const hrt_session_config& config) {
   if (!turns_freely(config) && config.plate_upper_stop_deg - config.plate_lower_stop_deg < 180.0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate_upper_stop_deg,
                 "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
+  if (knows_person(config) && !is_valid(person_of(config)))
+    return fail(
+        HRT_ERROR_OUT_OF_RANGE,
+        "person_mean and person_covariance are no belief; allowed: finite numbers, weight in 0 to 1, and the "
+        "lower triangle of a positive definite matrix, or person_covariance all 0");
   HRT_RETURN_IF_FAILED(check_position("start_position_m", config.start_position_m));
   return check_plate_pose(config.plate_position_m, config.plate_rotation);
 }
@@ -133,10 +174,10 @@ RetargeterConfig to_core(const hrt_session_config& config) {
               .perceived_weight = config.perceived_weight,
               .actual_weight = config.actual_weight,
               .plate_bound_deg = config.plate_bound_deg},
-      .mode = config.control == HRT_CONTROL_FIXED_PLATE ? ControlMode::fixed_plate : ControlMode::mpc,
+      .mode = config.control == HRT_CONTROL_FIXED_PLATE ? ControlMode::fixed_plate
+              : config.guidance == HRT_GUIDANCE_ARRIVAL ? ControlMode::reach
+                                                        : ControlMode::mpc,
       .fixed_plate_orientation_deg = config.fixed_plate_orientation_deg,
-      .guidance = config.guidance == HRT_GUIDANCE_LINE_OF_SIGHT ? GuidanceMode::line_of_sight
-                                                                : GuidanceMode::fixed_direction,
       .estimator = {.adapt = config.adaptation != HRT_ADAPTATION_OFF,
                     .tactile_weight_sd = config.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
@@ -149,7 +190,28 @@ RetargeterConfig to_core(const hrt_session_config& config) {
                 .stops = {.lower_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
                           .upper_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg}},
       .step_period_ns = config.step_period_ns,
+      .person = person_of(config),
+      .reach = {.bound_deg = config.motion_bound_deg, .max_felt_error_deg = config.max_felt_error_deg},
+      .tracker_latency_ns = config.tracker_latency_ns,
+      .plate_waits = (config.flags & HRT_SESSION_PLATE_WAITS) != 0,
   };
+}
+
+void write_person(const PersonBelief& belief, hrt_session_config* config) {
+  using T = PersonTrait;
+  double* covariance = config->person_covariance;
+  for (int i = 0; i < T::count; ++i) {
+    config->person_mean[i] = belief.mean(i);
+    for (int j = 0; j <= i; ++j) *covariance++ = belief.covariance(i, j);
+  }
+  const LinearIllusion linear = linear_illusion(belief);
+  config->tactile_weight = std::clamp(linear.weight, 0.001, 0.499);
+  config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, most_weight_sd);
+}
+
+Illusion illusion_of(const hrt_session_config& config) {
+  if (!knows_person(config)) return {config.tactile_weight, 0.0};
+  return {config.person_mean[HRT_PERSON_WEIGHT], config.person_mean[HRT_PERSON_CURVE]};
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {

@@ -26,6 +26,7 @@ struct VectorField {
   const char* name;
   std::size_t offset;
   std::size_t size;
+  bool of_participant;  ///< part of a profile
 };
 std::span<const VectorField> vector_fields();
 
@@ -37,6 +38,13 @@ hrt_result check_session_config(const hrt_session_config& config);
 /// Reads what a caller gave, of any version, and checks it. `*config` holds what is taken for fields that an
 /// older version lacks.
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
+
+/// Writes what is believed of the person into person_mean, person_covariance, tactile_weight and its
+/// deviation.
+void write_person(const PersonBelief& belief, hrt_session_config* config);
+
+/// What is believed of the person's illusion: linear unless person_covariance holds something.
+Illusion illusion_of(const hrt_session_config& config);
 
 /// Of a checked configuration.
 RetargeterConfig to_core(const hrt_session_config& checked_config);

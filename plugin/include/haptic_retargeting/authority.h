@@ -1,7 +1,11 @@
 /*
  * Steering authority: the largest gap between two targets that the plate can sustain, computed before a
- * reach. Once settled, the user feels tactile_weight times the plate orientation (base.h) plus 1 -
- * tactile_weight times the finger's direction. The plate's bound therefore limits the gap.
+ * reach. Once settled, the user feels the finger's direction plus the felt shift of the ridges, and that is
+ * the virtual direction: the largest gap is the largest felt shift within the plate's bound. Under
+ * GUIDANCE_ARRIVAL the bound is about the motion and the shift that of the person's illusion: 11.25 degrees
+ * for a linear one of weight 0.15 within 75. Under FIXED_DIRECTION, as in the paper, the bound is about the
+ * virtual direction: 14.9 for the same weight within 84.5. Published human data cover angles of the plate up
+ * to 60.
  */
 #ifndef HAPTIC_RETARGETING_AUTHORITY_H
 #define HAPTIC_RETARGETING_AUTHORITY_H
@@ -19,9 +23,9 @@ typedef struct hrt_authority {
   uint32_t reachable;
   hrt_target real_target;
   hrt_target virtual_target;
-  /** The virtual direction plus hrt_session_config::bias_deg, minus the real direction; in [-180, 180). */
+  /** The virtual direction plus the person's bias, minus the real direction; in [-180, 180). */
   double gap_deg;
-  /** Largest gap, to either side, that the session's tactile weight and plate bound can sustain. */
+  /** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
   double largest_gap_deg;
   /** largest_gap_deg minus the size of the gap; negative: unreachable. */
   double margin_deg;
@@ -29,6 +33,8 @@ typedef struct hrt_authority {
   double plate_orientation_deg;
   /** Direction in which the finger settles: the real target's, if reachable. */
   double settling_direction_deg;
+  /** largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
+  double paper_largest_gap_deg;
 } hrt_authority;
 
 /** Computes the authority over a pair. [one-thread] */

@@ -27,6 +27,9 @@ typedef struct hrt_reach_config {
   hrt_target virtual_target;
   /** Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default 0. */
   double plate_orientation_deg;
+  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is learnt from the
+   * finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version 0.3. */
+  double duration_s;
 } hrt_reach_config;
 
 /** hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
@@ -70,6 +73,16 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see authority.h */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
+/** The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE, are not to
+ * be trusted. */
+#define HRT_COMMAND_MISFIT UINT32_C(128)
+/** The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real target. */
+#define HRT_COMMAND_OFF_TARGET UINT32_C(256)
+#define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
+#define HRT_COMMAND_APPROXIMATE \
+  UINT32_C(1024) /**< the solver's work was cut short; the command keeps its bounds */
+/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
+#define HRT_COMMAND_FAULT UINT32_C(2048)
 
 /** Command for the plate, and its reasons. Set `struct_size` before the call. */
 typedef struct hrt_command {
@@ -94,12 +107,27 @@ typedef struct hrt_command {
   double tactile_weight;
   /** Standard deviation of tactile_weight; 0: taken as known. */
   double tactile_weight_sd;
+  /** Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION. Since version 0.3.
+   */
+  double time_to_go_s;
+  /** Felt minus intended direction now, as estimated: what the person could notice. For visual redirection
+   * about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. Since version 0.3. */
+  double felt_error_deg;
+  /** Predicted bearing of the place of arrival, seen from the start, minus the real target's; 0 under
+   *  FIXED_DIRECTION. Since version 0.3. */
+  double predicted_miss_deg;
+  /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits,
+   *  MISFIT from 5. 0 under FIXED_DIRECTION. Since version 0.3. */
+  double normalised_innovation;
 } hrt_command;
 
 /** Result of a reach. Set `struct_size` before the call. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  uint32_t reserved;
+  /** HRT_COMMAND_UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended. A reach
+   * that ends off target without a flag is what these flags are to prevent. Named `reserved` before version
+   * 0.3. */
+  uint32_t flags;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
   int64_t dropped_samples;
@@ -128,6 +156,27 @@ typedef struct hrt_reach_summary {
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little
    *  data; 0: taken as known. Since version 0.2. */
   double motor_variance_sd_deg2;
+  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions. This
+   * and the following: 0 under FIXED_DIRECTION, since version 0.3. */
+  double bearing_error_deg;
+  /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
+  double peak_felt_error_deg;
+  double rms_felt_error_deg;
+  /** Largest hrt_command::normalised_innovation. */
+  double normalised_innovation;
+  /** What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An illusion_curve of
+   * more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees only.
+   */
+  double illusion_curve;
+  double illusion_curve_sd;
+  double gain_per_s;
+  double gain_sd_per_s;
+  double bias_deg;
+  double bias_sd_deg;
+  double habit_deg;
+  double habit_sd_deg;
+  /** Duration of the motion, as estimated. */
+  double duration_s;
 } hrt_reach_summary;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
@@ -138,8 +187,9 @@ HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32
 HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the
- *  command once in a step period, a position at every sample: each one refines the estimate of the current
- *  step. Steps without samples are predicted, at most 64 in a call. Errors: WRONG_STATE without a reach,
+ *  command once in a step period, a position at every sample: each one refines the estimate. Under
+ *  GUIDANCE_ARRIVAL the samples before the motion matter: they give the start, and the tracker's noise. Steps
+ *  without samples are predicted, at most 64 in a call. Errors: WRONG_STATE without a reach,
  *  OUT_OF_RANGE naming the field, TIME_REVERSED. [real-time] */
 HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                     hrt_command* out_command) HRT_NOEXCEPT;

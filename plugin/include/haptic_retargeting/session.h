@@ -24,21 +24,48 @@ typedef struct hrt_session {
 #define HRT_CONTROL_MPC 0         /**< the model-predictive controller */
 #define HRT_CONTROL_FIXED_PLATE 1 /**< a plate that does not turn, as a baseline */
 
-/** Direction to which the controller steers the finger. */
-#define HRT_GUIDANCE_FIXED_DIRECTION 0 /**< the real target's, seen from the start */
-/** From the finger to the real target; constant over the last fifth of the path. Needs positions: with
- *  directions alone this is FIXED_DIRECTION. */
+/** What the controller steers the finger to, and so which controller it is. */
+/** The real target's direction, seen from the start: the controller of the paper, for the person of its
+ * model. */
+#define HRT_GUIDANCE_FIXED_DIRECTION 0
+/** The real target's place, at arrival: the controller for people. It takes the pace of the motion, the whole
+ *  curve of the illusion, bias, habits and the tracker's noise as unknown, and learns them. Needs positions:
+ *  in a reach with directions alone this is FIXED_DIRECTION. Measured on simulated people only. */
+#define HRT_GUIDANCE_ARRIVAL 1
+/** Name of ARRIVAL in version 0.2, whose line of sight it replaces. */
 #define HRT_GUIDANCE_LINE_OF_SIGHT 1
 
-/** Learning of the tactile weight and the motor variance. */
-#define HRT_ADAPTATION_OFF 0 /**< both are taken as known */
-/** The tactile weight is learnt within each reach. The summary also has the motor variance of the reach. */
+/** Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
+ * and the motor variance. */
+#define HRT_ADAPTATION_OFF 0 /**< tactile_weight and bias_deg are taken as known, the illusion as linear */
+/** The person is learnt within each reach, which begins with what the configuration says of them. */
 #define HRT_ADAPTATION_REACH 1
-/** As REACH; the end of a reach also writes tactile_weight, motor_variance_deg2 and their deviations into
- *  the configuration. Deviations stay at or above 0.01 and 0.1, because people change. One reach changes
- *  the motor variance by a factor of 2 at most, within 0.05 to 5; if clamped to it, its deviation is
- *  unchanged. */
+/** As REACH; the end of a reach also writes what it has learnt into the configuration, widened, because
+ * people change: person_mean and person_covariance, tactile_weight and its deviation. A reach that ends early
+ * or that the model does not fit (HRT_COMMAND_MISFIT) writes nothing. Under FIXED_DIRECTION it writes
+ * tactile_weight and motor_variance_deg2; one reach changes the latter by a factor of 2 at most. */
 #define HRT_ADAPTATION_CARRIED 2
+
+/** hrt_session_config::flags. */
+/** The plate stays where it stands until the finger moves. Otherwise it turns to where the first moment of
+ * the motion wants it as soon as a reach begins, which brings more fast reaches to the target. Set this if
+ * the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
+#define HRT_SESSION_PLATE_WAITS UINT32_C(1)
+
+/** Traits of a person, in this order, in hrt_session_config::person_mean. */
+#define HRT_PERSON_WEIGHT 0 /**< w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t */
+#define HRT_PERSON_CURVE 1  /**< b: 0 for a linear illusion */
+#define HRT_PERSON_GAIN 2   /**< rate at which they correct the direction they feel, 1/s */
+#define HRT_PERSON_BIAS 3   /**< goal minus virtual direction, degrees */
+#define HRT_PERSON_HABIT \
+  4 /**< curving: the goal's turn at the start, minus that at the end, halved, degrees */
+#define HRT_PERSON_EVENNESS 5 /**< of the pace: 0 minimum jerk, 1 even */
+#define HRT_PERSON_HEADING 6  /**< share of the goal's direction in which they set out */
+#define HRT_PERSON_LOG_RATE 7 /**< natural logarithm of one over a reach's duration in seconds */
+/** Number of traits. */
+#define HRT_PERSON_TRAITS 8
+/** Numbers in the lower triangle of their covariance. */
+#define HRT_PERSON_COVARIANCES 36
 
 /** Configuration of a session. hrt_session_config_default() fills every field. */
 typedef struct hrt_session_config {
@@ -51,11 +78,12 @@ typedef struct hrt_session_config {
   int64_t step_period_ns;
   /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
   uint32_t control;
-  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_LINE_OF_SIGHT. */
+  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_ARRIVAL. */
   uint32_t guidance;
-  /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF. */
+  /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_CARRIED. */
   uint32_t adaptation;
-  uint32_t reserved;
+  /** HRT_SESSION_*. Default 0. Named `reserved` before version 0.3. */
+  uint32_t flags;
   /** Cost of the error that the user feels. Raising it keeps the felt direction closer to the virtual one
    *  and steers more slowly. 1e-6 to 1e6. Default 1. */
   double perceived_weight;
@@ -83,10 +111,12 @@ typedef struct hrt_session_config {
    *  orientation with the same ridges. -180 to 180. Default 0. */
   double fixed_plate_orientation_deg;
   /** Share of touch in the direction that the user feels. At a higher weight, the same turn of the plate
-   *  steers the hand further. 0.001 to 0.499. Default 0.15. */
+   *  steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as linear, at 60
+   *  degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2. */
   double tactile_weight;
   /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation
-   *  faster and less steady. 0.001 to 0.49. Default 0.05. */
+   *  faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as uncertain in
+   *  proportion. 0.001 to 0.49. Default 0.05. */
   double tactile_weight_sd;
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more
    *  closely. 1e-9 to 1e4. Default 0.5. */
@@ -113,12 +143,30 @@ typedef struct hrt_session_config {
    *  the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
-   *  direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45. Default 0. Since
-   *  version 0.2. */
+   *  direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default
+   * 0. Since version 0.2. */
   double bias_deg;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation
    *  faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2. */
   double motor_variance_sd_deg2;
+  /** Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended direction, as
+   * predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer targets: of
+   * simulated people, 3.5 costs about 2 reaches in 100. What the person adds, by noise or by being other than
+   * estimated, comes on top. 0.1 to 45. Default 5. Since version 0.3. */
+  double max_felt_error_deg;
+  /** Largest angle between the plate orientation and the finger's direction under GUIDANCE_ARRIVAL. Raising
+   * it allows larger gaps for people whose illusion still grows there; published data cover 60. Never beyond
+   *  the peak of the person's illusion. 1 to 89. Default 75. Since version 0.3. */
+  double motion_bound_deg;
+  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. Since
+   *  version 0.3. */
+  int64_t tracker_latency_ns;
+  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0.
+   *  Default 0. Since version 0.3. */
+  double person_mean[HRT_PERSON_TRAITS];
+  /** Covariance of person_mean: the lower triangle, row by row; positive definite. All 0: an unknown person,
+   * of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since version 0.3. */
+  double person_covariance[HRT_PERSON_COVARIANCES];
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

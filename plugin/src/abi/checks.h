@@ -18,6 +18,12 @@ template <>
 inline constexpr std::uint32_t first_size<hrt_session_config> = 248;
 template <>
 inline constexpr std::uint32_t first_size<hrt_reach_summary> = 120;
+template <>
+inline constexpr std::uint32_t first_size<hrt_reach_config> = 32;
+template <>
+inline constexpr std::uint32_t first_size<hrt_command> = 72;
+static_assert(first_size<hrt_reach_config> == offsetof(hrt_reach_config, duration_s));
+static_assert(first_size<hrt_command> == offsetof(hrt_command, time_to_go_s));
 static_assert(first_size<hrt_session_config> == offsetof(hrt_session_config, bias_deg));
 static_assert(first_size<hrt_reach_summary> == offsetof(hrt_reach_summary, motor_variance_deg2));
 

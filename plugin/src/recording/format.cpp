@@ -11,11 +11,11 @@ namespace hrt::plugin {
 namespace {
 
 constexpr std::string_view header =
-    "# haptic retargeting recording, version 2\n"
+    "# haptic retargeting recording, version 3\n"
     "# Lines that begin with # are comments. Each other line is a call; what a call does not have is empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the "
     "user\n"
-    "# (or the engine's world, as sample_flags tells). Numbers are in full precision. Flags and results: "
+    "# (or the engine's world, as sample_flags says). Numbers are in full precision. Flags and results: "
     "reach.h,\n"
     "# base.h. Columns up to struct_size hold what went in: targets by their numbers in the comments, 0 for "
     "none;\n"
@@ -25,20 +25,23 @@ constexpr std::string_view header =
     "# plate_orientation_deg of a row \"begin\" is where the plate stood.\n"
     "call,result,time_ns,sample_flags,sample_direction_deg,sample_x_m,sample_y_m,sample_z_m,measured_plate_"
     "deg,plate_x_m,plate_y_m,plate_z_m,plate_qx,plate_qy,plate_qz,plate_qw,"
-    "reach_flags,real_target,virtual_target,refused_argument,struct_size,"
+    "reach_flags,real_target,virtual_target,duration_s,refused_argument,struct_size,"
     "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
     "command_flags,step,plate_orientation_deg,finger_direction_deg,perceived_direction_deg,aimed_direction_"
-    "deg,distance_to_go_m,tactile_weight,tactile_weight_sd,"
+    "deg,distance_to_go_m,tactile_weight,tactile_weight_sd,time_to_go_s,felt_error_deg,predicted_miss_deg,"
+    "normalised_innovation,"
     "samples,dropped_samples,steps,predicted_steps,saturated_steps,rate_limited_steps,"
-    "final_miss_deg,perceived_error_deg,tracker_noise_m,motor_variance_deg2,motor_variance_sd_deg2\n";
+    "final_miss_deg,perceived_error_deg,tracker_noise_m,motor_variance_deg2,motor_variance_sd_deg2,"
+    "summary_flags,bearing_error_deg,peak_felt_error_deg,rms_felt_error_deg,illusion_curve,illusion_curve_sd,"
+    "gain_per_s,gain_sd_per_s,bias_deg,bias_sd_deg,habit_deg,habit_sd_deg,duration_learnt_s\n";
 
 // The columns, by what they are of.
 constexpr std::size_t sample_columns = 14;   // from time_ns
-constexpr std::size_t begin_columns = 3;     // from reach_flags
+constexpr std::size_t begin_columns = 4;     // from reach_flags
 constexpr std::size_t refused_columns = 2;   // from refused_argument
 constexpr std::size_t reach_columns = 5;     // from real_direction_deg
-constexpr std::size_t command_columns = 9;   // from command_flags
-constexpr std::size_t summary_columns = 11;  // from samples
+constexpr std::size_t command_columns = 13;  // from command_flags
+constexpr std::size_t summary_columns = 24;  // from samples
 constexpr std::size_t measured_plate_column = 8;
 constexpr std::size_t begin_column = 2 + sample_columns;
 constexpr std::size_t refused_column = begin_column + begin_columns;
@@ -129,7 +132,8 @@ void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   row.put("begin").put(result).skip(measured_plate_column - 2);
   row.put_if((begun.flags & HRT_REACH_PLATE_ORIENTATION) != 0, {begun.plate_orientation_deg});
   row.skip(begin_column - measured_plate_column - 1);
-  row.put(begun.flags).put(begun.real_number).put(begun.virtual_number).skip(refused_columns);
+  row.put(begun.flags).put(begun.real_number).put(begun.virtual_number).put(begun.duration_s);
+  row.skip(refused_columns);
   if (result != HRT_OK) {
     row.skip(reach_columns + command_columns + summary_columns);
     return;
@@ -161,7 +165,9 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
       .put(command.plate_orientation_deg)
       .put(command.finger_direction_deg);
   row.put(command.perceived_direction_deg).put(command.aimed_direction_deg).put(command.distance_to_go_m);
-  row.put(command.tactile_weight).put(command.tactile_weight_sd).skip(summary_columns);
+  row.put(command.tactile_weight).put(command.tactile_weight_sd).put(command.time_to_go_s);
+  row.put(command.felt_error_deg).put(command.predicted_miss_deg).put(command.normalised_innovation);
+  row.skip(summary_columns);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
@@ -174,10 +180,18 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   const hrt_reach_summary& summary = ended.summary;
   row.skip(3).put(summary.final_direction_deg).put(summary.perceived_direction_deg).skip(1);
   row.put(summary.distance_to_target_m).put(summary.tactile_weight).put(summary.tactile_weight_sd);
+  row.skip(3).put(summary.normalised_innovation);
   row.put(summary.samples).put(summary.dropped_samples).put(summary.steps).put(summary.predicted_steps);
   row.put(summary.saturated_steps).put(summary.rate_limited_steps);
   row.put(summary.final_miss_deg).put(summary.perceived_error_deg).put(summary.tracker_noise_m);
-  row.put(summary.motor_variance_deg2).put(summary.motor_variance_sd_deg2);
+  row.put(summary.motor_variance_deg2).put(summary.motor_variance_sd_deg2).put(summary.flags);
+  row.put(summary.bearing_error_deg).put(summary.peak_felt_error_deg).put(summary.rms_felt_error_deg);
+  row.put(summary.illusion_curve)
+      .put(summary.illusion_curve_sd)
+      .put(summary.gain_per_s)
+      .put(summary.gain_sd_per_s);
+  row.put(summary.bias_deg).put(summary.bias_sd_deg).put(summary.habit_deg).put(summary.habit_sd_deg);
+  row.put(summary.duration_s);
 }
 
 template <class What, class Number>
@@ -230,6 +244,7 @@ hrt_result read_begin(const Cells& cells, Record* out) {
   HRT_RETURN_IF_FAILED(read_cell(begin_column, cells[begin_column], &begun.flags));
   HRT_RETURN_IF_FAILED(read_cell(begin_column + 1, cells[begin_column + 1], &begun.real_number));
   HRT_RETURN_IF_FAILED(read_cell(begin_column + 2, cells[begin_column + 2], &begun.virtual_number));
+  HRT_RETURN_IF_FAILED(read_cell(begin_column + 3, cells[begin_column + 3], &begun.duration_s));
   out->call = begun;
   return HRT_OK;
 }

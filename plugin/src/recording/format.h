@@ -35,6 +35,7 @@ struct ReachBegun {
   double plate_orientation_deg;  ///< if flags say that it is given
   std::uint64_t real_number;     ///< 0: none of this session's targets
   std::uint64_t virtual_number;
+  double duration_s;
   Reach reach;  ///< what targets and configuration make of it; only if the call succeeded
 };
 
@@ -60,7 +61,7 @@ struct Record {
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, ReachEnded, Refused> call;
 };
 
-using RecordText = Text<4096>;
+using RecordText = Text<8192>;
 
 /// The first lines of a recording: what it is, what its columns mean, and their names.
 std::string_view recording_header();

@@ -170,6 +170,8 @@ hrt_result read_field(const Field& field, hrt_session_config* config) {
   if (key == "guidance") return read_unsigned(field, &config->guidance);
   if (key == "adaptation") return read_unsigned(field, &config->adaptation);
   if (key == "plate_latency_ns") return read_integer(field, &config->plate_latency_ns);
+  if (key == "tracker_latency_ns") return read_integer(field, &config->tracker_latency_ns);
+  if (key == "flags") return read_unsigned(field, &config->flags);
   for (const NumberField& number : number_fields()) {
     if (key == number.name) return read_number(field, &(config->*number.value));
   }
@@ -182,8 +184,11 @@ hrt_result read_field(const Field& field, hrt_session_config* config) {
 }
 
 bool is_of_participant(const std::string& key) {
-  return std::any_of(number_fields().begin(), number_fields().end(),
-                     [&](const NumberField& number) { return number.of_participant && key == number.name; });
+  return std::any_of(
+             number_fields().begin(), number_fields().end(),
+             [&](const NumberField& number) { return number.of_participant && key == number.name; }) ||
+         std::any_of(vector_fields().begin(), vector_fields().end(),
+                     [&](const VectorField& vector) { return vector.of_participant && key == vector.name; });
 }
 
 }  // namespace
@@ -191,7 +196,8 @@ bool is_of_participant(const std::string& key) {
 void write_config(const hrt_session_config& config, JsonText& out) {
   out << "{\"horizon\":" << config.horizon << ",\"step_period_ns\":" << config.step_period_ns
       << ",\"control\":" << config.control << ",\"guidance\":" << config.guidance
-      << ",\"adaptation\":" << config.adaptation << ",\"plate_latency_ns\":" << config.plate_latency_ns;
+      << ",\"adaptation\":" << config.adaptation << ",\"plate_latency_ns\":" << config.plate_latency_ns
+      << ",\"tracker_latency_ns\":" << config.tracker_latency_ns << ",\"flags\":" << config.flags;
   for (const NumberField& field : number_fields()) out << ",\"" << field.name << "\":" << config.*field.value;
   for (const VectorField& field : vector_fields()) {
     out << ",\"" << field.name << "\":";
@@ -216,7 +222,7 @@ void write_target(const hrt_target_config& target, JsonText& out) {
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  constexpr std::size_t whole_number_fields = 6;
+  constexpr std::size_t whole_number_fields = 8;
   const std::size_t needed = whole_number_fields + number_fields().size() + vector_fields().size();
   if (fields.size() != needed)
     return fail(HRT_ERROR_BAD_FORMAT, "the configuration has ", fields.size(), " fields; ", needed,
@@ -263,6 +269,11 @@ void write_profile(const hrt_session_config& config, JsonText& out) {
   for (const NumberField& field : number_fields()) {
     if (field.of_participant) out << ",\"" << field.name << "\":" << config.*field.value;
   }
+  for (const VectorField& field : vector_fields()) {
+    if (!field.of_participant) continue;
+    out << ",\"" << field.name << "\":";
+    write_array(vector_of(config, field), field.size, out);
+  }
   out << "}\n";
 }
 
@@ -270,6 +281,9 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config) {
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config read = *config;
+  // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
+  std::fill(std::begin(read.person_mean), std::end(read.person_mean), 0.0);
+  std::fill(std::begin(read.person_covariance), std::end(read.person_covariance), 0.0);
   bool has_format = false, has_version = false;
   for (const Field& field : fields) {
     if (field.key == "format") {

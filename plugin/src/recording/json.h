@@ -9,7 +9,7 @@
 
 namespace hrt::plugin {
 
-using JsonText = Text<2048>;
+using JsonText = Text<4096>;
 
 /// Every field of a configuration, in one line.
 void write_config(const hrt_session_config& config, JsonText& out);

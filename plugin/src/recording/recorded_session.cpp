@@ -80,6 +80,7 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
                                      .plate_orientation_deg = config.plate_orientation_deg,
                                      .real_number = number(config.real_target),
                                      .virtual_number = number(config.virtual_target),
+                                     .duration_s = config.duration_s,
                                      .reach = session_.reach()}};
   });
   return result;

@@ -24,9 +24,11 @@ class Hash {
   void add(const hrt_command& command) {
     add(std::uint64_t{command.flags});
     add(static_cast<std::uint64_t>(command.step));
-    for (const double value : {command.plate_orientation_deg, command.finger_direction_deg,
-                               command.perceived_direction_deg, command.aimed_direction_deg,
-                               command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd})
+    for (const double value :
+         {command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
+          command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight,
+          command.tactile_weight_sd, command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg,
+          command.normalised_innovation})
       add(std::bit_cast<std::uint64_t>(value));
   }
   std::uint64_t value() const { return hash_; }
@@ -50,6 +52,7 @@ class Rerun {
         .real_target = target(call.real_number),
         .virtual_target = target(call.virtual_number),
         .plate_orientation_deg = call.plate_orientation_deg,
+        .duration_s = call.duration_s,
     });
     call.reach = session_.reach();
   }
@@ -109,12 +112,14 @@ class Replay {
       std::erase(with_line_feeds, '\r');
       text = with_line_feeds;
     }
-    if (text.starts_with("# haptic retargeting recording, version 1\n"))
-      return fail(
-          HRT_ERROR_BAD_FORMAT,
-          "the recording is of version 1, which version 0.1 of the library replays; this one replays 2");
+    for (const auto& [header, release] : {std::pair{"# haptic retargeting recording, version 1\n", "0.1"},
+                                          std::pair{"# haptic retargeting recording, version 2\n", "0.2"}}) {
+      if (text.starts_with(header))
+        return fail(HRT_ERROR_BAD_FORMAT, "the recording is one that version ", release,
+                    " of the library replays; this one replays recordings of version 3");
+    }
     if (!starts_with_and_drops(text, recording_header()))
-      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 2 does");
+      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
     for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
     while (!text.empty() && !lost_) {
       ++line_number_;
