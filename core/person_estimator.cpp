@@ -34,6 +34,8 @@ constexpr double least_pausing_speed_mm_s = 25.0;
 constexpr double pause_clock_sd_s = 0.07;
 // Of the means that make up ModelFit.
 constexpr double fit_share = 0.05;
+// A stray position is no misfit: a single one counts for no more than this.
+constexpr double fit_cap = 9.0;
 
 double square(double x) {
   return x * x;
@@ -258,7 +260,7 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
   if (nis <= gate) {
     outliers_ = 0;
-    fit_.nis += fit_share * (nis - fit_.nis);
+    fit_.nis += fit_share * (std::min(nis, fit_cap) - fit_.nis);
     const double product =
         innovation.right_mm * last_innovation_.right_mm + innovation.away_mm * last_innovation_.away_mm;
     const double size = 0.5 * (square(innovation.right_mm) + square(innovation.away_mm) +
@@ -272,6 +274,7 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     pause_ = still;
     filter_.place_at(still.right_mm - origin_.right_mm, still.away_mm - origin_.away_mm);
     filter_.loosen_clock(pause_clock_sd_s);
+    fit_ = {};  // the model has words for a rest, only not for when it begins
     outliers_ = 0;
     return true;
   }

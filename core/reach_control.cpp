@@ -16,7 +16,7 @@ constexpr int arrival_nodes = 12;
 // Millimetres of miss a degree of change of the felt shift is worth.
 constexpr double change_weight_mm_deg = 0.08;
 // w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
-constexpr double weight_caution = 0.1;
+constexpr double weight_caution = 0.2;
 
 // The finger as a plan carries it forward.
 struct Motion {
