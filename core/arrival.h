@@ -19,7 +19,7 @@ struct Progress {
 /// At `phase` u, clamped to [0, 1]; `evenness` in [0, 1].
 Progress progress(double evenness, double phase);
 
-/// u where `share` of the path, in [0, 1], lies behind; within 1e-6.
+/// u where `share` of the path, in [0, 1], lies behind; within 1e-5.
 double phase_at(double evenness, double share);
 
 }  // namespace hrt

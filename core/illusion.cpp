@@ -41,9 +41,8 @@ double offset_for_shift(const Illusion& illusion, double shift_deg, double bound
   for (int i = 0; i < 8; ++i) {
     const FeltShift g = felt_shift(illusion, offset_deg);
     (g.shift_deg < wanted_deg ? low_deg : high_deg) = offset_deg;
-    const double next_deg =
-        g.by_offset > 1e-6 ? offset_deg + (wanted_deg - g.shift_deg) / g.by_offset : low_deg;
-    offset_deg = next_deg > low_deg && next_deg < high_deg ? next_deg : 0.5 * (low_deg + high_deg);
+    const double next_deg = g.by_offset > 1e-6 ? offset_deg + (wanted_deg - g.shift_deg) / g.by_offset : -1.0;
+    offset_deg = next_deg >= low_deg && next_deg <= high_deg ? next_deg : 0.5 * (low_deg + high_deg);
   }
   return std::copysign(offset_deg, shift_deg);
 }

@@ -31,6 +31,8 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
 
 PersonBelief carried(const PersonBelief& learnt, const PersonBelief& unknown) {
   PersonBelief next = learnt;
+  // The filter's rounding differs above and below the diagonal.
+  next.covariance = (0.5 * (learnt.covariance + learnt.covariance.transpose())).eval();
   for (int i = 0; i < T::count; ++i) next.covariance(i, i) += change[i] * change[i];
   // Scaling a row and its column keeps the correlations.
   for (int i = 0; i < T::count; ++i) {

@@ -1,6 +1,7 @@
 #include "core/person_belief.h"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 namespace hrt {
@@ -24,6 +25,8 @@ PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, dou
   PersonBelief belief;
   belief.mean << tactile_weight + weight_excess * tactile_weight_sd, curve_mean_ratio * tactile_weight_sd,
       17.0, bias_deg, 0.0, 0.05, 0.2, -0.65;
+  for (int i = 0; i < T::count; ++i)
+    belief.mean(i) = std::clamp(belief.mean(i), trait_range[i].least, trait_range[i].most);
   PersonBelief::Vector sd;
   sd << weight_sd_ratio * tactile_weight_sd, curve_sd_ratio * tactile_weight_sd, 1.5, 1.5, 2.0, 0.35, 0.45,
       0.55;
@@ -49,9 +52,11 @@ LinearIllusion linear_illusion(const PersonBelief& belief) {
 }
 
 bool is_valid(const PersonBelief& belief) {
-  if (!belief.mean.allFinite() || !belief.covariance.allFinite()) return false;
+  for (int i = 0; i < T::count; ++i) {
+    if (!(belief.mean(i) >= trait_range[i].least && belief.mean(i) <= trait_range[i].most)) return false;
+  }
+  if (!belief.covariance.allFinite()) return false;
   if (!(belief.wander_sd_deg > 0.0 && belief.wander_sd_deg <= 10.0)) return false;
-  if (!(belief.mean(T::weight) > 0.0 && belief.mean(T::weight) < 1.0)) return false;
   if (belief.covariance != belief.covariance.transpose()) return false;
   return belief.covariance.llt().info() == Eigen::Success;
 }

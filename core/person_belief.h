@@ -20,6 +20,15 @@ struct PersonTrait {
   };
 };
 
+/// Where a trait is kept during a reach; a belief's mean lies there.
+struct TraitRange {
+  double least;
+  double most;
+};
+inline constexpr TraitRange trait_range[PersonTrait::count] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
+                                                               {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},
+                                                               {-2.0, 2.0},   {-3.0, 2.4}};
+
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;
   using Matrix = Eigen::Matrix<double, PersonTrait::count, PersonTrait::count>;
@@ -29,7 +38,8 @@ struct PersonBelief {
 };
 
 /// A person of whom nothing is known. `tactile_weight` and its standard deviation are those of a linear
-/// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0.
+/// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
+/// ranges.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05,
                             double bias_deg = 0.0);
 
@@ -46,7 +56,7 @@ struct LinearIllusion {
 };
 LinearIllusion linear_illusion(const PersonBelief& belief);
 
-/// True if the mean is finite and in its range, and the covariance positive definite.
+/// True if each mean is in its range, and the covariance finite, symmetric and positive definite.
 bool is_valid(const PersonBelief& belief);
 
 }  // namespace hrt

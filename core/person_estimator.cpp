@@ -25,6 +25,7 @@ constexpr int most_replayed = 6;
 constexpr double onset_deviations = 3.3;
 constexpr double least_onset_mm = 1.0;
 constexpr double onset_sd_s = 0.02;
+constexpr double fit_spacing_s = 0.02;
 // Samples at rest that the assumed noise is worth.
 constexpr double assumed_noise_samples = 40.0;
 // A start this far from the configured one is believed only from a finger at rest.
@@ -36,6 +37,8 @@ constexpr double pause_clock_sd_s = 0.07;
 constexpr double fit_share = 0.05;
 // A stray position is no misfit: a single one counts for no more than this.
 constexpr double fit_cap = 9.0;
+constexpr double recovery_nis = 40.0;
+constexpr double noise_floor_share = 0.5;
 
 double square(double x) {
   return x * x;
@@ -186,6 +189,9 @@ void PersonEstimator::begin_motion(const PlateTrace&) {
   const double log_rate_sd = std::sqrt(belief_.covariance(T::log_rate, T::log_rate));
   const double evenness_sd = std::sqrt(belief_.covariance(T::evenness, T::evenness));
   const double likely_evenness = std::clamp(belief_.mean(T::evenness), 0.0, 1.0);
+  // A sample each fit_spacing_s is enough to tell paces apart.
+  const double spacing_s = (recent(0).time_s - recent(count_ - 1).time_s) / (count_ - 1);
+  const int stride = static_cast<int>(std::clamp(std::ceil(fit_spacing_s / spacing_s), 1.0, 5.0));
   double least_cost = 1e300;
   MotionFit best{belief_.mean(T::log_rate), likely_evenness, seen_s};
   for (int i = 0; i < 3; ++i) {
@@ -194,12 +200,12 @@ void PersonEstimator::begin_motion(const PlateTrace&) {
     const double phase = phase_at(evenness, share);
     for (int j = -6; j <= 6; ++j) {
       const double deviations = 0.4 * j;
-      const double log_rate = belief_.mean(T::log_rate) + deviations * log_rate_sd;
+      const double log_rate = std::clamp(belief_.mean(T::log_rate) + deviations * log_rate_sd,
+                                         trait_range[T::log_rate].least, trait_range[T::log_rate].most);
       const double rate = exponential(log_rate);
       const double onset_s = seen_s - phase / rate;
       double cost = square(deviations) + square((evenness - likely_evenness) / evenness_sd);
-      // Every other sample is enough to tell paces apart.
-      for (int back = 0; back < std::min(count_, 60) && recent(back).time_s > onset_s - 0.1; back += 2) {
+      for (int back = 0; back < count_ && recent(back).time_s > onset_s - 0.1; back += stride) {
         const PlaceMm& place = recent(back).place;
         const double along_mm =
             (place.right_mm - origin_.right_mm) * unit_right + (place.away_mm - origin_.away_mm) * unit_away;
@@ -265,7 +271,9 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
         innovation.right_mm * last_innovation_.right_mm + innovation.away_mm * last_innovation_.away_mm;
     const double size = 0.5 * (square(innovation.right_mm) + square(innovation.away_mm) +
                                square(last_innovation_.right_mm) + square(last_innovation_.away_mm));
-    fit_.correlation += fit_share * (product / std::max(size, 1e-9) - fit_.correlation);
+    // Below the noise a deviation from the model is no misfit, however steady.
+    const double least_mm2 = noise_floor_share * noise_.variance_mm2();
+    fit_.correlation += fit_share * (product / std::max(size, least_mm2) - fit_.correlation);
     last_innovation_ = innovation;
   }
   PlaceMm still{};
@@ -283,6 +291,8 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     filter_.place_at(place.right_mm, place.away_mm);
     filter_.loosen_clock(pause_clock_sd_s);
     outliers_ = 0;
+    // One jump is another finger; several are a motion that the model does not describe.
+    fit_.nis += fit_share * (recovery_nis - fit_.nis);
   }
   return false;
 }

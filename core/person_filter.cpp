@@ -27,10 +27,6 @@ constexpr double resting_density_mm2_s = 0.5;
 // Of the first direction about its share of the goal's.
 constexpr double first_direction_sd_deg = 2.0;
 
-// Where traits are kept; the prior hardly goes there.
-constexpr double least_log_rate = -2.5;  // 12 s
-constexpr double most_log_rate = 1.4;    // 0.25 s
-
 constexpr PersonFilter::Index state_of[PersonTrait::count] = {
     PersonFilter::weight, PersonFilter::curve,    PersonFilter::gain,    PersonFilter::bias,
     PersonFilter::habit,  PersonFilter::evenness, PersonFilter::heading, PersonFilter::log_rate};
@@ -67,10 +63,15 @@ void PersonFilter::begin(double motion_log_rate, double motion_evenness, double 
   covariance_(right, right) = covariance_(away, away) = place_sd_mm * place_sd_mm;
   const double goal = goal_deg();
   state_(direction) = state_(heading) * goal;
-  covariance_.row(direction) = goal * covariance_.row(heading);
-  covariance_.col(direction) = goal * covariance_.col(heading);
-  covariance_(direction, direction) =
-      goal * goal * covariance_(heading, heading) + first_direction_sd_deg * first_direction_sd_deg;
+  // direction = heading G, and G = V + d + dr + c at the start.
+  const double share = state_(heading);
+  covariance_.row(direction) =
+      goal * covariance_.row(heading) +
+      share * (covariance_.row(bias) + covariance_.row(wander) + covariance_.row(habit));
+  covariance_.col(direction) =
+      goal * covariance_.col(heading) +
+      share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
+  covariance_(direction, direction) += first_direction_sd_deg * first_direction_sd_deg;
 }
 
 double PersonFilter::goal_deg(double share, double wander_deg) const {
@@ -218,12 +219,9 @@ PersonBelief PersonFilter::belief() const {
 }
 
 void PersonFilter::keep_in_range() {
-  state_(weight) = std::clamp(state_(weight), 0.01, 0.6);
-  state_(curve) = std::clamp(state_(curve), -0.1, 0.5);
-  state_(gain) = std::clamp(state_(gain), 3.0, 20.0);
-  state_(evenness) = std::clamp(state_(evenness), 0.0, 1.0);
+  for (int i = 0; i < PersonTrait::count; ++i)
+    state_(state_of[i]) = std::clamp(state_(state_of[i]), trait_range[i].least, trait_range[i].most);
   state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
-  state_(log_rate) = std::clamp(state_(log_rate), least_log_rate, most_log_rate);
 }
 
 }  // namespace hrt

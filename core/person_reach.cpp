@@ -12,6 +12,7 @@ namespace hrt {
 namespace {
 
 constexpr double mm_per_m = 1000.0;
+constexpr double most_ns = 9e18;  // of an std::int64_t
 // Beyond this share of the time nothing that the plate does is answered any more.
 constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
@@ -193,7 +194,8 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
       .predicted_miss_deg = miss_deg,
       .nis = estimator_.fit().nis,
-      .step = begun ? static_cast<std::int64_t>((now_s - estimator_.onset_s()) * 1e9) / config_.step_period_ns
+      .step = begun ? static_cast<std::int64_t>(std::min(1e9 * (now_s - estimator_.onset_s()), most_ns)) /
+                          config_.step_period_ns
                     : -1,
       .active = decision_.plate.active,
       .held = !decided,

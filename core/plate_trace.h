@@ -25,7 +25,8 @@ class PlateTrace {
   const Entry& entry(int i) const { return entries_[static_cast<std::size_t>((first_ + i) % capacity)]; }
 
   static constexpr int capacity = 128;
-  static constexpr double least_spacing_s = 0.008;
+  // Of every other entry: together they span a second.
+  static constexpr double least_spacing_s = 0.016;
   std::array<Entry, capacity> entries_{};
   int first_ = 0;
   int count_ = 0;

@@ -70,7 +70,6 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
 struct Arrival {
   double miss_mm;
   double leverage_mm_deg;
-  double time_s;
 };
 
 Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
@@ -81,7 +80,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double step_s = remaining_s / arrival_nodes;
   const double half_kept = exponential(-0.5 * x(F::gain) * step_s);
   const double wander_kept = exponential(-step_s / wander_s);
-  Arrival arrival{from.lateral_mm, 0.0, remaining_s};
+  Arrival arrival{from.lateral_mm, 0.0};
   double direction_deg = from.direction_deg;
   double unsteered = 1.0;  // share of Gamma that the person has not yet answered
   double wander_deg = from.wander_deg;
@@ -119,6 +118,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   shift_deg =
       std::clamp(shift_deg, -error_deg - config.max_felt_error_deg, -error_deg + config.max_felt_error_deg);
 
+  const double moves_s = (1.0 - filter.state()(F::phase)) / exponential(filter.state()(F::log_rate));
   const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
   const Illusion cautious{.weight = std::max(0.03, filter.state()(F::weight) - weight_caution * weight_sd),
                           .curve = filter.state()(F::curve)};
@@ -127,11 +127,7 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,
-          .time_to_go_s =
-              arrival.time_s + std::max(0.0, 1.0) * (outlook.now_s + outlook.latency_s + sensory_delay_s +
-                                                     outlook.slew_s - outlook.now_s),
-          .path_to_go_mm = filter.path_mm() *
-                           (1.0 - progress(filter.state()(F::evenness), filter.state()(F::phase)).share),
+          .time_to_go_s = std::max(0.0, moves_s - (outlook.now_s - filter_s)),
           .at_bound = given_deg != shift_deg};
 }
 

@@ -43,7 +43,6 @@ struct ReachPlan {
   double felt_error_deg;  ///< felt less intended direction once the plate stands there
   double miss_mm;  ///< across the line to the real target at arrival, left positive, if the plate does so
   double time_to_go_s;
-  double path_to_go_mm;
   bool at_bound;  ///< more shift is wanted than the plate may give
 };
 

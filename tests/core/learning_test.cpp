@@ -36,5 +36,34 @@ TEST(Learning, AVarianceFarFromWhatWasAssumedIsClamped) {
   EXPECT_EQ(next.estimator.motor_variance_sd_deg2, 0.5);
 }
 
+PersonBelief scaled_person(double scale) {
+  PersonBelief belief = unknown_person();
+  belief.covariance *= scale * scale;
+  return belief;
+}
+
+TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
+  const PersonBelief unknown = unknown_person();
+  for (const double scale : {1e-3, 0.1, 0.9, 1.0, 30.0}) {
+    const PersonBelief learnt = scaled_person(scale);
+    const PersonBelief next = carried(learnt, unknown);
+    EXPECT_TRUE(is_valid(next)) << scale;
+    EXPECT_LE(next.wander_sd_deg, unknown.wander_sd_deg);
+    for (int i = 0; i < PersonTrait::count; ++i) {
+      EXPECT_LE(next.covariance(i, i), unknown.covariance(i, i) * (1.0 + 1e-12)) << scale << ' ' << i;
+      if (scale < 0.5) {
+        EXPECT_GT(next.covariance(i, i), learnt.covariance(i, i)) << scale << ' ' << i;
+      }
+    }
+  }
+}
+
+TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
+  PersonBelief learnt = scaled_person(0.5);
+  learnt.covariance(PersonTrait::weight, PersonTrait::curve) *= 1.0 + 1e-13;
+  EXPECT_FALSE(is_valid(learnt));
+  EXPECT_TRUE(is_valid(carried(learnt, unknown_person())));
+}
+
 }  // namespace
 }  // namespace hrt
