@@ -27,7 +27,9 @@ constexpr double least_onset_mm = 1.0;
 constexpr double onset_sd_s = 0.02;
 constexpr double fit_spacing_s = 0.02;
 // Samples at rest that the assumed noise is worth.
-constexpr double assumed_noise_samples = 40.0;
+constexpr double assumed_noise_samples = 30.0;
+// A finger further from the mean than this many deviations of the noise is about to leave.
+constexpr double resting_deviations = 3.0;
 // A start this far from the configured one is believed only from a finger at rest.
 constexpr double start_tolerance_mm = 15.0;
 constexpr int still_samples = 10;
@@ -146,38 +148,40 @@ void PersonEstimator::watch_rest() {
     rested_ = 1;
     return;
   }
+  step_sum_mm2_ += 0.25 * square_distance(sample.place, recent(1).place);
+  spacing_sum_s_ += sample.time_s - recent(1).time_s;
+  ++steps_;
+  learn_noise();
   const double departure_mm2 = square_distance(sample.place, origin_);
-  if (departure_mm2 > square(2.5) * noise_.variance_mm2() && rested_ > 3) return;
+  if (departure_mm2 > square(resting_deviations) * noise_.variance_mm2() && rested_ > 3) return;
   ++rested_;
   const double share = 1.0 / std::min(rested_ - 1, 60);
   origin_.right_mm += share * (sample.place.right_mm - origin_.right_mm);
   origin_.away_mm += share * (sample.place.away_mm - origin_.away_mm);
   if (rested_ <= 3) return;
   square_sum_mm2_ += 0.5 * departure_mm2;
-  step_sum_mm2_ += 0.25 * square_distance(sample.place, recent(1).place);
-  spacing_sum_s_ += sample.time_s - recent(1).time_s;
-  ++rest_steps_;
+  ++departures_;
 }
 
 // White noise shows in the steps of a resting finger, correlated noise only in its distance from the mean.
 void PersonEstimator::learn_noise() {
-  if (noise_known_ || rest_steps_ < 10) return;
-  const double total_mm2 = square_sum_mm2_ / rest_steps_;
-  const double step_mm2 = step_sum_mm2_ / rest_steps_;
-  const double kept = std::max(0.1, exponential(-spacing_sum_s_ / rest_steps_ / 0.1));
-  const double correlated_mm2 = std::clamp((total_mm2 - step_mm2) / kept, 0.0, total_mm2);
-  const double share = rest_steps_ / (rest_steps_ + assumed_noise_samples);
+  if (noise_known_ || departures_ < 5) return;
+  const double step_mm2 = step_sum_mm2_ / steps_;
+  const double total_mm2 = std::max(step_mm2, square_sum_mm2_ / departures_);
+  const double kept = std::max(0.1, exponential(-spacing_sum_s_ / steps_ / 0.1));
+  const double correlated_mm2 = std::min((total_mm2 - step_mm2) / kept, total_mm2);
+  const double share = steps_ / (steps_ + assumed_noise_samples);
   const auto blend = [share](double assumed_mm, double seen_mm2) {
     return std::max(0.02, std::sqrt((1.0 - share) * square(assumed_mm) + share * seen_mm2));
   };
-  noise_ = {.white_mm = blend(noise_.white_mm, total_mm2 - correlated_mm2),
-            .correlated_mm = blend(noise_.correlated_mm, correlated_mm2)};
+  const TrackerNoise assumed;
+  noise_ = {.white_mm = blend(assumed.white_mm, total_mm2 - correlated_mm2),
+            .correlated_mm = blend(assumed.correlated_mm, correlated_mm2)};
 }
 
 // The motion has been seen. Its rate and evenness decide when it began, since the share of the path that lies
 // behind is known; the samples since the rest decide between them.
 void PersonEstimator::begin_motion(const PlateTrace&) {
-  learn_noise();
   const double seen_s = recent(1).time_s;
   const PlaceMm seen = mean_of_last(3);
   const double travelled_mm = std::sqrt(square_distance(seen, origin_));

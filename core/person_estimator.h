@@ -107,7 +107,8 @@ class PersonEstimator {
   double square_sum_mm2_ = 0.0;
   double step_sum_mm2_ = 0.0;
   double spacing_sum_s_ = 0.0;
-  int rest_steps_ = 0;
+  int steps_ = 0;
+  int departures_ = 0;
 
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;

@@ -115,8 +115,9 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
                                     (leverage * leverage + change_weight_mm_deg * change_weight_mm_deg);
   const Progress p = progress(filter.state()(F::evenness), motion.phase);
   const double error_deg = motion.direction_deg - filter.goal_deg(p.share, motion.wander_deg);
-  shift_deg =
-      std::clamp(shift_deg, -error_deg - config.max_felt_error_deg, -error_deg + config.max_felt_error_deg);
+  // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
+  const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
+  shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
   const double moves_s = (1.0 - filter.state()(F::phase)) / exponential(filter.state()(F::log_rate));
   const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
