@@ -30,6 +30,8 @@ constexpr double fit_spacing_s = 0.02;
 constexpr double assumed_noise_samples = 30.0;
 // A finger further from the mean than this many deviations of the noise is about to leave.
 constexpr double resting_deviations = 3.0;
+// Where the finger rests is the mean over this time.
+constexpr double origin_memory_s = 1.0;
 // A start this far from the configured one is believed only from a finger at rest.
 constexpr double start_tolerance_mm = 15.0;
 constexpr int still_samples = 10;
@@ -155,7 +157,7 @@ void PersonEstimator::watch_rest() {
   const double departure_mm2 = square_distance(sample.place, origin_);
   if (departure_mm2 > square(resting_deviations) * noise_.variance_mm2() && rested_ > 3) return;
   ++rested_;
-  const double share = 1.0 / std::min(rested_ - 1, 60);
+  const double share = std::max(1.0 / (rested_ - 1), spacing_sum_s_ / steps_ / origin_memory_s);
   origin_.right_mm += share * (sample.place.right_mm - origin_.right_mm);
   origin_.away_mm += share * (sample.place.away_mm - origin_.away_mm);
   if (rested_ <= 3) return;
