@@ -1,84 +1,98 @@
-// Robustness to people, trackers and plates other than assumed: four controllers on the same simulated
-// reaches, in the middle case and with one factor at a time changed.
+// How the controllers do on people who are not their model: every family of core/simulation/people.h, at
+// several paces, without a controller, with the paper's and with ours. Results are of simulation.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
-#include "core/simulation/tracked_trial.h"
+#include "core/simulation/people.h"
+#include "samples/study/statistics.h"
 
 namespace hrt::study {
 
-enum class Controller {
-  paper,           ///< assumes w_T = 0.15, a fixed direction and a plate that follows at once
-  adaptive,        ///< learns w_T within the reach and knows its plate
-  adaptive_sight,  ///< that, aimed along the line of sight: what the plugin does with tracked positions
-  informed,  ///< as that, but knows the person's w_T, bias, variances and step period, and the tracker's
-             ///< noise
+/// What leads a reach.
+enum class Leading {
+  none,      ///< no controller: the plate stays at 0
+  paper,     ///< the paper's controller, which assumes w_T = 0.15
+  first,     ///< ours, on the first reach of an unknown person
+  fifth,     ///< ours, on the fifth reach, with what the four before it have learnt
+  informed,  ///< ours, given the person's traits before the first reach
 };
-inline constexpr std::array controllers{Controller::paper, Controller::adaptive, Controller::adaptive_sight,
-                                        Controller::informed};
+inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth,
+                                     Leading::informed};
 
-const char* controller_name(Controller controller);   ///< in CSV and JSON
-const char* controller_title(Controller controller);  ///< in text
+const char* leading_name(Leading leading);   ///< in CSV and JSON
+const char* leading_title(Leading leading);  ///< in text
 
-/// A simulated reach, and the deliberate errors of its controller.
-struct Setting {
-  TrackedCondition condition;  ///< its controller is filled in last
-  /// Variances that are assumed, as multiples of the person's; 0: those assumed by default.
-  double assumed_motor_scale = 0.0;
-  double assumed_sensory_scale = 0.0;
+/// What counts of one reach. Angles in degrees.
+struct ReachResult {
+  bool can_hold;               ///< as can_hold() of the person
+  double bearing_error_deg;    ///< true, of the end
+  double miss_mm;              ///< true, across the real direction; >= 0
+  double peak_felt_error_deg;  ///< true
+  bool unreachable = false;    ///< flags of the reach's summary
+  bool misfit = false;
+  bool off_target = false;
+  bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
+  bool weight_covered = false;    ///< the person's w_T is in the estimate's 95 % interval
+
+  bool near() const;    ///< ends within near_deg of the real target's bearing
+  bool silent() const;  ///< misses, and no flag is raised
 };
 
-/// One thing that is varied; all else is drawn or stands as in the middle case.
-struct Factor {
-  const char* name;   ///< in CSV and JSON, with its unit
-  const char* title;  ///< in text
-  std::vector<double> values;
-  double middle;  ///< the middle case's value; NaN if people differ in it
-  void (*set)(Setting& setting, double value);
-  std::vector<const char*> labels{};  ///< of the values, where they are not numbers
-};
-
-/// The middle case first, as a factor with one value.
-std::span<const Factor> robustness_factors();
-
-/// Results of one controller in the trials of one value of one factor.
+/// Many people's reaches.
 struct RobustnessCell {
-  double direction_percent;    ///< of trials that end within 1.5 deg of the direction wanted
-  double bearing_percent;      ///< of trials that end within 1.5 deg of the target's bearing
-  double miss_median_mm;       ///< across the line to the target
-  double miss_95_mm;           ///< 95 % of trials miss by no more
-  double felt_error_deg;       ///< mean absolute difference of what is felt from the virtual direction
-  double unreachable_percent;  ///< of trials in which the controller says so at the end
+  // Of those who can hold the gap; NaN if there are none.
+  Share near;
+  double miss_median_mm;
+  double miss_95_mm;  ///< 95 % of reaches miss by no more
+  double peak_felt_error_median_deg;
+  Share unreachable_false;
+  Share silent;
+  // Of those who cannot.
+  Share unreachable_found;
+  Share silent_cannot_hold;
+  // Of all.
+  Share misfit;
+  Share off_target;
+  Share weight_covered;  ///< of those whose w_T was estimated
 };
 
-struct RobustnessRow {
-  const Factor* factor;
-  double value;
-  /// People whose w_T can't hold the gap with the plate in its bound, and the median over these of how far
-  /// the nearest direction that can be held misses (0 without any).
-  double beyond_authority_percent;
-  double least_miss_median_mm;
-  std::array<RobustnessCell, controllers.size()> cells;  ///< in the order of `controllers`
+RobustnessCell summarise(std::span<const ReachResult> results);
 
-  std::string label() const;
+/// One family at one pace.
+struct RobustnessRow {
+  const PeopleFamily* family;
+  double duration_s;
+  std::array<RobustnessCell, leadings.size()> cells;  ///< in the order of `leadings`
+
+  const RobustnessCell& cell(Leading leading) const { return cells[static_cast<std::size_t>(leading)]; }
 };
 
 struct RobustnessOptions {
-  std::uint64_t trials = 500;  ///< of each row, the same for each controller
+  std::uint64_t people = 100;  ///< of each family at each duration
+  std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
 };
 
-/// Every value of `factors`. Trial i has the same person and the same random numbers in every row and with
-/// every controller. The same for any number of threads. `progress` is called on this thread.
+/// Every family at every duration, the durations of a family one after another. Person i of a family and
+/// duration is the same with every controller. The same for any number of threads. `progress` is called on
+/// this thread.
 std::vector<RobustnessRow> simulate_robustness(
-    std::span<const Factor> factors, const RobustnessOptions& options,
+    std::span<const PeopleFamily* const> families, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
+
+/// The rows of one duration, in their order.
+std::vector<RobustnessRow> at_duration(std::span<const RobustnessRow> rows, double duration_s);
+
+/// Mean over rows of the percentage within near_deg, each family the same; NaN without any who can hold.
+double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading);
+
+/// One share, of all rows together.
+Share pooled(std::span<const RobustnessRow> rows, Leading leading, Share RobustnessCell::*share);
 
 }  // namespace hrt::study

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace hrt::study {
 
@@ -12,6 +13,26 @@ PercentInterval wilson_interval(double percent, double trials) {
   const double centre = shrink * (p + z * z / (2.0 * trials));
   const double half = shrink * z * std::sqrt(p * (1.0 - p) / trials + z * z / (4.0 * trials * trials));
   return {100.0 * std::max(0.0, centre - half), 100.0 * std::min(1.0, centre + half)};
+}
+
+void Share::count(bool hit) {
+  hits += hit;
+  ++of;
+}
+
+void Share::add(const Share& other) {
+  hits += other.hits;
+  of += other.of;
+}
+
+double Share::percent() const {
+  if (of == 0) return std::numeric_limits<double>::quiet_NaN();
+  return 100.0 * static_cast<double>(hits) / static_cast<double>(of);
+}
+
+PercentInterval Share::interval() const {
+  if (of == 0) return {percent(), percent()};
+  return wilson_interval(percent(), static_cast<double>(of));
 }
 
 double squared_difference(double percent_a, double trials_a, double percent_b, double trials_b) {

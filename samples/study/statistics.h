@@ -1,6 +1,7 @@
 // The statistics that a proportion of successful trials needs.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 namespace hrt::study {
@@ -14,6 +15,17 @@ struct PercentInterval {
 
 /// Wilson's 95 % interval for a proportion seen as `percent` of `trials` > 0 trials.
 PercentInterval wilson_interval(double percent, double trials);
+
+/// A share, counted case by case.
+struct Share {
+  std::uint64_t hits = 0;
+  std::uint64_t of = 0;
+
+  void count(bool hit);
+  void add(const Share& other);
+  double percent() const;            ///< NaN of no cases
+  PercentInterval interval() const;  ///< Wilson's 95 %; NaN of no cases
+};
 
 /// The squared difference of two proportions over its variance, both being estimates of one proportion
 /// (pooled): a chi-squared variable of one degree of freedom. 0 if the two are equal.

@@ -1,6 +1,8 @@
 // hrt-study authority: the gaps that the plate can sustain, over the tactile weight.
 #include "core/authority.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "samples/study/arguments.h"
@@ -10,33 +12,62 @@
 namespace hrt::study {
 namespace {
 
+// Ridges within this of the motion are what studies with people have covered.
+constexpr double human_data_deg = 60.0;
+
 struct Options {
   std::vector<double> tactile_weights{0.02, 0.05, 0.1, 0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.45};
   std::vector<double> gaps_deg{2, 4, 6, 8, 10, 12, 15, 20, 30, 45};
+  double motion_bound_deg = 75.0;
   double plate_bound_deg = 84.5;
   std::string format = "text";
   std::string out;
 };
 
-Authority at(const Options& options, double tactile_weight, double gap_deg) {
-  return steering_authority(-gap_deg, 0.0, tactile_weight, options.plate_bound_deg);
+// One weight and one gap, with the virtual direction at 0.
+struct Point {
+  double tactile_weight;
+  Authority motion;  // plate bounded about the motion, linear illusion
+  Authority paper;   // plate bounded about the virtual direction
+
+  bool beyond_human_data() const {
+    return std::abs(motion.plate_orientation_deg - motion.settling_direction_deg) > human_data_deg + 1e-9;
+  }
+};
+
+Point at(const Options& options, double tactile_weight, double gap_deg) {
+  return {tactile_weight,
+          authority_about_motion(-gap_deg, 0.0, {.weight = tactile_weight, .curve = 0.0},
+                                 options.motion_bound_deg),
+          steering_authority(-gap_deg, 0.0, tactile_weight, options.plate_bound_deg)};
 }
 
 std::string text(const Options& options) {
   std::string page =
       "Where the plate must stand, in deg from the virtual direction, to hold the finger on a real target "
       "that\n"
-      "lies the gap away from it; -: no orientation within " +
-      number(options.plate_bound_deg) + " deg holds it. From the model; there was no human trial.\n\n";
-  page += "tactile   largest   gap, deg\n weight  gap, deg ";
+      "lies the gap away from it. -: no orientation within " +
+      number(options.motion_bound_deg) + " deg of the motion holds it. *: the ridges stand more\nthan " +
+      number(human_data_deg) +
+      " deg from the motion, the largest angle of human data. From the model, for a linear illusion;\n"
+      "there was no human trial of the controller.\n\n"
+      "The largest gap, deg, with the plate within " +
+      number(options.motion_bound_deg) + " deg of the motion (ours), and within " +
+      number(options.plate_bound_deg) +
+      " deg of the virtual\ndirection (the paper's).\n\n"
+      "tactile   largest gap   gap, deg\n weight   ours  paper's";
   for (const double gap_deg : options.gaps_deg) page += right(number(gap_deg), 7);
   page += '\n';
   for (const double tactile_weight : options.tactile_weights) {
-    const double largest_deg = largest_gap_deg(tactile_weight, options.plate_bound_deg);
-    page += right(number(tactile_weight), 7) + right(fixed(largest_deg, 2), 10) + ' ';
+    const Point any = at(options, tactile_weight, 0.0);
+    page += right(number(tactile_weight), 7) + right(fixed(any.motion.largest_gap_deg, 2), 7) +
+            right(fixed(any.paper.largest_gap_deg, 2), 9);
     for (const double gap_deg : options.gaps_deg) {
-      const Authority authority = at(options, tactile_weight, gap_deg);
-      page += right(authority.reachable ? fixed(authority.plate_orientation_deg, 1) : "-", 7);
+      const Point point = at(options, tactile_weight, gap_deg);
+      page += right(point.motion.reachable ? (point.beyond_human_data() ? "*" : "") +
+                                                 fixed(point.motion.plate_orientation_deg, 1)
+                                           : "-",
+                    7);
     }
     page += '\n';
   }
@@ -45,31 +76,44 @@ std::string text(const Options& options) {
 
 std::string csv(const Options& options) {
   std::string page =
-      "tactile_weight,plate_bound_deg,largest_gap_deg,gap_deg,reachable,margin_deg,plate_offset_deg,"
-      "settling_offset_deg\n";
+      "tactile_weight,gap_deg,motion_bound_deg,largest_gap_deg,reachable,margin_deg,plate_offset_deg,"
+      "settling_offset_deg,beyond_human_data,paper_plate_bound_deg,paper_largest_gap_deg,paper_reachable,"
+      "paper_margin_deg,paper_plate_offset_deg,paper_settling_offset_deg\n";
+  const auto fields = [](double bound_deg, const Authority& authority) {
+    return number(bound_deg) + ',' + number(authority.largest_gap_deg) +
+           (authority.reachable ? ",1," : ",0,") + number(authority.margin_deg) + ',' +
+           number(authority.plate_orientation_deg) + ',' + number(authority.settling_direction_deg);
+  };
   for (const double tactile_weight : options.tactile_weights)
     for (const double gap_deg : options.gaps_deg) {
-      const Authority authority = at(options, tactile_weight, gap_deg);
-      page += number(tactile_weight) + ',' + number(options.plate_bound_deg) + ',' +
-              number(authority.largest_gap_deg) + ',' + number(gap_deg) + ',' +
-              (authority.reachable ? "1," : "0,") + number(authority.margin_deg) + ',' +
-              number(authority.plate_orientation_deg) + ',' + number(authority.settling_direction_deg) + '\n';
+      const Point point = at(options, tactile_weight, gap_deg);
+      page += number(tactile_weight) + ',' + number(gap_deg) + ',' +
+              fields(options.motion_bound_deg, point.motion) + (point.beyond_human_data() ? ",1," : ",0,") +
+              fields(options.plate_bound_deg, point.paper) + '\n';
     }
   return page;
 }
 
 std::string json(const Options& options) {
-  nlohmann::ordered_json page{{"simulation", true}, {"plate_bound_deg", options.plate_bound_deg}};
+  nlohmann::ordered_json page{{"simulation", true},
+                              {"motion_bound_deg", options.motion_bound_deg},
+                              {"human_data_deg", human_data_deg},
+                              {"paper_plate_bound_deg", options.plate_bound_deg}};
+  const auto put = [](nlohmann::ordered_json& entry, const std::string& prefix, const Authority& authority) {
+    entry[prefix + "largest_gap_deg"] = authority.largest_gap_deg;
+    entry[prefix + "reachable"] = authority.reachable;
+    entry[prefix + "margin_deg"] = authority.margin_deg;
+    entry[prefix + "plate_offset_deg"] = authority.plate_orientation_deg;
+    entry[prefix + "settling_offset_deg"] = authority.settling_direction_deg;
+  };
   for (const double tactile_weight : options.tactile_weights)
     for (const double gap_deg : options.gaps_deg) {
-      const Authority authority = at(options, tactile_weight, gap_deg);
-      page["map"].push_back({{"tactile_weight", tactile_weight},
-                             {"largest_gap_deg", authority.largest_gap_deg},
-                             {"gap_deg", gap_deg},
-                             {"reachable", authority.reachable},
-                             {"margin_deg", authority.margin_deg},
-                             {"plate_offset_deg", authority.plate_orientation_deg},
-                             {"settling_offset_deg", authority.settling_direction_deg}});
+      const Point point = at(options, tactile_weight, gap_deg);
+      nlohmann::ordered_json entry{{"tactile_weight", tactile_weight}, {"gap_deg", gap_deg}};
+      put(entry, "", point.motion);
+      entry["beyond_human_data"] = point.beyond_human_data();
+      put(entry, "paper_", point.paper);
+      page["map"].push_back(entry);
     }
   return page.dump(2) + '\n';
 }
@@ -80,7 +124,12 @@ void add_authority(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
       app, "authority", "The gaps between real and virtual target that can be held, over the tactile weight.",
-      "Offsets are from the virtual direction; the real one lies at minus the gap.\n"
+      "The largest gap is the largest shift of the felt direction: w_T times the bound for a linear\n"
+      "illusion, with the plate bounded about the motion, as our controller keeps it. The paper bounds it\n"
+      "about the virtual direction (fields paper_...). Studies with people cover ridges within 60 deg of "
+      "the\n"
+      "motion: beyond_human_data marks what needs more. Offsets are from the virtual direction; the real\n"
+      "one lies at minus the gap. All is from the model; there was no human trial of the controller.\n"
       "\n"
       "Examples:\n"
       "  hrt-study authority\n"
@@ -94,8 +143,10 @@ void add_authority(CLI::App& app) {
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Shares of touch in the felt direction (w_T).");
   add_numbers(command, "--gap", &options->gaps_deg, gap_range, "Gaps: virtual minus real direction, deg.");
+  add_number(command, "--motion-bound", &options->motion_bound_deg, {0.0, 90.0, false, false},
+             "How far the ridges' normal turns from the motion, deg.");
   add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
-             "How far the plate turns from the virtual direction, deg.");
+             "How far the paper's plate turns from the virtual direction, deg.");
   add_choice(command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
   add_path(command, "--out", &options->out, "a file in a folder that can be written",
            "Write there instead of to standard output.");

@@ -70,7 +70,8 @@ std::string table_cells(std::initializer_list<std::string> values) {
 }
 
 std::string figure_element(const Figure& figure, const std::string& drawing) {
-  return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) + "\">\n" + inlined(drawing, figure) +
+  return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) +
+         "\" style=\"max-width: " + std::to_string(figure.width_px) + "px\">\n" + inlined(drawing, figure) +
          "<figcaption><b>" + escaped(figure.title) + ".</b> " + escaped(figure.caption) +
          " Simulation.</figcaption>\n</figure>\n";
 }

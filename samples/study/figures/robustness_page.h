@@ -10,17 +10,14 @@
 
 namespace hrt::study {
 
-/// One sentence: the middle case, of which each factor changes one thing.
-std::string middle_case_words();
+/// What all these reaches have in common.
+std::string condition_words(const RobustnessOptions& options);
 
-/// Why some people of this row can't be led to the target by any controller; empty if all can.
-std::string limit_words(const RobustnessRow& row);
-
-/// A figure for each factor with several values.
-std::vector<Figure> robustness_figures(const std::vector<RobustnessRow>& rows);
+/// A figure for each duration.
+std::vector<Figure> robustness_figures(const RobustnessOptions& options, std::span<const RobustnessRow> rows);
 
 /// `drawings` are the figures as gnuplot's SVG files, in their order.
-std::string robustness_page(const RobustnessOptions& options, const std::vector<RobustnessRow>& rows,
+std::string robustness_page(const RobustnessOptions& options, std::span<const RobustnessRow> rows,
                             const std::vector<Figure>& figures, const std::vector<std::string>& drawings);
 
 }  // namespace hrt::study

@@ -84,6 +84,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"authority", "--gap", "1:nan:3"}, "--gap", "first:last:count"},
         BadArgument{{"authority", "--gap", "0:90:10"}, "--gap", "a number in (-90, 90)"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Robustness, StudyBadArgument,
+    testing::Values(
+        BadArgument{{"robustness", "--people", "0"}, "--people", "a whole number from 1 to 100000"},
+        BadArgument{{"robustness", "--durations", "0.1"}, "--durations", "a number in [0.3, 20]"},
+        BadArgument{{"robustness", "--durations", "1,1.0"}, "--durations", "given once"},
+        BadArgument{{"robustness", "--family", "linear,nobody"}, "--family", "--help shows"},
+        BadArgument{{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
+        BadArgument{{"robustness", "--family", ""}, "--family", "--help shows"}));
+
 const std::string part = "i/n, whole numbers with 1 <= i <= n";
 const std::string many = "1:40:100";
 
@@ -129,7 +139,7 @@ TEST(StudyArguments, AnUnknownOptionIsNamed) {
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
-  for (const std::string subcommand : {"table1", "trial", "sweep", "authority", "report"}) {
+  for (const std::string subcommand : {"table1", "trial", "sweep", "authority", "report", "robustness"}) {
     const StudyRun run = run_study({subcommand, "--help"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");

@@ -7,7 +7,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/statistics.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {
@@ -15,88 +14,121 @@ namespace {
 
 using nlohmann::json;
 
-const RobustnessCell& cell(const RobustnessRow& row, Controller controller) {
-  return row.cells[static_cast<std::size_t>(controller)];
+std::vector<RobustnessRow> rows_of(const std::vector<const char*>& names, const RobustnessOptions& options) {
+  std::vector<const PeopleFamily*> families;
+  for (const char* name : names) families.push_back(people_family(name));
+  return simulate_robustness(families, options);
 }
 
-// The rows of one factor, by its name.
-std::vector<RobustnessRow> rows_of(const std::string& name, std::uint64_t trials) {
-  const auto factors = robustness_factors();
-  const auto found =
-      std::find_if(factors.begin(), factors.end(), [&](const Factor& factor) { return factor.name == name; });
-  EXPECT_NE(found, factors.end()) << name;
-  return simulate_robustness({&*found, 1}, {.trials = trials, .seed = 1, .threads = 2});
+// Columns by name of a line of robustness.csv; the description, which has commas, is the last.
+std::string field(const std::string& header, const std::string& line, const std::string& name) {
+  const auto names = fields(header);
+  const auto at = std::find(names.begin(), names.end(), name) - names.begin();
+  const auto values = fields(line);
+  return at < static_cast<std::ptrdiff_t>(names.size()) ? values[static_cast<std::size_t>(at)]
+                                                        : "no column " + name;
 }
 
-// The plugin's target for unknown participants.
-TEST(StudyRobustness, TheMiddleCaseMeetsItsGoals) {
-  const RobustnessRow row = rows_of("middle", 1000).front();
-  const RobustnessCell& sight = cell(row, Controller::adaptive_sight);
-  EXPECT_LT(sight.miss_median_mm, 0.5);
-  EXPECT_LT(sight.miss_95_mm, 1.0);
-  EXPECT_GE(sight.bearing_percent, 99.5);
-  EXPECT_EQ(sight.unreachable_percent, 0.0);
-  const RobustnessCell& paper = cell(row, Controller::paper);
-  EXPECT_GT(paper.miss_median_mm, 2.0);
-  EXPECT_LT(paper.bearing_percent, 50.0);
-  EXPECT_EQ(row.beyond_authority_percent, 0.0);
+// near: 1.5 and -1.4 of three who can hold; misses 2, 4, 9. 1.6 without a flag is silent.
+TEST(StudyRobustness, CountsByHand) {
+  const ReachResult results[] = {
+      {.can_hold = true,
+       .bearing_error_deg = 1.5,
+       .miss_mm = 2.0,
+       .peak_felt_error_deg = 5.0,
+       .unreachable = true,
+       .weight_estimated = true,
+       .weight_covered = true},
+      {.can_hold = true,
+       .bearing_error_deg = -1.4,
+       .miss_mm = 4.0,
+       .peak_felt_error_deg = 7.0,
+       .off_target = true,
+       .weight_estimated = true,
+       .weight_covered = false},
+      {.can_hold = true, .bearing_error_deg = 1.6, .miss_mm = 9.0, .peak_felt_error_deg = 6.0},
+      {.can_hold = false,
+       .bearing_error_deg = -4.0,
+       .miss_mm = 70.0,
+       .peak_felt_error_deg = 70.0,
+       .unreachable = true},
+      {.can_hold = false,
+       .bearing_error_deg = 4.0,
+       .miss_mm = 70.0,
+       .peak_felt_error_deg = 70.0,
+       .misfit = true},
+      {.can_hold = false, .bearing_error_deg = 4.0, .miss_mm = 70.0, .peak_felt_error_deg = 70.0},
+      {.can_hold = false, .bearing_error_deg = 0.0, .miss_mm = 0.0, .peak_felt_error_deg = 70.0},
+  };
+  const RobustnessCell cell = summarise(results);
+  const auto expect = [](const Share& share, std::uint64_t hits, std::uint64_t of) {
+    EXPECT_EQ(share.hits, hits);
+    EXPECT_EQ(share.of, of);
+  };
+  expect(cell.near, 2, 3);
+  expect(cell.unreachable_false, 1, 3);
+  expect(cell.silent, 1, 3);
+  expect(cell.unreachable_found, 1, 4);
+  expect(cell.silent_cannot_hold, 1, 4);
+  expect(cell.misfit, 1, 7);
+  expect(cell.off_target, 1, 7);
+  expect(cell.weight_covered, 1, 2);
+  EXPECT_EQ(cell.miss_median_mm, 4.0);
+  EXPECT_DOUBLE_EQ(cell.miss_95_mm, 4.0 + 0.9 * 5.0);
+  EXPECT_EQ(cell.peak_felt_error_median_deg, 6.0);
 }
 
-TEST(StudyRobustness, KnowingTheTruthHelpsLittle) {
-  const RobustnessRow row = rows_of("middle", 400).front();
-  const double informed_mm = cell(row, Controller::informed).miss_median_mm;
-  EXPECT_GT(informed_mm, 0.05);
-  EXPECT_LT(cell(row, Controller::adaptive_sight).miss_median_mm, informed_mm + 0.2);
-  EXPECT_LT(cell(row, Controller::adaptive_sight).miss_median_mm,
-            cell(row, Controller::adaptive).miss_median_mm);
+TEST(StudyRobustness, WithoutAnyoneWhoCanHoldThereIsNoShare) {
+  const ReachResult reach{
+      .can_hold = false, .bearing_error_deg = 9.0, .miss_mm = 1.0, .peak_felt_error_deg = 1.0};
+  const RobustnessCell cell = summarise({&reach, 1});
+  EXPECT_EQ(cell.near.of, 0U);
+  EXPECT_TRUE(std::isnan(cell.near.percent()));
+  EXPECT_TRUE(std::isnan(cell.near.interval().low));
+  EXPECT_TRUE(std::isnan(cell.miss_median_mm));
+  EXPECT_EQ(cell.silent_cannot_hold.hits, 1U);
 }
 
-// A bias to the side of the real target, which makes the gap smaller, is led as well as none once it is
-// known.
-TEST(StudyRobustness, ABiasThatIsKnownCostsNothing) {
-  const RobustnessRow biased = rows_of("bias_deg", 200).front();
-  ASSERT_EQ(biased.value, -3.0);
-  EXPECT_EQ(cell(biased, Controller::informed).bearing_percent, 100.0);
-  EXPECT_LT(cell(biased, Controller::informed).miss_median_mm, 0.2);
+TEST(StudyRobustness, MeansWeighFamiliesAndPooledSharesWeighPeople) {
+  std::vector<RobustnessRow> rows(3);
+  const auto near = [&](std::size_t row) -> Share& { return rows[row].cells[0].near; };
+  near(0) = {.hits = 1, .of = 1};
+  near(1) = {.hits = 0, .of = 3};  // the third has nobody
+  EXPECT_EQ(mean_near_percent(rows, Leading::none), 50.0);
+  EXPECT_EQ(pooled(rows, Leading::none, &RobustnessCell::near).percent(), 25.0);
 }
 
-// By hand: 84.5 * 0.08 / 0.92 = 7.348 deg can be held of 10, and 100 mm * sin(2.652 deg) = 4.627 mm remain.
-TEST(StudyRobustness, SaysWhatCannotBeHeld) {
-  const RobustnessRow numb = rows_of("tactile_weight", 20).front();
-  ASSERT_EQ(numb.value, 0.08);
-  EXPECT_EQ(numb.beyond_authority_percent, 100.0);
-  EXPECT_NEAR(numb.least_miss_median_mm, 4.627, 0.001);
-  EXPECT_GT(cell(numb, Controller::adaptive_sight).miss_median_mm, 3.0);
-  EXPECT_GT(cell(numb, Controller::adaptive_sight).unreachable_percent, 50.0);
-  EXPECT_EQ(cell(numb, Controller::paper).unreachable_percent, 0.0);
+// What the controller for people is for, over those whom it is made for.
+TEST(StudyRobustness, LinearPeopleArriveAndAreKnown) {
+  const RobustnessRow row = rows_of({"linear"}, {.people = 100, .durations_s = {1.5}, .threads = 2}).front();
+  EXPECT_EQ(row.cell(Leading::none).near.percent(), 0.0);
+  EXPECT_LT(row.cell(Leading::paper).near.percent(), 60.0);
+  EXPECT_GE(row.cell(Leading::first).near.percent(), 90.0);
+  EXPECT_GE(row.cell(Leading::fifth).near.percent(), 95.0);
+  EXPECT_GE(row.cell(Leading::informed).near.percent(), 95.0);
+  EXPECT_LT(row.cell(Leading::fifth).miss_95_mm, 2.6);  // 100 mm sin 1.5 deg
+  EXPECT_GE(row.cell(Leading::fifth).weight_covered.percent(), 85.0);
+  EXPECT_EQ(row.cell(Leading::fifth).weight_covered.of, 100U);
+  EXPECT_EQ(row.cell(Leading::paper).weight_covered.of, 0U);  // it does not estimate w_T
 }
 
-// What it assumes and the person does not have may cost accuracy, not the reach.
-TEST(StudyRobustness, WrongAssumptionsDegradeAndDoNotFail) {
-  for (const char* name :
-       {"assumed_motor_variance_scale", "assumed_sensory_variance_scale", "step_period_scale"})
-    for (const RobustnessRow& row : rows_of(name, 100)) {
-      EXPECT_GE(cell(row, Controller::adaptive_sight).bearing_percent, 97.0) << name << ' ' << row.value;
-      EXPECT_LT(cell(row, Controller::adaptive_sight).miss_95_mm, 2.5) << name << ' ' << row.value;
-    }
-}
-
-TEST(StudyRobustness, EveryFactorIsThereAndEveryColumnHasTheSamePeople) {
-  const auto rows = simulate_robustness(robustness_factors(), {.trials = 2, .seed = 5, .threads = 2});
-  std::size_t expected = 0;
-  for (const Factor& factor : robustness_factors()) expected += factor.values.size();
-  ASSERT_EQ(rows.size(), expected);
-  // A row at the middle's value is the middle.
-  for (const RobustnessRow& row : rows) {
-    if (row.value != row.factor->middle || row.factor->name == std::string("assumed_sensory_variance_scale"))
-      continue;
-    for (std::size_t i = 0; i < controllers.size(); ++i)
-      EXPECT_EQ(row.cells[i].miss_median_mm, rows.front().cells[i].miss_median_mm) << row.factor->name;
+// Nobody with 45 sin 2t holds 10 degrees below w_T = 10 / 45; the fifth reach knows it of most.
+TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
+  const std::uint64_t people = 60;
+  const RobustnessRow row = rows_of({"sine-45"}, {.people = people, .durations_s = {2.0}}).front();
+  std::uint64_t holding = 0;
+  for (std::uint32_t i = 0; i < people; ++i)
+    holding += draw_person(*people_family("sine-45"), 2.0, 1, i).person.illusion.tactile_weight > 10.0 / 45.0;
+  for (const RobustnessCell& cell : row.cells) {
+    EXPECT_EQ(cell.near.of, holding);
+    EXPECT_EQ(cell.unreachable_found.of, people - holding);
   }
+  EXPECT_GE(row.cell(Leading::fifth).unreachable_found.percent(), 60.0);
 }
 
 TEST(StudyRobustness, EveryByteIsTheSameForAnyNumberOfThreads) {
-  const std::vector<std::string> arguments{"robustness", "--trials", "3", "--format", "csv", "--threads"};
+  const std::vector<std::string> arguments{"robustness", "--people", "2",   "--durations",
+                                           "0.8,1.2",    "--format", "csv", "--threads"};
   auto one = arguments;
   auto three = arguments;
   one.push_back("1");
@@ -105,54 +137,108 @@ TEST(StudyRobustness, EveryByteIsTheSameForAnyNumberOfThreads) {
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_EQ(first.err, "");
   EXPECT_EQ(first.out, run_study(three).out);
-  const auto rows = lines(first.out);
-  for (const std::string& row : rows) EXPECT_EQ(fields(row).size(), fields(rows[0]).size()) << row;
-  std::size_t values = 0;
-  for (const Factor& factor : robustness_factors()) values += factor.values.size();
-  EXPECT_EQ(rows.size(), 1 + values * controllers.size());
+  EXPECT_EQ(lines(first.out).size(), 1 + people_families().size() * 2 * leadings.size());
+}
+
+TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
+  const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family",
+                                  "place,linear", "--format", "csv", "--seed", "3"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto rows = lines(run.out);
+  ASSERT_EQ(rows.size(), 1 + 2 * leadings.size());
+  EXPECT_EQ(
+      rows[0],
+      "family,tuned,duration_s,controller,people,seed,can_hold,cannot_hold,near_percent,near_low_percent,"
+      "near_high_percent,miss_median_mm,miss_95_mm,peak_felt_error_median_deg,unreachable_found_percent,"
+      "unreachable_false_percent,misfit_percent,off_target_percent,silent_miss_percent,"
+      "silent_miss_cannot_hold_percent,weight_covered_percent,description");
+  const auto value = [&](std::size_t row, const char* name) { return field(rows[0], rows[row], name); };
+  EXPECT_EQ(value(1, "family"), "place");
+  EXPECT_EQ(value(1, "tuned"), "0");
+  EXPECT_EQ(value(6, "family"), "linear");
+  EXPECT_EQ(value(6, "tuned"), "1");
+  for (std::size_t i = 0; i < leadings.size(); ++i) {
+    EXPECT_EQ(value(1 + i, "controller"), leading_name(leadings[i]));
+    EXPECT_EQ(std::stoi(value(1 + i, "can_hold")) + std::stoi(value(1 + i, "cannot_hold")), 5);
+    EXPECT_EQ(value(1 + i, "seed"), "3");
+    EXPECT_EQ(value(1 + i, "misfit_percent").empty(), leadings[i] == Leading::none);
+    EXPECT_LE(std::stod(value(1 + i, "near_low_percent")), std::stod(value(1 + i, "near_percent")));
+    EXPECT_GE(std::stod(value(1 + i, "near_high_percent")), std::stod(value(1 + i, "near_percent")));
+  }
+  EXPECT_TRUE(rows[6].ends_with(",\"linear illusion, continuous steering\""));
+}
+
+// Person and noise of a family do not depend on which others are simulated.
+TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
+  const RobustnessOptions options{.people = 3, .durations_s = {1.0, 2.0}};
+  const auto many = rows_of({"linear", "steps"}, options);
+  const auto one = rows_of({"steps"}, {.people = 3, .durations_s = {2.0}});
+  ASSERT_EQ(many.size(), 4U);
+  EXPECT_EQ(many.back().family, one.front().family);
+  for (std::size_t i = 0; i < leadings.size(); ++i)
+    EXPECT_EQ(many.back().cells[i].miss_median_mm, one.front().cells[i].miss_median_mm);
 }
 
 TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
-  const StudyRun text = run_study({"robustness", "--trials", "2"});
-  EXPECT_NE(text.out.find("there was no human"), std::string::npos);
-  EXPECT_NE(text.out.find("no plate orientation holds"), std::string::npos);
-  for (const std::string& line : lines(text.out)) EXPECT_LE(line.size(), 110U) << line;
-  const json page = json::parse(run_study({"robustness", "--trials", "2", "--format", "json"}).out);
+  const StudyRun text = run_study({"robustness", "--people", "1"});
+  EXPECT_NE(text.out.find("there was no human trial"), std::string::npos);
+  for (const std::string& line : lines(text.out)) EXPECT_LE(line.size(), 120U) << line;
+  for (const PeopleFamily& family : people_families())
+    EXPECT_NE(text.out.find(std::string("\n") + family.name + ' '), std::string::npos) << family.name;
+  const json page = json::parse(
+      run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"})
+          .out);
   EXPECT_EQ(page["simulation"], true);
-  EXPECT_EQ(page["rows"][0]["factor"], "middle");
-  EXPECT_EQ(page["rows"][0]["controllers"].size(), controllers.size());
+  EXPECT_EQ(page["rows"].size(), 1U);
+  EXPECT_EQ(page["rows"][0]["family"], "bias-3");
+  EXPECT_EQ(page["rows"][0]["controllers"].size(), leadings.size());
+  EXPECT_TRUE(page["rows"][0]["controllers"]["none"]["misfit_percent"].is_null());
+}
+
+TEST(StudyRobustness, HelpListsEveryFamily) {
+  const StudyRun help = run_study({"robustness", "--help"});
+  for (const PeopleFamily& family : people_families()) {
+    EXPECT_NE(help.out.find(std::string("  ") + family.name), std::string::npos) << family.name;
+    EXPECT_NE(help.out.find(family.says), std::string::npos) << family.name;
+  }
 }
 
 TEST(StudyRobustness, AFolderOfNumbersPicturesAndAPage) {
   const TemporaryFolder folder;
-  const std::string out = folder / "study";
-  const StudyRun run = run_study({"robustness", "--trials", "2", "--out", out});
+  const StudyRun run = run_study({"robustness", "--people", "2", "--family", "linear,clip-45,place",
+                                  "--durations", "1,1.5", "--out", folder / "study"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto names = entries(out);
-  EXPECT_EQ(names.size(), 3 + 2 * (robustness_factors().size() - 1));
+  EXPECT_EQ(entries(folder / "study"),
+            (std::vector<std::string>{"robustness.csv", "robustness.html", "robustness.json",
+                                      "robustness_1000_ms.png", "robustness_1000_ms.svg",
+                                      "robustness_1500_ms.png", "robustness_1500_ms.svg"}));
   const std::string page = read_file(folder.path / "study" / "robustness.html");
   EXPECT_NE(page.find("There was no human trial"), std::string::npos);
-  for (const Factor& factor : robustness_factors())
-    EXPECT_NE(page.find(std::string("<h2>") + factor.title), std::string::npos) << factor.name;
+  EXPECT_NE(page.find("<h2>People who reach in 1.5 s"), std::string::npos);
+  EXPECT_NE(page.find(people_family("place")->says), std::string::npos);
   EXPECT_EQ(page.find(" src="), std::string::npos);  // needs nothing else
-  EXPECT_EQ(json::parse(read_file(folder.path / "study" / "robustness.json"))["trials"], 2);
-  EXPECT_EQ(lines(read_file(folder.path / "study" / "robustness.csv")).size() % controllers.size(), 1U);
+  EXPECT_EQ(json::parse(read_file(folder.path / "study" / "robustness.json"))["people"], 2);
+  EXPECT_EQ(lines(read_file(folder.path / "study" / "robustness.csv")).size(), 1 + 3 * 2 * leadings.size());
+}
+
+// One person of clip-45, who cannot hold the gap: no point in the picture.
+TEST(StudyRobustness, APictureWithoutPointsIsDrawn) {
+  const TemporaryFolder folder;
+  std::uint64_t seed = 1;
+  while (can_hold(draw_person(*people_family("clip-45"), 1.0, seed, 0))) ++seed;
+  const StudyRun run = run_study({"robustness", "--people", "1", "--family", "clip-45", "--durations", "1",
+                                  "--seed", std::to_string(seed), "--out", folder / "study"});
+  EXPECT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(entries(folder / "study").size(), 5U);
 }
 
 TEST(StudyRobustness, WithoutGnuplotTheFolderDoesNotAppear) {
   const TemporaryFolder folder;
   const StudyRun run =
-      run_study({"robustness", "--trials", "2", "--out", folder / "study"}, folder.path.string());
+      run_study({"robustness", "--people", "1", "--out", folder / "study"}, folder.path.string());
   EXPECT_EQ(run.exit_code, 1);
   EXPECT_NE(run.err.find("gnuplot-nox"), std::string::npos);
   EXPECT_TRUE(entries(folder.path).empty());
-}
-
-TEST(StudyStatistics, QuantileByHand) {
-  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
-  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
-  EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
 }
 
 }  // namespace

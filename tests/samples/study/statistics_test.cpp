@@ -22,6 +22,18 @@ TEST(StudyStatistics, WilsonByHand) {
   EXPECT_NEAR(half.high - half.low, 100.0 * std::sqrt(z2 / (50.0 + z2)), 1e-12);
 }
 
+// One of three, then two of five together; 0 of 0 has no share.
+TEST(StudyStatistics, ShareByHand) {
+  Share share;
+  EXPECT_TRUE(std::isnan(share.percent()));
+  EXPECT_TRUE(std::isnan(share.interval().low));
+  for (const bool hit : {false, true, false}) share.count(hit);
+  EXPECT_DOUBLE_EQ(share.percent(), 100.0 / 3.0);
+  share.add({.hits = 1, .of = 2});
+  EXPECT_DOUBLE_EQ(share.percent(), 40.0);
+  EXPECT_EQ(share.interval().low, wilson_interval(40.0, 5.0).low);
+}
+
 // What defines the interval: at each end the seen proportion is 1.96 standard deviations away.
 TEST(StudyStatistics, WilsonEndsAreWhereTheTestTurns) {
   for (const double percent : {94.0, 72.0, 40.0, 79.0}) {
@@ -58,6 +70,13 @@ TEST(StudyStatistics, Median) {
   EXPECT_EQ(median({3.0}), 3.0);
   EXPECT_EQ(median({5.0, 1.0, 3.0}), 3.0);
   EXPECT_EQ(median({4.0, 1.0, 3.0, 10.0}), 3.5);
+}
+
+TEST(StudyStatistics, QuantileByHand) {
+  EXPECT_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
+  EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
+  EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
 }
 
 // The paper's own means of its Table I.

@@ -1,0 +1,241 @@
+#include "core/simulation/people.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <set>
+#include <string>
+
+namespace hrt {
+namespace {
+
+PersonCondition draw(const char* family, std::uint32_t index = 0, double duration_s = 1.5) {
+  return draw_person(*people_family(family), duration_s, 1, index);
+}
+
+// One value of 200 people of a family.
+std::set<double> values(const char* family, const std::function<double(const PersonCondition&)>& value) {
+  std::set<double> found;
+  for (std::uint32_t i = 0; i < 200; ++i) found.insert(value(draw(family, i)));
+  return found;
+}
+
+// A gap of 10 to the left, or to the right.
+PersonCondition condition(IllusionFamily family, double scale_deg, double weight, double side = 1.0) {
+  PersonCondition result;
+  result.person.illusion = {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
+  result.virtual_direction_deg = 5.0 * side;
+  result.real_direction_deg = -5.0 * side;
+  return result;
+}
+
+TEST(SimulationPeople, FamiliesHaveNamesOfTheirOwn) {
+  std::set<std::string> names;
+  int apart = 0;
+  for (const PeopleFamily& family : people_families()) {
+    EXPECT_TRUE(names.insert(family.name).second) << family.name;
+    EXPECT_EQ(people_family(family.name), &family);
+    EXPECT_NE(std::string(family.says), "");
+    apart += !family.tuned;
+  }
+  EXPECT_EQ(std::string(people_families().front().name), "linear");
+  EXPECT_GE(apart, 2);
+  EXPECT_EQ(people_family("nobody"), nullptr);
+}
+
+TEST(SimulationPeople, WhoIsDrawnIsAFunctionOfSeedDurationAndIndex) {
+  const auto weight = [](std::uint64_t seed, double duration_s, std::uint32_t index) {
+    return draw_person(*people_family("linear"), duration_s, seed, index).person.illusion.tactile_weight;
+  };
+  EXPECT_EQ(weight(1, 1.5, 3), weight(1, 1.5, 3));
+  EXPECT_NE(weight(1, 1.5, 3), weight(2, 1.5, 3));
+  EXPECT_NE(weight(1, 1.5, 3), weight(1, 2.0, 3));
+  EXPECT_NE(weight(1, 1.5, 3), weight(1, 1.5, 4));
+}
+
+TEST(SimulationPeople, EveryoneIsWithinTheirRanges) {
+  double least_weight = 1.0;
+  double most_weight = 0.0;
+  std::set<double> sides_deg;
+  for (std::uint32_t i = 0; i < 500; ++i) {
+    const PersonCondition person = draw("linear", i);
+    const double weight = person.person.illusion.tactile_weight;
+    least_weight = std::min(least_weight, weight);
+    most_weight = std::max(most_weight, weight);
+    EXPECT_GE(person.person.gain_per_s, 5.0);
+    EXPECT_LE(person.person.gain_per_s, 12.0);
+    EXPECT_GE(person.person.delay_s, 0.0);
+    EXPECT_LE(person.person.delay_s, 0.12);
+    EXPECT_EQ(person.person.duration_s, 1.5);
+    sides_deg.insert(person.virtual_direction_deg - person.real_direction_deg);
+  }
+  EXPECT_GE(least_weight, 0.12);
+  EXPECT_LT(least_weight, 0.125);
+  EXPECT_LE(most_weight, 0.30);
+  EXPECT_GT(most_weight, 0.295);
+  EXPECT_EQ(sides_deg, (std::set<double>{-10.0, 10.0}));
+}
+
+// Person i of a family is person i of the linear one with one thing changed.
+TEST(SimulationPeople, AFamilyChangesOneThingOfTheSamePeople) {
+  for (const PeopleFamily& family : people_families())
+    for (std::uint32_t i = 0; i < 20; ++i) {
+      const PersonCondition linear = draw("linear", i);
+      const PersonCondition other = draw(family.name, i);
+      EXPECT_EQ(other.person.illusion.tactile_weight, linear.person.illusion.tactile_weight) << family.name;
+      EXPECT_EQ(other.person.gain_per_s, linear.person.gain_per_s) << family.name;
+      EXPECT_EQ(other.virtual_direction_deg, linear.virtual_direction_deg) << family.name;
+    }
+}
+
+TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
+  using C = const PersonCondition&;
+  using Values = std::set<double>;
+  EXPECT_EQ(values("bias-3", [](C c) { return c.person.bias_deg; }), (Values{-3.0, 3.0}));
+  EXPECT_EQ(values("bias-6", [](C c) { return c.person.bias_deg; }), (Values{-6.0, 6.0}));
+  EXPECT_EQ(values("own-3", [](C c) { return c.person.own_bias_deg; }), (Values{-3.0, 3.0}));
+  EXPECT_EQ(values("habit-5", [](C c) { return c.person.habit_deg; }), (Values{-5.0, 5.0}));
+  EXPECT_EQ(values("habit-10", [](C c) { return c.person.habit_deg; }), (Values{-10.0, 10.0}));
+  EXPECT_EQ(values("drift", [](C c) { return c.person.weight_drift; }), (Values{-0.05, 0.05}));
+  EXPECT_EQ(values("slow-plate", [](C c) { return c.plate.max_speed_deg_s; }), (Values{250.0}));
+  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.correlation_s; }), (Values{0.3}));
+  EXPECT_EQ(values("noise-300", [](C c) { return c.tracker.white_m; }), (Values{0.0}));
+  EXPECT_EQ(values("clip-60", [](C c) { return c.person.illusion.scale_deg; }), (Values{60.0}));
+  EXPECT_EQ(draw("clip-45").person.illusion.family, IllusionFamily::saturating);
+  EXPECT_EQ(draw("sine-45").person.illusion.family, IllusionFamily::sine);
+  EXPECT_EQ(draw("place").person.steering, Steering::place);
+  EXPECT_EQ(draw("heavy-arm").person.steering, Steering::heavy_arm);
+  EXPECT_EQ(draw("even").person.pace, Pace::even);
+  EXPECT_EQ(draw("reversal").person.pace, Pace::reversal);
+  EXPECT_EQ(draw("late-plate").plate.latency_ns, 60'000'000);
+}
+
+// The gap of 10 can be held beyond w = 10 / 75, 10 / 60, 10 / 45 (saturating and sine), 10 / 65; to the right
+// the unequal need twice the weight.
+TEST(SimulationPeople, CanHoldByHand) {
+  struct Limit {
+    IllusionFamily family;
+    double scale_deg;
+    double left;
+    double right;
+  };
+  using enum IllusionFamily;
+  for (const Limit& limit :
+       {Limit{linear, 45.0, 10.0 / 75.0, 10.0 / 75.0}, Limit{saturating, 60.0, 10.0 / 60.0, 10.0 / 60.0},
+        Limit{saturating, 45.0, 10.0 / 45.0, 10.0 / 45.0}, Limit{sine, 45.0, 10.0 / 45.0, 10.0 / 45.0},
+        Limit{dead_band, 10.0, 10.0 / 65.0, 10.0 / 65.0}, Limit{unequal, 45.0, 10.0 / 75.0, 20.0 / 75.0}}) {
+    EXPECT_FALSE(can_hold(condition(limit.family, limit.scale_deg, limit.left - 1e-6, 1.0)));
+    EXPECT_TRUE(can_hold(condition(limit.family, limit.scale_deg, limit.left + 1e-6, 1.0)));
+    EXPECT_FALSE(can_hold(condition(limit.family, limit.scale_deg, limit.right - 1e-6, -1.0)));
+    EXPECT_TRUE(can_hold(condition(limit.family, limit.scale_deg, limit.right + 1e-6, -1.0)));
+  }
+}
+
+// A bias of 3 to the side of the virtual target makes the gap 13, one of the felt own direction 7.
+TEST(SimulationPeople, BiasCountsForTheGap) {
+  const auto holds = [](double weight, double bias_deg, double own_bias_deg) {
+    PersonCondition person = condition(IllusionFamily::linear, 45.0, weight);
+    person.person.bias_deg = bias_deg;
+    person.person.own_bias_deg = own_bias_deg;
+    return can_hold(person);
+  };
+  EXPECT_FALSE(holds(13.0 / 75.0 - 1e-6, 3.0, 0.0));
+  EXPECT_TRUE(holds(13.0 / 75.0 + 1e-6, 3.0, 0.0));
+  EXPECT_FALSE(holds(7.0 / 75.0 - 1e-6, 0.0, 3.0));
+  EXPECT_TRUE(holds(7.0 / 75.0 + 1e-6, 0.0, 3.0));
+  EXPECT_TRUE(holds(10.0 / 75.0 + 1e-6, 3.0, 3.0));
+}
+
+TEST(SimulationPeople, AnOutcomeIsAFunctionOfItsArguments) {
+  const PersonCondition person = draw("mixture", 3);
+  const RetargeterConfig controller = people_controller();
+  const auto five = simulate_person(person, &controller, 5, 1, 3);
+  const auto again = simulate_person(person, &controller, 5, 1, 3);
+  ASSERT_EQ(five.size(), 5U);
+  for (std::size_t i = 0; i < five.size(); ++i) {
+    EXPECT_EQ(five[i].miss_m, again[i].miss_m);
+    EXPECT_EQ(five[i].summary.estimate.tactile_weight, again[i].summary.estimate.tactile_weight);
+  }
+  // Later reaches do not change the first; seed and index do; reaches differ.
+  EXPECT_EQ(simulate_person(person, &controller, 1, 1, 3).front().miss_m, five.front().miss_m);
+  EXPECT_NE(simulate_person(person, &controller, 1, 2, 3).front().miss_m, five.front().miss_m);
+  EXPECT_NE(simulate_person(person, &controller, 1, 1, 4).front().miss_m, five.front().miss_m);
+  EXPECT_NE(five[0].miss_m, five[1].miss_m);
+}
+
+// Who feels nothing goes to the virtual target, 10 deg from the real one, whatever the plate does.
+TEST(SimulationPeople, WithoutIllusionNobodyIsLed) {
+  const RetargeterConfig controller = people_controller();
+  for (const double side : {1.0, -1.0}) {
+    PersonCondition person = condition(IllusionFamily::dead_band, 90.0, 0.2, side);
+    person.person.noise_deg2_per_s = 0.0;
+    person.person.start_direction_deg = person.virtual_direction_deg;
+    EXPECT_FALSE(can_hold(person));
+    const RetargeterConfig* const none = nullptr;
+    for (const RetargeterConfig* config : {none, &controller}) {
+      const PersonOutcome outcome = simulate_person(person, config, 1, 1, 0).front();
+      EXPECT_NEAR(outcome.bearing_error_deg, 10.0 * side, 1e-6);
+      EXPECT_NEAR(outcome.miss_m, side * 0.1 * std::sin(10.0 * 3.14159265358979 / 180.0), 1e-9);
+      EXPECT_NEAR(outcome.peak_felt_error_deg, 0.0, 1e-6);
+    }
+  }
+}
+
+TEST(SimulationPeople, WithoutAControllerThereIsNoSummary) {
+  const PersonOutcome outcome = simulate_person(draw("linear"), nullptr, 1, 1, 0).front();
+  EXPECT_EQ(outcome.summary.samples, 0);
+  EXPECT_FALSE(outcome.summary.person.has_value());
+}
+
+// 90 Hz over rest, 1.5 s of motion and 0.3 s after it.
+TEST(SimulationPeople, TrackersHaveTheirRateAndLosses) {
+  const RetargeterConfig controller = people_controller();
+  const auto summary = [&](const char* family) {
+    return simulate_person(draw(family), &controller, 1, 1, 0).front().summary;
+  };
+  const ReachSummary usual = summary("linear");
+  EXPECT_GE(usual.samples + usual.dropped_samples, 90.0 * 2.2 - 2.0);
+  EXPECT_LE(usual.samples, 90.0 * 2.6 + 2.0);
+  EXPECT_NEAR(static_cast<double>(summary("slow-tracker").samples), static_cast<double>(usual.samples) / 3.0,
+              8.0);
+  EXPECT_GT(summary("dropouts").dropped_samples, usual.dropped_samples + 10);
+  EXPECT_GT(summary("outliers").dropped_samples, usual.dropped_samples);
+}
+
+TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
+  EXPECT_EQ(people_controller().mode, ControlMode::reach);
+  EXPECT_EQ(paper_controller().mode, ControlMode::mpc);
+  EXPECT_TRUE(is_valid(people_controller()));
+  EXPECT_TRUE(is_valid(paper_controller()));
+  for (const PeopleFamily& family : people_families())
+    EXPECT_TRUE(is_valid(informed_controller(draw(family.name)))) << family.name;
+  using T = PersonTrait;
+  const PersonCondition biased = draw("bias-3", 2);
+  const PersonBelief linear = informed_controller(biased).person;
+  EXPECT_NEAR(linear.mean(T::weight), biased.person.illusion.tactile_weight, 1e-12);
+  EXPECT_NEAR(linear.mean(T::curve), 0.0, 1e-12);
+  EXPECT_EQ(linear.mean(T::bias), biased.person.bias_deg);
+  EXPECT_NEAR(linear.mean(T::log_rate), -std::log(1.5), 1e-9);
+  EXPECT_EQ(informed_controller(draw("habit-5")).person.mean(T::habit), draw("habit-5").person.habit_deg);
+  EXPECT_GT(informed_controller(draw("clip-45")).person.mean(T::curve), 0.02);
+}
+
+// Not an aim, a floor: most of those whom the controller is made for arrive, and nobody without it.
+TEST(SimulationPeople, TheControllerLeadsLinearPeople) {
+  const RetargeterConfig controller = people_controller();
+  int holding = 0, led = 0, unled = 0;
+  for (std::uint32_t i = 0; i < 40; ++i) {
+    const PersonCondition person = draw("linear", i, 2.0);
+    if (!can_hold(person)) continue;
+    ++holding;
+    led += std::abs(simulate_person(person, &controller, 5, 1, i).back().bearing_error_deg) <= near_deg;
+    unled += std::abs(simulate_person(person, nullptr, 1, 1, i).back().bearing_error_deg) <= near_deg;
+  }
+  EXPECT_GE(led, holding - 3);
+  EXPECT_EQ(unled, 0);
+}
+
+}  // namespace
+}  // namespace hrt
