@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "core/perception.h"
+#include "core/exponential.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
@@ -13,7 +12,6 @@ namespace {
 constexpr double tick_s = 0.001;
 constexpr double ridge_spacing_m = 0.01;
 constexpr double least_felt_speed_m_s = 0.0005;
-constexpr double rad_per_deg = std::numbers::pi / 180.0;
 
 double minimum_jerk(double u) {
   u = std::clamp(u, 0.0, 1.0);
@@ -25,11 +23,10 @@ double with_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
 }
 
-std::uint64_t mix(std::uint64_t x) {
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30U)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27U)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
+// By core/exponential: the same bits on every host.
+double hyperbolic_tangent(double x) {
+  const double e = exponential(-2.0 * std::abs(x));
+  return std::copysign((1.0 - e) / (1.0 + e), x);
 }
 
 }  // namespace
@@ -46,7 +43,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
     case IllusionFamily::sine:
       return w * scale * sin_deg(2.0 * t);
     case IllusionFamily::tanh:
-      return w * scale * std::tanh(t / scale);
+      return w * scale * hyperbolic_tangent(t / scale);
     case IllusionFamily::dead_band:
       return w * std::copysign(std::max(0.0, std::abs(t) - scale), t);
     case IllusionFamily::unequal:
@@ -60,26 +57,6 @@ double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, do
   for (double t = 0.0; t <= bound_deg; t += 0.5)
     largest = std::max(largest, std::copysign(1.0, sign) * felt_shift_deg(illusion, std::copysign(t, sign)));
   return largest;
-}
-
-Draws::Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)
-    : state_(mix(mix(mix(seed) ^ stream) ^ (static_cast<std::uint64_t>(person) << 32U | reach))) {}
-
-double Draws::uniform() {
-  state_ += 0x9e3779b97f4a7c15U;
-  return static_cast<double>(mix(state_) >> 11U) * 0x1p-53;
-}
-
-double Draws::normal() {
-  if (has_spare_) {
-    has_spare_ = false;
-    return spare_;
-  }
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
-  const double angle = 2.0 * std::numbers::pi * uniform();
-  spare_ = radius * std::sin(angle);
-  has_spare_ = true;
-  return radius * std::cos(angle);
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
@@ -136,8 +113,7 @@ double SlidingPerson::progress(double time_s) const {
 void SlidingPerson::advance(double plate_orientation_deg) {
   if (done_) return;
   const double before = progress(time_s_);
-  time_s_ += tick_s;
-  ++millisecond_;
+  time_s_ = ++millisecond_ / 1000.0;
   const double s = progress(time_s_);
   const double travel_m = distance_m_ * (s - before);
   speed_m_s_ = travel_m / tick_s;

@@ -7,10 +7,9 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
-#include <span>
 
 #include "core/plate_frame.h"
+#include "core/simulation/random.h"
 
 namespace hrt {
 
@@ -71,20 +70,6 @@ struct Person {
   Pace pace = Pace::minimum_jerk;
   double duration_s = 1.5;  ///< > 0, without pauses
   double path_scale = 1.0;  ///< length of the path over the distance asked for
-};
-
-/// A 64-bit stream of normal draws, for one reach.
-class Draws {
- public:
-  Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach);
-  double normal();
-  /// Uniform in [0, 1).
-  double uniform();
-
- private:
-  std::uint64_t state_;
-  double spare_ = 0.0;
-  bool has_spare_ = false;
 };
 
 /// One reach of a person. Advances in milliseconds.

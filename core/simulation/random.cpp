@@ -2,6 +2,8 @@
 
 #include <Random123/philox.h>
 
+#include <utility>
+
 #include "core/simulation/random_lanes.h"
 
 namespace hrt {
@@ -10,15 +12,22 @@ namespace {
 
 using Block = r123::Philox4x32::ctr_type;
 
+Block block_of(std::uint64_t seed, const Block& counter) {
+  return r123::Philox4x32()(counter,
+                            {{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}});
+}
+
 // The four words that serve the step of `counter`.
 Block block_of(const RandomCounter& counter) {
-  return r123::Philox4x32()(
-      Block{{counter.step / 4, counter.trial, counter.condition, 0}},
-      {{static_cast<std::uint32_t>(counter.seed), static_cast<std::uint32_t>(counter.seed >> 32)}});
+  return block_of(counter.seed, Block{{counter.step / 4, counter.trial, counter.condition, 0}});
+}
+
+std::uint64_t half_of(const Block& words, int half) {
+  return static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half];
 }
 
 NormalPair<ScalarLanes> pair_of(const Block& words, int half) {
-  return normal_pair<ScalarLanes>(static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half]);
+  return normal_pair<ScalarLanes>(half_of(words, half));
 }
 
 }  // namespace
@@ -38,6 +47,27 @@ double NormalDraws::operator()(std::uint32_t step) {
     draws_ = {early.first, early.second, late.first, late.second};
   }
   return draws_[step % 4];
+}
+
+std::uint64_t Draws::bits() {
+  if (std::exchange(has_late_half_, false)) return late_half_;
+  const Block words = block_of(seed_, Block{{block_[0], block_[1], block_[2], block_[3]}});
+  ++block_[0];
+  late_half_ = half_of(words, 1);
+  has_late_half_ = true;
+  return half_of(words, 0);
+}
+
+double Draws::uniform() {
+  return static_cast<double>(bits() >> 11U) * 0x1p-53;
+}
+
+double Draws::normal() {
+  if (std::exchange(has_spare_, false)) return spare_;
+  const NormalPair<ScalarLanes> pair = normal_pair<ScalarLanes>(bits());
+  spare_ = pair.second;
+  has_spare_ = true;
+  return pair.first;
 }
 
 }  // namespace hrt

@@ -34,4 +34,26 @@ class NormalDraws {
   std::array<double, 4> draws_{};
 };
 
+/// The draws of one reach of a simulated person, normal and uniform, in the order they are asked for. Counter
+/// word 3 is `stream` + 1, so that no block is one of a trial's. One thread at a time.
+class Draws {
+ public:
+  Draws(std::uint64_t seed, std::uint32_t stream, std::uint32_t person, std::uint32_t reach)
+      : seed_(seed), block_{0, person, reach, stream + 1} {}
+
+  double normal();
+  /// In [0, 1).
+  double uniform();
+
+ private:
+  std::uint64_t bits();
+
+  std::uint64_t seed_;
+  std::array<std::uint32_t, 4> block_;  // the next one's counter
+  std::uint64_t late_half_ = 0;
+  double spare_ = 0.0;
+  bool has_late_half_ = false;
+  bool has_spare_ = false;
+};
+
 }  // namespace hrt

@@ -25,7 +25,7 @@ extern "C" {
 #endif
 
 #define XR_HRTX_ridged_plate 1
-#define XR_HRTX_ridged_plate_SPEC_VERSION 1
+#define XR_HRTX_ridged_plate_SPEC_VERSION 2
 #define XR_HRTX_RIDGED_PLATE_EXTENSION_NAME "XR_HRTX_ridged_plate"
 
 #ifdef __cplusplus
@@ -46,33 +46,36 @@ typedef struct XrPlatePlacementHRTX {
   double radius; /* metres, in (0, 10] */
 } XrPlatePlacementHRTX;
 
-/* A reach that the participant shall make. */
+/* A reach that a simulated person shall make. */
 typedef struct XrReachInstructionHRTX {
   XrStructureType type; /* XR_TYPE_REACH_INSTRUCTION_HRTX */
   const void* XR_MAY_ALIAS next;
   XrHandEXT hand;
-  XrVector3f start; /* of the index tip joint, in plate coordinates, metres; it slides at this height */
-  double
-      goalDirection; /* degrees, in [-180, 180]: where the participant believes to go (the virtual target) */
-  double pathLength; /* metres, in (0, 10] */
+  XrVector3f start;     /* of the index tip joint, in plate coordinates, metres; it slides at this height */
+  double goalDirection; /* degrees, in [-180, 180]: where the person means to go (the virtual target) */
+  double pathLength;    /* metres, in (0, 10] */
 } XrReachInstructionHRTX;
 
 /* What only a simulation can know of a reach. */
 typedef struct XrReachTruthHRTX {
   XrStructureType type; /* XR_TYPE_REACH_TRUTH_HRTX */
   void* XR_MAY_ALIAS next;
-  double trueDirection;      /* degrees: the direction that the finger has taken after the last step */
-  double perceivedDirection; /* degrees: the direction that the participant felt in the last step */
-  double tactileWeight;      /* the share that touch has in what the participant feels */
+  double trueDirection;      /* degrees: the direction in which the person steers the finger now */
+  double perceivedDirection; /* degrees: the direction that the person feels now */
+  double peakFeltError;     /* degrees, >= 0: largest difference between felt and goal direction so far, while
+                               the finger moves */
+  double leftmostDirection; /* degrees: farther to the left, no plate within 75 degrees of the motion can hold
+                               the finger while the person means to go to the goal */
+  double rightmostDirection; /* degrees: farther to the right */
+  double tactileWeight;      /* the share that touch has in what the person feels */
   XrVector3f indexTip;       /* of the joint, in plate coordinates, metres, without the tracker's errors */
-  uint32_t stepCount;        /* steps of the participant's model so far */
-  XrBool32 isDone;           /* the fingertip has travelled the whole path */
+  XrBool32 isDone;           /* the motion has ended */
 } XrReachTruthHRTX;
 
 /* Places the plate. XR_ERROR_POSE_INVALID if the pose is not valid. */
 typedef XrResult(XRAPI_PTR* PFN_xrPlacePlateHRTX)(XrSession session, const XrPlatePlacementHRTX* placement);
 
-/* The participants, and the noise, come from this seed from now on; the next reach counts as number
+/* The people, and the noise, come from this seed from now on; the next reach counts as number
 ** `nextReach`, from 0. A run from here on with the same seed, number, calls and times is the same to the
 ** last bit. At first the seed is 1, or the script's, and the number 0. */
 typedef XrResult(XRAPI_PTR* PFN_xrSetSimulationSeedHRTX)(XrSession session, uint64_t seed,
@@ -86,11 +89,11 @@ typedef XrResult(XRAPI_PTR* PFN_xrSetPlateOrientationHRTX)(XrSession session, do
 typedef XrResult(XRAPI_PTR* PFN_xrGetPlateOrientationHRTX)(XrSession session, XrTime time,
                                                            double* orientation);
 
-/* The participant puts the fingertip to the start and slides from now on, at a constant speed, 100 mm in
-** 3 s unless a script says otherwise. One step of the participant's model takes 100 ms: during step k the
-** finger moves along P_k; at its end the participant feels the plate as it stands then and chooses P_k+1.
-** P_0 is the mid-line. An instruction to a hand replaces the one before.
-** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
+/* The person puts the fingertip to the start, reacts after 0.3 to 0.7 s and slides at a natural pace, 1 to 2
+ *s,
+ ** unless a script says otherwise. Every millisecond the person feels the plate as it stands then and steers.
+ ** An instruction to a hand replaces the one before.
+ ** XR_ERROR_CALL_ORDER_INVALID before the plate is placed. */
 typedef XrResult(XRAPI_PTR* PFN_xrInstructReachHRTX)(XrSession session,
                                                      const XrReachInstructionHRTX* instruction);
 

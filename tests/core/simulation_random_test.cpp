@@ -208,5 +208,36 @@ TEST(SimulationRandom, NeighboursAreIndependent) {
   }
 }
 
+// Philox of the counter {block, person, reach, stream + 1}: 64 bits for a uniform draw or for two normal
+// ones.
+TEST(SimulationDraws, TakeHalfABlockAtATime) {
+  const PhiloxKeys<ScalarLanes> keys(7);
+  const auto first = philox<ScalarLanes>(keys, 0, 3, 4, 3);
+  const auto second = philox<ScalarLanes>(keys, 1, 3, 4, 3);
+  Draws draws(7, 2, 3, 4);
+  EXPECT_EQ(draws.uniform(), static_cast<double>(first.first >> 11) * 0x1p-53);
+  const auto pair = normal_pair<ScalarLanes>(first.second);
+  EXPECT_EQ(draws.normal(), pair.first);
+  EXPECT_EQ(draws.uniform(), static_cast<double>(second.first >> 11) * 0x1p-53);
+  EXPECT_EQ(draws.normal(), pair.second);
+  EXPECT_EQ(draws.normal(), normal_pair<ScalarLanes>(second.second).first);
+}
+
+TEST(SimulationDraws, HaveTheMomentsOfTheirDistributions) {
+  Draws draws(1, 0, 0, 0);
+  constexpr int count = 100'000;
+  double uniform = 0.0, normal = 0.0, square = 0.0;
+  for (int i = 0; i < count; ++i) {
+    uniform += draws.uniform() / count;
+    const double z = draws.normal();
+    normal += z / count;
+    square += z * z / count;
+  }
+  const double error = 4.0 / std::sqrt(count);  // four standard errors
+  EXPECT_NEAR(uniform, 0.5, error * std::sqrt(1.0 / 12.0));
+  EXPECT_NEAR(normal, 0.0, error);
+  EXPECT_NEAR(square, 1.0, error * std::sqrt(2.0));
+}
+
 }  // namespace
 }  // namespace hrt

@@ -82,8 +82,10 @@ XrResult get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* tru
   truth->trueDirection = reach->true_direction_deg();
   truth->perceivedDirection = reach->perceived_direction_deg();
   truth->indexTip = to_xr(world.true_index_tip_m(hand));
+  truth->peakFeltError = reach->peak_felt_error_deg();
+  truth->leftmostDirection = reach->outermost_direction_deg(1.0);
+  truth->rightmostDirection = reach->outermost_direction_deg(-1.0);
   truth->tactileWeight = reach->tactile_weight();
-  truth->stepCount = reach->steps();
   truth->isDone = reach->done() ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;
 }

@@ -80,6 +80,34 @@ class Members {
     for (const Json& element : value) result.push_back(checked_number(element, where(key), least, most));
     return result;
   }
+  // A number, or the two between which it is drawn; `scale` takes it to the unit of `range`.
+  bool range(const std::string& key, Range& range, double least, double most, double scale = 1.0) {
+    if (!has(key)) return false;
+    std::vector<double> ends;
+    if (object_[key].is_array()) {
+      ends = numbers(key, 2, least, most);
+      if (ends[0] > ends[1]) refuse(where(key), "must have the smaller number first");
+    } else {
+      ends.assign(2, checked_number(object_[key], where(key), least, most));
+    }
+    range = {ends[0] * scale, ends[1] * scale};
+    return true;
+  }
+  // A name, or several of which one is drawn.
+  template <typename Value>
+  void one_of(const std::string& key, std::vector<Value>& values,
+              const std::vector<std::pair<std::string, Value>>& known) {
+    if (!has(key)) return;
+    const Json names = object_[key].is_array() ? object_[key] : Json::array({object_[key]});
+    values.clear();
+    for (const Json& name : names)
+      for (const auto& [text, value] : known)
+        if (name == text) values.push_back(value);
+    if (values.size() == names.size() && !names.empty()) return;
+    std::vector<std::string> texts;
+    for (const auto& each : known) texts.push_back(each.first);
+    refuse(where(key), "must be one of, or an array of, " + quoted_list(texts));
+  }
   // Calls `read(members)` for every object of an array.
   template <typename Read>
   void each(const std::string& key, Read read) {
@@ -122,31 +150,48 @@ class Members {
   std::vector<std::string> asked_;
 };
 
-// A number, or the two between which it is drawn.
-void read_tactile_weight(Members& members, ParticipantSettings& settings) {
-  constexpr double least = 0.001, most = 0.499;
-  if (!members.has("tactile_weight")) return;
-  if (!members.at("tactile_weight").is_array()) {
-    settings.least_tactile_weight = settings.most_tactile_weight =
-        members.number("tactile_weight", 0.0, least, most);
-    return;
-  }
-  const std::vector<double> range = members.numbers("tactile_weight", 2, least, most);
-  if (range[0] > range[1]) refuse(members.where("tactile_weight"), "must have the smaller number first");
-  settings.least_tactile_weight = range[0];
-  settings.most_tactile_weight = range[1];
-}
-
-ParticipantSettings read_participant(Members& members) {
-  ParticipantSettings settings;
-  Participant& p = settings.parameters;
-  read_tactile_weight(members, settings);
-  p.motor_variance_deg2 = members.number("motor_variance_deg2", p.motor_variance_deg2, 0.0, 1e4);
-  p.sensory_variance_deg2 = members.number("sensory_variance_deg2", p.sensory_variance_deg2, 0.0, 1e4);
-  p.initial_variance_deg2 = members.number("initial_variance_deg2", p.initial_variance_deg2, 0.0, 1e4);
-  if (!is_valid(p)) refuse(members.where("sensory_variance_deg2"), "must be above 0");
-  settings.speed_m_per_s = members.number("speed_mm_per_s", 100.0 / 3.0, 1.0, 10'000.0) * 1e-3;
-  settings.model_step_ns = members.nanoseconds("model_step_ms", 100.0, 1.0);
+PersonSettings read_person(Members& members) {
+  constexpr double second_per_ms = 1e-3;
+  std::vector<Steering> steerings;
+  members.one_of("steering", steerings,
+                 {{"steps", Steering::steps},
+                  {"continuous", Steering::continuous},
+                  {"predictive", Steering::predictive},
+                  {"place", Steering::place},
+                  {"heavy_arm", Steering::heavy_arm},
+                  {"crossings", Steering::crossings}});
+  PersonSettings settings = steerings == std::vector{Steering::steps} ? paper_person() : PersonSettings{};
+  if (!steerings.empty()) settings.steerings = steerings;
+  members.one_of("illusion", settings.illusions,
+                 {{"linear", IllusionFamily::linear},
+                  {"saturating", IllusionFamily::saturating},
+                  {"sine", IllusionFamily::sine},
+                  {"tanh", IllusionFamily::tanh},
+                  {"dead_band", IllusionFamily::dead_band},
+                  {"unequal", IllusionFamily::unequal}});
+  Range scale_deg{};
+  if (members.range("illusion_scale_deg", scale_deg, 1.0, 90.0)) settings.illusion_scale_deg = scale_deg;
+  members.range("tactile_weight", settings.tactile_weight, 0.001, 0.499);
+  members.range("weight_drift", settings.weight_drift, -0.5, 0.5);
+  members.range("gain_per_s", settings.gain_per_s, 0.1, 50.0);
+  members.range("delay_ms", settings.delay_s, 0.0, 250.0, second_per_ms);
+  members.range("noise_deg2_per_s", settings.noise_deg2_per_s, 0.0, 1e4);
+  Range start_deg{};
+  if (members.range("start_direction_deg", start_deg, -90.0, 90.0)) settings.start_direction_deg = start_deg;
+  members.range("bias_deg", settings.bias_deg, -45.0, 45.0);
+  members.range("own_bias_deg", settings.own_bias_deg, -45.0, 45.0);
+  members.range("habit_deg", settings.habit_deg, -45.0, 45.0);
+  members.one_of("pace", settings.paces,
+                 {{"minimum_jerk", Pace::minimum_jerk},
+                  {"even", Pace::even},
+                  {"skewed", Pace::skewed},
+                  {"stop_and_go", Pace::stop_and_go},
+                  {"pause", Pace::pause},
+                  {"two_parts", Pace::two_parts},
+                  {"reversal", Pace::reversal}});
+  members.range("duration_ms", settings.duration_s, 100.0, 60'000.0, second_per_ms);
+  members.range("path_scale", settings.path_scale, 0.1, 3.0);
+  members.range("reaction_ms", settings.reaction_s, 0.0, 10'000.0, second_per_ms);
   return settings;
 }
 
@@ -294,7 +339,7 @@ Script parse_script(std::string_view text) {
   if (members.has("participants")) {
     script.world.participants.clear();
     members.each("participants",
-                 [&](Members& each) { script.world.participants.push_back(read_participant(each)); });
+                 [&](Members& each) { script.world.participants.push_back(read_person(each)); });
     if (script.world.participants.empty()) refuse(members.where("participants"), "must have one at least");
   }
   members.object("tracker", [&](Members& tracker) { script.world.tracker = read_tracker(tracker); });

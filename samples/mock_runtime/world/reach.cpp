@@ -3,64 +3,68 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/random.h"
-#include "core/trigonometry.h"
-
 namespace hrt::mock {
 namespace {
 
-Eigen::Vector2d unit_vector(double direction_deg) {
-  return {-sin_deg(direction_deg), -cos_deg(direction_deg)};
-}
+constexpr XrDuration millisecond_ns = 1'000'000;
+// A finger that has just started, or hardly moves, has no direction to feel.
+constexpr double felt_after_s = 0.05;
+constexpr double felt_speed_m_s = 0.01;
+constexpr double plate_bound_deg = 75.0;
 
-double seconds(XrDuration duration) {
-  return static_cast<double>(duration) * 1e-9;
+Eigen::Vector2d on_plate(const PlatePoint& point) {
+  return {point.right_m, -point.away_m};
 }
 
 }  // namespace
 
-Reach::Reach(const ParticipantSettings& settings, const ReachInstruction& instruction, std::uint64_t seed,
+Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std::uint64_t seed,
              std::uint32_t number, XrTime start)
-    : settings_(settings),
-      participant_(settings.parameters, instruction.goal_direction_deg),
-      seed_(seed),
-      number_(number),
-      start_(start),
-      duration_(std::llround(instruction.path_length_m / settings.speed_m_per_s * 1e9)),
-      total_steps_(
-          static_cast<std::uint32_t>((duration_ + settings.model_step_ns - 1) / settings.model_step_ns)),
-      legs_{
-          {instruction.start_m, settings.speed_m_per_s * unit_vector(participant_.finger_direction_deg())}} {}
+    : simulated_(drawn.towards(instruction.goal_direction_deg)),
+      person_(simulated_, {instruction.start_m.x(), -instruction.start_m.y()}, instruction.goal_direction_deg,
+              instruction.path_length_m, noise_of_reach(seed, number)),
+      goal_direction_deg_(instruction.goal_direction_deg),
+      moves_(start + drawn.reaction_ns),
+      path_{instruction.start_m} {}
 
-XrTime Reach::step_end(std::uint32_t step) const {
-  return start_ + std::min<XrDuration>(duration_, (step + XrDuration{1}) * settings_.model_step_ns);
+double Reach::outermost_direction_deg(double sign) const {
+  // Where felt and intended direction agree with the ridges as far as can be to the other side.
+  const double shift_deg = largest_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
+  return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
+}
+
+XrTime Reach::millisecond_end(std::size_t millisecond) const {
+  return moves_ + static_cast<XrDuration>(millisecond + 1) * millisecond_ns;
 }
 
 void Reach::advance(XrTime time, const PlateModel& plate) {
-  for (; !done() && step_end(steps_) <= time; ++steps_) {
-    const XrTime end = step_end(steps_);
-    participant_.step(plate.orientation_at_deg(end), standard_normal({seed_, 0, number_, steps_}));
-    if (steps_ + 1 < total_steps_)
-      legs_.push_back(
-          {position_m(end), settings_.speed_m_per_s * unit_vector(participant_.finger_direction_deg())});
+  for (XrTime end = millisecond_end(path_.size() - 1); !done() && end <= time; end += millisecond_ns) {
+    person_.advance(plate.orientation_at_deg(end));
+    path_.push_back(on_plate(person_.position()));
+    if (person_.elapsed_s() > felt_after_s && person_.speed_m_s() > felt_speed_m_s)
+      peak_felt_error_deg_ = std::max(peak_felt_error_deg_, std::abs(person_.felt_error_deg()));
   }
 }
 
-std::size_t Reach::leg_at(XrTime time) const {
-  const XrDuration elapsed = std::clamp<XrDuration>(time - start_, 0, duration_);
-  return std::min(static_cast<std::size_t>(elapsed / settings_.model_step_ns), legs_.size() - 1);
-}
-
-Eigen::Vector2d Reach::position_m(XrTime time) const {
-  const std::size_t leg = leg_at(time);
-  const XrTime leg_start = start_ + static_cast<XrDuration>(leg) * settings_.model_step_ns;
-  const XrTime within = std::clamp(time, leg_start, step_end(static_cast<std::uint32_t>(leg)));
-  return legs_[leg].from_m + seconds(within - leg_start) * legs_[leg].velocity_m_per_s;
-}
-
-Eigen::Vector2d Reach::velocity_m_per_s(XrTime time) const {
-  if (time < start_ || time >= start_ + duration_) return Eigen::Vector2d::Zero();
-  return legs_[leg_at(time)].velocity_m_per_s;
+FingerMotion Reach::motion(XrTime time, const PlateModel& plate) const {
+  const std::size_t made = path_.size() - 1;
+  const XrDuration elapsed = time - moves_;
+  if (elapsed < 0) return {path_.front(), Eigen::Vector2d::Zero()};
+  const auto millisecond = static_cast<std::size_t>(elapsed / millisecond_ns);
+  Eigen::Vector2d from = path_[std::min(millisecond, made)];
+  Eigen::Vector2d to = path_[std::min(millisecond + 1, made)];
+  if (millisecond >= made) {
+    SlidingPerson predicted = person_;
+    for (std::size_t i = made; i <= millisecond && !predicted.done(); ++i) {
+      from = to;
+      predicted.advance(plate.orientation_at_deg(millisecond_end(i)));
+      to = on_plate(predicted.position());
+      if (predicted.done() && i < millisecond) from = to;
+    }
+  }
+  constexpr double millisecond_s = 1e-3;
+  const Eigen::Vector2d velocity_m_per_s = (to - from) / millisecond_s;
+  return {from + static_cast<double>(elapsed % millisecond_ns) * 1e-9 * velocity_m_per_s, velocity_m_per_s};
 }
 
 }  // namespace hrt::mock

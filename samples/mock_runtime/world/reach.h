@@ -1,5 +1,5 @@
-// One reach of the simulated participant: the fingertip slides over the plate at a constant speed; each step
-// of the participant's model sets its direction.
+// One reach of a simulated person: the fingertip rests until the person has reacted, then slides over the
+// plate.
 //
 // Coordinates are the plate's (metres; x to the right, z towards the user), directions in degrees from
 // the mid-line, counter-clockwise positive seen from above: direction d is (-sin d, -cos d).
@@ -8,12 +8,11 @@
 #include <openxr/openxr.h>
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <vector>
 
 #include "core/plate_model.h"
-#include "core/simulation/participant.h"
-#include "samples/mock_runtime/world/settings.h"
+#include "core/simulation/person.h"
+#include "samples/mock_runtime/world/people.h"
 
 namespace hrt::mock {
 
@@ -23,46 +22,45 @@ struct ReachInstruction {
   double path_length_m;
 };
 
+/// The fingertip at a time: x, z.
+struct FingerMotion {
+  Eigen::Vector2d position_m;
+  Eigen::Vector2d velocity_m_per_s;
+};
+
 class Reach {
  public:
-  /// Starts at `start`. `number` counts the reaches of a session and, with the seed, fixes the noise.
-  Reach(const ParticipantSettings& participant, const ReachInstruction& instruction, std::uint64_t seed,
+  /// Instructed at `start`. `number` counts the reaches of a session and, with the seed, fixes the noise.
+  Reach(const DrawnPerson& person, const ReachInstruction& instruction, std::uint64_t seed,
         std::uint32_t number, XrTime start);
 
-  /// Makes the steps that end up to `time`. During step k the finger moves along P_k; at its end the
-  /// participant feels the plate and chooses P_k+1. `plate` stands at the time of the call before.
+  /// Makes the milliseconds that end up to `time`: at the end of each the person feels the plate as it
+  /// stands then. `plate` stands at the time of the call before.
   void advance(XrTime time, const PlateModel& plate);
 
-  /// Up to the end of the step under way; later times give that end.
-  Eigen::Vector2d position_m(XrTime time) const;
-  Eigen::Vector2d velocity_m_per_s(XrTime time) const;
+  /// At any time; at one to come, with the plate as it moves without further commands.
+  FingerMotion motion(XrTime time, const PlateModel& plate) const;
 
-  double tactile_weight() const { return settings_.parameters.tactile_weight; }
-  /// P after the last step made, and what the participant felt in it.
-  double true_direction_deg() const { return participant_.finger_direction_deg(); }
-  double perceived_direction_deg() const { return participant_.perceived_direction_deg(); }
-  std::uint32_t steps() const { return steps_; }
-  bool done() const { return steps_ == total_steps_; }
+  double tactile_weight() const { return simulated_.illusion.tactile_weight; }
+  /// Farther to the left (`sign` > 0) or to the right no plate within 75 degrees of the motion can hold the
+  /// finger, at the middle of the path.
+  double outermost_direction_deg(double sign) const;
+  /// P, and the direction that the person feels.
+  double true_direction_deg() const { return person_.direction_deg(); }
+  double perceived_direction_deg() const { return goal_direction_deg_ + person_.felt_error_deg(); }
+  /// Largest felt less virtual direction so far, while the finger moves.
+  double peak_felt_error_deg() const { return peak_felt_error_deg_; }
+  bool done() const { return person_.done(); }
 
  private:
-  // One step's straight line.
-  struct Leg {
-    Eigen::Vector2d from_m;
-    Eigen::Vector2d velocity_m_per_s;
-  };
+  XrTime millisecond_end(std::size_t millisecond) const;
 
-  XrTime step_end(std::uint32_t step) const;
-  std::size_t leg_at(XrTime time) const;
-
-  ParticipantSettings settings_;
-  SimulatedParticipant participant_;
-  std::uint64_t seed_;
-  std::uint32_t number_;
-  XrTime start_;
-  XrDuration duration_;
-  std::uint32_t total_steps_;
-  std::uint32_t steps_ = 0;
-  std::vector<Leg> legs_;  // of step 0 to the one under way
+  Person simulated_;
+  SlidingPerson person_;
+  double goal_direction_deg_;
+  XrTime moves_;                       // when the finger begins to
+  std::vector<Eigen::Vector2d> path_;  // at the start, and at the end of each millisecond
+  double peak_felt_error_deg_ = 0.0;
 };
 
 }  // namespace hrt::mock

@@ -1,5 +1,5 @@
-// The settings of the simulated world (script.h reads them from JSON). The defaults are the paper's
-// participant under ideal conditions.
+// The settings of the simulated world (script.h reads them from JSON). The defaults are people at a natural
+// pace under ideal conditions.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -7,19 +7,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/perception.h"
 #include "core/plate_model.h"
+#include "samples/mock_runtime/world/people.h"
 
 namespace hrt::mock {
-
-/// One simulated participant.
-struct ParticipantSettings {
-  Participant parameters;  ///< its tactile_weight is drawn between these two, once for a seed
-  double least_tactile_weight = 0.10;
-  double most_tactile_weight = 0.30;
-  double speed_m_per_s = 0.1 / 3.0;          ///< of the fingertip, > 0
-  std::int64_t model_step_ns = 100'000'000;  ///< one step of the participant's model, > 0
-};
 
 /// Content of XrHandJointVelocitiesEXT: nothing valid, valid zeros, valid linear ones only, or all.
 enum class Velocities { none, zero, linear, full };
@@ -46,7 +37,7 @@ struct HandSettings {
 
 struct WorldSettings {
   std::uint64_t seed = 1;
-  std::vector<ParticipantSettings> participants = {{}};  ///< reach n is made by number n modulo their count
+  std::vector<PersonSettings> participants = {{}};  ///< reach n is made by number n modulo their count
   TrackerSettings tracker;
   PlateDynamics servo;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right

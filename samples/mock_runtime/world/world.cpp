@@ -42,16 +42,6 @@ Eigen::Quaterniond hand_orientation(double yaw_deg) {
   return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
 }
 
-// What sets number `number` of the participants apart from others: a draw from [0, 1), by the finaliser of
-// SplitMix64.
-double uniform(std::uint64_t seed, std::uint64_t number) {
-  std::uint64_t bits = seed + 0x9E3779B97F4A7C15 * (number + 1);
-  bits = (bits ^ (bits >> 30)) * 0xBF58476D1CE4E5B9;
-  bits = (bits ^ (bits >> 27)) * 0x94D049BB133111EB;
-  bits ^= bits >> 31;
-  return static_cast<double>(bits >> 11) * 0x1p-53;
-}
-
 // A hand without a path or a reach: beside the keyboard.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
@@ -87,16 +77,12 @@ void World::set_seed(std::uint64_t seed, std::uint32_t next_reach) {
 }
 
 void World::instruct(XrHandEXT side, const ReachInstruction& instruction, double height_m, XrTime now) {
-  const std::size_t number = reaches_ % settings_.participants.size();
-  ParticipantSettings participant = settings_.participants[number];
-  const double share = uniform(settings_.seed, number);
-  participant.parameters.tactile_weight =
-      participant.least_tactile_weight +
-      share * (participant.most_tactile_weight - participant.least_tactile_weight);
+  const auto number = static_cast<std::uint32_t>(reaches_ % settings_.participants.size());
   Hand& hand = at(side);
   hand.tracked = true;
   hand.height_m = height_m;
-  hand.reach.emplace(participant, instruction, settings_.seed, reaches_, now);
+  hand.reach.emplace(draw(settings_.participants[number], settings_.seed, number), instruction,
+                     settings_.seed, reaches_, now);
   ++reaches_;
 }
 
@@ -107,7 +93,7 @@ const Reach* World::reach(XrHandEXT side) const {
 
 Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
   const Hand& hand = at(side);
-  const Eigen::Vector2d tip_m = hand.reach->position_m(now_);
+  const Eigen::Vector2d tip_m = hand.reach->motion(now_, servo_).position_m;
   return {tip_m.x(), hand.height_m, tip_m.y()};
 }
 
@@ -160,10 +146,7 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 }
 
 HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {
-  Reach predicted = *hand.reach;
-  if (time > now_) predicted.advance(time, servo_);
-  const Eigen::Vector2d tip_m = predicted.position_m(time);
-  const Eigen::Vector2d velocity = predicted.velocity_m_per_s(time);
+  const auto [tip_m, velocity] = hand.reach->motion(time, servo_);
   // The forearm turns about the elbow: the hand's yaw is the direction from elbow to fingertip.
   const Eigen::Vector2d elbow_m(side == XR_HAND_LEFT_EXT ? -elbow_right_m : elbow_right_m, elbow_behind_m);
   const Eigen::Vector2d arm_m = tip_m - elbow_m;
@@ -177,7 +160,6 @@ HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) con
 
 Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.noise_m == 0.0) return Eigen::Vector3d::Zero();
-  // Condition 0 is the participants' noise.
   const auto condition = static_cast<std::uint32_t>(side) * 3;
   const auto high = static_cast<std::uint32_t>(time >> 32);
   const auto low = static_cast<std::uint32_t>(time);

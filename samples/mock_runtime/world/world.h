@@ -1,4 +1,4 @@
-// The simulation: a ridged plate on a servo, two hands, and the participant whose fingertip slides over
+// The simulation: a ridged plate on a servo, two hands, and the person whose fingertip slides over
 // the plate. All poses are in world coordinates, which are those of STAGE space.
 #pragma once
 
@@ -44,7 +44,7 @@ class World {
   /// At a time from now on; an earlier one gives where the plate stands now.
   double plate_orientation_deg(XrTime time) const { return servo_.orientation_at_deg(time); }
 
-  /// The participant starts to slide now, with the index tip joint at `height_m` above the plate.
+  /// The person is instructed to slide now, with the index tip joint at `height_m` above the plate.
   /// Requires plate_is_placed().
   void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
   /// The hand's latest reach, or null.

@@ -10,7 +10,7 @@ static_assert(sizeof(XrPlatePlacementHRTX) == 64, "three pointers' worth, a pose
 static_assert(offsetof(XrPlatePlacementHRTX, radius) == 56, "after 28 bytes of pose and 4 of padding");
 static_assert(sizeof(XrReachInstructionHRTX) == 48, "no room left");
 static_assert(offsetof(XrReachInstructionHRTX, goalDirection) == 32, "after hand and start");
-static_assert(sizeof(XrReachTruthHRTX) == 64, "with 4 bytes of padding at the end");
+static_assert(sizeof(XrReachTruthHRTX) == 80, "no room left");
 static_assert(sizeof(XrCallRecordHRTX) == 352, "with 4 bytes of padding at the end");
 
 XrStructureType hrt_structure_types[] = {XR_TYPE_PLATE_PLACEMENT_HRTX, XR_TYPE_REACH_INSTRUCTION_HRTX,

@@ -1,11 +1,11 @@
-// XR_HRTX_ridged_plate: the participant of the paper, as an application sees it.
+// XR_HRTX_ridged_plate: simulated people, as an application sees them.
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <numbers>
 
 #include "core/simulation/participant.h"
-#include "core/simulation/random.h"
+#include "core/simulation/person.h"
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {
@@ -16,7 +16,8 @@ class MockPlate : public MockRuntime {
   void SetUp() override {
     MockRuntime::SetUp();
     ASSERT_XR(XR_SUCCESS,
-              functions->apply_script(instance, R"({"participants": [{"tactile_weight": 0.15}]})"));
+              functions->apply_script(
+                  instance, R"({"participants": [{"steering": "steps", "tactile_weight": 0.15}]})"));
     begin_session();
     plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
     hand = create_hand_tracker();
@@ -52,7 +53,8 @@ class MockPlate : public MockRuntime {
   XrHandTrackerEXT hand = XR_NULL_HANDLE;
 };
 
-// The paper's model, made by hand: 30 steps of 1/30 of the path, noise of seed 1, reach 0.
+// The paper's model, made by hand: 30 steps of 1/30 of the path, noise of seed 1, reach 0. The person draws
+// once a millisecond for continuous steering, and once a step.
 TEST_F(MockPlate, FingertipFollowsThePaperModelWithThePlateAsItFeelsIt) {
   place_plate();
   ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
@@ -62,22 +64,87 @@ TEST_F(MockPlate, FingertipFollowsThePaperModelWithThePlateAsItFeelsIt) {
   while (!truth().isDone) last = frame();
 
   SimulatedParticipant participant(Participant{}, 10.0);
+  Draws draws(1, 1, 0, 0);
   double x_m = 0.0;
   double z_m = 0.05;
   for (std::uint32_t step = 0; step < 30; ++step) {
     const double direction = participant.finger_direction_deg() * std::numbers::pi / 180.0;
     x_m -= std::sin(direction) * 0.1 / 30.0;
     z_m -= std::cos(direction) * 0.1 / 30.0;
-    participant.step(40.0, standard_normal({1, 0, 0, step}));
+    for (int millisecond = 0; millisecond < 100; ++millisecond) draws.normal();
+    participant.step(40.0, draws.normal());
   }
   const XrReachTruthHRTX end = truth();
-  EXPECT_EQ(end.stepCount, 30U);
-  EXPECT_DOUBLE_EQ(end.trueDirection, participant.finger_direction_deg());
-  EXPECT_DOUBLE_EQ(end.perceivedDirection, participant.perceived_direction_deg());
+  EXPECT_NEAR(end.trueDirection, participant.finger_direction_deg(), 1e-9);
   const XrVector3f tip = index_tip(last);
   EXPECT_NEAR(static_cast<double>(tip.x), x_m, 1e-6);
   EXPECT_NEAR(static_cast<double>(tip.y), 0.007, 1e-6);
   EXPECT_NEAR(static_cast<double>(tip.z), z_m, 1e-6);
+}
+
+// Every key of a person reaches the simulated one, who is made by hand here; the plate turns at every frame.
+TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"seed": 6, "participants": [{
+      "illusion": "saturating", "illusion_scale_deg": 50, "tactile_weight": 0.22, "weight_drift": 0.03,
+      "steering": "place", "gain_per_s": 7, "delay_ms": 90, "noise_deg2_per_s": 5, "start_direction_deg": 1.5,
+      "bias_deg": 2, "own_bias_deg": -1, "habit_deg": 4, "pace": "stop_and_go", "duration_ms": 1300,
+      "path_scale": 1.1, "reaction_ms": 250}]})"));
+  begin_session();
+  plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+  hand = create_hand_tracker();
+  place_plate();
+  instruct(5.0);
+  const Person person{
+      .illusion = {.family = IllusionFamily::saturating, .tactile_weight = 0.22, .scale_deg = 50.0},
+      .steering = Steering::place,
+      .gain_per_s = 7.0,
+      .delay_s = 0.09,
+      .noise_deg2_per_s = 5.0,
+      .start_direction_deg = 1.5,
+      .bias_deg = 2.0,
+      .own_bias_deg = -1.0,
+      .habit_deg = 4.0,
+      .weight_drift = 0.03,
+      .pace = Pace::stop_and_go,
+      .duration_s = 1.3,
+      .path_scale = 1.1};
+  SlidingPerson by_hand(person, {0.0, -0.05}, 5.0, 0.1, Draws(6, 1, 0, 0));
+  XrTime now = 1'000'000'000;  // where a manual clock begins
+  double plate_deg = 0.0;
+  double peak_deg = 0.0;
+  for (int period = 0; !truth().isDone; ++period) {
+    ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    now += 10'000'000;
+    for (int millisecond = 0; period >= 25 && millisecond < 10; ++millisecond) {
+      by_hand.advance(plate_deg);
+      if (by_hand.elapsed_s() > 0.05 && by_hand.speed_m_s() > 0.01)
+        peak_deg = std::max(peak_deg, std::abs(by_hand.felt_error_deg()));
+    }
+    const XrVector3f tip = index_tip(now);
+    EXPECT_NEAR(static_cast<double>(tip.x), by_hand.position().right_m, 1e-6);
+    EXPECT_NEAR(static_cast<double>(tip.z), -by_hand.position().away_m, 1e-6);
+    plate_deg = 8.0 * (period % 13) - 50.0;
+    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, plate_deg));
+  }
+  EXPECT_TRUE(by_hand.done());
+  EXPECT_NEAR(truth().perceivedDirection, 5.0 + by_hand.felt_error_deg(), 1e-12);
+  EXPECT_EQ(truth().trueDirection, by_hand.direction_deg());
+  EXPECT_EQ(truth().peakFeltError, peak_deg);
+  EXPECT_GT(peak_deg, 1.0);
+}
+
+// P = G + bias - own bias - shift, and ridges at 75 degrees shift by w 75, or to the right half of that.
+TEST_F(MockPlate, TruthNamesTheDirectionsThatCanBeHeld) {
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"participants": [{"illusion": "unequal",
+      "tactile_weight": 0.2, "bias_deg": 3, "own_bias_deg": 1}]})"));
+  begin_session();
+  plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+  place_plate();
+  instruct(5.0);
+  EXPECT_NEAR(truth().leftmostDirection, 5.0 + 3.0 - 1.0 + 7.5, 1e-12);
+  EXPECT_NEAR(truth().rightmostDirection, 5.0 + 3.0 - 1.0 - 15.0, 1e-12);
 }
 
 // The ridges lead the hand away from where the participant believes to go (paper, figure 8): at rest
@@ -99,23 +166,25 @@ TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
 TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"seed": 3, "servo": {"speed_deg_per_s": 400},
-      "participants": [{"tactile_weight": 0.15}],
+      "participants": [{}, {"illusion": "tanh", "steering": "heavy_arm"}, {"steering": "steps"}],
       "tracker": {"noise_mm": 1.2, "rate_hz": 90, "latency_ms": 10}})"));
   begin_session();
   plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
   hand = create_hand_tracker();
   place_plate();
-  instruct(5.0);
   std::uint64_t hash = 0xCBF29CE484222325;  // FNV-1a
-  while (!truth().isDone) {
-    const XrTime time = frame();
-    const XrVector3f tip = index_tip(time);
-    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, static_cast<double>(time % 60)));
-    std::array<unsigned char, sizeof(tip)> bytes{};
-    std::memcpy(bytes.data(), &tip, sizeof(tip));
-    for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001B3;
+  for (int reach = 0; reach < 3; ++reach) {
+    instruct(5.0);
+    while (!truth().isDone) {
+      const XrTime time = frame();
+      const XrVector3f tip = index_tip(time);
+      ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, static_cast<double>(time % 60)));
+      std::array<unsigned char, sizeof(tip)> bytes{};
+      std::memcpy(bytes.data(), &tip, sizeof(tip));
+      for (const unsigned char byte : bytes) hash = (hash ^ byte) * 0x100000001B3;
+    }
   }
-  EXPECT_EQ(hash, 1643045907662805376U);
+  EXPECT_EQ(hash, 6041797942353730450U);
 }
 
 // All joints of a hand on a path that turns, with noise: positions, axes and velocities.

@@ -69,8 +69,16 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.participants[0].tactile_weight must be an array of 2 numbers"},
       {R"({"participants": [{"tactile_weight": [0.2, 0.1]}]})",
        "script.participants[0].tactile_weight must have the smaller number first"},
-      {R"({"participants": [{"sensory_variance_deg2": 0}]})",
-       "script.participants[0].sensory_variance_deg2 must be above 0"},
+      {R"({"participants": [{"duration_ms": [1000, 90000]}]})",
+       "script.participants[0].duration_ms must be a number from 100 to 60000"},
+      {R"({"participants": [{"delay_ms": 251}]})",
+       "script.participants[0].delay_ms must be a number from 0 to 250"},
+      {R"({"participants": [{"illusion": ["sine", "cube"]}]})",
+       "script.participants[0].illusion must be one of, or an array of, \"linear\", \"saturating\""},
+      {R"({"participants": [{"steering": []}]})",
+       "script.participants[0].steering must be one of, or an array of, \"steps\", \"continuous\""},
+      {R"({"participants": [{"speed_mm_per_s": 20}]})",
+       "script.participants[0].speed_mm_per_s is not known; known are \"steering\", \"illusion\""},
       {R"({"tracker": {"noise_mm": -1}})", "script.tracker.noise_mm must be a number from 0 to 1000"},
       {R"({"tracker": {"noise_mm": "1"}})", "script.tracker.noise_mm must be a number"},
       {R"({"servo": {"speed_deg_per_s": 0}})", "script.servo.speed_deg_per_s must be a number from 1"},
@@ -162,7 +170,8 @@ TEST_F(MockScript, TrackingIsLostAndRegainedAtItsFrames) {
 
 TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
   begin_with(
-      R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"}]})");
+      R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"}],
+          "participants": [{"steering": "steps"}]})");
   instruct();
   std::vector<XrVector3f> tips;
   for (int number = 1; number <= 7; ++number) tips.push_back(locate_hand(hand, local, frame()).index_tip());
@@ -251,7 +260,9 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
   const std::vector<std::pair<const char*, XrSpaceVelocityFlags>> cases{
       {"none", 0}, {"zero", 3}, {"linear", XR_SPACE_VELOCITY_LINEAR_VALID_BIT}, {"full", 3}};
   for (const auto& [kind, flags] : cases) {
-    begin_with((std::string(R"({"tracker": {"velocities": ")") + kind + R"("}})").c_str());
+    begin_with((std::string(R"({"participants": [{"steering": "steps"}], "tracker": {"velocities": ")") +
+                kind + R"("}})")
+                   .c_str());
     instruct();
     const Hand located = locate_hand(hand, local, frame());
     const XrHandJointVelocityEXT& tip = located.velocities[XR_HAND_JOINT_INDEX_TIP_EXT];
@@ -265,8 +276,9 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
 
 // Velocities are the derivatives of the locations.
 TEST_F(MockScript, FullVelocitiesAreTheRatesOfChange) {
-  begin_with("{}");
+  begin_with(R"({"participants": [{"reaction_ms": 0}]})");
   instruct();
+  ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 500'000'000));
   const XrTime time = frame();
   constexpr XrDuration step = 1'000'000;
   const Hand now = locate_hand(hand, local, time);
@@ -321,7 +333,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
 }
 
 TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
-  begin_with(R"({"tracker": {"latency_ms": 50, "rate_hz": 40}})");
+  begin_with(R"({"participants": [{"steering": "steps"}], "tracker": {"latency_ms": 50, "rate_hz": 40}})");
   ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 0));
   instruct();
   const XrTime start = 1'000'000'000;
@@ -368,11 +380,13 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
     return directions;
   };
-  // Without noise a participant ends where felt and wanted direction agree: P = G / (1 - w_T).
+  // Without noise a person ends where felt and wanted direction agree: P = G / (1 - w_T) for the plate at 0.
   const auto exact = final_directions(
-      R"({"participants": [{"tactile_weight": 0.2, "motor_variance_deg2": 0, "initial_variance_deg2": 1e-9},
-                           {"tactile_weight": 0.3, "motor_variance_deg2": 1e-9, "sensory_variance_deg2": 1e-9}]})");
-  EXPECT_NEAR(exact[1], -5.0 / 0.7, 0.01);
+      R"({"participants": [{"illusion": "linear", "tactile_weight": 0.2, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000},
+                           {"illusion": "linear", "tactile_weight": 0.3, "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 4000}]})");
+  EXPECT_NEAR(exact[0], -5.0 / 0.8, 0.001);
+  EXPECT_NEAR(exact[1], -5.0 / 0.7, 0.001);
+  EXPECT_EQ(exact[2], exact[0]);
   const auto first = final_directions(R"({"seed": 1})");
   EXPECT_EQ(final_directions(R"({"seed": 1})"), first);
   EXPECT_NE(final_directions(R"({"seed": 2})"), first);
@@ -399,6 +413,40 @@ TEST_F(MockScript, SeedDrawsTheParticipant) {
   }
   // The mean's deviation is 0.2 / sqrt(12 * 500): four of them.
   EXPECT_NEAR(sum / seeds, 0.2, 4.0 * 0.2 / std::sqrt(12.0 * seeds));
+}
+
+// Half of the people of each of two kinds; what one key sets leaves the other draws as they are.
+TEST_F(MockScript, SeedDrawsEachPartApart) {
+  const auto duration = [&] {
+    instruct();
+    XrDuration taken = 0;
+    for (; !truth().isDone; taken += 10'000'000)
+      EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
+    return taken;
+  };
+  begin_with(
+      R"({"participants": [{"reaction_ms": 0, "pace": ["minimum_jerk", "pause"], "duration_ms": 1000}]})");
+  constexpr int seeds = 200;
+  int pausing = 0;
+  std::vector<double> weights;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    const XrDuration taken = duration();
+    weights.push_back(truth().tactileWeight);
+    EXPECT_TRUE(taken == 1'000'000'000 || taken == 1'600'000'000) << taken;
+    pausing += taken > 1'000'000'000 ? 1 : 0;
+  }
+  EXPECT_NEAR(pausing, seeds / 2, 4.0 * std::sqrt(seeds / 4.0));
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  begin_with("{}");
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
+    const XrDuration taken = duration();
+    EXPECT_EQ(truth().tactileWeight, weights[seed]);
+    // A pace of 1 to 2 s after a reaction of 0.3 to 0.7 s.
+    EXPECT_GE(taken, 1'300'000'000);
+    EXPECT_LE(taken, 2'710'000'000);
+  }
 }
 
 // Where a run was broken off it can be gone on with: the same person, and each reach with noise of its own.

@@ -1,0 +1,87 @@
+#include "samples/mock_runtime/world/people.h"
+
+#include <cmath>
+
+namespace hrt::mock {
+namespace {
+
+// Streams of Draws.
+enum Stream : std::uint32_t { people, reaches };
+
+Range usual_scale_deg(IllusionFamily family) {
+  switch (family) {
+    case IllusionFamily::saturating:
+      return {45.0, 60.0};
+    case IllusionFamily::tanh:
+      return {60.0, 60.0};
+    case IllusionFamily::dead_band:
+      return {10.0, 10.0};
+    default:
+      return {45.0, 45.0};
+  }
+}
+
+double within(const Range& range, Draws& draws) {
+  return range.least + draws.uniform() * (range.most - range.least);
+}
+
+template <typename Value>
+Value one_of(const std::vector<Value>& values, Draws& draws) {
+  return values[static_cast<std::size_t>(draws.uniform() * static_cast<double>(values.size()))];
+}
+
+}  // namespace
+
+PersonSettings paper_person() {
+  PersonSettings settings;
+  settings.illusions = {IllusionFamily::linear};
+  settings.steerings = {Steering::steps};
+  settings.start_direction_deg = {0.0, 0.0};
+  settings.habit_deg = {0.0, 0.0};
+  settings.paces = {Pace::even};
+  settings.duration_s = {3.0, 3.0};
+  settings.reaction_s = {0.0, 0.0};
+  return settings;
+}
+
+DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32_t number) {
+  Draws draws(seed, people, number, 0);
+  DrawnPerson drawn;
+  Person& person = drawn.person;
+  person.illusion.tactile_weight = within(settings.tactile_weight, draws);
+  person.illusion.family = one_of(settings.illusions, draws);
+  person.illusion.scale_deg =
+      within(settings.illusion_scale_deg.value_or(usual_scale_deg(person.illusion.family)), draws);
+  person.weight_drift = within(settings.weight_drift, draws);
+  person.steering = one_of(settings.steerings, draws);
+  person.gain_per_s = within(settings.gain_per_s, draws);
+  person.delay_s = within(settings.delay_s, draws);
+  person.noise_deg2_per_s = within(settings.noise_deg2_per_s, draws);
+  person.bias_deg = within(settings.bias_deg, draws);
+  person.own_bias_deg = within(settings.own_bias_deg, draws);
+  person.habit_deg = within(settings.habit_deg, draws);
+  person.pace = one_of(settings.paces, draws);
+  person.duration_s = within(settings.duration_s, draws);
+  person.path_scale = within(settings.path_scale, draws);
+  drawn.reaction_ns = std::llround(1e9 * within(settings.reaction_s, draws));
+  drawn.start_share = within({0.0, 1.0}, draws);
+  if (settings.start_direction_deg) {
+    drawn.start_share = 0.0;
+    person.start_direction_deg = within(*settings.start_direction_deg, draws);
+  } else {
+    person.start_direction_deg = draws.normal();
+  }
+  return drawn;
+}
+
+Person DrawnPerson::towards(double virtual_direction_deg) const {
+  Person bound = person;
+  bound.start_direction_deg += start_share * virtual_direction_deg;
+  return bound;
+}
+
+Draws noise_of_reach(std::uint64_t seed, std::uint32_t number) {
+  return {seed, reaches, number, 0};
+}
+
+}  // namespace hrt::mock

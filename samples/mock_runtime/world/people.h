@@ -1,0 +1,55 @@
+// Who reaches: a seed and the settings of a script make a person.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/simulation/person.h"
+
+namespace hrt::mock {
+
+/// A number between two, or one that both are.
+struct Range {
+  double least;
+  double most;
+};
+
+/// What a person is drawn from. The defaults are people who move at a natural pace.
+struct PersonSettings {
+  std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating,
+                                           IllusionFamily::sine, IllusionFamily::tanh};
+  std::optional<Range> illusion_scale_deg;  ///< none: as usual for the family
+  Range tactile_weight = {0.12, 0.30};      ///< in (0, 0.5)
+  Range weight_drift = {0.0, 0.0};
+  std::vector<Steering> steerings = {Steering::continuous, Steering::predictive};
+  Range gain_per_s = {5.0, 12.0};
+  Range delay_s = {0.0, 0.12};  ///< up to 0.25
+  Range noise_deg2_per_s = {8.0, 8.0};
+  std::optional<Range> start_direction_deg;  ///< none: between the mid-line and the virtual target
+  Range bias_deg = {0.0, 0.0};
+  Range own_bias_deg = {0.0, 0.0};
+  Range habit_deg = {-3.0, 3.0};
+  std::vector<Pace> paces = {Pace::minimum_jerk, Pace::skewed};
+  Range duration_s = {1.0, 2.0};
+  Range path_scale = {1.0, 1.0};
+  Range reaction_s = {0.3, 0.7};  ///< from the instruction to the motion
+};
+
+/// The person of paper section II-A: steps of 100 ms along the mid-line at first, an even pace of 3 s.
+PersonSettings paper_person();
+
+struct DrawnPerson {
+  Person person;             ///< its start_direction_deg is that of a virtual target on the mid-line
+  double start_share = 0.0;  ///< of the virtual target's direction, added to it
+  std::int64_t reaction_ns = 0;
+
+  Person towards(double virtual_direction_deg) const;
+};
+
+/// Person `number` of a seed. Each part is a draw of its own: setting one leaves the others as they are.
+DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32_t number);
+
+/// The noise of reach `number`.
+Draws noise_of_reach(std::uint64_t seed, std::uint32_t number);
+
+}  // namespace hrt::mock
