@@ -28,9 +28,11 @@ constexpr int losses_allowed = 3;  // of the session or the instance, in a row
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config;
   plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
-  config.tactile_weight = options.tactile_weight;
-  config.adaptation = options.adaptive ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
-  config.guidance = options.adaptive ? HRT_GUIDANCE_LINE_OF_SIGHT : HRT_GUIDANCE_FIXED_DIRECTION;
+  constexpr double paper_tactile_weight = 0.15;
+  if (!options.for_people) config.tactile_weight = paper_tactile_weight;
+  if (options.tactile_weight) config.tactile_weight = *options.tactile_weight;
+  config.adaptation = options.for_people ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
+  config.guidance = options.for_people ? HRT_GUIDANCE_ARRIVAL : HRT_GUIDANCE_FIXED_DIRECTION;
   config.motor_variance_deg2 = options.motor_variance_deg2;
   return load_targets(plugin, options.scene, config);
 }
@@ -146,7 +148,7 @@ class Run {
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
       simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
-      // A new session has the same participant.
+      // A new session has the same person.
       simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
     }
     std::unique_ptr<Plate> plate =

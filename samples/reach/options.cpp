@@ -76,7 +76,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   options.plugin = default_plugin();
   std::string hand = "right";
   std::string plate = "runtime";
-  std::string controller = "adaptive";
+  std::string controller = "people";
   double runtime_limit_s = 10.0;
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
@@ -110,14 +110,14 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
   app.add_option(
          "--controller", controller,
-         "adaptive: learns the user's share of touch and aims by line of sight; or paper: takes that share\n"
-         "as known and aims in a fixed direction [adaptive]")
-      ->check(CLI::IsMember({"adaptive", "paper"}));
+         "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
+         "takes the share of touch as known and aims in a fixed direction [people]")
+      ->check(CLI::IsMember({"people", "paper"}));
   app.add_option("--tactile-weight", options.tactile_weight,
-                 "Share of touch that the controller assumes, at first if adaptive [0.15]")
+                 "Share of touch that the controller assumes, at first [people: 0.2, paper: 0.15]")
       ->check(between(0.001, 0.499, "a number from 0.001 to 0.499"));
   app.add_option("--motor-variance", options.motor_variance_deg2,
-                 "Variance of motor noise that the controller assumes, degrees squared a step [0.5]")
+                 "Variance of motor noise that the paper's controller assumes, degrees squared a step [0.5]")
       ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
   app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
   app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");
@@ -134,7 +134,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   }
   options.plate = *parse_plate(plate);
   options.runtime_limit = std::chrono::milliseconds(std::llround(runtime_limit_s * 1e3));
-  options.adaptive = controller == "adaptive";
+  options.for_people = controller == "people";
   if (hand == "left") options.hands = {Hand::left};
   if (hand == "right") options.hands = {Hand::right};
   if (hand == "either") options.hands = {Hand::right, Hand::left};

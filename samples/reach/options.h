@@ -24,13 +24,13 @@ struct Options {
   std::filesystem::path plugin;
   std::vector<std::string> targets;  ///< virtual ones, in this order; empty: all, in the scene's order
   int repeat = 1;
-  std::uint64_t seed = 1;  ///< of a simulated user's noise
+  std::uint64_t seed = 1;  ///< of a simulated user and of the noise
   std::vector<Hand> hands;
   PlateChoice plate;
   double time_limit_s = 30.0;
   std::chrono::milliseconds runtime_limit{10'000};  ///< for every wait for the runtime
-  bool adaptive = true;                             ///< else the paper's controller
-  double tactile_weight = 0.15;
+  bool for_people = true;                           ///< else the paper's controller
+  std::optional<double> tactile_weight;             ///< none: the plugin's default, or the paper's 0.15
   double motor_variance_deg2 = 0.5;
   std::filesystem::path record;  ///< empty: none
   std::filesystem::path plot;    ///< empty: none

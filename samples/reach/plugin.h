@@ -22,7 +22,6 @@ namespace hrt::reach {
   X(hrt_scene_get_target)             \
   X(hrt_scene_register)               \
   X(hrt_scene_destroy)                \
-  X(hrt_authority_query)              \
   X(hrt_reach_config_default)         \
   X(hrt_reach_begin)                  \
   X(hrt_reach_update)                 \

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,10 @@ std::string within_s(XrDuration limit_ns) {
 
 double distance_along_plate_m(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[2] - b[2]);
+}
+
+double bearing_deg(const Point& from, const Point& to) {
+  return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;
 }
 
 // Ends the plugin's reach, and after a failure stops the plate.
@@ -169,10 +174,14 @@ bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Po
   return false;
 }
 
-// A simulated participant has travelled the whole path; a person's finger touches the real target or rests.
+// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target or rests.
 bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
-                 const std::vector<Moment>& moments) {
-  if (stage.simulation != nullptr) return stage.simulation->truth(finger.hand()).done;
+                 const std::vector<Moment>& moments, std::optional<XrTime>& done_since) {
+  if (stage.simulation != nullptr) {
+    if (!stage.simulation->truth(finger.hand()).done) return false;
+    if (!done_since) done_since = moments.back().time;
+    return moments.back().time - *done_since >= settle_ns;
+  }
   const Moment& last = moments.back();
   return (last.tracked &&
           distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m) ||
@@ -183,23 +192,24 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
                       std::vector<Moment> moments) {
   ReachResult result{};
   Point end_m = moments.back().position_m;
-  hrt_authority authority{.struct_size = sizeof authority};
-  stage.plugin.check(stage.plugin.hrt_authority_query(stage.targets.session, pair.real_target,
-                                                      pair.virtual_target, &authority));
   result.can_be_held = moments.back().can_be_held;
-  result.largest_gap_deg = authority.largest_gap_deg;
   result.assumed_weight = summary.tactile_weight;
+  result.off_target = (summary.flags & HRT_COMMAND_OFF_TARGET) != 0;
+  result.misfit = (summary.flags & HRT_COMMAND_MISFIT) != 0;
   result.final_direction_deg = summary.final_direction_deg;
-  result.felt_direction_deg = summary.perceived_direction_deg;
+  result.peak_felt_error_deg = summary.peak_felt_error_deg;
   if (stage.simulation != nullptr) {
     const Simulation::Truth truth = stage.simulation->truth(hand);
     result.final_direction_deg = truth.finger_direction_deg;
-    result.felt_direction_deg = truth.perceived_direction_deg;
+    result.peak_felt_error_deg = truth.peak_felt_error_deg;
+    result.holdable_gap_deg = pair.real_direction_deg < pair.virtual_direction_deg
+                                  ? pair.virtual_direction_deg - truth.rightmost_direction_deg
+                                  : truth.leftmost_direction_deg - pair.virtual_direction_deg;
     result.tactile_weight = truth.tactile_weight;
     result.is_truth = true;
     end_m = truth.tip_m;
   }
-  result.miss_deg = result.final_direction_deg - pair.real_direction_deg;
+  result.miss_deg = bearing_deg(stage.targets.start_m, end_m) - pair.real_direction_deg;
   result.miss_m = distance_along_plate_m(end_m, pair.real_position_m);
   result.frames = static_cast<int>(moments.size());
   result.dropouts = static_cast<int>(
@@ -225,7 +235,8 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
   }
 
   std::vector<Moment> moments;
-  for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, finger, moments);
+  std::optional<XrTime> done_since;
+  for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, finger, moments, done_since);
        time = next_frame(stage)) {
     if (time - began > stage.time_limit_ns)
       throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end " +

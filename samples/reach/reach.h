@@ -27,16 +27,18 @@ struct Moment {
 };
 
 struct ReachResult {
-  double final_direction_deg;  ///< P after the last step: the simulation's truth, or else as observed
-  double felt_direction_deg;   ///< in the last step: the simulation's truth, or else as the model predicts
-  double miss_deg;             ///< final_direction_deg less the real target's
+  double final_direction_deg;  ///< P at the end: the simulation's truth, or else as observed
+  double peak_felt_error_deg;  ///< the simulation's truth, or else as estimated; 0 if unknown
+  double miss_deg;             ///< bearing of the fingertip's end, from the start, less the real target's
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
-  bool is_truth;               ///< the fields above and the next are the simulation's truth
+  bool is_truth;               ///< the fields above and the next two are the simulation's truth
   double tactile_weight;       ///< share of touch in what the user feels; 0 if unknown
-  double assumed_weight;       ///< what the controller assumed of that at the end
-  bool can_be_held;            ///< with what it assumed then (HRT_COMMAND_UNREACHABLE)
-  double largest_gap_deg;      ///< between real and virtual direction that can be held so (authority.h)
-  bool changed_hands;          ///< within the reach, so that two fingers made it
+  double holdable_gap_deg;  ///< largest one, to the real target's side, that a plate can hold; 0 if unknown
+  double assumed_weight;    ///< what the controller assumed of the share of touch at the end
+  bool can_be_held;         ///< as the controller reports (HRT_COMMAND_UNREACHABLE)
+  bool off_target;          ///< the controller reports HRT_COMMAND_OFF_TARGET
+  bool misfit;              ///< the controller reports HRT_COMMAND_MISFIT
+  bool changed_hands;       ///< within the reach, so that two fingers made it
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate

@@ -39,37 +39,41 @@ Table::Table(const std::vector<TargetPair>& pairs)
 
 void Table::print_header(std::ostream& out) const {
   out << padded_to("virtual", virtual_width_) << format(" %6s  ", "deg") << padded_to("real", real_width_)
-      << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %5s %6s\n", "deg", "final deg", "felt deg", "miss deg",
-                "miss mm", "touch", "assumed", "frames", "lost", "bound");
+      << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %7s %5s %6s\n", "deg", "final deg", "peak deg",
+                "miss deg", "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
 }
 
 void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
   out << padded_to(pair.virtual_name, virtual_width_)
       << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
       << padded_to(pair.real_name, real_width_)
-      << format(" %+6.1f  %+9.2f %+8.2f %+8.2f %7.1f  %5s %7.3f %7d %5d %5.0f%%  %s",
+      << format(" %+6.1f  %+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s",
                 without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
-                result.felt_direction_deg, result.miss_deg, result.miss_m * 1e3,
+                result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
+                result.miss_deg, result.miss_m * 1e3,
                 result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.assumed_weight,
-                result.frames, result.dropouts, result.saturated_share * 100.0,
+                result.is_truth ? format("%.1f", result.holdable_gap_deg).c_str() : "-", result.frames,
+                result.dropouts, result.saturated_share * 100.0,
                 is_reached(pair, result) ? "reached" : "missed");
-  if (!result.can_be_held)
-    out << format(" (cannot be held: with this touch, gaps up to %.1f deg can)", result.largest_gap_deg);
   if (result.changed_hands) out << " (hands changed)";
+  if (!result.can_be_held) out << " (flag: cannot be held)";
+  if (result.off_target) out << " (flag: off target)";
+  if (result.misfit) out << " (flag: model does not fit)";
   out << std::endl;
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << "final: direction of the finger after the last step; felt: as the user feels it. miss: final minus "
-         "the "
-         "real\n"
-         "target's direction, and the distance along the plate from the real target to the fingertip's end.\n"
-         "touch: share of touch in what the user feels; assumed: the controller's estimate of touch at the "
-         "end.\n"
-         "lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended "
-         "inside "
+  out << "final: direction of the finger at the end. peak: largest felt less virtual direction while the "
+         "finger\n"
+         "moves. miss: bearing of the fingertip's end, seen from the start, minus the real target's, and "
          "the\n"
-         "real target's radius.\n";
+         "distance along the plate between the two. touch: share of touch in what the user feels; assumed: "
+         "the\n"
+         "controller's estimate of touch. holds: largest gap, in degrees, that a plate can hold for this "
+         "user.\n"
+         "lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended "
+         "inside\n"
+         "the real target's radius. flag: as the controller reports.\n";
 }
 
 void Tally::add(const TargetPair& pair, const ReachResult& result) {
@@ -81,9 +85,9 @@ void Tally::add(const TargetPair& pair, const ReachResult& result) {
 }
 
 void print_summary(std::ostream& out, const Tally& tally) {
-  out << format(
-      "%d of %d targets that can be held were reached; in %d of %d reaches the last step was within %.1f deg",
-      tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable, tolerance_deg);
+  out << format("%d of %d targets that can be held were reached; %d of %d reaches ended within %.1f deg",
+                tally.holdable_reached, tally.holdable, tally.holdable_within_tolerance, tally.holdable,
+                tolerance_deg);
   if (tally.holdable < tally.reaches)
     out << format("; %d more cannot be held", tally.reaches - tally.holdable);
   out << ".\n";

@@ -8,7 +8,7 @@
 
 namespace hrt::reach {
 
-/// The paper's test of success: |P - P_R| after the last step, in degrees.
+/// The bearing of an end is on the real target's within this, in degrees.
 inline constexpr double tolerance_deg = 1.5;
 bool is_within_tolerance(const ReachResult& result);
 

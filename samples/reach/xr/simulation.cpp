@@ -49,8 +49,9 @@ void Simulation::instruct(Hand hand, const std::array<double, 3>& start_m, doubl
 Simulation::Truth Simulation::truth(Hand hand) const {
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
   CHECK_XR_NAMED("xrGetReachTruthHRTX", get_reach_truth_(session_, to_xr(hand), &truth));
-  return {truth.trueDirection, truth.perceivedDirection, truth.tactileWeight, to_array(truth.indexTip),
-          truth.isDone == XR_TRUE};
+  return {truth.trueDirection,      truth.perceivedDirection, truth.peakFeltError,
+          truth.leftmostDirection,  truth.rightmostDirection, truth.tactileWeight,
+          to_array(truth.indexTip), truth.isDone == XR_TRUE};
 }
 
 void Simulation::set_plate_orientation(double orientation_deg) {

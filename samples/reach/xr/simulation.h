@@ -1,4 +1,4 @@
-// A runtime that simulates its user (XR_HRTX_ridged_plate): instructs the participant, turns the simulated
+// A runtime that simulates its user (XR_HRTX_ridged_plate): instructs the person, turns the simulated
 // plate, reads the truth about the reach.
 #pragma once
 
@@ -20,19 +20,22 @@ class Simulation {
   /// `pose` of the plate in the LOCAL reference space.
   void place_plate(const XrPosef& pose, double radius_m);
 
-  /// From now on participant and noise come from this seed; the next reach has this number, from 0.
+  /// From now on person and noise come from this seed; the next reach has this number, from 0.
   void seed(std::uint64_t seed, std::uint32_t next_reach);
 
-  /// The participant starts to slide now, from `start_m` in plate coordinates.
+  /// The person is instructed now to slide from `start_m` in plate coordinates.
   void instruct(Hand hand, const std::array<double, 3>& start_m, double goal_direction_deg,
                 double path_length_m);
 
   struct Truth {
-    double finger_direction_deg;     ///< P after the participant's last step
-    double perceived_direction_deg;  ///< felt in that step
-    double tactile_weight;           ///< the share of touch in what the participant feels
-    std::array<double, 3> tip_m;     ///< in plate coordinates, without the tracker's errors
-    bool done;                       ///< the fingertip has travelled the whole path
+    double finger_direction_deg;     ///< P now
+    double perceived_direction_deg;  ///< felt now
+    double peak_felt_error_deg;      ///< largest difference between felt and goal direction so far
+    double leftmost_direction_deg;   ///< farther to the left, or to the right, no plate can hold the finger
+    double rightmost_direction_deg;
+    double tactile_weight;        ///< the share of touch in what the person feels
+    std::array<double, 3> tip_m;  ///< in plate coordinates, without the tracker's errors
+    bool done;                    ///< the motion has ended
   };
   Truth truth(Hand hand) const;
 

@@ -25,53 +25,64 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
   EXPECT_EQ(rows[2].virtual_name, "pawn");
   for (const Row& row : rows) {
     EXPECT_TRUE(row.reached) << row.virtual_name;
-    // Printed with two decimals, and the difference of two such numbers.
-    EXPECT_NEAR(row.miss_deg, row.final_direction_deg - row.real_direction_deg, 0.011);
-    EXPECT_LT(row.miss_mm, 2.0);
-    // 3 s of 90 Hz, and a frame before the first.
-    EXPECT_EQ(row.frames, 271);
+    EXPECT_LT(std::abs(row.miss_deg), 2.5) << row.virtual_name;
+    EXPECT_LT(row.miss_mm, 5.0);
+    // A reaction of 0.3 to 0.7 s, a motion of 1 to 2 s and a rest of 0.3 s at 90 Hz.
+    EXPECT_GE(row.frames, 144);
+    EXPECT_LE(row.frames, 273);
     EXPECT_EQ(row.lost, 0);
   }
 }
 
-// A seed is a person with one weight of touch in all reaches of a run. The controller learns that weight, and
-// leads each person to the targets or reports them unreachable.
-TEST(ReachEndToEnd, LeadsEveryoneWhomASeedMakes) {
+// A seed is a person. Of reaches that a plate can hold for its person, the controller for people leads nearly
+// all to the target; the exit code says whether any was missed that is not reported as unreachable.
+TEST(ReachEndToEnd, LeadsThePeopleWhomSeedsMake) {
   std::set<std::string> weights;
+  int holdable = 0, reached = 0;
   for (int seed = 1; seed <= 25; ++seed) {
     for (const std::string plate : {"runtime", "servo"}) {
       const Outcome outcome = run_program({desk, "--seed", std::to_string(seed), "--plate", plate});
-      EXPECT_EQ(outcome.exit_code, 0) << seed << " " << plate << "\n" << outcome.out << outcome.err;
       const std::vector<Row> rows = rows_of(outcome);
       ASSERT_EQ(rows.size(), 3U) << outcome.out;
-      const double weight = std::stod(rows[0].touch);
-      EXPECT_GE(weight, 0.1);
-      EXPECT_LE(weight, 0.3);
       weights.insert(rows[0].touch);
-      EXPECT_EQ(rows[1].touch, rows[0].touch);
-      EXPECT_EQ(rows[2].touch, rows[0].touch);
-      EXPECT_NEAR(rows[2].assumed, weight, 0.03);
-      // At the bound of 84.5 degrees, 12 degrees can be held from 12 / 96.5 on; a tenth of that is for doubt.
-      const bool excused = outcome.out.find("cannot be held") != std::string::npos;
-      EXPECT_TRUE(!excused || weight < 12.0 / 96.5 * 1.1) << outcome.out;
+      EXPECT_GE(std::stod(rows[0].touch), 0.12);
+      EXPECT_LE(std::stod(rows[0].touch), 0.30);
+      bool all = true;
+      for (const Row& row : rows) {
+        EXPECT_EQ(row.touch, rows[0].touch);
+        const double gap_deg = std::abs(row.virtual_direction_deg - row.real_direction_deg);
+        all = all && (row.reached || row.unreachable);
+        if (std::stod(row.holds) < gap_deg) continue;
+        ++holdable;
+        reached += row.reached ? 1 : 0;
+      }
+      EXPECT_EQ(outcome.exit_code, all ? 0 : 1) << outcome.out << outcome.err;
     }
   }
   EXPECT_GT(weights.size(), 20U);
+  EXPECT_GT(holdable, 75);
+  EXPECT_GT(reached, holdable * 9 / 10);
 }
 
 // The paper's controller takes everybody's weight of touch for 0.15.
 TEST(ReachEndToEnd, ThePapersControllerMissesThoseWhoAreNotAsItAssumes) {
-  const std::string half = R"({"participants": [{"tactile_weight": 0.3}]})";
-  EXPECT_EQ(run_scripted(half, {desk, "--controller", "paper"}).exit_code, 1);
-  EXPECT_EQ(run_scripted(half, {desk}).exit_code, 0);
+  const std::string strong = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.3}]})";
+  EXPECT_EQ(run_scripted(strong, {desk, "--controller", "paper"}).exit_code, 1);
+  EXPECT_EQ(run_scripted(strong, {desk}).exit_code, 0);
 }
 
-// What makes the reach worth it: the fingertip goes to one place, and its owner feels three others. The felt
-// direction settles at the virtual target's; it keeps the filter's noise, of standard deviation 0.7 degrees
-// at condition 1, so three of those bound a single reach.
+// What makes the reach worth it: the fingertip goes to one place, and its owner feels another one, with an
+// error whose peak has a median of at most 7.5 degrees over people.
 TEST(ReachEndToEnd, IsFeltAsTheVirtualTarget) {
-  for (const Row& row : rows_of(run_program({desk})))
-    EXPECT_NEAR(row.felt_direction_deg, row.virtual_direction_deg, 2.1) << row.virtual_name;
+  std::vector<double> peaks;
+  for (int seed = 1; seed <= 15; ++seed) {
+    for (const Row& row : rows_of(run_program({desk, "--seed", std::to_string(seed)})))
+      peaks.push_back(row.peak_felt_deg);
+  }
+  ASSERT_EQ(peaks.size(), 45U);
+  std::nth_element(peaks.begin(), peaks.begin() + 22, peaks.end());
+  EXPECT_GT(peaks[22], 0.5);
+  EXPECT_LT(peaks[22], 7.5);
 }
 
 TEST(ReachEndToEnd, GivesTheSameBytesForTheSameSeed) {
@@ -83,15 +94,14 @@ TEST(ReachEndToEnd, GivesTheSameBytesForTheSameSeed) {
 // Condition 1 of the paper's Table I, all six pairs. The reconstructed model gives 92.8 % (over
 // 20,000 trials a cell), the paper 93.0 %. With 300 reaches the standard error is 1.5 %; four of them.
 TEST(ReachEndToEnd, HitsAsOftenAsThePaperSays) {
-  const Outcome outcome = run_scripted(R"({"participants": [{"tactile_weight": 0.15}]})",
+  const Outcome outcome = run_scripted(R"({"participants": [{"steering": "steps", "tactile_weight": 0.15}]})",
                                        {table1, "--repeat", "50", "--controller", "paper"});
   const std::vector<Row> rows = rows_of(outcome);
   ASSERT_EQ(rows.size(), 300U) << outcome.err;
-  const auto hits =
-      std::count_if(rows.begin(), rows.end(), [](const Row& row) { return std::abs(row.miss_deg) <= 1.5; });
+  const auto hits = std::count_if(rows.begin(), rows.end(), [](const Row& row) {
+    return std::abs(row.final_direction_deg - row.real_direction_deg) <= 1.5;
+  });
   EXPECT_NEAR(static_cast<double>(hits) / 300.0, 0.928, 0.06);
-  EXPECT_NE(outcome.out.find("; in " + std::to_string(hits) + " of 300 reaches"), std::string::npos)
-      << outcome.out.substr(outcome.out.rfind("reached:"));
   EXPECT_EQ(outcome.exit_code, 0);  // all ended inside the target
 }
 
@@ -108,18 +118,18 @@ TEST(ReachEndToEnd, ReachesWithTheLeftHand) {
   EXPECT_EQ(rows_of(outcome).size(), 3U);
 }
 
-// With a weight of touch of 0.10 gaps up to 84.5 / 9 = 9.4 degrees can be held: not the pawn's 12. The
-// paper's controller assumes it, ours learns it.
+// With a weight of touch of 0.10 gaps up to 7.5 degrees can be held with the plate within 75 degrees of the
+// motion, and 9.4 by the paper's bound: not the pawn's 12. The paper's controller assumes the weight, ours
+// learns it.
 TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
-  const std::string light = R"({"participants": [{"tactile_weight": 0.1}]})";
+  const std::string light = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.1}]})";
   for (const std::vector<std::string>& arguments :
        {std::vector<std::string>{desk, "--target", "pawn", "--controller", "paper", "--tactile-weight",
                                  "0.1"},
-        std::vector<std::string>{desk, "--target", "pawn"}}) {
+        std::vector<std::string>{desk, "--target", "pawn", "--tactile-weight", "0.1"}}) {
     const Outcome outcome = run_scripted(light, arguments);
     EXPECT_EQ(outcome.exit_code, 0);
-    EXPECT_NE(outcome.out.find("(cannot be held: with this touch, gaps up to "), std::string::npos)
-        << outcome.out;
+    EXPECT_NE(outcome.out.find("(flag: cannot be held)"), std::string::npos) << outcome.out;
     EXPECT_NE(outcome.out.find("0 of 0 targets that can be held were reached"), std::string::npos)
         << outcome.out;
     EXPECT_NE(outcome.out.find("; 1 more cannot be held"), std::string::npos) << outcome.out;

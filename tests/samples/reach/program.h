@@ -19,6 +19,12 @@ std::map<std::string, std::string> mock_environment();
 /// The same with this script (samples/mock_runtime/README.md) for the mock runtime.
 std::map<std::string, std::string> scripted_environment(const std::string& script);
 
+/// Part of a script: a person with so little noise that only faults matter, who takes 2.7 s: with the rest
+/// that ends a reach about 270 frames.
+inline const std::string calm = R"("participants": [{"illusion": "linear", "tactile_weight": 0.2,
+    "steering": "continuous", "delay_ms": 50, "gain_per_s": 9, "noise_deg2_per_s": 0.5, "start_direction_deg": 0,
+    "habit_deg": 0, "pace": "minimum_jerk", "duration_ms": 2400, "reaction_ms": 300}])";
+
 /// hrt-reach on its way.
 class Program {
  public:
@@ -55,15 +61,17 @@ struct Row {
   double virtual_direction_deg;
   double real_direction_deg;
   double final_direction_deg;
-  double felt_direction_deg;
+  double peak_felt_deg;
   double miss_deg;
   double miss_mm;
   std::string touch;  ///< "-" if unknown
   double assumed;
+  std::string holds;  ///< "-" if unknown
   int frames;
   int lost;
   int bound_percent;
   bool reached;
+  bool unreachable;  ///< as the controller reports
 };
 std::vector<Row> rows_of(const Outcome& outcome);
 
