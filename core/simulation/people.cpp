@@ -243,7 +243,18 @@ bool can_hold(const PersonCondition& condition) {
   const Person& person = condition.person;
   const double gap_deg =
       condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;
-  return largest_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
+  if (person.steering != Steering::crossings)
+    return largest_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
+  // A shift is felt anew at each ridge and fades until the next one: its mean at the mean speed.
+  double largest_deg = 0.0;
+  for (double t = 0.0; t <= bound_deg; t += 0.5) {
+    const double between_s =
+        ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
+    const double mean_share = touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
+    largest_deg = std::max(largest_deg,
+                           mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
+  }
+  return largest_deg > std::abs(gap_deg);
 }
 
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
@@ -280,19 +291,20 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
     belief.mean(trait) = mean;
     belief.covariance(trait, trait) = sd * sd;
   };
-  // The cubic that has the person's shift at 35 and at 70 degrees.
-  const double near_slope = felt_shift_deg(person.illusion, 35.0) / 35.0;
-  const double far_slope = felt_shift_deg(person.illusion, 70.0) / 70.0;
+  // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
+  const double side = condition.virtual_direction_deg > condition.real_direction_deg ? 1.0 : -1.0;
+  const double near_slope = side * felt_shift_deg(person.illusion, side * 35.0) / 35.0;
+  const double far_slope = side * felt_shift_deg(person.illusion, side * 70.0) / 70.0;
   const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
-  know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.003);
-  know(T::curve, curve, 0.005);
+  know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
+  know(T::curve, curve, 0.015);
   know(T::gain, person.gain_per_s, 0.5);
-  know(T::bias, person.bias_deg - person.own_bias_deg, 0.2);
-  know(T::habit, person.habit_deg, 0.2);
+  know(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
+  know(T::habit, person.habit_deg, 0.5);
   know(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know(T::log_rate, -logarithm(person.duration_s), 0.05);
   know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
-  belief.wander_sd_deg = 0.5;
+  belief.wander_sd_deg = later_wander_sd_deg;
   return config;
 }
 

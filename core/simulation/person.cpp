@@ -10,7 +10,6 @@ namespace hrt {
 namespace {
 
 constexpr double tick_s = 0.001;
-constexpr double ridge_spacing_m = 0.01;
 constexpr double least_felt_speed_m_s = 0.0005;
 
 double minimum_jerk(double u) {
@@ -148,7 +147,7 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
   if (person_.steering == Steering::crossings) {
     ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
-    crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / 0.3;
+    crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / touch_memory_s;
     if (ridge_travel_m_ >= ridge_spacing_m) {
       ridge_travel_m_ -= ridge_spacing_m;
       crossed_shift_deg_ = shift_deg;

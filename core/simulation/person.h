@@ -73,6 +73,10 @@ struct Person {
 };
 
 /// One reach of a person. Advances in milliseconds.
+/// Of the plate, and how long a crossed ridge is felt: the shift fades with this time constant.
+inline constexpr double ridge_spacing_m = 0.01;
+inline constexpr double touch_memory_s = 0.3;
+
 class SlidingPerson {
  public:
   /// At rest at `start`, told to go `distance_m` to the virtual target in `virtual_direction_deg`.
