@@ -97,7 +97,8 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
     decision_ = decide(now_s);
     plate_.command(decision_.plate.orientation_deg);
   }
-  command_ = publish(sample, now_s, decides);
+  const bool stands_ready = counts_.samples == 1 && !config_.plate_waits;  // decided before the first sample
+  command_ = publish(sample, now_s, decides || stands_ready);
   count(command_, observed);
   return command_;
 }

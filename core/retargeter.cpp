@@ -104,7 +104,7 @@ void Retargeter::begin(const Reach& reach) {
 }
 
 PlateCommand Retargeter::update(const FingerSample& sample) {
-  if (person_ && sample.observation == Observation::direction && !person_->seen()) person_.reset();
+  if (person_ && sample.observation == Observation::direction && !person_->seen()) lead_by_directions();
   if (person_) return person_->update(sample);
   const ReachState state = estimator_.observe(sample, plate_);
   const bool decides = state.observed == Observation::position ||
@@ -118,6 +118,18 @@ PlateCommand Retargeter::update(const FingerSample& sample) {
   }
   if (decides || state.predicted) finger_ = finger(state, plate_.orientation_at_deg(state.step_end_ns));
   return publish(state, !decides);
+}
+
+// Before a first sample no command has been returned: the plate stands where it stood.
+void Retargeter::lead_by_directions() {
+  const bool commanded = person_->summary().samples > 0;
+  person_.reset();
+  if (commanded) return;
+  const PlateStops& stops = config_.plate.stops;
+  decision_.plate = {std::clamp(reach_.plate_orientation_deg, stops.lower_deg, stops.upper_deg),
+                     ActiveBound::none};
+  plate_ = PlateModel(config_.plate, decision_.plate.orientation_deg);
+  plate_.command(decision_.plate.orientation_deg);
 }
 
 PlateCommand Retargeter::step(double finger_direction_deg) {

@@ -94,6 +94,7 @@ class Retargeter {
     double tactile_weight_sd;
   };
 
+  void lead_by_directions();
   Aim aim(const ReachState& state) const;
   PlateOrientation plan(const ReachState& state, const Aim& aim);
   void decide(const Decision& decision);

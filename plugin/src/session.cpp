@@ -126,7 +126,7 @@ hrt_result Session::begin(const hrt_reach_config& config) {
                 config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
   retargeter_.begin(reach);
-  plate_orientation_deg_ = retargeter_.command().plate_orientation_deg;
+  plate_orientation_deg_ = reach.plate_orientation_deg;  // no command has been returned yet
   reaching_ = true;
   sampled_ = faulty_ = false;
   reach_ = reach;

@@ -1,6 +1,7 @@
 #include "plugin/src/session_config.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 
@@ -54,11 +55,6 @@ constexpr double default_tactile_weight = 0.2;
 static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_LOG_RATE == PersonTrait::log_rate &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 
-bool knows_person(const C& config) {
-  return std::any_of(std::begin(config.person_covariance), std::end(config.person_covariance),
-                     [](double covariance) { return covariance != 0.0; });
-}
-
 PersonBelief person_of(const C& config) {
   if (config.adaptation == HRT_ADAPTATION_OFF && !knows_person(config))
     return known_person(config.tactile_weight, config.bias_deg);
@@ -79,7 +75,27 @@ double limit_or_none(double limit) {
   return limit > 0.0 ? limit : infinity;
 }
 
+hrt_result check_person(const hrt_session_config& config) {
+  for (const double mean : config.person_mean)
+    HRT_RETURN_IF_FAILED(check_range("person_mean", mean, -100.0, 100.0));
+  for (const double covariance : config.person_covariance)
+    HRT_RETURN_IF_FAILED(check_range("person_covariance", covariance, -1e4, 1e4));
+  if (!knows_person(config)) return HRT_OK;
+  if (is_valid(person_of(config)) && config.person_mean[HRT_PERSON_GAIN] > 0.0 &&
+      std::abs(config.person_mean[HRT_PERSON_LOG_RATE]) <= 5.0)
+    return HRT_OK;
+  return fail(
+      HRT_ERROR_OUT_OF_RANGE,
+      "person_mean and person_covariance are no belief; allowed: weight in 0 to 1, gain above 0, log "
+      "rate -5 to 5, and the lower triangle of a positive definite matrix, or person_covariance all 0");
+}
+
 }  // namespace
+
+bool knows_person(const hrt_session_config& config) {
+  return std::any_of(std::begin(config.person_covariance), std::end(config.person_covariance),
+                     [](double covariance) { return covariance != 0.0; });
+}
 
 std::span<const NumberField> number_fields() {
   return all_number_fields;
@@ -149,11 +165,7 @@ hrt_result check_session_config(const hrt_session_config& config) {
   if (!turns_freely(config) && config.plate_upper_stop_deg - config.plate_lower_stop_deg < 180.0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate_upper_stop_deg,
                 "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
-  if (knows_person(config) && !is_valid(person_of(config)))
-    return fail(
-        HRT_ERROR_OUT_OF_RANGE,
-        "person_mean and person_covariance are no belief; allowed: finite numbers, weight in 0 to 1, and the "
-        "lower triangle of a positive definite matrix, or person_covariance all 0");
+  HRT_RETURN_IF_FAILED(check_person(config));
   HRT_RETURN_IF_FAILED(check_position("start_position_m", config.start_position_m));
   return check_plate_pose(config.plate_position_m, config.plate_rotation);
 }

@@ -39,6 +39,9 @@ hrt_result check_session_config(const hrt_session_config& config);
 /// older version lacks.
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
 
+/// True if person_mean and person_covariance hold something.
+bool knows_person(const hrt_session_config& config);
+
 /// Writes what is believed of the person into person_mean, person_covariance, tactile_weight and its
 /// deviation.
 void write_person(const PersonBelief& belief, hrt_session_config* config);

@@ -100,7 +100,7 @@ BENCHMARK(position_frame);
 void position_step_with_everything(benchmark::State& state) {
   hrt_session_config config = defaults();
   config.adaptation = HRT_ADAPTATION_REACH;
-  config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
+  config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.plate_max_speed_deg_s = 400.0;
   config.plate_latency_ns = 30'000'000;
   Frames frames(config);

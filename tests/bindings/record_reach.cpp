@@ -11,8 +11,7 @@
 
 #include "core/plate_frame.h"
 #include "core/plate_model.h"
-#include "core/simulation/participant.h"
-#include "core/simulation/random.h"
+#include "core/simulation/person.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 
 namespace {
@@ -30,7 +29,7 @@ hrt_session_config session_config() {
   hrt_session_config config;
   check(hrt_session_config_default(&config, sizeof config));
   config.horizon = 20;
-  config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
+  config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
   config.plate_max_speed_deg_s = 200.0;
   config.plate_max_acceleration_deg_s2 = 20'000.0;
@@ -65,53 +64,47 @@ class World {
   void advance(bool resting, bool lifted) {
     now_ns_ += ms;
     plate_.advance(now_ns_);
-    if (resting || lifted) return;
-    finger_ = hrt::point_ahead(finger_, person_.finger_direction_deg(), speed_m_per_ms);
-    moving_ms_ += 1;
-    if (moving_ms_ % 100 == 0) person_.step(plate_.orientation_deg(), normal(step_++));
+    if (!resting && !lifted && !person_.done()) person_.advance(plate_.orientation_deg());
   }
 
   void obey(const hrt_command& command) {
     if ((command.flags & HRT_COMMAND_HELD) == 0) plate_.command(command.plate_orientation_deg);
   }
 
-  /// What a tracker and the plate's encoder tell, in decimals that every host reads alike.
-  hrt_sample sample(std::uint32_t number, bool lifted) {
-    const std::uint32_t draw = 1000 + 4 * number;
+  /// What a tracker and the plate's encoder report, in decimals that every host reads alike.
+  hrt_sample sample(bool lifted) {
+    const hrt::PlatePoint finger = person_.position();
     const double height_m = lifted ? 0.03 : 0.002;
     hrt_sample sample{};
     sample.struct_size = sizeof sample;
     sample.flags =
         HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | (lifted ? HRT_SAMPLE_LIFTED : 0u);
-    sample.time_ns = now_ns_ + static_cast<std::int64_t>(std::clamp(normal(draw), -2.0, 2.0) * 0.2 * ms);
-    sample.finger_position_m[0] = rounded(finger_.right_m + tracker_noise_m * normal(draw + 1), 1e6);
+    sample.time_ns = now_ns_ + static_cast<std::int64_t>(std::clamp(noise_.normal(), -2.0, 2.0) * 0.2 * ms);
+    sample.finger_position_m[0] = rounded(finger.right_m + tracker_noise_m * noise_.normal(), 1e6);
     sample.finger_position_m[1] = height_m;
-    sample.finger_position_m[2] = rounded(-finger_.away_m + tracker_noise_m * normal(draw + 2), 1e6);
-    sample.plate_orientation_deg = rounded(plate_.orientation_deg() + 0.1 * normal(draw + 3), 100.0);
+    sample.finger_position_m[2] = rounded(-finger.away_m + tracker_noise_m * noise_.normal(), 1e6);
+    sample.plate_orientation_deg = rounded(plate_.orientation_deg() + 0.1 * noise_.normal(), 100.0);
     return sample;
   }
 
-  hrt::PlatePoint finger() const { return finger_; }
-  double felt_deg() const { return person_.perceived_direction_deg(); }
+  const hrt::SlidingPerson& person() const { return person_; }
 
  private:
-  static constexpr double speed_m_per_ms = 0.1 / 3000.0;
   static constexpr double tracker_noise_m = 0.0005;
 
-  static double normal(std::uint32_t draw) {
-    return hrt::standard_normal({.seed = 7, .condition = 0, .trial = 0, .step = draw});
-  }
   /// The double next to a decimal of few digits.
   static double rounded(double value, double per_unit) {
     return static_cast<double>(std::llround(value * per_unit)) / per_unit;
   }
 
   hrt::PlateModel plate_;
-  hrt::SimulatedParticipant person_{{.tactile_weight = 0.12}, 5.0};
-  hrt::PlatePoint finger_{0.0, -0.05};
+  hrt::SlidingPerson person_{{.illusion = {.tactile_weight = 0.24}, .bias_deg = 1.0, .duration_s = 2.4},
+                             {0.0, -0.05},
+                             5.0,
+                             0.1,
+                             hrt::Draws(7, 0, 0, 0)};
+  hrt::Draws noise_{7, 1, 0, 0};
   std::int64_t now_ns_ = 0;
-  std::uint32_t step_ = 0;
-  int moving_ms_ = 0;
 };
 
 void run_reach(hrt_session session, const hrt_session_config& config) {
@@ -132,7 +125,7 @@ void run_reach(hrt_session session, const hrt_session_config& config) {
     if (time_ms % 11 != 0) continue;  // 90 Hz
     ++number;
     if (time_ms > 2100 && time_ms <= 2160) continue;  // frames that the host drops
-    hrt_sample sample = world.sample(number, lifted);
+    hrt_sample sample = world.sample(lifted);
     // The tracker loses the finger now and then, and once for longer.
     if (number % 40 == 7 || (time_ms > 800 && time_ms <= 1050)) sample.flags = HRT_SAMPLE_PLATE_ORIENTATION;
     check(hrt_reach_update(session, &sample, &command));
@@ -141,9 +134,10 @@ void run_reach(hrt_session session, const hrt_session_config& config) {
   hrt_reach_summary summary{};
   summary.struct_size = sizeof summary;
   check(hrt_reach_end(session, &summary));
-  const double bearing_deg = hrt::bearing_deg({0.0, -0.05}, world.finger());
-  std::printf("the finger went %.2f degrees, felt %.2f; the real target is at -5, the virtual one at 5\n",
-              bearing_deg, world.felt_deg());
+  const double bearing_deg = hrt::bearing_deg({0.0, -0.05}, world.person().position());
+  std::printf(
+      "the finger ended at %.2f degrees, feeling %.2f; the real target is at -5, the virtual one at 5\n",
+      bearing_deg, 5.0 + world.person().felt_error_deg());
 }
 
 }  // namespace

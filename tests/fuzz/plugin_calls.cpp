@@ -1,9 +1,10 @@
 // Calls in any order with any arguments: each returns a result that has a name, a failed one leaves its
-// output as it was, and a command is finite.
+// output as it was, and every number of an output is finite.
 #include <fuzzer/FuzzedDataProvider.h>
 
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
@@ -14,6 +15,21 @@ namespace {
 
 void require(bool condition) {
   if (!condition) std::abort();
+}
+
+// From an offset on, all of these are doubles.
+template <class Struct>
+void require_finite(const Struct& value, size_t offset) {
+  for (; offset < sizeof value; offset += sizeof(double)) {
+    double number = 0.0;
+    std::memcpy(&number, reinterpret_cast<const char*>(&value) + offset, sizeof number);
+    require(std::isfinite(number));
+  }
+}
+
+void require_command(const hrt_command& command) {
+  require((command.flags & HRT_COMMAND_FAULT) == 0);
+  require_finite(command, offsetof(hrt_command, plate_orientation_deg));
 }
 
 void check(hrt_result result) {
@@ -151,7 +167,7 @@ class Caller {
     const hrt_result result = bytes_.ConsumeBool() ? hrt_authority_query(session(), target(), target(), &out)
                                                    : hrt_authority_query_best(session(), target(), &out);
     check(result);
-    if (result == HRT_OK) require(std::isfinite(out.plate_orientation_deg) && std::isfinite(out.margin_deg));
+    if (result == HRT_OK) require_finite(out, offsetof(hrt_authority, gap_deg));
   }
 
   void begin() {
@@ -236,8 +252,7 @@ class Caller {
     const hrt_result result = hrt_reach_update(session(), &sample, &command);
     check(result);
     if (result == HRT_OK)
-      require(std::isfinite(command.plate_orientation_deg) &&
-              std::isfinite(command.perceived_direction_deg) && std::isfinite(command.distance_to_go_m));
+      require_command(command);
     else
       require(command.step == 77);
   }
@@ -245,11 +260,19 @@ class Caller {
   void end() {
     hrt_reach_summary summary{};
     summary.struct_size = sizeof summary;
-    const hrt_result result = hrt_reach_end(session(), &summary);
+    const hrt_session ended = session();
+    const hrt_result result = hrt_reach_end(ended, &summary);
     check(result);
-    if (result == HRT_OK)
-      require(std::isfinite(summary.final_miss_deg) && summary.samples >= 0 &&
-              std::isfinite(summary.motor_variance_deg2) && std::isfinite(summary.motor_variance_sd_deg2));
+    if (result != HRT_OK) return;
+    require((summary.flags & HRT_COMMAND_FAULT) == 0 && summary.samples >= 0);
+    require_finite(summary, offsetof(hrt_reach_summary, final_direction_deg));
+    // What was carried can be configured.
+    hrt_session_config config{};
+    config.struct_size = sizeof config;
+    require(hrt_session_get_config(ended, &config) == HRT_OK);
+    require_finite(config.person_mean, 0);
+    require_finite(config.person_covariance, 0);
+    require(hrt_session_set_config(ended, &config) == HRT_OK);
   }
 
   FuzzedDataProvider& bytes_;

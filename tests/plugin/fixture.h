@@ -29,9 +29,31 @@ inline void expect_error(hrt_result result, hrt_result expected, const std::stri
       << '"' << hrt_last_error() << "\" does not mention \"" << part << '"';
 }
 
+template <class Output>
+Output output() {
+  Output out{};
+  out.struct_size = sizeof out;
+  return out;
+}
+
 inline hrt_session_config session_config() {
   hrt_session_config config;
   EXPECT_OK(hrt_session_config_default(&config, sizeof config));
+  return config;
+}
+
+inline hrt_session_config config_of(hrt_session session) {
+  auto config = output<hrt_session_config>();
+  EXPECT_OK(hrt_session_get_config(session, &config));
+  return config;
+}
+
+/// The controller of the paper, for a person taken as known.
+inline hrt_session_config paper_config() {
+  hrt_session_config config = session_config();
+  config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
+  config.adaptation = HRT_ADAPTATION_OFF;
+  config.tactile_weight = 0.15;
   return config;
 }
 
@@ -42,13 +64,6 @@ inline hrt_target_config target_config(std::uint32_t role, double direction_deg,
   config.direction_deg = direction_deg;
   std::snprintf(config.name, sizeof config.name, "%s", name);
   return config;
-}
-
-template <class Output>
-Output output() {
-  Output out{};
-  out.struct_size = sizeof out;
-  return out;
 }
 
 inline hrt_sample direction_sample(std::int64_t time_ns, double direction_deg) {
@@ -117,6 +132,12 @@ class SessionTest : public ::testing::Test {
   }
 
   hrt_session session{0};
+};
+
+/// The same with the controller of the paper.
+class PaperTest : public SessionTest {
+ protected:
+  void SetUp() override { create(paper_config()); }
 };
 
 }  // namespace hrt::test

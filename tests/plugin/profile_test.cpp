@@ -26,7 +26,7 @@ hrt_result load(hrt_session session, const std::string& text) {
 TEST_F(ProfileTest, IsWhatTheHeaderSays) {
   EXPECT_EQ(
       save(session),
-      "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.15,"
+      "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
       "\"tactile_weight_sd\":0.05,\"bias_deg\":0,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
       "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0,\"tracker_noise_m\":0}\n");
 }

@@ -40,7 +40,7 @@ TEST(SessionConfig, DefaultsAreTheModels) {
   EXPECT_EQ(config.horizon, 3u);
   EXPECT_EQ(config.step_period_ns, 100'000'000);
   EXPECT_EQ(config.plate_bound_deg, 84.5);
-  EXPECT_EQ(config.tactile_weight, 0.15);
+  EXPECT_EQ(config.tactile_weight, 0.2);
   EXPECT_EQ(config.motor_variance_deg2, 0.5);
   EXPECT_EQ(config.sensory_variance_deg2, 0.1);
 }
@@ -129,7 +129,7 @@ TEST(SessionConfig, WholeNumbersAreChecked) {
   refused([](hrt_session_config& c) { c.control = 2; }, "control");
   refused([](hrt_session_config& c) { c.guidance = 2; }, "guidance");
   refused([](hrt_session_config& c) { c.adaptation = 3; }, "adaptation");
-  refused([](hrt_session_config& c) { c.reserved = 1; }, "reserved");
+  refused([](hrt_session_config& c) { c.flags = 2; }, "flags is 2");
   refused([](hrt_session_config& c) { c.plate_latency_ns = -1; }, "plate_latency_ns");
   refused([](hrt_session_config& c) { c.plate_latency_ns = 800'000'001; }, "plate_latency_ns");
   refused([](hrt_session_config& c) { c.plate_upper_stop_deg = 179.0; }, "at least 180 above");
@@ -160,7 +160,7 @@ TEST(SessionConfig, SmallerStructTakesDefaultsForWhatItLacks) {
   std::memset(&config, 0xff, sizeof config);
   ASSERT_OK(hrt_session_config_default(&config, config_size_0_1));
   EXPECT_EQ(config.struct_size, config_size_0_1);
-  EXPECT_EQ(config.tactile_weight, 0.15);
+  EXPECT_EQ(config.tactile_weight, 0.2);
   EXPECT_TRUE(std::isnan(config.bias_deg));
   EXPECT_TRUE(std::isnan(config.motor_variance_sd_deg2));
 

@@ -65,8 +65,6 @@ class SoakTest : public SessionTest {
 
 TEST_F(SoakTest, MemoryStaysFlatAndCommandsFinite) {
   hrt_session_config config = session_config();
-  config.adaptation = HRT_ADAPTATION_CARRIED;
-  config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
   config.plate_max_speed_deg_s = 400.0;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);

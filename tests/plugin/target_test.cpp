@@ -10,7 +10,7 @@ namespace hrt::test {
 namespace {
 
 using TargetTest = SessionTest;
-using AuthorityTest = SessionTest;
+using AuthorityTest = PaperTest;
 
 TEST_F(TargetTest, ComesBackAsGiven) {
   const hrt_target_config config = target_config(HRT_TARGET_VIRTUAL, 12.5, "cup");
@@ -155,7 +155,7 @@ TEST_F(TargetTest, NamesMayBeInAnyScript) {
 }
 
 // model.md section 3: to hold P_R while the user feels theta_V the plate must stand at
-// (theta_V - P_R)(1 - w_T)/w_T from theta_V: 10 x 0.85/0.15 = 56.67 for the default of 0.15.
+// (theta_V - P_R)(1 - w_T)/w_T from theta_V: 10 x 0.85/0.15 = 56.67 for 0.15.
 TEST_F(AuthorityTest, OfAPairIsAsDerivedByHand) {
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   auto authority = output<hrt_authority>();
@@ -166,6 +166,60 @@ TEST_F(AuthorityTest, OfAPairIsAsDerivedByHand) {
   EXPECT_NEAR(authority.margin_deg, 84.5 * 0.15 / 0.85 - 10.0, 1e-12);
   EXPECT_NEAR(authority.plate_orientation_deg, 5.0 + 10.0 * 0.85 / 0.15, 1e-12);
   EXPECT_NEAR(authority.settling_direction_deg, -5.0, 1e-12);
+}
+
+// A linear illusion of 0.15 shifts the felt direction by 0.15 t, so by 11.25 with the plate 75 degrees from
+// the motion, and by 10 with the plate 66.67 from it. The paper, whose bound is about the virtual direction,
+// has 84.5 x 0.15/0.85 = 14.91.
+TEST_F(AuthorityTest, IsAboutTheMotionUnderArrival) {
+  hrt_session_config config = session_config();
+  config.tactile_weight = 0.15;
+  config.adaptation = HRT_ADAPTATION_OFF;
+  create(config);
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+  auto authority = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
+  EXPECT_EQ(authority.reachable, 1u);
+  EXPECT_NEAR(authority.largest_gap_deg, 11.25, 1e-9);
+  EXPECT_NEAR(authority.margin_deg, 1.25, 1e-9);
+  EXPECT_NEAR(authority.plate_orientation_deg, -5.0 + 10.0 / 0.15, 1e-6);
+  EXPECT_NEAR(authority.settling_direction_deg, -5.0, 1e-12);
+  EXPECT_NEAR(authority.paper_largest_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
+  ASSERT_OK(hrt_authority_query(session, add(HRT_TARGET_REAL, -7.0), virtual_target, &authority));
+  EXPECT_EQ(authority.reachable, 0u);
+  EXPECT_NEAR(authority.settling_direction_deg, 5.0 - 11.25, 1e-9);
+
+  // A curve of b = 0.05 takes a quarter of it: g(t) = 0.2 t - 0.05 t (t/75)^2 is 11.25 at 75; a bias of 2 of
+  // the person widens the gap.
+  config = session_config();
+  config.person_mean[HRT_PERSON_WEIGHT] = 0.2;
+  config.person_mean[HRT_PERSON_CURVE] = 0.05;
+  config.person_mean[HRT_PERSON_GAIN] = 9.0;
+  config.person_mean[HRT_PERSON_BIAS] = 2.0;
+  for (int i = 0; i < HRT_PERSON_TRAITS; ++i) config.person_covariance[i * (i + 3) / 2] = 0.01;
+  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
+  EXPECT_NEAR(authority.gap_deg, 12.0, 1e-12);
+  EXPECT_NEAR(authority.largest_gap_deg, 11.25, 1e-9);
+  EXPECT_NEAR(authority.paper_largest_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
+}
+
+// A caller that was compiled against version 0.2, whose elements are this far apart.
+TEST_F(AuthorityTest, SmallerElementsAreFilledAsFarAsTheyGo) {
+  add(HRT_TARGET_REAL, -5.0);
+  add(HRT_TARGET_VIRTUAL, 5.0);
+  add(HRT_TARGET_VIRTUAL, 4.0);
+  constexpr std::size_t size_0_2 = offsetof(hrt_authority, paper_largest_gap_deg);
+  alignas(hrt_authority) unsigned char all[3 * size_0_2];
+  std::memset(all, 0xff, sizeof all);
+  const std::uint32_t size = size_0_2;
+  std::memcpy(all, &size, sizeof size);
+  std::uint64_t count = 0;
+  ASSERT_OK(hrt_authority_query_all(session, 2, reinterpret_cast<hrt_authority*>(all), &count));
+  double gap_deg = 0.0;
+  std::memcpy(&gap_deg, all + size_0_2 + offsetof(hrt_authority, gap_deg), sizeof gap_deg);
+  EXPECT_DOUBLE_EQ(gap_deg, 9.0);
+  for (std::size_t i = 2 * size_0_2; i < sizeof all; ++i) ASSERT_EQ(all[i], 0xff);
 }
 
 // From the default start, 5 cm towards the user of the plate's centre, a target 5 cm to the right of the
@@ -191,7 +245,7 @@ TEST_F(AuthorityTest, TakesDirectionsFromTheStart) {
 // The plate's mid-line is the world's -x (see reach_test.cpp), and its start 5 cm back at x = 0.05: a target
 // at x = -0.05, z = -0.1 is 0.1 ahead and 0.1 to the right.
 TEST_F(AuthorityTest, TakesTargetsInTheWorldToThePlate) {
-  hrt_session_config config = session_config();
+  hrt_session_config config = paper_config();
   config.plate_rotation[1] = config.plate_rotation[3] = std::sqrt(0.5);
   create(config);
   hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);

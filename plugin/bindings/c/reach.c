@@ -44,6 +44,10 @@ static void hash_command(const hrt_command* command) {
   hash_number(command->distance_to_go_m);
   hash_number(command->tactile_weight);
   hash_number(command->tactile_weight_sd);
+  hash_number(command->time_to_go_s);
+  hash_number(command->felt_error_deg);
+  hash_number(command->predicted_miss_deg);
+  hash_number(command->normalised_innovation);
 }
 
 /* The columns of the recording that are the samples', by name. */
@@ -90,7 +94,7 @@ static hrt_session create_session(void) {
   hrt_session session;
   check(hrt_session_config_default(&config, sizeof config));
   config.horizon = 20;
-  config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
+  config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
   config.plate_max_speed_deg_s = 200;
   config.plate_max_acceleration_deg_s2 = 20000;
@@ -152,7 +156,7 @@ int main(int argc, char** argv) {
   printf("hash 0x%016" PRIx64 "\n", hash);
   printf("updates %ld, steps %d, of these predicted %d\n", updates,
          (int)(summary.steps + summary.predicted_steps), (int)summary.predicted_steps);
-  printf("final direction %.2f deg, miss %.2f deg; felt %.2f deg (simulated)\n", summary.final_direction_deg,
-         summary.final_miss_deg, summary.perceived_direction_deg);
+  printf("ended %.2f deg beside the real target, felt error %.2f deg at most (simulated)\n",
+         summary.bearing_error_deg, summary.peak_felt_error_deg);
   return 0;
 }

@@ -17,6 +17,7 @@ _ENUMS = {
     "HRT_CONTROL_": "Control",
     "HRT_GUIDANCE_": "Guidance",
     "HRT_ADAPTATION_": "Adaptation",
+    "HRT_SESSION_": "SessionFlags",
     "HRT_TARGET_": "TargetRole",
     "HRT_PLACE_": "Place",
     "HRT_REACH_": "ReachFlags",
@@ -29,7 +30,8 @@ _HANDLES = {"hrt_session": "SessionHandle", "hrt_target": "TargetId", "hrt_scene
 _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "ulong", "double": "double",
           "size_t": "UIntPtr", "void": "void"}
 # Written by hand in Runtime/Values.cs.
-_ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name"}
+_ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name",
+           ("double", 8): "PersonMean", ("double", 36): "PersonCovariance"}
 _WIDTH = 110
 
 

@@ -49,8 +49,9 @@ constexpr std::array kConfig{
     FIELD(Config, horizon),
     FIELD(Config, step_period_ns),
     CHOICE(Config, control, "MPC,Fixed Plate"),
-    CHOICE(Config, guidance, "Fixed Direction,Line of Sight"),
+    CHOICE(Config, guidance, "Fixed Direction,Arrival"),
     CHOICE(Config, adaptation, "Off,Reach,Carried"),
+    FIELD(Config, flags),
     FIELD(Config, perceived_weight),
     FIELD(Config, actual_weight),
     FIELD(Config, plate_bound_deg),
@@ -71,10 +72,13 @@ constexpr std::array kConfig{
     FIELD(Config, start_position_m),
     FIELD(Config, plate_radius_m),
     FIELD(Config, lift_height_m),
+    FIELD(Config, max_felt_error_deg),
+    FIELD(Config, motion_bound_deg),
+    FIELD(Config, tracker_latency_ns),
 };
 static_assert(complete(kConfig,
-                       sizeof(Config::reserved) + sizeof(Config::plate_position_m) +
-                           sizeof(Config::plate_rotation),
+                       sizeof(Config::plate_position_m) + sizeof(Config::plate_rotation) +
+                           sizeof(Config::person_mean) + sizeof(Config::person_covariance),
                        sizeof(Config)));
 
 using Command = hrt_command;
@@ -88,11 +92,16 @@ constexpr std::array kCommand{
     FIELD(Command, distance_to_go_m),
     FIELD(Command, tactile_weight),
     FIELD(Command, tactile_weight_sd),
+    FIELD(Command, time_to_go_s),
+    FIELD(Command, felt_error_deg),
+    FIELD(Command, predicted_miss_deg),
+    FIELD(Command, normalised_innovation),
 };
 static_assert(complete(kCommand, 0, sizeof(Command)));
 
 using Summary = hrt_reach_summary;
 constexpr std::array kSummary{
+    FIELD(Summary, flags),
     FIELD(Summary, samples),
     FIELD(Summary, dropped_samples),
     FIELD(Summary, steps),
@@ -109,8 +118,21 @@ constexpr std::array kSummary{
     FIELD(Summary, tracker_noise_m),
     FIELD(Summary, motor_variance_deg2),
     FIELD(Summary, motor_variance_sd_deg2),
+    FIELD(Summary, bearing_error_deg),
+    FIELD(Summary, peak_felt_error_deg),
+    FIELD(Summary, rms_felt_error_deg),
+    FIELD(Summary, normalised_innovation),
+    FIELD(Summary, illusion_curve),
+    FIELD(Summary, illusion_curve_sd),
+    FIELD(Summary, gain_per_s),
+    FIELD(Summary, gain_sd_per_s),
+    FIELD(Summary, bias_deg),
+    FIELD(Summary, bias_sd_deg),
+    FIELD(Summary, habit_deg),
+    FIELD(Summary, habit_sd_deg),
+    FIELD(Summary, duration_s),
 };
-static_assert(complete(kSummary, sizeof(Summary::reserved), sizeof(Summary)));
+static_assert(complete(kSummary, 0, sizeof(Summary)));
 
 using Authority = hrt_authority;
 constexpr std::array kAuthority{
@@ -122,6 +144,7 @@ constexpr std::array kAuthority{
     FIELD(Authority, margin_deg),
     FIELD(Authority, plate_orientation_deg),
     FIELD(Authority, settling_direction_deg),
+    FIELD(Authority, paper_largest_gap_deg),
 };
 static_assert(complete(kAuthority, 0, sizeof(Authority)));
 

@@ -30,7 +30,8 @@ bool set_field(void* object, const Field& field, const Value& value);
 bool is_different(const void* object, const void* other, const Field& field);
 Record to_record(const void* object, std::span<const Field> fields);
 
-/** The properties: hrt_session_config without the plate's pose, which is the node's own. */
+/** The properties: hrt_session_config without the plate's pose, which is the node's own, and without what is
+ *  believed of the person, which profiles hold. */
 std::span<const Field> config_fields();
 std::span<const Field> command_fields();
 std::span<const Field> summary_fields();

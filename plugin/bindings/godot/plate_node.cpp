@@ -499,6 +499,8 @@ void PlateNode::take_changes() {
   for (const Field& field : config_fields())
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));
+  std::memcpy(config_.person_mean, configured_.person_mean, sizeof config_.person_mean);
+  std::memcpy(config_.person_covariance, configured_.person_covariance, sizeof config_.person_covariance);
 }
 
 Value PlateNode::load_profile(const Value* arguments) {

@@ -63,7 +63,7 @@ export declare const HRT_SAMPLE_WORLD_POSITION = 16;
 export declare const HRT_SAMPLE_PLATE_POSE = 32;
 
 /** hrt_command::flags. */
-/** between steps: the former command is repeated */
+/** no new decision: the former command is repeated */
 export declare const HRT_COMMAND_HELD = 1;
 /** the last step had no sample and was predicted */
 export declare const HRT_COMMAND_PREDICTED = 2;
@@ -77,6 +77,16 @@ export declare const HRT_COMMAND_UNREACHABLE = 16;
 export declare const HRT_COMMAND_LIFTED = 32;
 /** the finger is beyond the plate's edge */
 export declare const HRT_COMMAND_OFF_PLATE = 64;
+/** The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE, are not to be trusted. */
+export declare const HRT_COMMAND_MISFIT = 128;
+/** The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real target. */
+export declare const HRT_COMMAND_OFF_TARGET = 256;
+/** the finger rests within the reach: the plate is held */
+export declare const HRT_COMMAND_RESTING = 512;
+/** The solver's work was cut short; the command keeps its bounds. */
+export declare const HRT_COMMAND_APPROXIMATE = 1024;
+/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
+export declare const HRT_COMMAND_FAULT = 2048;
 /** Maximum number of scenes in a process. */
 export declare const HRT_SCENES_MAX = 64;
 /** Maximum number of sessions in a process. */
@@ -88,19 +98,47 @@ export declare const HRT_CONTROL_MPC = 0;
 /** a plate that does not turn, as a baseline */
 export declare const HRT_CONTROL_FIXED_PLATE = 1;
 
-/** Direction to which the controller steers the finger. */
-/** the real target's, seen from the start */
+/** What the controller steers the finger to, and so which controller it is. */
+/** The real target's direction, seen from the start: the controller of the paper, for the person of its model. */
 export declare const HRT_GUIDANCE_FIXED_DIRECTION = 0;
-/** From the finger to the real target; constant over the last fifth of the path. Needs positions: with directions alone this is FIXED_DIRECTION. */
+/** The real target's place, at arrival: the controller for people. It takes the pace of the motion, the whole curve of the illusion, bias, habits and the tracker's noise as unknown, and learns them. Needs positions: in a reach with directions alone this is FIXED_DIRECTION. Measured on simulated people only. */
+export declare const HRT_GUIDANCE_ARRIVAL = 1;
+/** Name of ARRIVAL in version 0.2, whose line of sight it replaces. */
 export declare const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
 
-/** Learning of the tactile weight and the motor variance. */
-/** both are taken as known */
+/** Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight and the motor variance. */
+/** tactile_weight and bias_deg are taken as known, the illusion as linear */
 export declare const HRT_ADAPTATION_OFF = 0;
-/** The tactile weight is learnt within each reach. The summary also has the motor variance of the reach. */
+/** The person is learnt within each reach, which begins with what the configuration says of them. */
 export declare const HRT_ADAPTATION_REACH = 1;
-/** As REACH; the end of a reach also writes tactile_weight, motor_variance_deg2 and their deviations into the configuration. Deviations stay at or above 0.01 and 0.1, because people change. One reach changes the motor variance by a factor of 2 at most, within 0.05 to 5; if clamped to it, its deviation is unchanged. */
+/** As REACH; the end of a reach also writes what it has learnt into the configuration, widened, because people change: person_mean and person_covariance, tactile_weight and its deviation. A reach that ends early or that the model does not fit (HRT_COMMAND_MISFIT) writes nothing. Under FIXED_DIRECTION it writes tactile_weight and motor_variance_deg2; one reach changes the latter by a factor of 2 at most. */
 export declare const HRT_ADAPTATION_CARRIED = 2;
+
+/** hrt_session_config::flags. */
+/** The plate stays where it stands until the finger moves. Otherwise it turns to where the first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to the target. Set this if the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
+export declare const HRT_SESSION_PLATE_WAITS = 1;
+
+/** Traits of a person, in this order, in hrt_session_config::person_mean. */
+/** w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t */
+export declare const HRT_PERSON_WEIGHT = 0;
+/** b: 0 for a linear illusion */
+export declare const HRT_PERSON_CURVE = 1;
+/** rate at which they correct the direction they feel, 1/s */
+export declare const HRT_PERSON_GAIN = 2;
+/** goal minus virtual direction, degrees */
+export declare const HRT_PERSON_BIAS = 3;
+/** Curving: the goal's turn at the start, minus that at the end, halved, degrees. */
+export declare const HRT_PERSON_HABIT = 4;
+/** of the pace: 0 minimum jerk, 1 even */
+export declare const HRT_PERSON_EVENNESS = 5;
+/** share of the goal's direction in which they set out */
+export declare const HRT_PERSON_HEADING = 6;
+/** natural logarithm of one over a reach's duration in seconds */
+export declare const HRT_PERSON_LOG_RATE = 7;
+/** Number of traits. */
+export declare const HRT_PERSON_TRAITS = 8;
+/** Numbers in the lower triangle of their covariance. */
+export declare const HRT_PERSON_COVARIANCES = 36;
 /** Maximum number of targets in a session. */
 export declare const HRT_TARGETS_MAX = 1000000;
 /** Bytes of a name, including the terminating zero. */
@@ -134,14 +172,14 @@ export interface StructLayout<Field extends string> {
 
 export declare const structs: {
   readonly hrt_session: StructLayout<"value">;
-  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "reserved" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2">;
+  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "flags" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2" | "max_felt_error_deg" | "motion_bound_deg" | "tracker_latency_ns" | "person_mean" | "person_covariance">;
   readonly hrt_target: StructLayout<"value">;
   readonly hrt_target_config: StructLayout<"struct_size" | "role" | "place" | "reserved" | "direction_deg" | "distance_m" | "position_m" | "name">;
-  readonly hrt_authority: StructLayout<"struct_size" | "reachable" | "real_target" | "virtual_target" | "gap_deg" | "largest_gap_deg" | "margin_deg" | "plate_orientation_deg" | "settling_direction_deg">;
-  readonly hrt_reach_config: StructLayout<"struct_size" | "flags" | "real_target" | "virtual_target" | "plate_orientation_deg">;
+  readonly hrt_authority: StructLayout<"struct_size" | "reachable" | "real_target" | "virtual_target" | "gap_deg" | "largest_gap_deg" | "margin_deg" | "plate_orientation_deg" | "settling_direction_deg" | "paper_largest_gap_deg">;
+  readonly hrt_reach_config: StructLayout<"struct_size" | "flags" | "real_target" | "virtual_target" | "plate_orientation_deg" | "duration_s">;
   readonly hrt_sample: StructLayout<"struct_size" | "flags" | "time_ns" | "finger_direction_deg" | "finger_position_m" | "plate_orientation_deg" | "plate_position_m" | "plate_rotation">;
-  readonly hrt_command: StructLayout<"struct_size" | "flags" | "step" | "plate_orientation_deg" | "finger_direction_deg" | "perceived_direction_deg" | "aimed_direction_deg" | "distance_to_go_m" | "tactile_weight" | "tactile_weight_sd">;
-  readonly hrt_reach_summary: StructLayout<"struct_size" | "reserved" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m" | "motor_variance_deg2" | "motor_variance_sd_deg2">;
+  readonly hrt_command: StructLayout<"struct_size" | "flags" | "step" | "plate_orientation_deg" | "finger_direction_deg" | "perceived_direction_deg" | "aimed_direction_deg" | "distance_to_go_m" | "tactile_weight" | "tactile_weight_sd" | "time_to_go_s" | "felt_error_deg" | "predicted_miss_deg" | "normalised_innovation">;
+  readonly hrt_reach_summary: StructLayout<"struct_size" | "flags" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m" | "motor_variance_deg2" | "motor_variance_sd_deg2" | "bearing_error_deg" | "peak_felt_error_deg" | "rms_felt_error_deg" | "normalised_innovation" | "illusion_curve" | "illusion_curve_sd" | "gain_per_s" | "gain_sd_per_s" | "bias_deg" | "bias_sd_deg" | "habit_deg" | "habit_sd_deg" | "duration_s">;
   readonly hrt_calibration: StructLayout<"value">;
   readonly hrt_calibration_config: StructLayout<"struct_size" | "max_trials" | "max_samples" | "reserved" | "goal_direction_deg">;
   readonly hrt_interval: StructLayout<"value" | "lower" | "upper" | "known" | "reserved">;
@@ -170,11 +208,12 @@ export interface hrt_session_config {
   step_period_ns: bigint;
   /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
   control: number;
-  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_LINE_OF_SIGHT. */
+  /** HRT_GUIDANCE_*. Default HRT_GUIDANCE_ARRIVAL. */
   guidance: number;
-  /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_OFF. */
+  /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_CARRIED. */
   adaptation: number;
-  reserved: number;
+  /** HRT_SESSION_*. Default 0. Named `reserved` before version 0.3. */
+  flags: number;
   /** Cost of the error that the user feels. Raising it keeps the felt direction closer to the virtual one and steers more slowly. 1e-6 to 1e6. Default 1. */
   perceived_weight: number;
   /** Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0 steers not at all. 0 to 1e6. Default 1. */
@@ -192,9 +231,9 @@ export interface hrt_session_config {
   plate_upper_stop_deg: number;
   /** Plate orientation (base.h) under HRT_CONTROL_FIXED_PLATE. With stops, the plate goes to the nearest orientation with the same ridges. -180 to 180. Default 0. */
   fixed_plate_orientation_deg: number;
-  /** Share of touch in the direction that the user feels. At a higher weight, the same turn of the plate steers the hand further. 0.001 to 0.499. Default 0.15. */
+  /** Share of touch in the direction that the user feels. At a higher weight, the same turn of the plate steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as linear, at 60 degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2. */
   tactile_weight: number;
-  /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady. 0.001 to 0.49. Default 0.05. */
+  /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as uncertain in proportion. 0.001 to 0.49. Default 0.05. */
   tactile_weight_sd: number;
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more closely. 1e-9 to 1e4. Default 0.5. */
   motor_variance_deg2: number;
@@ -214,10 +253,20 @@ export interface hrt_session_config {
   plate_position_m: number[];
   /** Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate coordinates to the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
   plate_rotation: number[];
-  /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45. Default 0. Since version 0.2. */
+  /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default 0. Since version 0.2. */
   bias_deg: number;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2. */
   motor_variance_sd_deg2: number;
+  /** Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended direction, as predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer targets: of simulated people, 3.5 costs about 2 reaches in 100. What the person adds, by noise or by being other than estimated, comes on top. 0.1 to 45. Default 5. Since version 0.3. */
+  max_felt_error_deg: number;
+  /** Largest angle between the plate orientation and the finger's direction under GUIDANCE_ARRIVAL. Raising it allows larger gaps for people whose illusion still grows there; published data cover 60. Never beyond the peak of the person's illusion. 1 to 89. Default 75. Since version 0.3. */
+  motion_bound_deg: number;
+  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. Since version 0.3. */
+  tracker_latency_ns: bigint;
+  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100 to 100. Default 0. Since version 0.3. */
+  person_mean: number[];
+  /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since version 0.3. */
+  person_covariance: number[];
 }
 
 /** A target's id within its session. Zero is never a target. Ids are never reused, in any session. */
@@ -250,9 +299,9 @@ export interface hrt_authority {
   reachable: number;
   real_target: bigint;
   virtual_target: bigint;
-  /** The virtual direction plus hrt_session_config::bias_deg, minus the real direction; in [-180, 180). */
+  /** The virtual direction plus the person's bias, minus the real direction; in [-180, 180). */
   gap_deg: number;
-  /** Largest gap, to either side, that the session's tactile weight and plate bound can sustain. */
+  /** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
   largest_gap_deg: number;
   /** largest_gap_deg minus the size of the gap; negative: unreachable. */
   margin_deg: number;
@@ -260,6 +309,8 @@ export interface hrt_authority {
   plate_orientation_deg: number;
   /** Direction in which the finger settles: the real target's, if reachable. */
   settling_direction_deg: number;
+  /** largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
+  paper_largest_gap_deg: number;
 }
 
 /** Configuration of a reach. hrt_reach_config_default() fills every field. */
@@ -273,6 +324,8 @@ export interface hrt_reach_config {
   virtual_target: bigint;
   /** Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default 0. */
   plate_orientation_deg: number;
+  /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is learnt from the finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version 0.3. */
+  duration_s: number;
 }
 
 /** One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the fields that `flags` names are read. */
@@ -314,12 +367,21 @@ export interface hrt_command {
   tactile_weight: number;
   /** Standard deviation of tactile_weight; 0: taken as known. */
   tactile_weight_sd: number;
+  /** Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION. Since version 0.3. */
+  time_to_go_s: number;
+  /** Felt minus intended direction now, as estimated: what the person could notice. For visual redirection about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. Since version 0.3. */
+  felt_error_deg: number;
+  /** Predicted bearing of the place of arrival, seen from the start, minus the real target's; 0 under FIXED_DIRECTION. Since version 0.3. */
+  predicted_miss_deg: number;
+  /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3. */
+  normalised_innovation: number;
 }
 
 /** Result of a reach. Set `struct_size` before the call. */
 export interface hrt_reach_summary {
   struct_size: number;
-  reserved: number;
+  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended, FAULT. Named `reserved` before version 0.3. */
+  flags: number;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   samples: bigint;
   dropped_samples: bigint;
@@ -346,6 +408,24 @@ export interface hrt_reach_summary {
   motor_variance_deg2: number;
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little data; 0: taken as known. Since version 0.2. */
   motor_variance_sd_deg2: number;
+  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions. This and the following: 0 under FIXED_DIRECTION, since version 0.3. */
+  bearing_error_deg: number;
+  /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
+  peak_felt_error_deg: number;
+  rms_felt_error_deg: number;
+  /** Largest hrt_command::normalised_innovation. */
+  normalised_innovation: number;
+  /** What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An illusion_curve of more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees only. */
+  illusion_curve: number;
+  illusion_curve_sd: number;
+  gain_per_s: number;
+  gain_sd_per_s: number;
+  bias_deg: number;
+  bias_sd_deg: number;
+  habit_deg: number;
+  habit_sd_deg: number;
+  /** Duration of the motion, as estimated. */
+  duration_s: number;
 }
 
 /** A calibration's handle. Zero is never a calibration. Handles are never reused. */
@@ -426,7 +506,7 @@ export interface hrt_replay_report {
   rows: bigint;
   /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are equal, bit for bit. */
   first_different_line: bigint;
-  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as 8 bytes, step and the seven numbers after it, least significant byte first. */
+  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as 8 bytes, step and the eleven numbers after it, least significant byte first. */
   hash: bigint;
 }
 

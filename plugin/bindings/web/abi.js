@@ -36,15 +36,32 @@ export const HRT_COMMAND_RATE_LIMITED = 8;
 export const HRT_COMMAND_UNREACHABLE = 16;
 export const HRT_COMMAND_LIFTED = 32;
 export const HRT_COMMAND_OFF_PLATE = 64;
+export const HRT_COMMAND_MISFIT = 128;
+export const HRT_COMMAND_OFF_TARGET = 256;
+export const HRT_COMMAND_RESTING = 512;
+export const HRT_COMMAND_APPROXIMATE = 1024;
+export const HRT_COMMAND_FAULT = 2048;
 export const HRT_SCENES_MAX = 64;
 export const HRT_SESSIONS_MAX = 64;
 export const HRT_CONTROL_MPC = 0;
 export const HRT_CONTROL_FIXED_PLATE = 1;
 export const HRT_GUIDANCE_FIXED_DIRECTION = 0;
+export const HRT_GUIDANCE_ARRIVAL = 1;
 export const HRT_GUIDANCE_LINE_OF_SIGHT = 1;
 export const HRT_ADAPTATION_OFF = 0;
 export const HRT_ADAPTATION_REACH = 1;
 export const HRT_ADAPTATION_CARRIED = 2;
+export const HRT_SESSION_PLATE_WAITS = 1;
+export const HRT_PERSON_WEIGHT = 0;
+export const HRT_PERSON_CURVE = 1;
+export const HRT_PERSON_GAIN = 2;
+export const HRT_PERSON_BIAS = 3;
+export const HRT_PERSON_HABIT = 4;
+export const HRT_PERSON_EVENNESS = 5;
+export const HRT_PERSON_HEADING = 6;
+export const HRT_PERSON_LOG_RATE = 7;
+export const HRT_PERSON_TRAITS = 8;
+export const HRT_PERSON_COVARIANCES = 36;
 export const HRT_TARGETS_MAX = 1000000;
 export const HRT_NAME_SIZE = 64;
 export const HRT_TARGET_REAL = 1;
@@ -58,14 +75,14 @@ export const structs = Object.freeze({
   hrt_session: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_session_config: { size: 264, fields: {
+  hrt_session_config: { size: 640, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     horizon: {"offset": 4, "type": "u32"},
     step_period_ns: {"offset": 8, "type": "i64"},
     control: {"offset": 16, "type": "u32"},
     guidance: {"offset": 20, "type": "u32"},
     adaptation: {"offset": 24, "type": "u32"},
-    reserved: {"offset": 28, "type": "u32"},
+    flags: {"offset": 28, "type": "u32"},
     perceived_weight: {"offset": 32, "type": "f64"},
     actual_weight: {"offset": 40, "type": "f64"},
     plate_bound_deg: {"offset": 48, "type": "f64"},
@@ -88,6 +105,11 @@ export const structs = Object.freeze({
     plate_rotation: {"offset": 216, "type": "f64", "length": 4},
     bias_deg: {"offset": 248, "type": "f64"},
     motor_variance_sd_deg2: {"offset": 256, "type": "f64"},
+    max_felt_error_deg: {"offset": 264, "type": "f64"},
+    motion_bound_deg: {"offset": 272, "type": "f64"},
+    tracker_latency_ns: {"offset": 280, "type": "i64"},
+    person_mean: {"offset": 288, "type": "f64", "length": 8},
+    person_covariance: {"offset": 352, "type": "f64", "length": 36},
   } },
   hrt_target: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
@@ -102,7 +124,7 @@ export const structs = Object.freeze({
     position_m: {"offset": 32, "type": "f64", "length": 3},
     name: {"offset": 56, "type": "u8", "length": 64},
   } },
-  hrt_authority: { size: 64, fields: {
+  hrt_authority: { size: 72, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     reachable: {"offset": 4, "type": "u32"},
     real_target: {"offset": 8, "type": "u64"},
@@ -112,13 +134,15 @@ export const structs = Object.freeze({
     margin_deg: {"offset": 40, "type": "f64"},
     plate_orientation_deg: {"offset": 48, "type": "f64"},
     settling_direction_deg: {"offset": 56, "type": "f64"},
+    paper_largest_gap_deg: {"offset": 64, "type": "f64"},
   } },
-  hrt_reach_config: { size: 32, fields: {
+  hrt_reach_config: { size: 40, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     flags: {"offset": 4, "type": "u32"},
     real_target: {"offset": 8, "type": "u64"},
     virtual_target: {"offset": 16, "type": "u64"},
     plate_orientation_deg: {"offset": 24, "type": "f64"},
+    duration_s: {"offset": 32, "type": "f64"},
   } },
   hrt_sample: { size: 112, fields: {
     struct_size: {"offset": 0, "type": "u32"},
@@ -130,7 +154,7 @@ export const structs = Object.freeze({
     plate_position_m: {"offset": 56, "type": "f64", "length": 3},
     plate_rotation: {"offset": 80, "type": "f64", "length": 4},
   } },
-  hrt_command: { size: 72, fields: {
+  hrt_command: { size: 104, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     flags: {"offset": 4, "type": "u32"},
     step: {"offset": 8, "type": "i64"},
@@ -141,10 +165,14 @@ export const structs = Object.freeze({
     distance_to_go_m: {"offset": 48, "type": "f64"},
     tactile_weight: {"offset": 56, "type": "f64"},
     tactile_weight_sd: {"offset": 64, "type": "f64"},
+    time_to_go_s: {"offset": 72, "type": "f64"},
+    felt_error_deg: {"offset": 80, "type": "f64"},
+    predicted_miss_deg: {"offset": 88, "type": "f64"},
+    normalised_innovation: {"offset": 96, "type": "f64"},
   } },
-  hrt_reach_summary: { size: 136, fields: {
+  hrt_reach_summary: { size: 240, fields: {
     struct_size: {"offset": 0, "type": "u32"},
-    reserved: {"offset": 4, "type": "u32"},
+    flags: {"offset": 4, "type": "u32"},
     samples: {"offset": 8, "type": "i64"},
     dropped_samples: {"offset": 16, "type": "i64"},
     steps: {"offset": 24, "type": "i64"},
@@ -161,6 +189,19 @@ export const structs = Object.freeze({
     tracker_noise_m: {"offset": 112, "type": "f64"},
     motor_variance_deg2: {"offset": 120, "type": "f64"},
     motor_variance_sd_deg2: {"offset": 128, "type": "f64"},
+    bearing_error_deg: {"offset": 136, "type": "f64"},
+    peak_felt_error_deg: {"offset": 144, "type": "f64"},
+    rms_felt_error_deg: {"offset": 152, "type": "f64"},
+    normalised_innovation: {"offset": 160, "type": "f64"},
+    illusion_curve: {"offset": 168, "type": "f64"},
+    illusion_curve_sd: {"offset": 176, "type": "f64"},
+    gain_per_s: {"offset": 184, "type": "f64"},
+    gain_sd_per_s: {"offset": 192, "type": "f64"},
+    bias_deg: {"offset": 200, "type": "f64"},
+    bias_sd_deg: {"offset": 208, "type": "f64"},
+    habit_deg: {"offset": 216, "type": "f64"},
+    habit_sd_deg: {"offset": 224, "type": "f64"},
+    duration_s: {"offset": 232, "type": "f64"},
   } },
   hrt_calibration: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},

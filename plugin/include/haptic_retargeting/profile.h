@@ -1,12 +1,13 @@
 /*
  * Profiles: a participant's parameters as JSON, to be stored and loaded later:
  *
- *   {"format":"haptic retargeting profile","version":1,"tactile_weight":0.15,"tactile_weight_sd":0.05,
+ *   {"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.05,
  *    "bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
- *    "initial_variance_deg2":0,"tracker_noise_m":0}
+ *    "initial_variance_deg2":0,"tracker_noise_m":0,"person_mean":[...],"person_covariance":[...]}
  *
  * Fields and ranges are those of hrt_session_config. A library of version 0.1 refuses bias_deg,
- * motor_variance_sd_deg2 and tracker_noise_m.
+ * motor_variance_sd_deg2 and tracker_noise_m; one of 0.2 refuses the last two, which are there once a reach
+ * of the person was carried.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H

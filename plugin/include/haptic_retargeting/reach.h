@@ -66,7 +66,7 @@ typedef struct hrt_sample {
 } hrt_sample;
 
 /** hrt_command::flags. */
-#define HRT_COMMAND_HELD UINT32_C(1)         /**< between steps: the former command is repeated */
+#define HRT_COMMAND_HELD UINT32_C(1)         /**< no new decision: the former command is repeated */
 #define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< the last step had no sample and was predicted */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command */
@@ -79,8 +79,8 @@ typedef struct hrt_sample {
 /** The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real target. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
-#define HRT_COMMAND_APPROXIMATE \
-  UINT32_C(1024) /**< the solver's work was cut short; the command keeps its bounds */
+/** The solver's work was cut short; the command keeps its bounds. */
+#define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
 /** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 
@@ -117,16 +117,15 @@ typedef struct hrt_command {
    *  FIXED_DIRECTION. Since version 0.3. */
   double predicted_miss_deg;
   /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits,
-   *  MISFIT from 5. 0 under FIXED_DIRECTION. Since version 0.3. */
+   *  MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3. */
   double normalised_innovation;
 } hrt_command;
 
 /** Result of a reach. Set `struct_size` before the call. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** HRT_COMMAND_UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended. A reach
-   * that ends off target without a flag is what these flags are to prevent. Named `reserved` before version
-   * 0.3. */
+  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended, FAULT.
+   *  Named `reserved` before version 0.3. */
   uint32_t flags;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;

@@ -49,12 +49,12 @@ typedef struct hrt_replay_report {
    *  are equal, bit for bit. */
   uint64_t first_different_line;
   /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as
-   *  8 bytes, step and the seven numbers after it, least significant byte first. */
+   *  8 bytes, step and the eleven numbers after it, least significant byte first. */
   uint64_t hash;
 } hrt_replay_report;
 
 /** Repeats the recorded calls and compares results, commands and summaries. Errors: BAD_FORMAT naming the
- *  line, or the version if a library of 0.1 wrote the file. [any-thread] */
+ *  line, or the version if a library of 0.1 or 0.2 wrote the file. [any-thread] */
 HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
                                    hrt_replay_report* out_report) HRT_NOEXCEPT;
 

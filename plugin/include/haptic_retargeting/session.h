@@ -57,8 +57,8 @@ typedef struct hrt_session {
 #define HRT_PERSON_CURVE 1  /**< b: 0 for a linear illusion */
 #define HRT_PERSON_GAIN 2   /**< rate at which they correct the direction they feel, 1/s */
 #define HRT_PERSON_BIAS 3   /**< goal minus virtual direction, degrees */
-#define HRT_PERSON_HABIT \
-  4 /**< curving: the goal's turn at the start, minus that at the end, halved, degrees */
+/** Curving: the goal's turn at the start, minus that at the end, halved, degrees. */
+#define HRT_PERSON_HABIT 4
 #define HRT_PERSON_EVENNESS 5 /**< of the pace: 0 minimum jerk, 1 even */
 #define HRT_PERSON_HEADING 6  /**< share of the goal's direction in which they set out */
 #define HRT_PERSON_LOG_RATE 7 /**< natural logarithm of one over a reach's duration in seconds */
@@ -161,11 +161,13 @@ typedef struct hrt_session_config {
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. Since
    *  version 0.3. */
   int64_t tracker_latency_ns;
-  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0.
-   *  Default 0. Since version 0.3. */
+  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0:
+   * the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100 to 100.
+   * Default 0. Since version 0.3. */
   double person_mean[HRT_PERSON_TRAITS];
-  /** Covariance of person_mean: the lower triangle, row by row; positive definite. All 0: an unknown person,
-   * of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since version 0.3. */
+  /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an
+   *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since
+   *  version 0.3. */
   double person_covariance[HRT_PERSON_COVARIANCES];
 } hrt_session_config;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "haptic_retargeting/authority.h"
 #include "haptic_retargeting/reach.h"
 #include "plugin/src/abi/error.h"
 
@@ -22,6 +23,9 @@ template <>
 inline constexpr std::uint32_t first_size<hrt_reach_config> = 32;
 template <>
 inline constexpr std::uint32_t first_size<hrt_command> = 72;
+template <>
+inline constexpr std::uint32_t first_size<hrt_authority> = 64;
+static_assert(first_size<hrt_authority> == offsetof(hrt_authority, paper_largest_gap_deg));
 static_assert(first_size<hrt_reach_config> == offsetof(hrt_reach_config, duration_s));
 static_assert(first_size<hrt_command> == offsetof(hrt_command, time_to_go_s));
 static_assert(first_size<hrt_session_config> == offsetof(hrt_session_config, bias_deg));

@@ -270,7 +270,7 @@ void write_profile(const hrt_session_config& config, JsonText& out) {
     if (field.of_participant) out << ",\"" << field.name << "\":" << config.*field.value;
   }
   for (const VectorField& field : vector_fields()) {
-    if (!field.of_participant) continue;
+    if (!field.of_participant || !knows_person(config)) continue;
     out << ",\"" << field.name << "\":";
     write_array(vector_of(config, field), field.size, out);
   }

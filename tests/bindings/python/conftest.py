@@ -17,7 +17,10 @@ ROOT = BINDINGS.parent.parent
 
 @pytest.fixture
 def session() -> Iterator[hrt.Session]:
-    with hrt.Session() as session:
+    """The controller of the paper, for a person taken as known."""
+    with hrt.Session(
+        guidance=hrt.Guidance.FIXED_DIRECTION, adaptation=hrt.Adaptation.OFF, tactile_weight=0.15
+    ) as session:
         session.add_real("cylinder", direction_deg=-5)
         session.add_virtual("cup", direction_deg=5)
         yield session

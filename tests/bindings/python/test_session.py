@@ -12,13 +12,13 @@ from haptic_retargeting import _abi
 
 
 def test_configuration_has_defaults_and_takes_keywords() -> None:
-    with hrt.Session(horizon=20, guidance=hrt.Guidance.LINE_OF_SIGHT, start_position_m=(0, 0, 0.04)) as session:
+    with hrt.Session(horizon=20, guidance=hrt.Guidance.ARRIVAL, start_position_m=(0, 0, 0.04)) as session:
         config = session.config
         assert (config.horizon, config.guidance, list(config.start_position_m)) == (20, 1, [0, 0, 0.04])
-        assert config.tactile_weight == 0.15
-        session.configure(tactile_weight=np.float64(0.2), horizon=np.int64(4))
-        assert (session.config.tactile_weight, session.config.horizon) == (0.2, 4)
-        assert "tactile_weight=0.2" in repr(session.config)
+        assert config.tactile_weight == 0.2
+        session.configure(tactile_weight=np.float64(0.25), horizon=np.int64(4))
+        assert (session.config.tactile_weight, session.config.horizon) == (0.25, 4)
+        assert "tactile_weight=0.25" in repr(session.config)
         assert session.config == session.config
 
 

@@ -62,9 +62,10 @@ test("a module can be loaded from bytes, from a module, and twice", async () => 
 test("a configuration has its defaults, and changes", () => {
   const { session } = newSession({ plate_latency_ns: 30 * ms, start_position_m: [0, 0, 0.06] });
   assert.equal(session.config.plate_latency_ns, 30_000_000n);
-  assert.equal(session.config.tactile_weight, 0.15);
-  session.configure({ tactile_weight: 0.2 });
   assert.equal(session.config.tactile_weight, 0.2);
+  assert.equal(session.config.person_covariance.length, 36);
+  session.configure({ tactile_weight: 0.25 });
+  assert.equal(session.config.tactile_weight, 0.25);
   assert.deepEqual(session.config.start_position_m, [0, 0, 0.06]);
   session.destroy();
 });

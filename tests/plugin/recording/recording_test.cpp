@@ -55,7 +55,7 @@ std::string rows_of(const std::string& text) {
 class RecordingTest : public SessionTest {
  protected:
   void SetUp() override {
-    SessionTest::SetUp();
+    create(paper_config());
     const std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
     folder_ = std::filesystem::temp_directory_path() / ("hrt_recording_" + test + std::to_string(getpid()));
     std::filesystem::create_directories(folder_);
@@ -93,7 +93,7 @@ class RecordingTest : public SessionTest {
     return static_cast<double>(state_ >> 40) / double{1 << 23} - 1.0;
   }
 
-  /// Three reaches that use every kind of sample, errors among them.
+  /// Three reaches that use both controllers and every kind of sample, errors among them.
   void play() {
     const hrt_target real = add(HRT_TARGET_REAL, -5.0, "cylinder"),
                      cup = add(HRT_TARGET_VIRTUAL, 5.0, "a \"cup\"");
@@ -102,8 +102,6 @@ class RecordingTest : public SessionTest {
     config.horizon = 20;
     config.plate_max_speed_deg_s = 400.0;
     config.plate_latency_ns = 30 * ms;
-    config.guidance = HRT_GUIDANCE_LINE_OF_SIGHT;
-    config.adaptation = HRT_ADAPTATION_CARRIED;
     config.plate_position_m[1] = 0.7;
     config.plate_rotation[1] = 0.6;
     config.plate_rotation[3] = 0.8;
@@ -291,8 +289,8 @@ TEST_F(RecordingTest, EveryNumberThatCameOutIsCompared) {
     }
   }
   EXPECT_EQ(seen, (std::vector<std::string>{"begin", "update", "end"}));
-  // Result and reach, result and command, result and summary.
-  EXPECT_EQ(compared, (1u + 5u + 1u) + (1u + 9u) + (1u + 5u + 11u));
+  // Result, reach and plate; result and command; result, what a summary shares with commands, and the rest.
+  EXPECT_EQ(compared, (1u + 5u + 1u) + (1u + 13u) + (1u + 6u + 24u));
 }
 
 // Calls that are refused for their arguments are calls too.
@@ -385,7 +383,7 @@ TEST_F(RecordingTest, RefusedCallsAreRecordedAndReplayed) {
 
 // A recording that starts late starts from where plate, targets and what was learnt are then.
 TEST_F(RecordingTest, MayStartAnyTimeBetweenReaches) {
-  hrt_session_config config = session_config();
+  hrt_session_config config = paper_config();
   config.plate_max_speed_deg_s = 100.0;
   config.adaptation = HRT_ADAPTATION_CARRIED;
   create(config);
@@ -450,19 +448,21 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
       golden.substr(header.size(), golden.find('\n', header.size()) + 1 - header.size());
   refused("", "does not begin");
   refused("time,x\n1,2\n", "does not begin");
-  refused("# haptic retargeting recording, version 1\n", "is of version 1, which");
-  refused("# haptic retargeting recording, version 3\n", "does not begin as a recording of version 2");
+  refused("# haptic retargeting recording, version 1\n", "is one that version 0.1 of the library");
+  refused("# haptic retargeting recording, version 2\n",
+          "is one that version 0.2 of the library replays; this one replays recordings of version 3");
+  refused("# haptic retargeting recording, version 4\n", "does not begin as a recording of version 3");
   refused(header + "update,0\n", "line 9: this comes before the configuration");
   refused(header + "# config {}\n", "line 9: the configuration has 0 fields");
   const auto refused_after_config = [&](const std::string& line, const std::string& part) {
     refused(header + config + line + "\n", ("line 10: " + part).c_str());
   };
-  refused_after_config("update,0", "the row has 2 columns; 46 are needed");
-  refused_after_config("jump,0" + std::string(44, ','), "the row's call is \"jump\"");
-  refused_after_config("update,0,soon" + std::string(43, ','), "column 3 is \"soon\"");
-  refused_after_config("begin,0" + std::string(14, ',') + ",-1" + std::string(29, ','),
+  refused_after_config("update,0", "the row has 2 columns; 64 are needed");
+  refused_after_config("jump,0" + std::string(62, ','), "the row's call is \"jump\"");
+  refused_after_config("update,0,soon" + std::string(61, ','), "column 3 is \"soon\"");
+  refused_after_config("begin,0" + std::string(14, ',') + ",-1" + std::string(47, ','),
                        "column 17 is \"-1\"");
-  refused_after_config("begin,0" + std::string(17, ',') + ",sample" + std::string(26, ','),
+  refused_after_config("begin,0" + std::string(18, ',') + ",sample" + std::string(43, ','),
                        "the refused argument is \"sample\", which \"begin\" does not have");
   refused_after_config("# plate ", "the plate's orientation is \"\"");
   refused_after_config("# plate nan", "the plate's orientation is NaN");

@@ -39,7 +39,7 @@ def main() -> None:
         cells = []
         for adaptation in (hrt.Adaptation.OFF, hrt.Adaptation.REACH):
             random = np.random.default_rng(1)
-            with hrt.Session(adaptation=adaptation) as session:
+            with hrt.Session(guidance=hrt.Guidance.FIXED_DIRECTION, adaptation=adaptation, tactile_weight=0.15) as session:
                 session.add_real("cylinder", direction_deg=REAL_DEG)
                 session.add_virtual("cup", direction_deg=VIRTUAL_DEG)
                 ends = [final_direction_deg(session, tactile_weight, random) for _ in range(REACHES)]

@@ -26,7 +26,7 @@ def main() -> None:
     samples = hrt.read_recording(sys.argv[1]).reaches[0].samples
     with hrt.Session(
         horizon=20,
-        guidance=hrt.Guidance.LINE_OF_SIGHT,
+        guidance=hrt.Guidance.ARRIVAL,
         adaptation=hrt.Adaptation.REACH,
         plate_max_speed_deg_s=200,
         plate_max_acceleration_deg_s2=20_000,

@@ -22,6 +22,26 @@ SCENES_MAX = 64
 """Maximum number of scenes in a process."""
 SESSIONS_MAX = 64
 """Maximum number of sessions in a process."""
+PERSON_WEIGHT = 0
+"""w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t"""
+PERSON_CURVE = 1
+"""b: 0 for a linear illusion"""
+PERSON_GAIN = 2
+"""rate at which they correct the direction they feel, 1/s"""
+PERSON_BIAS = 3
+"""goal minus virtual direction, degrees"""
+PERSON_HABIT = 4
+"""Curving: the goal's turn at the start, minus that at the end, halved, degrees."""
+PERSON_EVENNESS = 5
+"""of the pace: 0 minimum jerk, 1 even"""
+PERSON_HEADING = 6
+"""share of the goal's direction in which they set out"""
+PERSON_LOG_RATE = 7
+"""natural logarithm of one over a reach's duration in seconds"""
+PERSON_TRAITS = 8
+"""Number of traits."""
+PERSON_COVARIANCES = 36
+"""Numbers in the lower triangle of their covariance."""
 TARGETS_MAX = 1000000
 """Maximum number of targets in a session."""
 NAME_SIZE = 64
@@ -81,27 +101,33 @@ class Control(IntEnum):
 
 
 class Guidance(IntEnum):
-    """Direction to which the controller steers the finger.
+    """What the controller steers the finger to, and so which controller it is.
 
-    FIXED_DIRECTION: the real target's, seen from the start
-    LINE_OF_SIGHT: From the finger to the real target; constant over the last fifth of the path. Needs
-        positions: with directions alone this is FIXED_DIRECTION.
+    FIXED_DIRECTION: The real target's direction, seen from the start: the controller of the paper, for the
+        person of its model.
+    ARRIVAL: The real target's place, at arrival: the controller for people. It takes the pace of the
+        motion, the whole curve of the illusion, bias, habits and the tracker's noise as unknown, and learns
+        them. Needs positions: in a reach with directions alone this is FIXED_DIRECTION. Measured on
+        simulated people only.
+    LINE_OF_SIGHT: Name of ARRIVAL in version 0.2, whose line of sight it replaces.
     """
 
     FIXED_DIRECTION = 0
+    ARRIVAL = 1
     LINE_OF_SIGHT = 1
 
 
 class Adaptation(IntEnum):
-    """Learning of the tactile weight and the motor variance.
+    """Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
+    and the motor variance.
 
-    OFF: both are taken as known
-    REACH: The tactile weight is learnt within each reach. The summary also has the motor variance of the
-        reach.
-    CARRIED: As REACH; the end of a reach also writes tactile_weight, motor_variance_deg2 and their
-        deviations into the configuration. Deviations stay at or above 0.01 and 0.1, because people change.
-        One reach changes the motor variance by a factor of 2 at most, within 0.05 to 5; if clamped to it,
-        its deviation is unchanged.
+    OFF: tactile_weight and bias_deg are taken as known, the illusion as linear
+    REACH: The person is learnt within each reach, which begins with what the configuration says of them.
+    CARRIED: As REACH; the end of a reach also writes what it has learnt into the configuration, widened,
+        because people change: person_mean and person_covariance, tactile_weight and its deviation. A reach
+        that ends early or that the model does not fit (CommandFlag.MISFIT) writes nothing. Under
+        FIXED_DIRECTION it writes tactile_weight and motor_variance_deg2; one reach changes the latter by a
+        factor of 2 at most.
     """
 
     OFF = 0
@@ -178,13 +204,21 @@ class SampleFlag(IntFlag):
 class CommandFlag(IntFlag):
     """Command.flags.
 
-    HELD: between steps: the former command is repeated
+    HELD: no new decision: the former command is repeated
     PREDICTED: the last step had no sample and was predicted
     SATURATED: the plate's bound or a stop limits the command
     RATE_LIMITED: the plate's speed limits the command
     UNREACHABLE: the plate cannot sustain the gap: see authority.h
     LIFTED: the finger does not touch the plate: the model waits
     OFF_PLATE: the finger is beyond the plate's edge
+    MISFIT: The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE,
+        are not to be trusted.
+    OFF_TARGET: The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real
+        target.
+    RESTING: the finger rests within the reach: the plate is held
+    APPROXIMATE: The solver's work was cut short; the command keeps its bounds.
+    FAULT: A defect in this library: a value was not a finite number. The plate is held, and that value is
+        0.
     """
 
     HELD = 1
@@ -194,6 +228,23 @@ class CommandFlag(IntFlag):
     UNREACHABLE = 16
     LIFTED = 32
     OFF_PLATE = 64
+    MISFIT = 128
+    OFF_TARGET = 256
+    RESTING = 512
+    APPROXIMATE = 1024
+    FAULT = 2048
+
+
+class SessionFlag(IntFlag):
+    """SessionConfig.flags.
+
+    PLATE_WAITS: The plate stays where it stands until the finger moves. Otherwise it turns to where the
+        first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to the
+        target. Set this if the finger rests on the ridges before a reach: a plate that turns under a
+        resting finger is felt.
+    """
+
+    PLATE_WAITS = 1
 
 
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
@@ -228,8 +279,9 @@ class SessionConfig(Struct):
     step_period_ns: Duration of one step of the model and of the controller. The variances below are per
         step: scale them with it. 1 ms to 10 s. Default 100 ms.
     control: Control. Default Control.MPC.
-    guidance: Guidance. Default Guidance.LINE_OF_SIGHT.
-    adaptation: Adaptation. Default Adaptation.OFF.
+    guidance: Guidance. Default Guidance.ARRIVAL.
+    adaptation: Adaptation. Default Adaptation.CARRIED.
+    flags: SessionFlag. Default 0. Named `reserved` before version 0.3.
     perceived_weight: Cost of the error that the user feels. Raising it keeps the felt direction closer to
         the virtual one and steers more slowly. 1e-6 to 1e6. Default 1.
     actual_weight: Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0
@@ -249,9 +301,11 @@ class SessionConfig(Struct):
     fixed_plate_orientation_deg: Plate orientation (base.h) under Control.FIXED_PLATE. With stops, the plate
         goes to the nearest orientation with the same ridges. -180 to 180. Default 0.
     tactile_weight: Share of touch in the direction that the user feels. At a higher weight, the same turn
-        of the plate steers the hand further. 0.001 to 0.499. Default 0.15.
+        of the plate steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as
+        linear, at 60 degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2.
     tactile_weight_sd: Standard deviation of tactile_weight, from which adaptation starts. Raising it makes
-        adaptation faster and less steady. 0.001 to 0.49. Default 0.05.
+        adaptation faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as
+        uncertain in proportion. 0.001 to 0.49. Default 0.05.
     motor_variance_deg2: Variance of the user's motor command per step. Raising it makes the estimator
         follow the samples more closely. 1e-9 to 1e4. Default 0.5.
     sensory_variance_deg2: Variance of the felt direction per step. Raising it models a user who reacts to
@@ -271,10 +325,26 @@ class SessionConfig(Struct):
         coordinates to the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default
         (0, 0, 0, 1).
     bias_deg: Perceptual bias: perceived minus true direction of a virtual target. The user goes to the
-        virtual direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45. Default
-        0. Since version 0.2.
+        virtual direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to
+        45. Default 0. Since version 0.2.
     motor_variance_sd_deg2: Standard deviation of motor_variance_deg2, from which adaptation starts. Raising
         it makes adaptation faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2.
+    max_felt_error_deg: Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended
+        direction, as predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer
+        targets: of simulated people, 3.5 costs about 2 reaches in 100. What the person adds, by noise or by
+        being other than estimated, comes on top. 0.1 to 45. Default 5. Since version 0.3.
+    motion_bound_deg: Largest angle between the plate orientation and the finger's direction under
+        GUIDANCE_ARRIVAL. Raising it allows larger gaps for people whose illusion still grows there;
+        published data cover 60. Never beyond the peak of the person's illusion. 1 to 89. Default 75. Since
+        version 0.3.
+    tracker_latency_ns: Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s.
+        Default 0. Since version 0.3.
+    person_mean: What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if
+        person_covariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to
+        5, the others -100 to 100. Default 0. Since version 0.3.
+    person_covariance: Covariance of person_mean: the lower triangle, row by row; positive definite, up to
+        1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read.
+        Default 0. Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -284,7 +354,7 @@ class SessionConfig(Struct):
         control: int
         guidance: int
         adaptation: int
-        reserved: int
+        flags: int
         perceived_weight: float
         actual_weight: float
         plate_bound_deg: float
@@ -307,6 +377,11 @@ class SessionConfig(Struct):
         plate_rotation: ctypes.Array[c_double]
         bias_deg: float
         motor_variance_sd_deg2: float
+        max_felt_error_deg: float
+        motion_bound_deg: float
+        tracker_latency_ns: int
+        person_mean: ctypes.Array[c_double]
+        person_covariance: ctypes.Array[c_double]
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -315,7 +390,7 @@ class SessionConfig(Struct):
         ("control", c_uint32),
         ("guidance", c_uint32),
         ("adaptation", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("perceived_weight", c_double),
         ("actual_weight", c_double),
         ("plate_bound_deg", c_double),
@@ -338,6 +413,11 @@ class SessionConfig(Struct):
         ("plate_rotation", c_double * 4),
         ("bias_deg", c_double),
         ("motor_variance_sd_deg2", c_double),
+        ("max_felt_error_deg", c_double),
+        ("motion_bound_deg", c_double),
+        ("tracker_latency_ns", c_int64),
+        ("person_mean", c_double * 8),
+        ("person_covariance", c_double * 36),
     )
 
 
@@ -395,12 +475,14 @@ class Authority(Struct):
     reachable: 1 if the plate can keep the finger on the real target's direction, else 0.
     real_target
     virtual_target
-    gap_deg: The virtual direction plus SessionConfig.bias_deg, minus the real direction; in [-180, 180).
-    largest_gap_deg: Largest gap, to either side, that the session's tactile weight and plate bound can
-        sustain.
+    gap_deg: The virtual direction plus the person's bias, minus the real direction; in [-180, 180).
+    largest_gap_deg: Largest gap, to either side, that the plate can sustain for the session's person and
+        guidance.
     margin_deg: largest_gap_deg minus the size of the gap; negative: unreachable.
     plate_orientation_deg: Plate orientation (base.h) that sustains the gap; at the bound if unreachable.
     settling_direction_deg: Direction in which the finger settles: the real target's, if reachable.
+    paper_largest_gap_deg: largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg.
+        Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -413,6 +495,7 @@ class Authority(Struct):
         margin_deg: float
         plate_orientation_deg: float
         settling_direction_deg: float
+        paper_largest_gap_deg: float
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -424,6 +507,7 @@ class Authority(Struct):
         ("margin_deg", c_double),
         ("plate_orientation_deg", c_double),
         ("settling_direction_deg", c_double),
+        ("paper_largest_gap_deg", c_double),
     )
 
 
@@ -436,6 +520,8 @@ class ReachConfig(Struct):
     virtual_target: Target that the user goes to. Default null: to be set.
     plate_orientation_deg: Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600.
         Default 0.
+    duration_s: Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is learnt
+        from the finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -444,6 +530,7 @@ class ReachConfig(Struct):
         real_target: TargetHandle
         virtual_target: TargetHandle
         plate_orientation_deg: float
+        duration_s: float
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -451,6 +538,7 @@ class ReachConfig(Struct):
         ("real_target", TargetHandle),
         ("virtual_target", TargetHandle),
         ("plate_orientation_deg", c_double),
+        ("duration_s", c_double),
     )
 
 
@@ -505,6 +593,15 @@ class Command(Struct):
     distance_to_go_m: Distance along the plate to the real target; from the start until the first position.
     tactile_weight: Tactile weight that the controller assumes.
     tactile_weight_sd: Standard deviation of tactile_weight; 0: taken as known.
+    time_to_go_s: Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION. Since
+        version 0.3.
+    felt_error_deg: Felt minus intended direction now, as estimated: what the person could notice. For
+        visual redirection about 4.5 is noticed; no threshold is published for touch. 0 under
+        FIXED_DIRECTION. Since version 0.3.
+    predicted_miss_deg: Predicted bearing of the place of arrival, seen from the start, minus the real
+        target's; 0 under FIXED_DIRECTION. Since version 0.3.
+    normalised_innovation: Normalised innovation squared of the last positions, mean over about twenty:
+        about 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -518,6 +615,10 @@ class Command(Struct):
         distance_to_go_m: float
         tactile_weight: float
         tactile_weight_sd: float
+        time_to_go_s: float
+        felt_error_deg: float
+        predicted_miss_deg: float
+        normalised_innovation: float
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -530,12 +631,18 @@ class Command(Struct):
         ("distance_to_go_m", c_double),
         ("tactile_weight", c_double),
         ("tactile_weight_sd", c_double),
+        ("time_to_go_s", c_double),
+        ("felt_error_deg", c_double),
+        ("predicted_miss_deg", c_double),
+        ("normalised_innovation", c_double),
     )
 
 
 class ReachSummary(Struct):
     """Result of a reach.
 
+    flags: CommandFlag: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended,
+        FAULT. Named `reserved` before version 0.3.
     samples: Samples, and those of them that were dropouts or rejected as outliers.
     dropped_samples
     steps: Model steps with samples, and predicted steps without.
@@ -557,11 +664,28 @@ class ReachSummary(Struct):
     motor_variance_deg2: Motor variance: the configured one, corrected by this reach. Since version 0.2.
     motor_variance_sd_deg2: Standard deviation of motor_variance_deg2; close to the configured one if the
         reach had too little data; 0: taken as known. Since version 0.2.
+    bearing_error_deg: Bearing of the last position, seen from the start, minus the real target's; 0 without
+        positions. This and the following: 0 under FIXED_DIRECTION, since version 0.3.
+    peak_felt_error_deg: Largest size of Command.felt_error_deg, and its root mean square while the finger
+        moved.
+    rms_felt_error_deg
+    normalised_innovation: Largest Command.normalised_innovation.
+    illusion_curve: What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An
+        illusion_curve of more than 2 deviations says that the illusion is not linear, and tactile_weight
+        holds at 60 degrees only.
+    illusion_curve_sd
+    gain_per_s
+    gain_sd_per_s
+    bias_deg
+    bias_sd_deg
+    habit_deg
+    habit_sd_deg
+    duration_s: Duration of the motion, as estimated.
     """
 
     if TYPE_CHECKING:
         struct_size: int
-        reserved: int
+        flags: int
         samples: int
         dropped_samples: int
         steps: int
@@ -578,10 +702,23 @@ class ReachSummary(Struct):
         tracker_noise_m: float
         motor_variance_deg2: float
         motor_variance_sd_deg2: float
+        bearing_error_deg: float
+        peak_felt_error_deg: float
+        rms_felt_error_deg: float
+        normalised_innovation: float
+        illusion_curve: float
+        illusion_curve_sd: float
+        gain_per_s: float
+        gain_sd_per_s: float
+        bias_deg: float
+        bias_sd_deg: float
+        habit_deg: float
+        habit_sd_deg: float
+        duration_s: float
 
     _fields_ = (
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("flags", c_uint32),
         ("samples", c_int64),
         ("dropped_samples", c_int64),
         ("steps", c_int64),
@@ -598,6 +735,19 @@ class ReachSummary(Struct):
         ("tracker_noise_m", c_double),
         ("motor_variance_deg2", c_double),
         ("motor_variance_sd_deg2", c_double),
+        ("bearing_error_deg", c_double),
+        ("peak_felt_error_deg", c_double),
+        ("rms_felt_error_deg", c_double),
+        ("normalised_innovation", c_double),
+        ("illusion_curve", c_double),
+        ("illusion_curve_sd", c_double),
+        ("gain_per_s", c_double),
+        ("gain_sd_per_s", c_double),
+        ("bias_deg", c_double),
+        ("bias_sd_deg", c_double),
+        ("habit_deg", c_double),
+        ("habit_sd_deg", c_double),
+        ("duration_s", c_double),
     )
 
 
@@ -761,7 +911,7 @@ class ReplayReport(Struct):
     first_different_line: Line, from 1, of the first row whose result or any number differs from the
         recorded one; 0: all rows are equal, bit for bit.
     hash: FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags
-        as 8 bytes, step and the seven numbers after it, least significant byte first.
+        as 8 bytes, step and the eleven numbers after it, least significant byte first.
     """
 
     if TYPE_CHECKING:

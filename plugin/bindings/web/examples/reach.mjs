@@ -4,7 +4,7 @@
 export function runReach(hrt, library, recording) {
   const session = library.createSession({
     horizon: 20,
-    guidance: hrt.HRT_GUIDANCE_LINE_OF_SIGHT,
+    guidance: hrt.HRT_GUIDANCE_ARRIVAL,
     adaptation: hrt.HRT_ADAPTATION_REACH,
     plate_max_speed_deg_s: 200,
     plate_max_acceleration_deg_s2: 20000,
@@ -45,11 +45,12 @@ function* updates(recording) {
 
 // FNV-1a, as hrt_replay_report::hash has it.
 function hashed(hash, command) {
-  const words = new DataView(new ArrayBuffer(72));
+  const words = new DataView(new ArrayBuffer(104));
   words.setBigUint64(0, BigInt(command.flags), true);
   words.setBigInt64(8, BigInt(command.step), true);
   [command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
-   command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd]
+   command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
+   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.normalised_innovation]
     .forEach((value, i) => words.setFloat64(16 + 8 * i, value, true));
   for (let i = 0; i < words.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);

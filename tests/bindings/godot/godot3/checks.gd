@@ -49,7 +49,7 @@ func check_properties():
 	check_equal(plate.plate_bound_deg, 60.5, "bound of the scene")
 	check_equal(plate.start_position_m, Vector3(0, 0, 0.0625), "start of the scene")
 	check_equal(plate.step_period_ns, 100000000, "default step period")
-	check_equal(plate.tactile_weight, 0.15, "default tactile weight, a double")
+	check_equal(plate.tactile_weight, 0.2, "default tactile weight, a double")
 	plate.perceived_weight = 2
 	check_equal(plate.perceived_weight, 2.0, "a whole number in place of a float")
 	var listed = {}
@@ -77,7 +77,8 @@ func check_targets_and_authority():
 	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
 	var authority = plate.get_authority(real, felt)
 	check_near(authority.gap_deg, 9.0, "gap")
-	check_near(authority.largest_gap_deg, 84.5 * 0.15 / 0.85, "largest gap")
+	check_near(authority.largest_gap_deg, 75.0 * 0.2, "largest gap")
+	check_near(authority.paper_largest_gap_deg, 84.5 * 0.2 / 0.8, "largest gap of the paper")
 	check_equal(authority.reachable, 1, "reachable")
 	check_equal(plate.get_authority(other, felt).reachable, 0, "reachable")
 	check_equal(plate.get_best_authority(felt).real_target, real, "best")
@@ -265,7 +266,7 @@ func check_recording():
 	check_equal(plate.stop_recording(), OK, "stop")
 	var file = File.new()
 	check_equal(file.open(path, File.READ), OK, "open")
-	check_equal(file.get_line(), "# haptic retargeting recording, version 2", "first line")
+	check_equal(file.get_line(), "# haptic retargeting recording, version 3", "first line")
 	expect_error("hrt_recording_stop")
 	check_equal(plate.stop_recording(), ERR_UNAVAILABLE, "stop twice")
 	expect_error("hrt_recording_start")

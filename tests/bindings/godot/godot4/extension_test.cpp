@@ -66,11 +66,11 @@ TEST_F(Extension, RegistersTheClass) {
 }
 
 TEST_F(Extension, PropertiesHoldWhatTheyAreSetTo) {
-  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.15);
-  engine_.set(node_, "tactile_weight", 0.2);
+  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.2);
+  engine_.set(node_, "tactile_weight", 0.25);
   engine_.set(node_, "horizon", int64_t{7});
   engine_.set(node_, "start_position_m", Vector3{0, 0, 0.0625f});
-  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.2);
+  EXPECT_EQ(std::get<double>(engine_.get(node_, "tactile_weight")), 0.25);
   EXPECT_EQ(std::get<int64_t>(engine_.get(node_, "horizon")), 7);
   EXPECT_EQ(std::get<Vector3>(engine_.get(node_, "start_position_m")), (Vector3{0, 0, 0.0625f}));
   engine_.set(node_, "horizon", "three");
@@ -170,7 +170,7 @@ uint64_t hash_words(uint64_t hash, const Any& value) {
 // The reach that every host runs: plugin/bindings/README.md.
 TEST_F(Extension, RunsTheReachOfAllHosts) {
   engine_.set(node_, "horizon", int64_t{20});
-  engine_.set(node_, "guidance", int64_t{HRT_GUIDANCE_LINE_OF_SIGHT});
+  engine_.set(node_, "guidance", int64_t{HRT_GUIDANCE_ARRIVAL});
   engine_.set(node_, "adaptation", int64_t{HRT_ADAPTATION_REACH});
   engine_.set(node_, "plate_max_speed_deg_s", 200.0);
   engine_.set(node_, "plate_max_acceleration_deg_s2", 20000.0);
@@ -202,7 +202,8 @@ TEST_F(Extension, RunsTheReachOfAllHosts) {
     const Dictionary command = std::get<Dictionary>(call("get_command"));
     for (const char* field :
          {"flags", "step", "plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
-          "aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd"})
+          "aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd", "time_to_go_s",
+          "felt_error_deg", "predicted_miss_deg", "normalised_innovation"})
       hash = hash_words(hash, command->at(field));
   }
   ASSERT_EQ(call_int("end"), kOk);

@@ -71,7 +71,8 @@ func hash_command(command: Dictionary) -> void:
 	bytes.put_64(command.flags)
 	bytes.put_64(command.step)
 	for field in ["plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
-			"aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd"]:
+			"aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd",
+			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "normalised_innovation"]:
 		bytes.put_double(command[field])
 	for byte in bytes.data_array:
 		fnv = (fnv ^ byte) * 0x100000001b3

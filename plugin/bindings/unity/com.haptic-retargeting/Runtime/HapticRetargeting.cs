@@ -64,13 +64,13 @@ namespace Hrt
 
         [Header("User")]
         [Tooltip("Share of touch in the direction that the user feels, 0.001 to 0.499.")]
-        public double tactileWeight = 0.15;
+        public double tactileWeight = 0.2;
 
-        [Tooltip("Whether that share is learnt: not, within each reach, or carried from reach to reach.")]
-        public Adaptation adaptation = Adaptation.Reach;
+        [Tooltip("Whether the user is learnt: not, within each reach, or carried from reach to reach.")]
+        public Adaptation adaptation = Adaptation.Carried;
 
-        [Tooltip("Where the finger is wanted: in the real target's direction from the start, or from where it is.")]
-        public Guidance guidance = Guidance.LineOfSight;
+        [Tooltip("Arrival: the controller for people, which leads to the real target. FixedDirection: the paper's.")]
+        public Guidance guidance = Guidance.Arrival;
 
         [Header("Events")]
         [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]

@@ -16,6 +16,26 @@ namespace Hrt
         public const int ScenesMax = 64;
         /// <summary>Maximum number of sessions in a process.</summary>
         public const int SessionsMax = 64;
+        /// <summary>w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t</summary>
+        public const int PersonWeight = 0;
+        /// <summary>b: 0 for a linear illusion</summary>
+        public const int PersonCurve = 1;
+        /// <summary>rate at which they correct the direction they feel, 1/s</summary>
+        public const int PersonGain = 2;
+        /// <summary>goal minus virtual direction, degrees</summary>
+        public const int PersonBias = 3;
+        /// <summary>Curving: the goal's turn at the start, minus that at the end, halved, degrees.</summary>
+        public const int PersonHabit = 4;
+        /// <summary>of the pace: 0 minimum jerk, 1 even</summary>
+        public const int PersonEvenness = 5;
+        /// <summary>share of the goal's direction in which they set out</summary>
+        public const int PersonHeading = 6;
+        /// <summary>natural logarithm of one over a reach's duration in seconds</summary>
+        public const int PersonLogRate = 7;
+        /// <summary>Number of traits.</summary>
+        public const int PersonTraits = 8;
+        /// <summary>Numbers in the lower triangle of their covariance.</summary>
+        public const int PersonCovariances = 36;
         /// <summary>Maximum number of targets in a session.</summary>
         public const int TargetsMax = 1000000;
         /// <summary>Bytes of a name, including the terminating zero.</summary>
@@ -78,29 +98,48 @@ namespace Hrt
         FixedPlate = 1,
     }
 
-    /// <summary>Direction to which the controller steers the finger.</summary>
+    /// <summary>What the controller steers the finger to, and so which controller it is.</summary>
     public enum Guidance : uint
     {
-        /// <summary>the real target's, seen from the start</summary>
+        /// <summary>The real target's direction, seen from the start: the controller of the paper, for the
+        /// person of its model.</summary>
         FixedDirection = 0,
-        /// <summary>From the finger to the real target; constant over the last fifth of the path. Needs
-        /// positions: with directions alone this is FIXED_DIRECTION.</summary>
+        /// <summary>The real target's place, at arrival: the controller for people. It takes the pace of the
+        /// motion, the whole curve of the illusion, bias, habits and the tracker's noise as unknown, and
+        /// learns them. Needs positions: in a reach with directions alone this is FIXED_DIRECTION. Measured
+        /// on simulated people only.</summary>
+        Arrival = 1,
+        /// <summary>Name of ARRIVAL in version 0.2, whose line of sight it replaces.</summary>
         LineOfSight = 1,
     }
 
-    /// <summary>Learning of the tactile weight and the motor variance.</summary>
+    /// <summary>Learning of the person: under GUIDANCE_ARRIVAL of all that personMean holds, else of the
+    /// tactile weight and the motor variance.</summary>
     public enum Adaptation : uint
     {
-        /// <summary>both are taken as known</summary>
+        /// <summary>tactileWeight and biasDeg are taken as known, the illusion as linear</summary>
         Off = 0,
-        /// <summary>The tactile weight is learnt within each reach. The summary also has the motor variance
-        /// of the reach.</summary>
+        /// <summary>The person is learnt within each reach, which begins with what the configuration says of
+        /// them.</summary>
         Reach = 1,
-        /// <summary>As REACH; the end of a reach also writes tactileWeight, motorVarianceDeg2 and their
-        /// deviations into the configuration. Deviations stay at or above 0.01 and 0.1, because people
-        /// change. One reach changes the motor variance by a factor of 2 at most, within 0.05 to 5; if
-        /// clamped to it, its deviation is unchanged.</summary>
+        /// <summary>As REACH; the end of a reach also writes what it has learnt into the configuration,
+        /// widened, because people change: personMean and personCovariance, tactileWeight and its deviation.
+        /// A reach that ends early or that the model does not fit (CommandFlags.Misfit) writes nothing. Under
+        /// FIXED_DIRECTION it writes tactileWeight and motorVarianceDeg2; one reach changes the latter by a
+        /// factor of 2 at most.</summary>
         Carried = 2,
+    }
+
+    /// <summary>SessionConfig.flags.</summary>
+    [Flags]
+    public enum SessionFlags : uint
+    {
+        None = 0,
+        /// <summary>The plate stays where it stands until the finger moves. Otherwise it turns to where the
+        /// first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to
+        /// the target. Set this if the finger rests on the ridges before a reach: a plate that turns under a
+        /// resting finger is felt.</summary>
+        PlateWaits = 1,
     }
 
     /// <summary>Role of a target.</summary>
@@ -160,7 +199,7 @@ namespace Hrt
     public enum CommandFlags : uint
     {
         None = 0,
-        /// <summary>between steps: the former command is repeated</summary>
+        /// <summary>no new decision: the former command is repeated</summary>
         Held = 1,
         /// <summary>the last step had no sample and was predicted</summary>
         Predicted = 2,
@@ -174,6 +213,19 @@ namespace Hrt
         Lifted = 32,
         /// <summary>the finger is beyond the plate's edge</summary>
         OffPlate = 64,
+        /// <summary>The motion departs from the model more than its noise allows: the estimates, and
+        /// UNREACHABLE, are not to be trusted.</summary>
+        Misfit = 128,
+        /// <summary>The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real
+        /// target.</summary>
+        OffTarget = 256,
+        /// <summary>the finger rests within the reach: the plate is held</summary>
+        Resting = 512,
+        /// <summary>The solver's work was cut short; the command keeps its bounds.</summary>
+        Approximate = 1024,
+        /// <summary>A defect in this library: a value was not a finite number. The plate is held, and that
+        /// value is 0.</summary>
+        Fault = 2048,
     }
 
     /// <summary>A session's handle. Zero is never a session. Handles are never reused.</summary>
@@ -198,11 +250,12 @@ namespace Hrt
         public long stepPeriodNs;
         /// <summary>Control. Default Control.Mpc.</summary>
         public Control control;
-        /// <summary>Guidance. Default Guidance.LineOfSight.</summary>
+        /// <summary>Guidance. Default Guidance.Arrival.</summary>
         public Guidance guidance;
-        /// <summary>Adaptation. Default Adaptation.Off.</summary>
+        /// <summary>Adaptation. Default Adaptation.Carried.</summary>
         public Adaptation adaptation;
-        public uint reserved;
+        /// <summary>SessionFlags. Default 0. Named <c>reserved</c> before version 0.3.</summary>
+        public SessionFlags flags;
         /// <summary>Cost of the error that the user feels. Raising it keeps the felt direction closer to the
         /// virtual one and steers more slowly. 1e-6 to 1e6. Default 1.</summary>
         public double perceivedWeight;
@@ -230,10 +283,12 @@ namespace Hrt
         /// nearest orientation with the same ridges. -180 to 180. Default 0.</summary>
         public double fixedPlateOrientationDeg;
         /// <summary>Share of touch in the direction that the user feels. At a higher weight, the same turn of
-        /// the plate steers the hand further. 0.001 to 0.499. Default 0.15.</summary>
+        /// the plate steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as
+        /// linear, at 60 degrees; personMean overrides it. 0.001 to 0.499. Default 0.2.</summary>
         public double tactileWeight;
         /// <summary>Standard deviation of tactileWeight, from which adaptation starts. Raising it makes
-        /// adaptation faster and less steady. 0.001 to 0.49. Default 0.05.</summary>
+        /// adaptation faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as
+        /// uncertain in proportion. 0.001 to 0.49. Default 0.05.</summary>
         public double tactileWeightSd;
         /// <summary>Variance of the user's motor command per step. Raising it makes the estimator follow the
         /// samples more closely. 1e-9 to 1e4. Default 0.5.</summary>
@@ -263,12 +318,33 @@ namespace Hrt
         /// (0, 0, 0, 1).</summary>
         public Double4 plateRotation;
         /// <summary>Perceptual bias: perceived minus true direction of a virtual target. The user goes to the
-        /// virtual direction plus this bias. Found by calibration.h, not learnt in reaches. -45 to 45.
-        /// Default 0. Since version 0.2.</summary>
+        /// virtual direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to
+        /// 45. Default 0. Since version 0.2.</summary>
         public double biasDeg;
         /// <summary>Standard deviation of motorVarianceDeg2, from which adaptation starts. Raising it makes
         /// adaptation faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2.</summary>
         public double motorVarianceSdDeg2;
+        /// <summary>Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended
+        /// direction, as predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer
+        /// targets: of simulated people, 3.5 costs about 2 reaches in 100. What the person adds, by noise or
+        /// by being other than estimated, comes on top. 0.1 to 45. Default 5. Since version 0.3.</summary>
+        public double maxFeltErrorDeg;
+        /// <summary>Largest angle between the plate orientation and the finger's direction under
+        /// GUIDANCE_ARRIVAL. Raising it allows larger gaps for people whose illusion still grows there;
+        /// published data cover 60. Never beyond the peak of the person's illusion. 1 to 89. Default 75.
+        /// Since version 0.3.</summary>
+        public double motionBoundDeg;
+        /// <summary>Time from a motion to the timeNs of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s.
+        /// Default 0. Since version 0.3.</summary>
+        public long trackerLatencyNs;
+        /// <summary>What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if
+        /// personCovariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to
+        /// 5, the others -100 to 100. Default 0. Since version 0.3.</summary>
+        public PersonMean personMean;
+        /// <summary>Covariance of personMean: the lower triangle, row by row; positive definite, up to 1e4.
+        /// All 0: an unknown person, of whom only tactileWeight, tactileWeightSd and biasDeg are read.
+        /// Default 0. Since version 0.3.</summary>
+        public PersonCovariance personCovariance;
     }
 
     /// <summary>A target's id within its session. Zero is never a target. Ids are never reused, in any
@@ -314,11 +390,11 @@ namespace Hrt
         public uint reachable;
         public TargetId realTarget;
         public TargetId virtualTarget;
-        /// <summary>The virtual direction plus SessionConfig.biasDeg, minus the real direction; in [-180,
+        /// <summary>The virtual direction plus the person's bias, minus the real direction; in [-180,
         /// 180).</summary>
         public double gapDeg;
-        /// <summary>Largest gap, to either side, that the session's tactile weight and plate bound can
-        /// sustain.</summary>
+        /// <summary>Largest gap, to either side, that the plate can sustain for the session's person and
+        /// guidance.</summary>
         public double largestGapDeg;
         /// <summary>largestGapDeg minus the size of the gap; negative: unreachable.</summary>
         public double marginDeg;
@@ -326,6 +402,9 @@ namespace Hrt
         public double plateOrientationDeg;
         /// <summary>Direction in which the finger settles: the real target's, if reachable.</summary>
         public double settlingDirectionDeg;
+        /// <summary>largestGapDeg as the paper has it, from tactileWeight and plateBoundDeg. Since version
+        /// 0.3.</summary>
+        public double paperLargestGapDeg;
     }
 
     /// <summary>Configuration of a reach. hrt_reach_config_default() fills every field.</summary>
@@ -344,6 +423,10 @@ namespace Hrt
         /// <summary>Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default
         /// 0.</summary>
         public double plateOrientationDeg;
+        /// <summary>Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is
+        /// learnt from the finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version
+        /// 0.3.</summary>
+        public double durationS;
     }
 
     /// <summary>One sample of the tracked finger. Set it to zero, then set <c>structSize</c> and the known
@@ -398,6 +481,19 @@ namespace Hrt
         public double tactileWeight;
         /// <summary>Standard deviation of tactileWeight; 0: taken as known.</summary>
         public double tactileWeightSd;
+        /// <summary>Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION.
+        /// Since version 0.3.</summary>
+        public double timeToGoS;
+        /// <summary>Felt minus intended direction now, as estimated: what the person could notice. For visual
+        /// redirection about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION.
+        /// Since version 0.3.</summary>
+        public double feltErrorDeg;
+        /// <summary>Predicted bearing of the place of arrival, seen from the start, minus the real target's;
+        /// 0 under FIXED_DIRECTION. Since version 0.3.</summary>
+        public double predictedMissDeg;
+        /// <summary>Normalised innovation squared of the last positions, mean over about twenty: about 2 if
+        /// the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3.</summary>
+        public double normalisedInnovation;
     }
 
     /// <summary>Result of a reach. Set <c>structSize</c> before the call.</summary>
@@ -406,7 +502,9 @@ namespace Hrt
     public partial struct ReachSummary
     {
         public uint structSize;
-        public uint reserved;
+        /// <summary>CommandFlags: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger
+        /// ended, FAULT. Named <c>reserved</c> before version 0.3.</summary>
+        public CommandFlags flags;
         /// <summary>Samples, and those of them that were dropouts or rejected as outliers.</summary>
         public long samples;
         public long droppedSamples;
@@ -439,6 +537,28 @@ namespace Hrt
         /// <summary>Standard deviation of motorVarianceDeg2; close to the configured one if the reach had too
         /// little data; 0: taken as known. Since version 0.2.</summary>
         public double motorVarianceSdDeg2;
+        /// <summary>Bearing of the last position, seen from the start, minus the real target's; 0 without
+        /// positions. This and the following: 0 under FIXED_DIRECTION, since version 0.3.</summary>
+        public double bearingErrorDeg;
+        /// <summary>Largest size of Command.feltErrorDeg, and its root mean square while the finger
+        /// moved.</summary>
+        public double peakFeltErrorDeg;
+        public double rmsFeltErrorDeg;
+        /// <summary>Largest Command.normalisedInnovation.</summary>
+        public double normalisedInnovation;
+        /// <summary>What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An
+        /// illusionCurve of more than 2 deviations says that the illusion is not linear, and tactileWeight
+        /// holds at 60 degrees only.</summary>
+        public double illusionCurve;
+        public double illusionCurveSd;
+        public double gainPerS;
+        public double gainSdPerS;
+        public double biasDeg;
+        public double biasSdDeg;
+        public double habitDeg;
+        public double habitSdDeg;
+        /// <summary>Duration of the motion, as estimated.</summary>
+        public double durationS;
     }
 
     /// <summary>A calibration's handle. Zero is never a calibration. Handles are never reused.</summary>
@@ -551,7 +671,7 @@ namespace Hrt
         /// 0: all rows are equal, bit for bit.</summary>
         public ulong firstDifferentLine;
         /// <summary>FNV-1a hash of the replayed commands, equal on every host: for each successful row
-        /// "update", flags as 8 bytes, step and the seven numbers after it, least significant byte
+        /// "update", flags as 8 bytes, step and the eleven numbers after it, least significant byte
         /// first.</summary>
         public ulong hash;
     }

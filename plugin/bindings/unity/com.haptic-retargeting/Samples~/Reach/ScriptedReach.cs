@@ -32,7 +32,7 @@ namespace HrtSamples
         {
             SessionConfig config = SessionConfig.Default;
             config.horizon = 20;
-            config.guidance = Guidance.LineOfSight;
+            config.guidance = Guidance.Arrival;
             config.adaptation = Adaptation.Reach;
             config.plateMaxSpeedDegS = 200;
             config.plateMaxAccelerationDegS2 = 20000;
@@ -106,6 +106,10 @@ namespace HrtSamples
             Add(command.distanceToGoM);
             Add(command.tactileWeight);
             Add(command.tactileWeightSd);
+            Add(command.timeToGoS);
+            Add(command.feltErrorDeg);
+            Add(command.predictedMissDeg);
+            Add(command.normalisedInnovation);
         }
 
         void Add(double number)

@@ -307,7 +307,7 @@ namespace Hrt.Tests
                 component.Step(At(frame * 11111111L));
             }
             ReachSummary summary = component.EndReach();
-            Assert.AreNotEqual(0.15, summary.tactileWeight);
+            Assert.AreNotEqual(0.2, summary.tactileWeight);
             component.BeginReach(virtualTarget);
             Assert.AreEqual(summary.tactileWeight, component.Session.Config.tactileWeight);
         }

@@ -34,7 +34,9 @@ namespace Hrt.Tests
             Assert.AreEqual(3, config.horizon);
             Assert.AreEqual(100000000, config.stepPeriodNs);
             Assert.AreEqual(84.5, config.plateBoundDeg);
-            Assert.AreEqual(0.15, config.tactileWeight);
+            Assert.AreEqual(0.2, config.tactileWeight);
+            Assert.AreEqual(Guidance.Arrival, config.guidance);
+            Assert.AreEqual(Adaptation.Carried, config.adaptation);
             Assert.AreEqual(0.05, config.startPositionM.z);
             Assert.AreEqual(1, config.plateRotation.w);
         }
@@ -48,7 +50,7 @@ namespace Hrt.Tests
             Assert.AreEqual(Result.OutOfRange, refusal.Result);
             StringAssert.Contains("tactile_weight", refusal.Message);
             StringAssert.Contains("0.499", refusal.Message);
-            Assert.AreEqual(0.15, session.Config.tactileWeight);
+            Assert.AreEqual(0.2, session.Config.tactileWeight);
         }
 
         [Test]
@@ -95,8 +97,8 @@ namespace Hrt.Tests
             Assert.Throws<ArgumentNullException>(() => new Name(null));
         }
 
-        // L w / (1 - w), with the bound 84.5 and the weight 0.15.
-        const double LargestGapDeg = 84.5 * 0.15 / 0.85;
+        // A linear illusion of 0.2, with the plate within 75 degrees of the motion.
+        const double LargestGapDeg = 75 * 0.2;
 
         [Test]
         public void AuthorityTellsWhatCanBeHeld()

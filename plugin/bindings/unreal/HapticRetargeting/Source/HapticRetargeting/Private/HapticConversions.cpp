@@ -8,7 +8,7 @@ namespace HapticConversions
 	static_assert(static_cast<int>(EHapticControl::ModelPredictive) == HRT_CONTROL_MPC);
 	static_assert(static_cast<int>(EHapticControl::FixedPlate) == HRT_CONTROL_FIXED_PLATE);
 	static_assert(static_cast<int>(EHapticGuidance::FixedDirection) == HRT_GUIDANCE_FIXED_DIRECTION);
-	static_assert(static_cast<int>(EHapticGuidance::LineOfSight) == HRT_GUIDANCE_LINE_OF_SIGHT);
+	static_assert(static_cast<int>(EHapticGuidance::Arrival) == HRT_GUIDANCE_ARRIVAL);
 	static_assert(static_cast<int>(EHapticAdaptation::Off) == HRT_ADAPTATION_OFF);
 	static_assert(static_cast<int>(EHapticAdaptation::Reach) == HRT_ADAPTATION_REACH);
 	static_assert(static_cast<int>(EHapticAdaptation::Carried) == HRT_ADAPTATION_CARRIED);
@@ -19,6 +19,11 @@ namespace HapticConversions
 	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Unreachable) == HRT_COMMAND_UNREACHABLE);
 	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Lifted) == HRT_COMMAND_LIFTED);
 	static_assert(static_cast<uint32_t>(EHapticCommandFlags::OffPlate) == HRT_COMMAND_OFF_PLATE);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Misfit) == HRT_COMMAND_MISFIT);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::OffTarget) == HRT_COMMAND_OFF_TARGET);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Resting) == HRT_COMMAND_RESTING);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Approximate) == HRT_COMMAND_APPROXIMATE);
+	static_assert(static_cast<uint32_t>(EHapticCommandFlags::Fault) == HRT_COMMAND_FAULT);
 
 	static constexpr double CentimetresPerMetre = 100.0;
 
@@ -59,6 +64,9 @@ namespace HapticConversions
 		Config.control = static_cast<uint32_t>(Settings.Control);
 		Config.guidance = static_cast<uint32_t>(Settings.Guidance);
 		Config.adaptation = static_cast<uint32_t>(Settings.Adaptation);
+		Config.flags = Settings.bPlateWaits ? HRT_SESSION_PLATE_WAITS : 0;
+		Config.max_felt_error_deg = Settings.MaxFeltError;
+		Config.motion_bound_deg = Settings.MotionBound;
 		Config.perceived_weight = Settings.PerceivedWeight;
 		Config.actual_weight = Settings.ActualWeight;
 		Config.plate_bound_deg = Settings.PlateBound;
@@ -76,6 +84,7 @@ namespace HapticConversions
 		Config.sensory_variance_deg2 = Settings.SensoryVariance;
 		Config.initial_variance_deg2 = Settings.InitialVariance;
 		Config.tracker_noise_m = Settings.TrackerNoise / CentimetresPerMetre;
+		Config.tracker_latency_ns = ToNanoseconds(Settings.TrackerLatency);
 		ToMetres(Settings.StartPosition, Config.start_position_m);
 		Config.plate_radius_m = Settings.PlateRadius / CentimetresPerMetre;
 		Config.lift_height_m = Settings.LiftHeight / CentimetresPerMetre;
@@ -125,12 +134,17 @@ namespace HapticConversions
 		Result.DistanceToGo = Command.distance_to_go_m * CentimetresPerMetre;
 		Result.TactileWeight = Command.tactile_weight;
 		Result.TactileWeightSd = Command.tactile_weight_sd;
+		Result.TimeToGo = Command.time_to_go_s;
+		Result.FeltErrorYaw = Turned(Command.felt_error_deg);
+		Result.PredictedMissYaw = Turned(Command.predicted_miss_deg);
+		Result.NormalisedInnovation = Command.normalised_innovation;
 		return Result;
 	}
 
 	FHapticSummary FromSummary(const hrt_reach_summary& Summary)
 	{
 		FHapticSummary Result;
+		Result.Flags = static_cast<int32>(Summary.flags);
 		Result.Samples = Summary.samples;
 		Result.DroppedSamples = Summary.dropped_samples;
 		Result.Steps = Summary.steps;
@@ -147,6 +161,19 @@ namespace HapticConversions
 		Result.TrackerNoise = Summary.tracker_noise_m * CentimetresPerMetre;
 		Result.MotorVariance = Summary.motor_variance_deg2;
 		Result.MotorVarianceSd = Summary.motor_variance_sd_deg2;
+		Result.BearingErrorYaw = Turned(Summary.bearing_error_deg);
+		Result.PeakFeltError = Summary.peak_felt_error_deg;
+		Result.RmsFeltError = Summary.rms_felt_error_deg;
+		Result.NormalisedInnovation = Summary.normalised_innovation;
+		Result.IllusionCurve = Summary.illusion_curve;
+		Result.IllusionCurveSd = Summary.illusion_curve_sd;
+		Result.Gain = Summary.gain_per_s;
+		Result.GainSd = Summary.gain_sd_per_s;
+		Result.BiasYaw = Turned(Summary.bias_deg);
+		Result.BiasSd = Summary.bias_sd_deg;
+		Result.HabitYaw = Turned(Summary.habit_deg);
+		Result.HabitSd = Summary.habit_sd_deg;
+		Result.Duration = Summary.duration_s;
 		return Result;
 	}
 
@@ -187,6 +214,7 @@ namespace HapticConversions
 		Result.Margin = Authority.margin_deg;
 		Result.PlateYaw = Turned(Authority.plate_orientation_deg);
 		Result.SettlingYaw = Turned(Authority.settling_direction_deg);
+		Result.PaperLargestGap = Authority.paper_largest_gap_deg;
 		return Result;
 	}
 }

@@ -33,7 +33,10 @@ bool UHapticRetargetingComponent::Configure()
 		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: moved and turned"));
 		return false;
 	}
-	const hrt_session_config Config = ToConfig(Settings, GetComponentTransform());
+	hrt_session_config Config = ToConfig(Settings, GetComponentTransform());
+	// The settings show only some of what is believed of the user; profiles hold all of it.
+	std::memcpy(Config.person_mean, Configured.person_mean, sizeof Config.person_mean);
+	std::memcpy(Config.person_covariance, Configured.person_covariance, sizeof Config.person_covariance);
 	if (Session.value == 0)
 	{
 		if (!Succeeded(hrt_session_create(&Config, &Session)))

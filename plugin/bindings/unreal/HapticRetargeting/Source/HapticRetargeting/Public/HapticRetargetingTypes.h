@@ -17,18 +17,18 @@ enum class EHapticControl : uint8
 UENUM(BlueprintType)
 enum class EHapticGuidance : uint8
 {
-	/** In the real target's direction from the start. */
+	/** In the real target's direction from the start: the controller of the paper. */
 	FixedDirection,
-	/** From where the finger is to where the real target is. */
-	LineOfSight
+	/** In the real target's place, at arrival: the controller for people. */
+	Arrival
 };
 
 UENUM(BlueprintType)
 enum class EHapticAdaptation : uint8
 {
-	/** Tactile Weight and Motor Variance are taken as known. */
+	/** The user is taken as known: Tactile Weight, Bias Yaw and Motor Variance. */
 	Off,
-	/** They are learnt within each reach. */
+	/** The user is learnt within each reach. */
 	Reach,
 	/** As Reach; and the next reach begins with what this one has learnt. */
 	Carried
@@ -43,11 +43,11 @@ enum class EHapticTargetRole : uint8
 	Virtual
 };
 
-UENUM(BlueprintType, meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true"))
-enum class EHapticCommandFlags : uint8
+UENUM(meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true"))
+enum class EHapticCommandFlags : int32
 {
 	None = 0 UMETA(Hidden),
-	/** Between steps: nothing new was decided. */
+	/** Nothing new was decided. */
 	Held = 1,
 	/** The last step had no direction and was predicted. */
 	Predicted = 2,
@@ -60,7 +60,17 @@ enum class EHapticCommandFlags : uint8
 	/** The finger is above the plate: the model waits. */
 	Lifted = 32,
 	/** The finger is beyond the plate's edge. */
-	OffPlate = 64
+	OffPlate = 64,
+	/** The motion departs from the model: the estimates are not to be trusted. */
+	Misfit = 128,
+	/** The finger is going to end, or has ended, beside the real target. */
+	OffTarget = 256,
+	/** The finger rests within the reach. */
+	Resting = 512,
+	/** The solver's work was cut short. */
+	Approximate = 1024,
+	/** A value was not finite: a defect of the plugin. */
+	Fault = 2048
 };
 
 /** A session's assumptions of user, plate and tracker. Ranges: session.h of the plugin. */
@@ -73,10 +83,22 @@ struct FHapticSettings
 	EHapticControl Control = EHapticControl::ModelPredictive;
 
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
-	EHapticGuidance Guidance = EHapticGuidance::LineOfSight;
+	EHapticGuidance Guidance = EHapticGuidance::Arrival;
 
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
-	EHapticAdaptation Adaptation = EHapticAdaptation::Off;
+	EHapticAdaptation Adaptation = EHapticAdaptation::Carried;
+
+	/** The plate stays where it stands until the finger moves. Set this if the finger rests on the ridges. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
+	bool bPlateWaits = false;
+
+	/** Largest felt error that Arrival asks the plate for. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller", meta = (Units = "deg"))
+	double MaxFeltError = 5.0;
+
+	/** Under Arrival, the plate stays within this of the finger's direction. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller", meta = (Units = "deg"))
+	double MotionBound = 75.0;
 
 	/** Steps that the controller looks ahead. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller", meta = (ClampMin = 1, ClampMax = 50))
@@ -91,7 +113,7 @@ struct FHapticSettings
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller")
 	double ActualWeight = 1.0;
 
-	/** The plate stays within this of the direction that the user goes for. */
+	/** Under Fixed Direction, the plate stays within this of the direction that the user goes for. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Plate", meta = (Units = "deg"))
 	double PlateBound = 84.5;
 
@@ -129,7 +151,7 @@ struct FHapticSettings
 
 	/** Share of touch in the direction that the user feels. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "User")
-	double TactileWeight = 0.15;
+	double TactileWeight = 0.2;
 
 	/** Standard deviation of that, for adaptation to start from. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "User")
@@ -156,6 +178,10 @@ struct FHapticSettings
 	/** White noise of each tracked coordinate, standard deviation; 0: learn it. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Tracker", meta = (Units = "cm"))
 	double TrackerNoise = 0.0;
+
+	/** From a motion to the time of its sample. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Tracker", meta = (Units = "s"))
+	double TrackerLatency = 0.0;
 };
 
 /** Names a target of one component. */
@@ -207,6 +233,22 @@ struct FHapticCommand
 
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double TactileWeightSd = 0.0;
+
+	/** Seconds until the motion ends, as predicted. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double TimeToGo = 0.0;
+
+	/** Felt minus intended direction now: what the user could notice. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double FeltErrorYaw = 0.0;
+
+	/** Bearing of the place of arrival minus the real target's, as predicted. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double PredictedMissYaw = 0.0;
+
+	/** About 2 if the model fits; Misfit from 4.5. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double NormalisedInnovation = 0.0;
 };
 
 /** What became of a reach. */
@@ -214,6 +256,11 @@ USTRUCT(BlueprintType)
 struct FHapticSummary
 {
 	GENERATED_BODY()
+
+	/** Unreachable, Misfit, Off Target and Fault. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting",
+		meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticCommandFlags"))
+	int32 Flags = 0;
 
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 Samples = 0;
@@ -266,6 +313,51 @@ struct FHapticSummary
 
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double MotorVarianceSd = 0.0;
+
+	/** Bearing of the last position from the start, minus the real target's. This and the following: under Arrival. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double BearingErrorYaw = 0.0;
+
+	/** Largest size of the felt error. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double PeakFeltError = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double RmsFeltError = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double NormalisedInnovation = 0.0;
+
+	/** What the reach says of the user: the curve of their illusion, 0 if it is linear. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double IllusionCurve = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double IllusionCurveSd = 0.0;
+
+	/** How fast they correct the felt direction, 1/s. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Gain = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double GainSd = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double BiasYaw = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double BiasSd = 0.0;
+
+	/** How they curve. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double HabitYaw = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double HabitSd = 0.0;
+
+	/** Seconds. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Duration = 0.0;
 };
 
 /** What can be held for a pair of targets. */
@@ -302,6 +394,10 @@ struct FHapticAuthority
 	/** Where the finger settles. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double SettlingYaw = 0.0;
+
+	/** Largest Gap as the paper has it. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double PaperLargestGap = 0.0;
 };
 
 /** An estimate with the ends of its 95 % interval. */

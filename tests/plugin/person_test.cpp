@@ -1,0 +1,479 @@
+// Reaches of people through the C ABI: a simulated person, tracker and plate, led by the library, which sees
+// positions alone.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "core/plate_model.h"
+#include "core/simulation/people.h"
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr std::int64_t rest_ns = 500 * ms;
+constexpr double start_forward_m = -0.05;
+
+/// How a reach went.
+struct Led {
+  double bearing_error_deg = 0.0;  ///< of where the finger is, not of where it is believed to be
+  std::vector<hrt_command> commands;
+  hrt_reach_summary summary{};
+
+  std::uint32_t flags() const {
+    std::uint32_t all = 0;
+    for (const hrt_command& command : commands) all |= command.flags;
+    return all;
+  }
+};
+
+class PersonTest : public SessionTest {
+ protected:
+  /// The default session, with what the host knows of its plate.
+  static hrt_session_config servo_config() {
+    hrt_session_config config = session_config();
+    config.plate_max_speed_deg_s = 400.0;
+    config.plate_latency_ns = 30 * ms;
+    return config;
+  }
+
+  /// Linear illusion, w_T 0.2; a tracker without noise, a plate as the session is configured for.
+  static PersonCondition steady_person() {
+    PersonCondition condition;
+    condition.person.noise_deg2_per_s = 0.0;
+    condition.tracker.white_m = 0.0;
+    return condition;
+  }
+
+  static PersonCondition drawn_person(const char* family, double duration_s, std::uint32_t index) {
+    return draw_person(*people_family(family), duration_s, 5, index);
+  }
+
+  static hrt_sample lost_sample(std::int64_t time_ns) {
+    auto sample = output<hrt_sample>();
+    sample.time_ns = time_ns;
+    return sample;
+  }
+
+  /// One reach, `number` of this person; ended `ended_ns` after its beginning if that is earlier.
+  Led lead(const PersonCondition& condition, std::uint32_t number = 0, double duration_s = 0.0,
+           std::int64_t ended_ns = std::numeric_limits<std::int64_t>::max()) {
+    hrt_reach_config config;
+    EXPECT_OK(hrt_reach_config_default(&config, sizeof config));
+    config.real_target = add(HRT_TARGET_REAL, condition.real_direction_deg);
+    config.virtual_target = add(HRT_TARGET_VIRTUAL, condition.virtual_direction_deg);
+    config.duration_s = duration_s;
+    config.flags = HRT_REACH_PLATE_ORIENTATION;
+    EXPECT_OK(hrt_reach_begin(session, &config));
+
+    const PlatePoint start{0.0, start_forward_m};
+    SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
+                         Draws(3, 0, number, 0));
+    Draws tracker(3, 1, number, 0);
+    PlateModel plate(condition.plate, 0.0);
+    Led led;
+    std::int64_t stopped_ns = std::numeric_limits<std::int64_t>::max();
+    for (std::int64_t now_ns = 0; now_ns < std::min(ended_ns, stopped_ns); now_ns += ms) {
+      plate.advance(now_ns);
+      if (now_ns > rest_ns && !person.done()) person.advance(plate.orientation_deg());
+      if (person.done() && stopped_ns - now_ns > 300 * ms) stopped_ns = now_ns + 300 * ms;
+      if (now_ns % (11 * ms) != 0) continue;
+      const double right_m = person.position().right_m + condition.tracker.white_m * tracker.normal();
+      const double forward_m = person.position().away_m + condition.tracker.white_m * tracker.normal();
+      const hrt_command command = update(position_sample(now_ns, right_m, forward_m));
+      // As a host may: commands that repeat the former one are not sent again.
+      if ((command.flags & HRT_COMMAND_HELD) == 0) plate.command(command.plate_orientation_deg);
+      led.commands.push_back(command);
+    }
+    led.summary = end();
+    led.bearing_error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
+    EXPECT_OK(hrt_target_remove(session, config.real_target));
+    EXPECT_OK(hrt_target_remove(session, config.virtual_target));
+    return led;
+  }
+};
+
+bool is_same_person(const hrt_session_config& a, const hrt_session_config& b) {
+  return std::memcmp(a.person_mean, b.person_mean, sizeof a.person_mean) == 0 &&
+         std::memcmp(a.person_covariance, b.person_covariance, sizeof a.person_covariance) == 0;
+}
+
+bool is_unknown(const hrt_session_config& config) {
+  return std::all_of(std::begin(config.person_covariance), std::end(config.person_covariance),
+                     [](double value) { return value == 0.0; });
+}
+
+// A plate at 0 leaves this person on the virtual target, 10 degrees beside the real one.
+TEST_F(PersonTest, DefaultSessionLeadsAPersonToTheRealTarget) {
+  for (const double virtual_deg : {5.0, -5.0}) {
+    PersonCondition condition = steady_person();
+    condition.virtual_direction_deg = virtual_deg;
+    condition.real_direction_deg = -virtual_deg;
+    condition.plate = {};
+    create(session_config());
+    const Led led = lead(condition);
+    EXPECT_LT(std::abs(led.bearing_error_deg), 1.5);
+    EXPECT_NEAR(led.summary.bearing_error_deg, led.bearing_error_deg, 0.3);
+    EXPECT_EQ(led.summary.flags, 0u);
+    EXPECT_NEAR(led.summary.duration_s, condition.person.duration_s, 0.3);
+    EXPECT_GT(led.summary.peak_felt_error_deg, led.summary.rms_felt_error_deg);
+    EXPECT_GT(led.summary.rms_felt_error_deg, 0.0);
+  }
+}
+
+TEST_F(PersonTest, DefaultSessionLeadsMostUnknownPeople) {
+  int reached = 0, able = 0;
+  for (std::uint32_t index = 0; able < 20; ++index) {
+    const PersonCondition condition = drawn_person("linear", 1.5, index);
+    if (!can_hold(condition)) continue;
+    ++able;
+    create(servo_config());
+    reached += std::abs(lead(condition, index).bearing_error_deg) <= 1.5;
+  }
+  EXPECT_GE(reached, 18);
+}
+
+// Mirror symmetry: left and right exchanged, every angle changes its sign.
+TEST_F(PersonTest, MirroredReachIsMirrored) {
+  PersonCondition condition = steady_person();
+  create(servo_config());
+  const Led left = lead(condition);
+  std::swap(condition.real_direction_deg, condition.virtual_direction_deg);
+  create(servo_config());
+  const Led right = lead(condition);
+  ASSERT_EQ(left.commands.size(), right.commands.size());
+  for (std::size_t i = 0; i < left.commands.size(); ++i)
+    ASSERT_NEAR(left.commands[i].plate_orientation_deg, -right.commands[i].plate_orientation_deg, 1e-6);
+}
+
+// To turn a finger to the right of where it is felt to go, the ridges shift what is felt to the left: the
+// normal stands to the left of the motion. A person known to feel a shift of 0.2 t, and an error of 5 at
+// most, needs no more than 75 degrees of it.
+TEST_F(PersonTest, PlateStandsReadyBeforeTheMotion) {
+  hrt_session_config config = servo_config();
+  config.adaptation = HRT_ADAPTATION_OFF;
+  create(config);
+  const Led ready = lead(steady_person());
+  const hrt_command& first = ready.commands.front();
+  EXPECT_EQ(first.step, -1);
+  EXPECT_EQ(first.flags & HRT_COMMAND_HELD, 0u) << "hosts do not send a command again that is held";
+  EXPECT_GT(first.plate_orientation_deg, 10.0);
+  EXPECT_LE(first.plate_orientation_deg, 75.0);
+  for (const hrt_command& command : ready.commands) {
+    if (command.step >= 0) break;
+    EXPECT_EQ(command.plate_orientation_deg, first.plate_orientation_deg);
+  }
+
+  config.flags = HRT_SESSION_PLATE_WAITS;
+  create(config);
+  const Led waiting = lead(steady_person());
+  for (const hrt_command& command : waiting.commands) {
+    if (command.step >= 0) break;
+    EXPECT_EQ(command.plate_orientation_deg, 0.0);
+    EXPECT_NE(command.flags & HRT_COMMAND_HELD, 0u);
+  }
+  EXPECT_GT(waiting.commands[waiting.commands.size() / 2].plate_orientation_deg, 10.0);
+  EXPECT_LT(std::abs(waiting.bearing_error_deg), 1.5);
+}
+
+// A motion of 3 s: what has gone and what remains, at the first prediction of it.
+TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
+  PersonCondition condition = steady_person();
+  condition.person.duration_s = 3.0;
+  const auto expected_s = [&](double duration_s) {
+    create(servo_config());
+    const Led led = lead(condition, 0, duration_s);
+    std::size_t i = 0;
+    while (i + 1 < led.commands.size() && led.commands[i].time_to_go_s == 0.0) ++i;
+    return led.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
+  };
+  EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
+  EXPECT_GT(std::abs(expected_s(0.0) - 3.0), std::abs(expected_s(3.0) - 3.0));
+
+  hrt_reach_config reach;
+  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  EXPECT_EQ(reach.duration_s, 0.0);
+  for (const double refused_s : {-1.0, 0.09, 20.1, std::nan(""), HUGE_VAL}) {
+    reach.duration_s = refused_s;
+    expect_error(hrt_reach_begin(session, &reach), HRT_ERROR_OUT_OF_RANGE, "duration_s");
+  }
+}
+
+TEST_F(PersonTest, CarriedPersonIsLedBetterOnTheFifthReach) {
+  double first_deg2 = 0.0, fifth_deg2 = 0.0;
+  int people = 0;
+  for (std::uint32_t index = 0; people < 20; ++index) {
+    const PersonCondition condition = drawn_person("habit-5", 1.5, index);
+    if (!can_hold(condition)) continue;
+    ++people;
+    create(servo_config());
+    for (std::uint32_t reach = 0; reach < 5; ++reach) {
+      const double error_deg = lead(condition, 100 * index + reach).bearing_error_deg;
+      if (reach == 0) first_deg2 += error_deg * error_deg;
+      if (reach == 4) fifth_deg2 += error_deg * error_deg;
+    }
+  }
+  EXPECT_LT(fifth_deg2, 0.5 * first_deg2);
+}
+
+// A calibration's bias spares the reach to learn it: the target is 3 degrees further right, or left, for
+// them.
+TEST_F(PersonTest, KnownBiasBringsPeopleNearer) {
+  double known_deg2 = 0.0, unknown_deg2 = 0.0;
+  int people = 0;
+  for (std::uint32_t index = 0; people < 20; ++index) {
+    const PersonCondition condition = drawn_person("bias-3", 1.0, index);
+    if (!can_hold(condition)) continue;
+    ++people;
+    hrt_session_config config = servo_config();
+    create(config);
+    const double unknown_deg = lead(condition, index).bearing_error_deg;
+    config.bias_deg = condition.person.bias_deg;
+    create(config);
+    const double known_deg = lead(condition, index).bearing_error_deg;
+    unknown_deg2 += unknown_deg * unknown_deg;
+    known_deg2 += known_deg * known_deg;
+  }
+  EXPECT_LT(known_deg2, 0.9 * unknown_deg2);
+}
+
+// What a reach has learnt is in the configuration: the summary's values, widened.
+TEST_F(PersonTest, WhatIsLearntIsWritten) {
+  create(servo_config());
+  PersonCondition condition = steady_person();
+  condition.person.bias_deg = 2.0;
+  const hrt_reach_summary summary = lead(condition).summary;
+  const hrt_session_config after = config_of(session);
+  EXPECT_FALSE(is_unknown(after));
+  EXPECT_EQ(after.person_mean[HRT_PERSON_CURVE], summary.illusion_curve);
+  EXPECT_EQ(after.person_mean[HRT_PERSON_GAIN], summary.gain_per_s);
+  EXPECT_EQ(after.person_mean[HRT_PERSON_BIAS], summary.bias_deg);
+  EXPECT_EQ(after.person_mean[HRT_PERSON_HABIT], summary.habit_deg);
+  EXPECT_NEAR(std::exp(-after.person_mean[HRT_PERSON_LOG_RATE]), summary.duration_s, 1e-9);
+  EXPECT_EQ(after.tactile_weight, summary.tactile_weight);
+  EXPECT_GT(after.tactile_weight_sd, summary.tactile_weight_sd);
+  // The diagonal of a lower triangle of rows 1, 2, 3 ... long: 0, 2, 5, 9, 14.
+  EXPECT_GT(std::sqrt(after.person_covariance[9]), summary.bias_sd_deg);
+  EXPECT_LT(std::sqrt(after.person_covariance[9]), 1.5);
+}
+
+TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
+  create(servo_config());
+  lead(drawn_person("mixture", 1.5, 1), 1);
+  lead(drawn_person("mixture", 1.5, 1), 2);
+  const hrt_session_config learnt = config_of(session);
+  ASSERT_FALSE(is_unknown(learnt));
+  std::uint64_t length = 0;
+  ASSERT_OK(hrt_profile_save(session, 0, nullptr, &length));
+  std::string profile(length + 1, '\0');
+  ASSERT_OK(hrt_profile_save(session, profile.size(), profile.data(), &length));
+  const Led here = lead(drawn_person("mixture", 1.5, 1), 3);
+
+  create(servo_config());
+  ASSERT_OK(hrt_profile_load(session, profile.data(), length));
+  EXPECT_TRUE(is_same_person(config_of(session), learnt));
+  EXPECT_EQ(config_of(session).tactile_weight, learnt.tactile_weight);
+  const Led there = lead(drawn_person("mixture", 1.5, 1), 3);
+  ASSERT_EQ(here.commands.size(), there.commands.size());
+  for (std::size_t i = 0; i < here.commands.size(); ++i)
+    ASSERT_EQ(std::memcmp(&here.commands[i], &there.commands[i], sizeof(hrt_command)), 0) << i;
+
+  // A profile without them, as version 0.2 wrote it, is of another person.
+  const std::string old =
+      R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})";
+  ASSERT_OK(hrt_profile_load(session, old.data(), old.size()));
+  EXPECT_TRUE(is_unknown(config_of(session)));
+  EXPECT_EQ(config_of(session).person_mean[HRT_PERSON_BIAS], 0.0);
+  EXPECT_EQ(config_of(session).tactile_weight, 0.25);
+}
+
+TEST_F(PersonTest, AdaptationOffTakesTheWeightAsKnown) {
+  hrt_session_config config = servo_config();
+  config.adaptation = HRT_ADAPTATION_OFF;
+  config.tactile_weight = 0.26;
+  create(config);
+  const Led led = lead(steady_person());  // whose weight is 0.2
+  for (const hrt_command& command : led.commands) {
+    EXPECT_NEAR(command.tactile_weight, 0.26, 0.01);
+    EXPECT_LT(command.tactile_weight_sd, 0.01);
+  }
+  const hrt_session_config after = config_of(session);
+  EXPECT_EQ(std::memcmp(&after, &config, sizeof config), 0);
+}
+
+// The finger rests for half a second and then moves for a third of its time.
+TEST_F(PersonTest, AbortedReachWritesNothing) {
+  create(servo_config());
+  const hrt_session_config before = config_of(session);
+  const Led led = lead(steady_person(), 0, 0.0, rest_ns + 500 * ms);
+  EXPECT_GE(led.commands.back().step, 0);
+  hrt_session_config after = config_of(session);
+  EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
+  lead(steady_person());
+  after = config_of(session);
+  EXPECT_FALSE(is_unknown(after));
+}
+
+// 75 degrees of plate give a person of 0.2 a shift of 15; a gap of 30 is out of reach, and a gap that half of
+// the illusion's weight is believed to hold is missed.
+TEST_F(PersonTest, MissesAreFlagged) {
+  create(servo_config());
+  PersonCondition condition = steady_person();
+  condition.virtual_direction_deg = 15.0;
+  condition.real_direction_deg = -15.0;
+  const Led far = lead(condition);
+  EXPECT_GT(std::abs(far.bearing_error_deg), 1.5);
+  EXPECT_NE(far.summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
+  EXPECT_NE(far.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
+  EXPECT_NE(far.commands.back().flags & HRT_COMMAND_OFF_TARGET, 0u);
+  EXPECT_GT(std::abs(far.commands.back().predicted_miss_deg), 1.5);
+
+  condition = steady_person();
+  condition.person.illusion.tactile_weight = 0.1;
+  hrt_session_config config = servo_config();
+  config.adaptation = HRT_ADAPTATION_OFF;
+  create(config);
+  const Led weak = lead(condition);
+  EXPECT_GT(std::abs(weak.bearing_error_deg), 1.5);
+  EXPECT_EQ(weak.summary.flags & HRT_COMMAND_UNREACHABLE, 0u);
+  EXPECT_NE(weak.summary.flags & HRT_COMMAND_OFF_TARGET, 0u);
+}
+
+// Nobody's hand goes 15 mm to and fro across its path within a tenth of a second.
+TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
+  create(servo_config());
+  const hrt_session_config before = config_of(session);
+  begin_reach();
+  std::uint32_t flags = 0;
+  double innovation = 0.0;
+  for (int i = 0; i < 220; ++i) {
+    const double moved = std::max(0, i - 40) / 180.0;
+    const double right_m = moved > 0.0 ? 0.015 * std::sin(0.6 * i) : 0.0;
+    const hrt_command command = update(position_sample(i * 11 * ms, right_m, start_forward_m + 0.1 * moved));
+    flags |= command.flags;
+    innovation = std::max(innovation, command.normalised_innovation);
+  }
+  const hrt_reach_summary summary = end();
+  EXPECT_NE(flags & HRT_COMMAND_MISFIT, 0u);
+  EXPECT_NE(summary.flags & HRT_COMMAND_MISFIT, 0u);
+  EXPECT_GE(innovation, 4.5);
+  EXPECT_EQ(summary.normalised_innovation, innovation);
+  const hrt_session_config after = config_of(session);
+  EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
+}
+
+// The finger rests for 0.6 s half way: the plate is held, and the reach goes on afterwards.
+TEST_F(PersonTest, RestWithinAReachHoldsThePlate) {
+  create(servo_config());
+  PersonCondition condition = steady_person();
+  condition.person.pace = Pace::pause;
+  const Led led = lead(condition);
+  std::size_t resting = 0;
+  for (std::size_t i = 1; i < led.commands.size(); ++i) {
+    const hrt_command &now = led.commands[i], &before = led.commands[i - 1];
+    if ((now.flags & before.flags & HRT_COMMAND_RESTING) == 0) continue;
+    ++resting;
+    EXPECT_EQ(now.plate_orientation_deg, before.plate_orientation_deg);
+  }
+  EXPECT_GE(resting, 20u);  // of the 54 samples of the rest
+  EXPECT_EQ(led.commands.front().flags & HRT_COMMAND_RESTING, 0u) << "not within the reach";
+  EXPECT_LT(std::abs(led.bearing_error_deg), 1.5);
+}
+
+TEST_F(PersonTest, BeliefsThatAreNoneAreRefused) {
+  create(servo_config());
+  lead(steady_person());
+  const hrt_session_config learnt = config_of(session);
+  const auto refused = [&](const std::function<void(hrt_session_config&)>& change, const char* part) {
+    hrt_session_config config = learnt;
+    change(config);
+    expect_error(hrt_session_set_config(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
+    EXPECT_TRUE(is_same_person(config_of(session), learnt));
+  };
+  const char* const no_belief = "a positive definite matrix, or person_covariance all 0";
+  refused([](auto& c) { c.person_covariance[0] = 0.0; }, no_belief);  // a correlation beyond 1
+  refused([](auto& c) { c.person_covariance[2] = -c.person_covariance[2]; }, no_belief);
+  refused([](auto& c) { c.person_mean[HRT_PERSON_WEIGHT] = 1.1; }, no_belief);
+  refused([](auto& c) { c.person_mean[HRT_PERSON_GAIN] = 0.0; }, no_belief);
+  refused([](auto& c) { c.person_mean[HRT_PERSON_LOG_RATE] = 5.1; }, no_belief);
+  refused([](auto& c) { c.person_covariance[35] = std::nan(""); }, "person_covariance is NaN");
+  refused([](auto& c) { c.person_mean[HRT_PERSON_BIAS] = HUGE_VAL; }, "person_mean is Inf");
+  refused(
+      [](auto& c) {
+        std::fill(std::begin(c.person_covariance), std::end(c.person_covariance), 0.0);
+        c.person_covariance[0] = 1.0;  // and the other variances are 0
+      },
+      no_belief);
+  refused(
+      [](auto& c) {
+        std::fill(std::begin(c.person_covariance), std::end(c.person_covariance), 0.0);
+        c.person_mean[0] = std::nan("");  // not read, yet to be written by recordings
+      },
+      "person_mean is NaN");
+  hrt_session_config config = learnt;
+  std::fill(std::begin(config.person_covariance), std::end(config.person_covariance), 0.0);
+  EXPECT_OK(hrt_session_set_config(session, &config));
+  EXPECT_OK(hrt_session_set_config(session, &learnt));
+}
+
+// Without positions there is no arrival to steer to.
+TEST_F(PersonTest, DirectionsAloneAreLedAsByThePaper) {
+  const auto led = [&](std::uint32_t guidance) {
+    hrt_session_config config = servo_config();
+    config.guidance = guidance;
+    create(config);
+    std::vector<hrt_command> commands;
+    for (int reach = 0; reach < 2; ++reach) {
+      begin_reach();
+      for (int i = 0; i < 60; ++i) {
+        auto sample = direction_sample((3'000 * reach + 50 * i) * ms, 4.0 - 0.15 * i);
+        if (i > 0 && i % 7 == 0) sample.flags = 0;
+        commands.push_back(update(sample));
+      }
+      EXPECT_EQ(end().duration_s, 0.0);
+    }
+    EXPECT_TRUE(is_unknown(config_of(session)));
+    EXPECT_NE(config_of(session).tactile_weight, 0.2) << "it is carried";
+    return commands;
+  };
+  const std::vector<hrt_command> arrival = led(HRT_GUIDANCE_ARRIVAL),
+                                 fixed = led(HRT_GUIDANCE_FIXED_DIRECTION);
+  ASSERT_EQ(arrival.size(), fixed.size());
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    ASSERT_EQ(std::memcmp(&arrival[i], &fixed[i], sizeof(hrt_command)), 0) << i;
+}
+
+// Nothing has been returned, so the plate has not turned.
+TEST_F(PersonTest, ReachWithoutSamplesLeavesThePlate) {
+  hrt_session_config config = servo_config();
+  config.plate_max_speed_deg_s = 100.0;
+  config.plate_latency_ns = 0;
+  create(config);
+  begin_reach();
+  end();
+  begin_reach();
+  // A tenth of a second at 100 degrees/s from 0.
+  EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9);
+}
+
+TEST_F(PersonTest, NewFieldsAreChecked) {
+  const auto refused = [&](const std::function<void(hrt_session_config&)>& change, const char* field) {
+    hrt_session_config config = session_config();
+    change(config);
+    expect_error(hrt_session_set_config(session, &config), HRT_ERROR_OUT_OF_RANGE, field);
+  };
+  for (const double bad : {0.0, -1.0, 90.0, std::nan(""), HUGE_VAL}) {
+    refused([=](auto& c) { c.max_felt_error_deg = bad; }, "max_felt_error_deg");
+    refused([=](auto& c) { c.motion_bound_deg = bad; }, "motion_bound_deg");
+  }
+  refused([](auto& c) { c.tracker_latency_ns = -1; }, "tracker_latency_ns");
+  refused([](auto& c) { c.tracker_latency_ns = 500 * ms + 1; }, "tracker_latency_ns");
+}
+
+}  // namespace
+}  // namespace hrt::test
