@@ -72,11 +72,11 @@ struct Person {
   double path_scale = 1.0;  ///< length of the path over the distance asked for
 };
 
-/// One reach of a person. Advances in milliseconds.
-/// Of the plate, and how long a crossed ridge is felt: the shift fades with this time constant.
+/// Distance between ridges, and the time constant with which a crossed ridge fades from what is felt.
 inline constexpr double ridge_spacing_m = 0.01;
 inline constexpr double touch_memory_s = 0.3;
 
+/// One reach of a person. Advances in milliseconds.
 class SlidingPerson {
  public:
   /// At rest at `start`, told to go `distance_m` to the virtual target in `virtual_direction_deg`.
