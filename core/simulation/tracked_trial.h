@@ -1,5 +1,5 @@
-// One simulated reach as it would be in a laboratory: a person whom nobody has measured, a tracker with
-// noise and a rate of its own, a servo that takes its time; the controller sees only tracked positions.
+// One simulated reach as it would be in a laboratory: an unknown person, a tracker with noise and a rate of
+// its own, a servo with latency and bounded speed. The controller sees only tracked positions.
 #pragma once
 
 #include "core/retargeter.h"

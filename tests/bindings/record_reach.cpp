@@ -75,7 +75,7 @@ class World {
     if ((command.flags & HRT_COMMAND_HELD) == 0) plate_.command(command.plate_orientation_deg);
   }
 
-  /// What a tracker and the plate's encoder tell, in decimals that every host reads alike.
+  /// The readings of tracker and plate encoder, in decimals that every host reads alike.
   hrt_sample sample(std::uint32_t number, bool lifted) {
     const std::uint32_t draw = 1000 + 4 * number;
     const double height_m = lifted ? 0.03 : 0.002;

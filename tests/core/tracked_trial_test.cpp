@@ -148,9 +148,9 @@ TEST(TrackedTrial, MotorVarianceIsLearntAcrossReaches) {
 
 // With exact directions and no plate dynamics, not knowing w_T costs at most a point or so: 1,000 trials
 // have a standard error of 0.8 points, and common random numbers make the difference smaller.
-TEST(TrackedTrial, ExactDirectionsTellTheWeightWithinAReach) {
+TEST(TrackedTrial, ExactDirectionsDetermineTheWeightWithinAReach) {
   for (const double w : {0.12, 0.15, 0.20, 0.25, 0.30}) {
-    int told = 0;
+    int known = 0;
     int learnt = 0;
     for (std::uint32_t trial = 0; trial < 1000; ++trial) {
       Condition condition;
@@ -159,9 +159,9 @@ TEST(TrackedTrial, ExactDirectionsTellTheWeightWithinAReach) {
       learnt += simulate_trial(condition, {.seed = 1, .condition = 0, .trial = trial}).hit;
       condition.controller = {};
       condition.controller.participant = condition.participant;
-      told += simulate_trial(condition, {.seed = 1, .condition = 0, .trial = trial}).hit;
+      known += simulate_trial(condition, {.seed = 1, .condition = 0, .trial = trial}).hit;
     }
-    EXPECT_NEAR(learnt, told, 20) << w;
+    EXPECT_NEAR(learnt, known, 20) << w;
   }
 }
 
