@@ -17,7 +17,7 @@ Block block_of(const RandomCounter& counter) {
       {{static_cast<std::uint32_t>(counter.seed), static_cast<std::uint32_t>(counter.seed >> 32)}});
 }
 
-NormalPair<ScalarLanes> pair_of(const Block& words, int half) {
+NormalPair<ScalarLanes> pair_of(const Block& words, std::size_t half) {
   return normal_pair<ScalarLanes>(static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half]);
 }
 
