@@ -15,7 +15,7 @@ constexpr std::string_view header =
     "# Lines that begin with # are comments. Each other line is a call; what a call does not have is empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the "
     "user\n"
-    "# (or the engine's world, by sample_flags). Numbers are in full precision. Flags and results: "
+    "# (or the engine's world, as sample_flags tells). Numbers are in full precision. Flags and results: "
     "reach.h,\n"
     "# base.h. Columns up to struct_size hold what went in: targets by their numbers in the comments, 0 for "
     "none;\n"
