@@ -208,7 +208,7 @@ std::array<double, n> ratios(double least, double most) {
 // are no less likely than the interval allows leave the value unknown.
 template <std::size_t n>
 Interval profile_interval(const std::array<double, n>& values, const std::array<double, n>& likelihood) {
-  const std::size_t best =
+  const auto best =
       static_cast<std::size_t>(std::max_element(likelihood.begin(), likelihood.end()) - likelihood.begin());
   double peak = likelihood[best];
   double shift = 0.0;

@@ -78,10 +78,9 @@ void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, S
   }
 }
 
-// Clamps each step's optimum under those costs to go to the bound. Returns the last step at which what had
-// to be clamped is not what was assumed, or -1: the costs to go after it, and what follows from there, are
-// right. An assumption that is right but for rounding stands, or bounds that are just touched would come
-// and go forever.
+// Clamps each step's optimum under those costs to go to the bound. Returns the last step that is clamped
+// against the assumption, or free against it, or -1: the costs to go after that step are right. A difference
+// of rounding keeps the assumption, because bounds that are just touched would cycle.
 template <class Horizon>
 int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) {
   const double q_perceived = problem.perceived_weight;

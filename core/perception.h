@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include "core/participant.h"
 
@@ -48,7 +49,7 @@ class GainWindow {
   int first_ = 0;
   double last_variance_deg2_;
   // A ring that holds every gain twice, so that a window is contiguous wherever it starts.
-  std::array<double, 2 * (max_horizon + max_lead)> gains_{};
+  std::array<double, std::size_t{2} * (max_horizon + max_lead)> gains_{};
 };
 
 }  // namespace hrt

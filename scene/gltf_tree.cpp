@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -106,9 +107,9 @@ class Walk {
   };
 
   void push_reversed(const std::vector<int>& nodes, const Transform& parent, int depth) {
-    for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) {
-      pending_.push_back({*node, depth, parent});
-    }
+    std::transform(nodes.rbegin(), nodes.rend(), std::back_inserter(pending_), [&](int node) {
+      return Pending{node, depth, parent};
+    });
   }
 
   void visit(const Pending& pending) {

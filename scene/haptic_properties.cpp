@@ -110,7 +110,7 @@ class Reader {
     if (!property.value->is_string()) {
       fail(property.label + " is not a string");
     }
-    const std::string value = property.value->get<std::string>();
+    std::string value = property.value->get<std::string>();
     if (value.empty() || value.size() > longest_text) {
       fail(property.label + " has " + std::to_string(value.size()) + " bytes; allowed are 1 to " +
            std::to_string(longest_text));

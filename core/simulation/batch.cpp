@@ -1,10 +1,12 @@
 #include "core/simulation/batch.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <vector>
 
 #include "core/simulation/lanes.h"
 #include "core/simulation/trial_table.h"
@@ -18,13 +20,32 @@ constexpr bool has_threads = false;
 constexpr bool has_threads = true;
 #endif
 
-// Joins its threads at the end. (std::jthread is not yet in every C++ library.)
-struct JoiningThreads : std::vector<std::thread> {
-  ~JoiningThreads() { join(); }
-  void join() {
-    for (std::thread& thread : *this) thread.join();
-    clear();
+// Threads that draw chunks by a counter. At the end of their scope, by an exception too, they draw no more
+// and are joined. (std::jthread is not yet in every C++ library.)
+class DrawingThreads {
+ public:
+  DrawingThreads(std::atomic<std::uint64_t>& next, std::uint64_t end) : next_(next), end_(end) {}
+  DrawingThreads(const DrawingThreads&) = delete;
+  DrawingThreads& operator=(const DrawingThreads&) = delete;
+  ~DrawingThreads() {
+    next_ = end_;
+    join();
   }
+
+  template <class Work>
+  void start(Work work) {
+    threads_.emplace_back(work);
+  }
+
+  void join() {
+    for (std::thread& thread : threads_) thread.join();
+    threads_.clear();
+  }
+
+ private:
+  std::atomic<std::uint64_t>& next_;
+  std::uint64_t end_;
+  std::vector<std::thread> threads_;
 };
 
 constexpr double units_per_deg = 0x1p20;
@@ -121,7 +142,7 @@ double AngleSums::rms_deg(std::uint64_t count) const {
 }
 
 double AngleSums::standard_deviation_deg(std::uint64_t count) const {
-  const double n = static_cast<double>(count);
+  const auto n = static_cast<double>(count);
   const double variance_deg2 = rms_deg(count) * rms_deg(count) - mean_deg(count) * mean_deg(count);
   return std::sqrt(std::max(0.0, variance_deg2) * n / (n - 1.0));
 }
@@ -180,15 +201,9 @@ std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t
   const std::size_t wanted = !has_threads          ? 1
                              : options.threads > 0 ? options.threads
                                                    : std::max(1u, std::thread::hardware_concurrency());
-  JoiningThreads others;
-  // Makes the other threads stop before they are joined if this one leaves by an exception.
-  struct StopOnExit {
-    std::atomic<std::uint64_t>& next;
-    std::uint64_t end;
-    ~StopOnExit() { next = end; }
-  } stop_on_exit{next_chunk, chunks.count()};
+  DrawingThreads others(next_chunk, chunks.count());
   for (std::uint64_t i = 1; i < std::min<std::uint64_t>(wanted, chunks.count()); ++i)
-    others.emplace_back([&] { work([] {}); });
+    others.start([&] { work([] {}); });
   work([&] {
     if (options.progress) options.progress(done, total);
   });

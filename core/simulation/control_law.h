@@ -38,7 +38,7 @@ class PiecewiseLinear {
 
   const std::vector<Node>& nodes() const { return nodes_; }
 
-  /// The value at `x`; beyond the nodes, the first or last piece goes on.
+  /// The value at `x`; beyond the nodes, the first or last piece continues.
   double operator()(double x) const;
 
   /// The slope between nodes `piece` and `piece` + 1.

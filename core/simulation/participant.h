@@ -5,7 +5,7 @@
 
 namespace hrt {
 
-/// What went on in a SimulatedParticipant during one step. Angles in degrees.
+/// One step of a SimulatedParticipant. Angles in degrees.
 struct SimulatedStep {
   double felt_direction_deg;  ///< h_k: what touch and proprioception report together
   double gain;                ///< K_k

@@ -22,11 +22,11 @@ Block block_of(const RandomCounter& counter) {
   return block_of(counter.seed, Block{{counter.step / 4, counter.trial, counter.condition, 0}});
 }
 
-std::uint64_t half_of(const Block& words, int half) {
+std::uint64_t half_of(const Block& words, std::size_t half) {
   return static_cast<std::uint64_t>(words[2 * half + 1]) << 32 | words[2 * half];
 }
 
-NormalPair<ScalarLanes> pair_of(const Block& words, int half) {
+NormalPair<ScalarLanes> pair_of(const Block& words, std::size_t half) {
   return normal_pair<ScalarLanes>(half_of(words, half));
 }
 

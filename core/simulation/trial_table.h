@@ -35,7 +35,7 @@ class TrialTable {
   BatchResult run(std::uint64_t seed, std::uint32_t condition_id, std::uint32_t first_trial,
                   std::uint32_t last_trial) const;
 
-  /// f_k: where the finger goes in step `k` but for the noise, relative to the virtual direction.
+  /// f_k: the finger's direction after step `k` without noise, relative to the virtual direction.
   double next_offset_deg(int k, double offset_deg) const;
   /// sqrt(sigma_u^2 + var_k).
   double noise_sd_deg(int k) const { return step(k).noise_sd_deg; }

@@ -69,10 +69,9 @@ PersonBelief person_of(const C& config) {
   return belief;
 }
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 double limit_or_none(double limit) {
-  return limit > 0.0 ? limit : infinity;
+  if (limit > 0.0) return limit;
+  return std::numeric_limits<double>::infinity();
 }
 
 hrt_result check_person(const hrt_session_config& config) {
@@ -199,8 +198,9 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,
-                .stops = {.lower_deg = turns_freely(config) ? -infinity : config.plate_lower_stop_deg,
-                          .upper_deg = turns_freely(config) ? infinity : config.plate_upper_stop_deg}},
+                .stops = turns_freely(config) ? PlateStops{}
+                                              : PlateStops{.lower_deg = config.plate_lower_stop_deg,
+                                                           .upper_deg = config.plate_upper_stop_deg}},
       .step_period_ns = config.step_period_ns,
       .person = person_of(config),
       .reach = {.bound_deg = config.motion_bound_deg, .max_felt_error_deg = config.max_felt_error_deg},

@@ -216,7 +216,7 @@ void time_steps(benchmark::State& state, const std::vector<MpcProblem>& problems
     answer_deg = solve(problem, k % reach_steps);
     if (++k == static_cast<int>(problems.size())) k = 0;
   }
-  // Not within the loop: told of a double, gcc 12 makes another of it.
+  // Not in the loop: with a use of the answer there, gcc 12 copies it in each turn.
   if (!std::isfinite(answer_deg)) state.SkipWithError("an answer is no number");
 }
 

@@ -135,7 +135,7 @@ TEST(Calibration, VariancesAreFoundOrSaidToBeUnknown) {
   EXPECT_LE(sharp.motor_variance_deg2.lower, sharp.motor_variance_deg2.value);
   EXPECT_GE(sharp.motor_variance_deg2.upper, sharp.motor_variance_deg2.value);
 
-  // A tracker of 2 mm and two slides an angle can't tell the sensory variance.
+  // A tracker of 2 mm and two slides an angle cannot determine the sensory variance.
   condition.tracker_noise_m = 0.002;
   const Calibration blunt = calibrated(simulate(condition, 2));
   EXPECT_FALSE(blunt.sensory_variance_deg2.known);

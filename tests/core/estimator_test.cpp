@@ -204,7 +204,7 @@ TEST(Onset, FingerAtRestDoesNotStart) {
 }
 
 // At rest until 200 ms, then 30 mm/s.
-TEST(Onset, TellsWhenAnExactMotionStarted) {
+TEST(Onset, ReportsWhenAnExactMotionStarted) {
   Onset onset;
   int i = 0;
   for (;; ++i) {

@@ -8,35 +8,29 @@
 namespace hrt {
 namespace {
 
-LongMatrix select_rows(const LongMatrix& matrix, const std::vector<int>& indices) {
-  LongMatrix selected(indices.size(), matrix.cols());
-  for (std::size_t i = 0; i < indices.size(); ++i) selected.row(i) = matrix.row(indices[i]);
-  return selected;
-}
-
 // min |columns y + target| over y >= 0 (Lawson and Hanson, Solving Least Squares Problems, chapter 23).
 long double least_nonnegative_residual(const LongMatrix& columns, const LongVector& target) {
   const Eigen::Index n = columns.cols();
   LongVector y = LongVector::Zero(n);
-  std::vector<int> positive;
+  std::vector<Eigen::Index> positive;
   const long double tolerance = 1e-17L * (1.0L + target.norm()) * (1.0L + columns.norm());
   for (Eigen::Index round = 0; round < 10 * n + 10; ++round) {
     LongVector descent = -columns.transpose() * (columns * y + target);
-    for (const int i : positive) descent[i] = 0.0L;
+    for (const Eigen::Index i : positive) descent[i] = 0.0L;
     Eigen::Index entering = 0;
     if (n == 0 || descent.maxCoeff(&entering) <= tolerance) break;
-    positive.push_back(static_cast<int>(entering));
+    positive.push_back(entering);
     while (!positive.empty()) {
-      const LongMatrix chosen = select_rows(columns.transpose(), positive).transpose();
+      const LongMatrix chosen = columns(Eigen::all, positive);
       const LongVector solution = chosen.colPivHouseholderQr().solve(-target);
       long double step = 1.0L;
-      for (std::size_t i = 0; i < positive.size(); ++i) {
+      for (Eigen::Index i = 0; i < solution.size(); ++i) {
         if (solution[i] > 0.0L) continue;
         const long double from = y[positive[i]];
         step = std::min(step, from > 0.0L ? from / (from - solution[i]) : 0.0L);
       }
-      std::vector<int> kept;
-      for (std::size_t i = 0; i < positive.size(); ++i) {
+      std::vector<Eigen::Index> kept;
+      for (Eigen::Index i = 0; i < solution.size(); ++i) {
         long double& value = y[positive[i]];
         value += step * (solution[i] - value);
         if (value > 1e-19L || (step == 1.0L && solution[i] > 0.0L))
@@ -130,7 +124,7 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
     LongMatrix basis = LongMatrix::Identity(n, n);
     Eigen::HouseholderQR<LongMatrix> factors;
     if (m > 0) {
-      factors.compute(select_rows(problem.rows, held).transpose());
+      factors.compute(problem.rows(held, Eigen::all).transpose());
       basis = factors.householderQ();
     }
     const LongMatrix null_space = basis.rightCols(n - m);
@@ -169,7 +163,7 @@ KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
     if (room[i] < 1e-10L) active.push_back(i);
   const LongVector gradient = problem.hessian * plate + problem.gradient;
   return {
-      .stationarity = least_nonnegative_residual(select_rows(problem.rows, active).transpose(), gradient),
+      .stationarity = least_nonnegative_residual(problem.rows(active, Eigen::all).transpose(), gradient),
       .violation_deg = std::max(0.0L, -room.minCoeff()),
   };
 }

@@ -16,7 +16,7 @@ using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
 using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The controller's problem as a general one: minimise t' hessian t / 2 + gradient' t subject to
-/// rows t <= limits, over the plate offsets t in degrees. Half the window's cost, but for a constant.
+/// rows t <= limits, over the plate offsets t in degrees. Half the window's cost, without its constant part.
 struct DenseProblem {
   LongMatrix hessian;
   LongVector gradient;

@@ -1,5 +1,4 @@
-// What is learnt of a user from reach to reach: simulated people whom nobody has measured, seen through the
-// C ABI alone.
+// Learning from reach to reach: simulated people with unknown parameters, seen through the C ABI alone.
 #include <algorithm>
 #include <cmath>
 #include <vector>

@@ -1,20 +1,20 @@
-// Structs have the fields of the C headers, under their names, which tell the units: see abi.d.ts.
+// Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
   hrt_authority, hrt_calibration_config, hrt_calibration_result, hrt_command, hrt_reach_summary,
   hrt_replay_report, hrt_sample, hrt_scene_info, hrt_scene_target, hrt_session_config, hrt_target_config,
 } from "./abi.js";
 export * from "./abi.js";
 
-/** Output of the library: a struct as an object. 64-bit integers are bigint. */
-type Told<Struct> = Omit<Struct, "struct_size" | "reserved">;
-/** What the library is given: fields that are left out take their defaults; whole numbers may be numbers. */
-type Given<Struct> = {
-  [Field in keyof Told<Struct>]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
+/** A struct that the library returns, as an object. 64-bit integers are bigint. */
+type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
+/** A struct for the library: fields left out take their defaults; integers may be numbers. */
+type Input<Struct> = {
+  [Field in keyof Output<Struct>]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
 };
-/** A struct in the module's memory, to be read and written every frame without making objects. 64-bit integers are
+/** A struct in the module's memory, read and written every frame without making objects. 64-bit integers are
  *  numbers, exact to 2^53 (as nanoseconds: 104 days). Arrays are views: do not keep them from frame to frame. */
 type View<Struct> = {
-  [Field in keyof Told<Struct>]: Struct[Field] extends number[] ? Float64Array
+  [Field in keyof Output<Struct>]: Struct[Field] extends number[] ? Float64Array
     : Struct[Field] extends bigint ? number : Struct[Field];
 };
 
@@ -36,71 +36,71 @@ export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | 
 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
-  createSession(config?: Given<hrt_session_config>): Session;
+  createSession(config?: Input<hrt_session_config>): Session;
   /** A .gltf or .glb file's bytes; `name` stands for it in error texts. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
   /** Runs a recording again and compares, bit for bit. */
-  replay(recording: string): Told<hrt_replay_report>;
+  replay(recording: string): Output<hrt_replay_report>;
 }
 
 /** One user, one plate. To be destroyed when done: JavaScript does not collect what the module holds. */
 export interface Session {
-  readonly config: Told<hrt_session_config>;
+  readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
-  configure(changes: Given<hrt_session_config>): void;
+  configure(changes: Input<hrt_session_config>): void;
   destroy(): void;
 
-  addTarget(config: Given<hrt_target_config>): TargetId;
-  target(id: TargetId): Told<hrt_target_config>;
-  setTarget(id: TargetId, changes: Given<hrt_target_config>): void;
+  addTarget(config: Input<hrt_target_config>): TargetId;
+  target(id: TargetId): Output<hrt_target_config>;
+  setTarget(id: TargetId, changes: Input<hrt_target_config>): void;
   removeTarget(id: TargetId): void;
   findTarget(name: string): TargetId;
   /** In the order in which they were added; of one role, HRT_TARGET_*, or of both. */
   targets(role?: number): TargetId[];
 
   /** The largest gap that the plate can sustain for a pair, computed before a reach. */
-  authority(realTarget: TargetId, virtualTarget: TargetId): Told<hrt_authority>;
+  authority(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_authority>;
   /** The same for the real target that serves a virtual one best. */
-  bestAuthority(virtualTarget: TargetId): Told<hrt_authority>;
+  bestAuthority(virtualTarget: TargetId): Output<hrt_authority>;
 
-  /** What the next update() takes in. Fields that `flags` does not name are not read. */
+  /** Input of the next update(). Fields that `flags` does not name are not read. */
   readonly sample: View<hrt_sample>;
-  /** What the last update() gave. */
+  /** Output of the last update(). */
   readonly command: Readonly<View<hrt_command>>;
   /** The plate is at the last command, unless its orientation is given. */
   beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number): void;
-  /** Takes `sample` in and gives `command`. Every frame. */
+  /** Reads `sample` and writes `command`. Once a frame. */
   update(): void;
-  endReach(): Told<hrt_reach_summary>;
+  endReach(): Output<hrt_reach_summary>;
 
-  /** What is known of the user, as JSON to keep and load another day. */
+  /** All that was learnt of the user, as JSON to save and load later. */
   readonly profile: string;
   loadProfile(profile: string): void;
-  createCalibration(config?: Given<hrt_calibration_config>): Calibration;
-  applyCalibration(result: Told<hrt_calibration_result>): void;
+  createCalibration(config?: Input<hrt_calibration_config>): Calibration;
+  applyCalibration(result: Output<hrt_calibration_result>): void;
 
-  /** Records all calls, in memory, until stopRecording() gives them as CSV. */
+  /** Records all calls in memory, until stopRecording() returns them as CSV. */
   startRecording(): void;
   stopRecording(): string;
 }
 
-/** Who is this user? Slides over a plate at rest: for each beginTrial(), addSample() as samples come, endTrial(). */
+/** Identifies the user by slides over a plate at rest: for each beginTrial(), addSample() as samples come, endTrial(). */
 export interface Calibration {
   destroy(): void;
   beginTrial(plateOrientationDeg: number): void;
-  /** What the next addSample() takes in. */
+  /** Input of the next addSample(). */
   readonly sample: View<hrt_sample>;
   addSample(): void;
   endTrial(): void;
   cancelTrial(): void;
   /** Half a second of work for 20000 samples: not between two frames. */
-  solve(): Told<hrt_calibration_result>;
+  solve(): Output<hrt_calibration_result>;
 }
 
 /** Plate, start and targets of a glTF file. */
 export interface Scene {
-  readonly info: Told<hrt_scene_info>;
-  readonly targets: Told<hrt_scene_target>[];
+  readonly info: Output<hrt_scene_info>;
+  readonly targets: Output<hrt_scene_target>[];
   /** Sets the session's plate and start, and adds the targets; their ids, in the order of `targets`. */
   register(session: Session): TargetId[];
   destroy(): void;

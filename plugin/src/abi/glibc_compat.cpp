@@ -3,10 +3,11 @@
 // it refer to.
 #include <fcntl.h>
 #include <pthread.h>
-#include <signal.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <unistd.h>
+
+#include <csignal>
 
 #if defined(__x86_64__)
 #define HRT_FIRST_GLIBC "GLIBC_2.2.5"

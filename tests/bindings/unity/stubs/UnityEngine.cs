@@ -1,5 +1,5 @@
 // As much of Unity as the package uses, to compile and run it without Unity. Vectors, quaternions and Transforms
-// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when told to.
+// compute as Unity documents; GameObjects send OnEnable, LateUpdate and OnDisable when a test asks for it.
 using System;
 using System.Collections.Generic;
 using System.Reflection;
