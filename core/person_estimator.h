@@ -27,8 +27,8 @@ struct ModelFit {
   double nis = 2.0;          ///< normalised innovation squared, mean; 2 if the model holds
   double correlation = 0.0;  ///< of an innovation with the one before it; 0 if the model holds
 
-  /// Innovations well below what the noise explains may be alike: a tracker without noise shows every trace of
-  /// the person.
+  /// Innovations well below what the noise explains may be alike: a tracker without noise shows every trace
+  /// of the person.
   bool holds() const { return nis < 4.5 && (correlation < 0.75 || nis < 1.0); }
 };
 
