@@ -2,7 +2,7 @@
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 export declare const HRT_VERSION_MAJOR = 0;
-export declare const HRT_VERSION_MINOR = 2;
+export declare const HRT_VERSION_MINOR = 3;
 export declare const HRT_VERSION_PATCH = 0;
 export declare const HRT_OK = 0;
 /** A pointer that must not be null was null. */

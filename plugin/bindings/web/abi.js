@@ -1,6 +1,6 @@
 // Written by plugin/bindings/generate from the C headers.
 export const HRT_VERSION_MAJOR = 0;
-export const HRT_VERSION_MINOR = 2;
+export const HRT_VERSION_MINOR = 3;
 export const HRT_VERSION_PATCH = 0;
 export const HRT_OK = 0;
 export const HRT_ERROR_NULL_ARGUMENT = -1;

@@ -63,7 +63,7 @@ extern "C" {
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 2
+#define HRT_VERSION_MINOR 3
 #define HRT_VERSION_PATCH 0
 
 /** HRT_OK or one of the errors below. Their numbers never change. */

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from ._struct import Struct
 
 
-VERSION = (0, 2, 0)
+VERSION = (0, 3, 0)
 """Of the headers that this was written from."""
 OK = 0
 CALIBRATIONS_MAX = 16

@@ -278,4 +278,4 @@ func check_freed():
 		var plate = Plate.new()
 		check(plate.add_real_target("real", 0.0, 0.1) != 0, "session %d" % i)
 		plate.free()
-	check_equal(new_plate().get_version(), "0.2.0", "version")
+	check_equal(new_plate().get_version(), "0.3.0", "version")

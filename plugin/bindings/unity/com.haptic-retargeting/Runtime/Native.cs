@@ -8,7 +8,7 @@ namespace Hrt
     {
         /// <summary>Version of these headers. hrt_get_version() returns the library's.</summary>
         public const int VersionMajor = 0;
-        public const int VersionMinor = 2;
+        public const int VersionMinor = 3;
         public const int VersionPatch = 0;
         /// <summary>Maximum number of calibrations in a process.</summary>
         public const int CalibrationsMax = 16;
