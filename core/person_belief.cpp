@@ -48,7 +48,8 @@ LinearIllusion linear_illusion(const PersonBelief& belief) {
   const auto& covariance = belief.covariance;
   const double variance = covariance(T::weight, T::weight) - 2.0 * share * covariance(T::weight, T::curve) +
                           share * share * covariance(T::curve, T::curve);
-  return {belief.mean(T::weight) - share * belief.mean(T::curve), std::sqrt(variance > 0.0 ? variance : 0.0)};
+  return {std::clamp(belief.mean(T::weight) - share * belief.mean(T::curve), 0.001, 0.499),
+          std::sqrt(variance > 0.0 ? variance : 0.0)};
 }
 
 bool is_valid(const PersonBelief& belief) {

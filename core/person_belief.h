@@ -49,7 +49,8 @@ PersonBelief known_person(double tactile_weight, double bias_deg);
 /// The fast part of the goal on a person's later reaches.
 inline constexpr double later_wander_sd_deg = 0.75;
 
-/// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees.
+/// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
+/// 0.499.
 struct LinearIllusion {
   double weight;
   double weight_sd;

@@ -194,6 +194,8 @@ hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_r
   }
   if (result.sensory_variance_deg2.known) config.sensory_variance_deg2 = result.sensory_variance_deg2.value;
   if (result.tracker_noise_m.known) config.tracker_noise_m = result.tracker_noise_m.value;
+  // What reaches have learnt would override the weight and the bias.
+  if (result.tactile_weight.known || result.bias_deg.known) forget_person(&config);
   return config;
 }
 

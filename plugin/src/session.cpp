@@ -238,7 +238,10 @@ void Session::carry(const FingerEstimate& estimate) {
   if (retargeter_.leads_person()) {
     const auto learnt = retargeter_.learnt();
     if (!learnt) return;
-    write_person(carried(*learnt, unknown_person()), &config_);
+    hrt_session_config next = config_;
+    write_person(carried(*learnt, unknown_person()), &next);
+    // The filter knows no bounds: after motions that nobody made it may believe what nobody can be.
+    if (holds_belief(next)) config_ = next;
   } else {
     const RetargeterConfig next = carried(to_core(config_), estimate);
     config_.tactile_weight = next.participant.tactile_weight;

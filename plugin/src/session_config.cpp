@@ -79,10 +79,7 @@ hrt_result check_person(const hrt_session_config& config) {
     HRT_RETURN_IF_FAILED(check_range("person_mean", mean, -100.0, 100.0));
   for (const double covariance : config.person_covariance)
     HRT_RETURN_IF_FAILED(check_range("person_covariance", covariance, -1e4, 1e4));
-  if (!knows_person(config)) return HRT_OK;
-  if (is_valid(person_of(config)) && config.person_mean[HRT_PERSON_GAIN] > 0.0 &&
-      std::abs(config.person_mean[HRT_PERSON_LOG_RATE]) <= 5.0)
-    return HRT_OK;
+  if (!knows_person(config) || holds_belief(config)) return HRT_OK;
   return fail(
       HRT_ERROR_OUT_OF_RANGE,
       "person_mean and person_covariance are no belief; allowed: weight in 0 to 1, gain above 0, log "
@@ -94,6 +91,18 @@ hrt_result check_person(const hrt_session_config& config) {
 bool knows_person(const hrt_session_config& config) {
   return std::any_of(std::begin(config.person_covariance), std::end(config.person_covariance),
                      [](double covariance) { return covariance != 0.0; });
+}
+
+void forget_person(hrt_session_config* config) {
+  std::fill(std::begin(config->person_mean), std::end(config->person_mean), 0.0);
+  std::fill(std::begin(config->person_covariance), std::end(config->person_covariance), 0.0);
+}
+
+bool holds_belief(const hrt_session_config& config) {
+  const bool within = std::all_of(std::begin(config.person_mean), std::end(config.person_mean),
+                                  [](double mean) { return std::abs(mean) <= 100.0; });
+  return within && is_valid(person_of(config)) && config.person_mean[HRT_PERSON_GAIN] > 0.0 &&
+         std::abs(config.person_mean[HRT_PERSON_LOG_RATE]) <= 5.0;
 }
 
 std::span<const NumberField> number_fields() {
@@ -217,7 +226,7 @@ void write_person(const PersonBelief& belief, hrt_session_config* config) {
     for (int j = 0; j <= i; ++j) *covariance++ = belief.covariance(i, j);
   }
   const LinearIllusion linear = linear_illusion(belief);
-  config->tactile_weight = std::clamp(linear.weight, 0.001, 0.499);
+  config->tactile_weight = linear.weight;
   config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, most_weight_sd);
 }
 

@@ -42,6 +42,12 @@ hrt_result read_session_config(const hrt_session_config* given, hrt_session_conf
 /// True if person_mean and person_covariance hold something.
 bool knows_person(const hrt_session_config& config);
 
+/// True if what they hold can be believed of a person.
+bool holds_belief(const hrt_session_config& config);
+
+/// Leaves an unknown person.
+void forget_person(hrt_session_config* config);
+
 /// Writes what is believed of the person into person_mean, person_covariance, tactile_weight and its
 /// deviation.
 void write_person(const PersonBelief& belief, hrt_session_config* config);

@@ -105,6 +105,8 @@ TEST_F(SoakTest, MemoryStaysFlatAndCommandsFinite) {
     }
     if (in_reach == 299) {
       ASSERT_OK(hrt_reach_end(session, &summary));
+      const hrt_session_config carried = config_of(session);
+      ASSERT_OK(hrt_session_set_config(session, &carried));
       time_ns = 0;
     }
   }

@@ -112,7 +112,8 @@ HRT_API hrt_result hrt_calibration_solve(hrt_calibration calibration,
 
 /** Copies the known values into the session's configuration, and so into its profile; unknown ones are
  *  unchanged. The deviations of tactile_weight and motor_variance_deg2 come from their intervals, with the
- *  minimum of HRT_ADAPTATION_CARRIED. Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach.
+ *  minimum of HRT_ADAPTATION_CARRIED. A known weight or bias replaces what reaches have learnt of the person
+ *  (person_mean, person_covariance). Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach.
  *  [one-thread] */
 HRT_API hrt_result hrt_calibration_apply(hrt_session session,
                                          const hrt_calibration_result* result) HRT_NOEXCEPT;

@@ -282,8 +282,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config) {
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config read = *config;
   // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
-  std::fill(std::begin(read.person_mean), std::end(read.person_mean), 0.0);
-  std::fill(std::begin(read.person_covariance), std::end(read.person_covariance), 0.0);
+  forget_person(&read);
   bool has_format = false, has_version = false;
   for (const Field& field : fields) {
     if (field.key == "format") {
