@@ -112,6 +112,7 @@ def _renamed(doc: str, names: dict[str, str]) -> str:
         doc = doc.replace(f"HRT_{prefix}_*", name).replace(f"HRT_{prefix}_", f"{name}.")
     doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.get(found[1], found[1]) + ".", doc)
     doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.get(found[0], found[0]), doc)
+    doc = doc.replace("HRT_PERSON_", "PERSON_")
     return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_default\(\) fills every field)\.", "", doc)
 
 

@@ -32,7 +32,7 @@ def version(major: int, minor: int) -> str:
 
 def test_missing_library_is_named() -> None:
     done = in_a_process("import haptic_retargeting as hrt; hrt.Session()", "/no/such/library.so")
-    assert done.returncode == 1 and "/no/such/library.so can't be loaded" in done.stderr and "HRT_LIBRARY" in done.stderr
+    assert done.returncode == 1 and "/no/such/library.so cannot be loaded" in done.stderr and "HRT_LIBRARY" in done.stderr
 
 
 def test_recordings_are_read_without_the_library() -> None:

@@ -61,7 +61,7 @@ namespace Hrt.HostTests
             }
             Assert.IsFalse(retargeting.IsReaching);
             // From the goblet's place to the cylinder's: a chord of 8 degrees at 10 cm.
-            StringAssert.Contains("To the goblet: 14 mm from the cylinder", logged.Last());
+            StringAssert.Contains("To the goblet: 13 mm from the cylinder", logged.Last());
             UnityEngine.Object.DestroyImmediate(table.gameObject);
         }
 

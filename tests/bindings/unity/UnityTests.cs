@@ -138,7 +138,7 @@ namespace Hrt.HostTests
             Assert.IsInstanceOf<Hrt.Editor.HapticRetargetingEditor>(editor);
             List<string> drawn = UnityEditor.EditorGUILayout.Drawn;
             editor.OnInspectorGUI();
-            CollectionAssert.Contains(drawn, "bottle: by cylinder: gap +10.0, margin +4.9 deg");
+            CollectionAssert.Contains(drawn, "bottle: by cylinder: gap +10.0, margin +5.0 deg");
 
             component.BeginReach(bottle);
             component.Message("LateUpdate")();

@@ -339,9 +339,9 @@ class SessionConfig(Struct):
         version 0.3.
     tracker_latency_ns: Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s.
         Default 0. Since version 0.3.
-    person_mean: What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if
-        person_covariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to
-        5, the others -100 to 100. Default 0. Since version 0.3.
+    person_mean: What is believed of the person under GUIDANCE_ARRIVAL: PERSON_*. Read if person_covariance
+        is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100
+        to 100. Default 0. Since version 0.3.
     person_covariance: Covariance of person_mean: the lower triangle, row by row; positive definite, up to
         1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read.
         Default 0. Since version 0.3.
@@ -670,7 +670,7 @@ class ReachSummary(Struct):
         moved.
     rms_felt_error_deg
     normalised_innovation: Largest Command.normalised_innovation.
-    illusion_curve: What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An
+    illusion_curve: What the reach says of the person (PERSON_*), each with its standard deviation. An
         illusion_curve of more than 2 deviations says that the illusion is not linear, and tactile_weight
         holds at 60 degrees only.
     illusion_curve_sd

@@ -186,8 +186,8 @@ def _read(lines: Iterable[str]) -> Recording:
     complete = False
     number = 0
     for number, line in enumerate(lines, 1):
-        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 2":
-            raise RecordingError("line 1: not a recording of version 2")
+        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 3":
+            raise RecordingError("line 1: not a recording of version 3")
         if not line.endswith("\n"):
             break  # cut off within the line
         line = line.rstrip("\r\n")

@@ -73,7 +73,7 @@ func check_properties():
 func check_targets_and_authority():
 	var plate = new_plate()
 	var real = plate.add_real_target("real", -4, 0.1)
-	var other = plate.add_real_target("other", 20.0, 0.1)
+	var other = plate.add_real_target("other", 21.0, 0.1)
 	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
 	var authority = plate.get_authority(real, felt)
 	check_near(authority.gap_deg, 9.0, "gap")

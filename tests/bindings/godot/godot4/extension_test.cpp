@@ -55,7 +55,7 @@ TEST_F(Extension, RegistersTheClass) {
   const godot4_double::Class& registered = engine_.classes.at(kClass);
   EXPECT_EQ(registered.parent, "Node3D");
   EXPECT_TRUE(registered.info.is_exposed);
-  EXPECT_EQ(registered.properties.size(), 25u);
+  EXPECT_EQ(registered.properties.size(), 29u);
   EXPECT_EQ(registered.properties.at("control").hint_string, "MPC,Fixed Plate");
   EXPECT_EQ(registered.properties.at("tactile_weight").type, GDE_FLOAT);
   EXPECT_EQ(registered.properties.at("start_position_m").type, GDE_VECTOR3);

@@ -207,10 +207,13 @@ namespace Hrt.Tests
             Assert.That((normal - expected).magnitude, Is.EqualTo(0).Within(1e-5));
         }
 
-        // Before the finger moves the plate stays where it stands.
+        // A plate that waits stays where it stands before the finger moves.
         [Test]
         public void WhereThePlateReallyStandsGoesIn()
         {
+            SessionConfig config = component.Session.Config;
+            config.flags = SessionFlags.PlateWaits;
+            component.Session.Config = config;
             component.MeasuredPlateOrientationDeg = 33;
             component.BeginReach(virtualTarget);
             component.Step(At(0));
