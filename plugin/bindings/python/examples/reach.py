@@ -38,8 +38,9 @@ def main() -> None:
         cup = session.add_virtual("cup", direction_deg=5)
         record = session.run_reach(cylinder, cup, samples)
     print(f"hash 0x{fnv1a(record.commands):016x}")
+    assert record.summary  # it has been run, not read
     print(f"updates {len(samples)}, final direction {record.final_direction_deg:.2f} deg, "
-          f"miss {record.final_miss_deg:.2f} deg (simulated)")
+          f"miss {record.summary.bearing_error_deg:.2f} deg (simulated)")
     if len(sys.argv) == 3:
         from haptic_retargeting import plot
 

@@ -211,7 +211,7 @@ class Session:
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
-            print(reach.summary.final_miss_deg)
+            print(reach.summary.bearing_error_deg)
         """
         return Reach(self.handle, real.handle, virtual.handle, plate_orientation_deg, self._pace)
 

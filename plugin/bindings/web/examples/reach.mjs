@@ -65,5 +65,5 @@ if (globalThis.process?.argv?.[1] === decodeURIComponent(new URL(import.meta.url
   const hrt = await import(pathToFileURL(`${folder}/index.mjs`));
   const { hash, summary } = runReach(hrt, await hrt.load(), await readFile(recording, "utf8"));
   console.log(`hash ${hash}`);
-  console.log(`miss ${summary.final_miss_deg.toFixed(2)} deg (simulated)`);
+  console.log(`miss ${summary.bearing_error_deg.toFixed(2)} deg (simulated)`);
 }

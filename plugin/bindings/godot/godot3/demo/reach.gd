@@ -44,7 +44,7 @@ func finish():
 	print("updates %d, steps %d, of these predicted %d" % [updates, summary.steps + summary.predicted_steps,
 			summary.predicted_steps])
 	print("final direction %.2f deg, miss %.2f deg; felt %.2f deg (simulated)" % [summary.final_direction_deg,
-			summary.final_miss_deg, summary.perceived_direction_deg])
+			summary.bearing_error_deg, summary.perceived_direction_deg])
 	set_process(false)
 	get_tree().quit(0)
 
