@@ -195,7 +195,7 @@ void PersonEstimator::begin_motion(const PlateTrace&) {
   const double log_rate_sd = std::sqrt(belief_.covariance(T::log_rate, T::log_rate));
   const double evenness_sd = std::sqrt(belief_.covariance(T::evenness, T::evenness));
   const double likely_evenness = std::clamp(belief_.mean(T::evenness), 0.0, 1.0);
-  // A sample each fit_spacing_s is enough to tell paces apart.
+  // A sample each fit_spacing_s is enough to distinguish paces.
   const double spacing_s = (recent(0).time_s - recent(count_ - 1).time_s) / (count_ - 1);
   const int stride = static_cast<int>(std::clamp(std::ceil(fit_spacing_s / spacing_s), 1.0, 5.0));
   double least_cost = 1e300;

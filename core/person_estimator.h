@@ -35,7 +35,7 @@ struct ModelFit {
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class PersonEstimator {
  public:
-  /// The finger is about to move over `path_mm` from near `start`, told to go in `virtual_direction_deg`.
+  /// The finger is about to move over `path_mm` from near `start`, asked to go in `virtual_direction_deg`.
   /// `noise_mm` of a tracked coordinate, standard deviation; 0: learn it while the finger rests.
   PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                   const PlaceMm& start, double noise_mm);

@@ -72,10 +72,10 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
                                            const RetargeterConfig* controller, int reaches,
                                            std::uint64_t seed, std::uint32_t index);
 
-/// A controller for people, told what the plate and the tracker can do, and nothing of the person.
+/// A controller for people that knows what the plate and the tracker can do, and nothing of the person.
 RetargeterConfig people_controller();
 
-/// The same, told the person too, as far as its model has words for them.
+/// The same, with the person known too, as far as its model has words for them.
 RetargeterConfig informed_controller(const PersonCondition& condition);
 
 /// The paper's, with w_T assumed 0.15.

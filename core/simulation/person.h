@@ -79,7 +79,7 @@ inline constexpr double touch_memory_s = 0.3;
 /// One reach of a person. Advances in milliseconds.
 class SlidingPerson {
  public:
-  /// At rest at `start`, told to go `distance_m` to the virtual target in `virtual_direction_deg`.
+  /// At rest at `start`, asked to go `distance_m` to the virtual target in `virtual_direction_deg`.
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
                 double distance_m, Draws draws);
 

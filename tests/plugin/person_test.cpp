@@ -381,7 +381,7 @@ TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
   EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
 }
 
-// The finger rests for 0.6 s half way: the plate is held, and the reach goes on afterwards.
+// The finger rests for 0.6 s half way: the plate is held, and the reach continues afterwards.
 TEST_F(PersonTest, RestWithinAReachHoldsThePlate) {
   create(servo_config());
   PersonCondition condition = steady_person();
