@@ -14,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <string>
@@ -214,7 +215,7 @@ TEST_F(RecordingTest, UnreadFieldsAndNegativeZeroReplay) {
   ASSERT_OK(hrt_target_add(session, &config, &real));
   config = target_config(HRT_TARGET_VIRTUAL, std::nan(""));
   config.place = HRT_PLACE_PLATE_POSITION;
-  config.distance_m = INFINITY;
+  config.distance_m = std::numeric_limits<double>::infinity();
   config.position_m[2] = -0.1;
   ASSERT_OK(hrt_target_add(session, &config, &virtual_target));
   ASSERT_OK(begin(real, virtual_target));
