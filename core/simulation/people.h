@@ -39,7 +39,8 @@ struct PersonCondition {
 struct PeopleFamily {
   const char* name;
   const char* says;  ///< what sets them apart, for tables
-  bool tuned;        ///< the controller's numbers were chosen with it; others were kept apart
+  bool tuned;  ///< the controller's numbers were searched with it; with others only its last settings were
+               ///< compared
   void (*set)(PersonCondition& condition, Draws& draws);
 };
 

@@ -132,7 +132,7 @@ std::string text(const Options& options, const Rows& rows) {
              "hold "
              "the gap. no: no controller; pap: the paper's; 1st: ours on a person's first reach; 5th: on the "
              "fifth; inf: ours, informed of the person's traits; -: nobody can hold the gap; *: family kept "
-             "apart from the choice of our controller's numbers.") +
+             "apart from the search for our controller's numbers.") +
          '\n' + near_table(options, rows) + '\n' + flags_table(rows);
 }
 
@@ -294,7 +294,7 @@ void add_robustness(CLI::App& app) {
       "  hrt-study robustness --people 1000 --format csv > robustness.csv\n"
       "  hrt-study robustness --out robustness\n"
       "\n"
-      "Families (*: kept apart from the choice of our controller's numbers):\n" +
+      "Families (*: kept apart from the search for our controller's numbers):\n" +
           family_list(),
       [options] { run(*options); });
   RobustnessOptions& robustness = options->robustness;

@@ -24,7 +24,7 @@ Figure duration_figure(double duration_s, Rows rows) {
                 .title = "People who reach in " + seconds,
                 .caption =
                     "Reaches that end within 1.5 deg of the real target's bearing, of people who can "
-                    "hold the gap, with 95 % intervals (Wilson). *: family kept apart from the choice "
+                    "hold the gap, with 95 % intervals (Wilson). *: family kept apart from the search "
                     "of our controller's numbers.",
                 .width_px = 560,
                 .height_px = 150 + 27 * static_cast<int>(rows.size())};
