@@ -25,7 +25,7 @@ Figure duration_figure(double duration_s, Rows rows) {
                 .caption =
                     "Reaches that end within 1.5 deg of the real target's bearing, of people who can "
                     "hold the gap, with 95 % intervals (Wilson). *: family kept apart from the search "
-                    "of our controller's numbers.",
+                    "for our controller's numbers.",
                 .width_px = 560,
                 .height_px = 150 + 27 * static_cast<int>(rows.size())};
   // Families from above to below; within a family the five points from above to below.
@@ -45,11 +45,11 @@ Figure duration_figure(double duration_s, Rows rows) {
   }
   script += "EOD\n$none << EOD\n-1 -1 -1 -1 -1\nEOD\n";  // gnuplot refuses to plot no points at all
   script +=
-      "set title \"Within 1.5° of bearing, reaches of " + seconds +
-      " (simulation)\" font ',13'\nset key outside below maxrows 2 samplen 1\nset grid x back lt 1 lw 0.6 "
+      "set title \"Within 1.5° of bearing, " + seconds +
+      " (simulation)\" font ',13'\nset key outside below maxcols 2 samplen 1\nset grid x back lt 1 lw 0.6 "
       "lc rgb '#dddddd'\nset xrange [-2:102]\nset xtics 20\nset xlabel 'reaches, %'\nset yrange [" +
       number(static_cast<double>(rows.size()) - 0.5) + ":-0.5]\nset ytics (" + ticks +
-      ") scale 0\nset bmargin 7\nset rmargin 3\n";
+      ") scale 0\nset bmargin 8\nset rmargin 3\n";
   for (std::size_t i = 1; i < rows.size(); ++i)
     script += "set arrow from graph 0, first " + number(static_cast<double>(i) - 0.5) +
               " to graph 1, first " + number(static_cast<double>(i) - 0.5) +
