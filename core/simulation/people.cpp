@@ -247,7 +247,8 @@ bool can_hold(const PersonCondition& condition) {
     return largest_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
   // A shift is felt anew at each ridge and fades until the next one: its mean at the mean speed.
   double largest_deg = 0.0;
-  for (double t = 0.0; t <= bound_deg; t += 0.5) {
+  for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
+    const double t = 0.5 * half;
     const double between_s =
         ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
     const double mean_share = touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));

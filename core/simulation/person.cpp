@@ -53,8 +53,10 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
 
 double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
   double largest = 0.0;
-  for (double t = 0.0; t <= bound_deg; t += 0.5)
-    largest = std::max(largest, std::copysign(1.0, sign) * felt_shift_deg(illusion, std::copysign(t, sign)));
+  for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
+    const double shift_deg = felt_shift_deg(illusion, std::copysign(0.5 * half, sign));
+    largest = std::max(largest, std::copysign(1.0, sign) * shift_deg);
+  }
   return largest;
 }
 
@@ -76,7 +78,6 @@ SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, doub
 double SlidingPerson::total_s() const {
   switch (person_.pace) {
     case Pace::stop_and_go:
-      return person_.duration_s + 0.6;
     case Pace::pause:
       return person_.duration_s + 0.6;
     case Pace::reversal:
@@ -186,9 +187,8 @@ void SlidingPerson::advance(double plate_orientation_deg) {
         person_.steering == Steering::predictive ? own_shift : felt_deg_;
     const int delay =
         std::clamp(static_cast<int>(std::lround(person_.delay_s / tick_s)), 0, history_size - 1);
-    double delayed = goal_deg_;
     if (millisecond_ > delay) {
-      delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
+      double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
       if (person_.steering == Steering::predictive) delayed += direction_deg_;
       direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
     }
