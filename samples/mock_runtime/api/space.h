@@ -3,6 +3,7 @@
 #include <openxr/openxr.h>
 
 #include <optional>
+#include <utility>
 #include <variant>
 
 #include "samples/mock_runtime/api/session.h"
@@ -20,8 +21,8 @@ class Space : public Object {
   };
   using Origin = std::variant<XrReferenceSpaceType, ActionOrigin>;
 
-  Space(Session* session, const Origin& of, const Pose& pose)
-      : Object(object_type, session), origin(of), offset(pose) {}
+  Space(Session* session, const Origin& of, Pose pose)
+      : Object(object_type, session), origin(of), offset(std::move(pose)) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
