@@ -99,7 +99,6 @@ enum class FunctionId {
       count
 };
 
-// NOLINTNEXTLINE(bugprone-macro-parentheses): the name that is declared
 #define HRT_MOCK_DECLARE(name, implementation, extension) std::remove_pointer_t<PFN_##name> implementation;
 HRT_MOCK_FUNCTIONS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE

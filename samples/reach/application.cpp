@@ -73,7 +73,7 @@ std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulat
 // The reaches of one run, across as many sessions and instances as the runtime makes necessary.
 class Run {
  public:
-  Run(const Options& options)
+  explicit Run(const Options& options)
       : options_(options),
         plugin_(options.plugin),
         targets_(load_targets(plugin_, options)),

@@ -105,6 +105,7 @@ class Members {
         if (name == text) values.push_back(value);
     if (values.size() == names.size() && !names.empty()) return;
     std::vector<std::string> texts;
+    texts.reserve(known.size());
     for (const auto& each : known) texts.push_back(each.first);
     refuse(where(key), "must be one of, or an array of, " + quoted_list(texts));
   }
@@ -294,6 +295,7 @@ CallFault read_call(Members& members) {
   const std::vector<XrResult> legal = legal_errors(*function);
   if (legal.empty()) refuse(members.where("function"), "must be the name of a function that may fail");
   std::vector<std::string> names;
+  names.reserve(legal.size());
   for (const XrResult result : legal) names.push_back(result_name(result));
   const std::string chosen = members.choice("result", names);
   const auto index = std::find(names.begin(), names.end(), chosen) - names.begin();
