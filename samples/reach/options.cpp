@@ -32,13 +32,12 @@ constexpr const char* exit_codes =
 
 // CLI11's own range lets NaN through.
 CLI::Validator between(double low, double high, const std::string& range) {
-  return CLI::Validator(
-      [=](const std::string& text) -> std::string {
-        double value = 0.0;
-        if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
-        return "\"" + text + "\" is not " + range;
-      },
-      range);
+  return {[=](const std::string& text) -> std::string {
+            double value = 0.0;
+            if (CLI::detail::lexical_cast(text, value) && value >= low && value <= high) return {};
+            return "\"" + text + "\" is not " + range;
+          },
+          range};
 }
 
 // "runtime", "servo", "servo:SPEED" or "serial:DEVICE"; nothing if it is none of them.

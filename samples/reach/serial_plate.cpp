@@ -11,6 +11,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstring>
+#include <utility>
 
 #include "samples/reach/exit_code.h"
 
@@ -40,7 +41,7 @@ bool wait_for(int line, short event, std::chrono::milliseconds limit) {
 
 }  // namespace
 
-SerialPlate::SerialPlate(const std::filesystem::path& device) : device_(device) {
+SerialPlate::SerialPlate(std::filesystem::path device) : device_(std::move(device)) {
   try {
     open_line();
     greet();

@@ -13,7 +13,7 @@ namespace hrt::reach {
 class SerialPlate : public Plate {
  public:
   /// Opens the line and greets the plate, for which it has two seconds. Throws Failure (ExitCode::plate).
-  explicit SerialPlate(const std::filesystem::path& device);
+  explicit SerialPlate(std::filesystem::path device);
   /// Stops the plate, if it still hears.
   ~SerialPlate() override;
   SerialPlate(const SerialPlate&) = delete;

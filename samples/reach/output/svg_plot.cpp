@@ -185,8 +185,9 @@ std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& ta
   out += style;
   out += "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   for (std::size_t i = 0; i < drawn; ++i) {
+    const std::size_t row = i / columns;
     const Panel panel(static_cast<double>(i % columns) * panel_px,
-                      static_cast<double>(i / columns) * (panel_px + title_px), targets.plate_radius_m);
+                      static_cast<double>(row) * (panel_px + title_px), targets.plate_radius_m);
     out += draw(panel, reaches[i], targets);
   }
   out += legend(panels_px + 18.0, width, Panel(0.0, 0.0, targets.plate_radius_m).length(0.02));

@@ -29,6 +29,7 @@ std::vector<std::string> available_extensions() {
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   CHECK_XR(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
   std::vector<std::string> names;
+  names.reserve(properties.size());
   for (const XrExtensionProperties& property : properties) names.emplace_back(property.extensionName);
   return names;
 }
