@@ -37,9 +37,9 @@ std::optional<std::vector<double>> parse_list(std::string_view text) {
     const auto count = parse<std::uint64_t>(parts[2]);
     if (!first || !last || !std::isfinite(*first) || !std::isfinite(*last)) return std::nullopt;
     if (!count || *count < 2 || *count > max_values) return std::nullopt;
-    const double intervals = static_cast<double>(*count - 1);
+    const auto intervals = static_cast<double>(*count - 1);
     for (std::uint64_t i = 0; i < *count; ++i) {
-      const double x = static_cast<double>(i);
+      const auto x = static_cast<double>(i);
       // Exact at both ends.
       values.push_back((*first * (intervals - x) + *last * x) / intervals);
     }
