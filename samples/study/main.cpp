@@ -40,6 +40,7 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error,
 
 }  // namespace
 
+// NOLINTNEXTLINE(bugprone-exception-escape): the parser is set up, which throws without memory only
 int main(int argc, char** argv) {
   using namespace hrt::study;
   constexpr int usage_error = 2;

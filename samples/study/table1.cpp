@@ -130,7 +130,7 @@ void judge_claims(std::vector<CellGroup>& claims) {
   }
 
   const CellGroup& three = *horizons[2];
-  const double trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
+  const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
   for (CellGroup* group : horizons) {
     const int horizon = group->cells.front().condition.controller.mpc.horizon;
     if (group->paper_percent) {
