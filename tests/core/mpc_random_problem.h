@@ -53,6 +53,7 @@ struct RandomProblem {
   }
   RandomProblem(const RandomProblem&) = delete;  // `problem` points into this
   RandomProblem& operator=(const RandomProblem&) = delete;
+  ~RandomProblem() = default;
 };
 
 }  // namespace hrt

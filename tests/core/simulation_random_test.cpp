@@ -142,7 +142,7 @@ TEST(SimulationRandom, Moments) {
     sums[2] += x * x * x;
     sums[3] += x * x * x * x;
   }
-  const double n = static_cast<double>(sorted_sample().size());
+  const auto n = static_cast<double>(sorted_sample().size());
   EXPECT_NEAR(sums[0] / n, 0.0, 4.0 * std::sqrt(1.0 / n));
   EXPECT_NEAR(sums[1] / n, 1.0, 4.0 * std::sqrt(2.0 / n));
   EXPECT_NEAR(sums[2] / n, 0.0, 4.0 * std::sqrt(15.0 / n));
@@ -152,7 +152,7 @@ TEST(SimulationRandom, Moments) {
 // Kolmogorov and Smirnov: sqrt(n) D exceeds 1.95 once in a thousand samples.
 TEST(SimulationRandom, DistributionIsNormal) {
   const std::vector<double>& sample = sorted_sample();
-  const double n = static_cast<double>(sample.size());
+  const auto n = static_cast<double>(sample.size());
   double distance = 0.0;
   for (std::size_t i = 0; i < sample.size(); ++i) {
     const double expected = normal_distribution_function(sample[i]);
@@ -165,7 +165,7 @@ TEST(SimulationRandom, DistributionIsNormal) {
 // Counts beyond 2, 3, 4 and 4.5 on either side, each within four standard errors.
 TEST(SimulationRandom, Tails) {
   const std::vector<double>& sample = sorted_sample();
-  const double n = static_cast<double>(sample.size());
+  const auto n = static_cast<double>(sample.size());
   for (const double x : {2.0, 3.0, 4.0, 4.5}) {
     const double expected = n * normal_distribution_function(-x);
     const auto below = std::lower_bound(sample.begin(), sample.end(), -x) - sample.begin();

@@ -77,9 +77,9 @@ TEST(Number, ReadsBackToTheSameBits) {
   std::uint64_t bits = 1;
   for (int i = 0; i < 20'000; ++i) {
     bits = bits * 6364136223846793005u + 1442695040888963407u;
-    const double any = std::bit_cast<double>(bits);
+    const auto any = std::bit_cast<double>(bits);
     if (std::isfinite(any)) check(any);
-    const double digits = static_cast<double>(bits >> 44);
+    const auto digits = static_cast<double>(bits >> 44);
     check(digits * std::pow(10.0, static_cast<double>(bits % 40) - 20.0));
     check(digits / 1e6);
   }

@@ -105,7 +105,7 @@ TEST_F(MockNegotiation, GivesFunctionsWithoutAnInstanceOnlyIfTheyNeedNone) {
   for (const char* name :
        {"xrCreateInstance", "xrEnumerateInstanceExtensionProperties", "xrEnumerateApiLayerProperties"})
     EXPECT_NE(fetch_direct<PFN_xrVoidFunction>(XR_NULL_HANDLE, name), nullptr) << name;
-  PFN_xrVoidFunction function = reinterpret_cast<PFN_xrVoidFunction>(negotiate);
+  auto function = reinterpret_cast<PFN_xrVoidFunction>(negotiate);
   EXPECT_XR(XR_ERROR_HANDLE_INVALID,
             request.get_instance_proc_addr(XR_NULL_HANDLE, "xrGetSystem", &function));
   EXPECT_EQ(function, nullptr);

@@ -436,7 +436,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
     EXPECT_TRUE(taken == 1'000'000'000 || taken == 1'600'000'000) << taken;
     pausing += taken > 1'000'000'000 ? 1 : 0;
   }
-  EXPECT_NEAR(pausing, seeds / 2, 4.0 * std::sqrt(seeds / 4.0));
+  EXPECT_NEAR(pausing, 0.5 * seeds, 4.0 * std::sqrt(seeds / 4.0));
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
   begin_with("{}");
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {

@@ -4,7 +4,7 @@
 #define XR_USE_TIMESPEC
 #include <gtest/gtest.h>
 #include <openxr/openxr.h>
-#include <time.h>
+#include <ctime>
 
 #include <openxr/openxr_platform.h>
 
