@@ -131,8 +131,8 @@ TEST(StudyRobustness, EveryByteIsTheSameForAnyNumberOfThreads) {
                                            "0.8,1.2",    "--format", "csv", "--threads"};
   auto one = arguments;
   auto three = arguments;
-  one.push_back("1");
-  three.push_back("3");
+  one.emplace_back("1");
+  three.emplace_back("3");
   const StudyRun first = run_study(one);
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_EQ(first.err, "");
