@@ -111,8 +111,8 @@ class GeneralSolver {
       hessian.setlength(n, n);
       for (int i = 0; i < n; ++i)
         for (int j = 0; j < n; ++j) hessian[i][j] = static_cast<double>(at_0.hessian(i, j));
-      gradient_.push_back(at_0.gradient.cast<double>());
-      gradient_by_finger_.push_back((at_1.gradient - at_0.gradient).cast<double>());
+      gradient_.emplace_back(at_0.gradient.cast<double>());
+      gradient_by_finger_.emplace_back((at_1.gradient - at_0.gradient).cast<double>());
       states_.emplace_back();
       alglib::minqpstate& state = states_.back();
       alglib::minqpcreate(n, state);

@@ -116,6 +116,10 @@ class Terminal {
     close(own_);
     close(programs_);
   }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  Terminal(Terminal&&) = delete;
+  Terminal& operator=(Terminal&&) = delete;
   int descriptor() const { return programs_; }
 
   // What has been written to it, while a program runs that writes less than it can hold.

@@ -47,6 +47,10 @@ struct ScratchFolder {
     std::error_code ignored;
     std::filesystem::remove_all(path, ignored);
   }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ScratchFolder(ScratchFolder&&) = delete;
+  ScratchFolder& operator=(ScratchFolder&&) = delete;
   std::filesystem::path path;
 };
 

@@ -24,6 +24,10 @@ class PtyPlate {
   explicit PtyPlate(Behaviour behaviour);
   PtyPlate() : PtyPlate(Behaviour{}) {}
   ~PtyPlate();
+  PtyPlate(const PtyPlate&) = delete;
+  PtyPlate& operator=(const PtyPlate&) = delete;
+  PtyPlate(PtyPlate&&) = delete;
+  PtyPlate& operator=(PtyPlate&&) = delete;
 
   /// The line's name, to be opened by the host.
   const std::string& device() const { return device_; }
