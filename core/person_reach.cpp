@@ -18,9 +18,8 @@ constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
 constexpr double first_judged_phase = 0.5;
 constexpr double longest_slew_s = 0.25;
-// The gap counts as out of reach once the margin is below 0.3 degrees less 0.6 of its standard deviations: of
-// simulated people who can hold it 0.2 % are said not to on a first reach, and 94 % of the others are found
-// by the fifth.
+// The gap counts as out of reach once the margin is below 0.3 degrees less 0.6 of its standard deviations:
+// few who can hold it are then said not to (hrt-study robustness counts both).
 constexpr double least_margin_deg = 0.3;
 constexpr double margin_deviations = 0.6;
 constexpr double given_duration_log_sd = 0.12;
