@@ -1,18 +1,26 @@
 // The illusion of touch: how far ridges shift the felt direction of motion, as the controller models it.
 //
-//   g(t) = w t - b t (t / 75)^2,   t = ridge normal - direction of motion, folded to within 90 degrees
+//   g(t) = (w t - b t (t / 75)^2) (1 - f a / (|cos t| + a))
 //
-// Linear in w and b, so that both can be learnt. It is linear with b = 0, and with b > 0 it saturates and
-// falls again.
+// with t = ridge normal - direction of motion, folded to within 90 degrees. Linear in w and b, and in f, so
+// that they can be learnt. With b > 0 it saturates and falls again. A share f of touch fades from one ridge
+// to the next: the slower the finger crosses ridges (a, their slowness), the less it feels of them, and
+// nothing as it moves along them.
 #pragma once
 
 namespace hrt {
 
 /// What a person feels of ridges.
 struct Illusion {
-  double weight;  ///< w: slope at 0
-  double curve;   ///< b: how much of the slope is gone at 75 degrees, over 3
+  double weight;          ///< w: slope at 0
+  double curve;           ///< b: how much of the slope is gone at 75 degrees, over 3
+  double fading = 0.0;    ///< f: share of touch that fades between ridges
+  double slowness = 0.0;  ///< a, >= 0; 0 for a finger so fast that nothing fades
 };
+
+/// a of a finger at `speed_mm_s` that has come `travelled_mm`, for ridges 10 mm apart: 1 at 17 mm/s, where
+/// half of what fades is felt across the ridges; large before a first ridge is crossed.
+double ridge_slowness(double speed_mm_s, double travelled_mm);
 
 /// Felt less true direction, degrees, and its derivatives.
 struct FeltShift {
@@ -20,6 +28,7 @@ struct FeltShift {
   double by_offset;  ///< d g / d t
   double by_weight;  ///< d g / d w
   double by_curve;   ///< d g / d b
+  double by_fading;  ///< d g / d f
 };
 
 /// The shift for ridges whose normal stands `offset_deg` (any finite angle) from the motion.

@@ -9,7 +9,7 @@ namespace {
 using T = PersonTrait;
 
 // Deviations by which a person may have changed since the last reach.
-constexpr double change[T::count] = {0.008, 0.012, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1};
+constexpr double change[T::count] = {0.008, 0.03, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1, 0.02};
 
 }  // namespace
 

@@ -16,6 +16,7 @@ struct PersonTrait {
     evenness,  ///< a
     heading,   ///< share of the goal's direction in which they set out
     log_rate,  ///< rho, natural logarithm of one over the duration in seconds
+    fading,    ///< f of the illusion
     count
   };
 };
@@ -27,7 +28,7 @@ struct TraitRange {
 };
 inline constexpr TraitRange trait_range[PersonTrait::count] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
                                                                {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},
-                                                               {-2.0, 2.0},   {-3.0, 2.4}};
+                                                               {-2.0, 2.0},   {-3.0, 2.4},   {-0.2, 1.0}};
 
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;

@@ -20,6 +20,7 @@ constexpr double slow_speed_mm_s = 20.0;
 constexpr double least_speed_mm_s = 5.0;
 constexpr double bias_density_deg2_s = 0.05;
 constexpr double illusion_density_s = 2e-5;
+constexpr double fading_density_s = 1e-4;
 constexpr double log_rate_density_s = 0.07;
 constexpr double place_density_mm2_s = 0.018;
 constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
@@ -28,8 +29,9 @@ constexpr double resting_density_mm2_s = 0.5;
 constexpr double first_direction_sd_deg = 2.0;
 
 constexpr PersonFilter::Index state_of[PersonTrait::count] = {
-    PersonFilter::weight, PersonFilter::curve,    PersonFilter::gain,    PersonFilter::bias,
-    PersonFilter::habit,  PersonFilter::evenness, PersonFilter::heading, PersonFilter::log_rate};
+    PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
+    PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
+    PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
 
 }  // namespace
 
@@ -82,6 +84,17 @@ double PersonFilter::goal_deg() const {
   return goal_deg(progress(state_(evenness), state_(phase)).share, state_(wander));
 }
 
+Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
+  return {.weight = state_(weight),
+          .curve = state_(curve),
+          .fading = state_(fading),
+          .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
+}
+
+double PersonFilter::mean_speed_mm_s() const {
+  return path_mm_ * exponential(state_(log_rate));
+}
+
 void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double rate = exponential(state_(log_rate));
   const bool arrived = state_(phase) >= 1.0;
@@ -89,7 +102,8 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const Progress middle = progress(state_(evenness), state_(phase) + 0.5 * rate * seconds);
   const double travel_mm = arrived ? 0.0 : path_mm_ * rate * middle.rate * seconds;
 
-  const FeltShift g = felt_shift(illusion(), felt_plate_deg - state_(direction));
+  const FeltShift g =
+      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
   const double k = state_(gain);
   const double felt_error_deg = state_(direction) + g.shift_deg - goal_deg(begun.share, state_(wander));
   // The error decays at this rate while the plate rests; to second order in time.
@@ -114,7 +128,8 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
     row(right) -= sine * travel + cosine * turn;
     row(away) += cosine * travel - sine * turn;
     row(direction) +=
-        seconds * (-decay_s * row(direction) - k * (g.by_weight * row(weight) + g.by_curve * row(curve)) -
+        seconds * (-decay_s * row(direction) -
+                   k * (g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading)) -
                    felt_error_deg * row(gain) +
                    k * (row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase)));
     row(phase) += rate * seconds * row(log_rate);
@@ -139,6 +154,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   covariance_(bias, bias) += bias_density_deg2_s * seconds;
   covariance_(weight, weight) += illusion_density_s * seconds;
   covariance_(curve, curve) += illusion_density_s * seconds;
+  covariance_(fading, fading) += fading_density_s * seconds;
   covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
   const double along_mm2_s = place_share_s * speed_mm_s * speed_mm_s;
   covariance_(right, right) += (place_density_mm2_s + along_mm2_s * sine * sine) * seconds;

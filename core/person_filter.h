@@ -48,6 +48,7 @@ class PersonFilter {
     habit,
     evenness,
     heading,
+    fading,
     size
   };
   using State = Eigen::Matrix<double, size, 1>;
@@ -79,7 +80,11 @@ class PersonFilter {
 
   const State& state() const { return state_; }
   const Covariance& covariance() const { return covariance_; }
-  Illusion illusion() const { return {state_(weight), state_(curve)}; }
+  /// At a speed of the finger, which has come `travelled_mm`.
+  Illusion illusion(double speed_mm_s, double travelled_mm) const;
+  /// At the mean speed of the reach, ridges having been crossed.
+  Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
+  double mean_speed_mm_s() const;
   double path_mm() const { return path_mm_; }
   double virtual_direction_deg() const { return virtual_direction_deg_; }
 

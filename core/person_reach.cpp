@@ -154,14 +154,15 @@ double PersonReach::seconds(std::int64_t time_ns) const {
 bool PersonReach::can_be_held() const {
   using F = PersonFilter;
   const F& filter = estimator_.filter();
-  const LargestShift largest = largest_shift(filter.illusion(), config_.control.bound_deg);
+  const Illusion illusion = filter.mean_illusion();
+  const LargestShift largest = largest_shift(illusion, config_.control.bound_deg);
   const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - reach_.real_direction_deg;
-  const FeltShift g = felt_shift(filter.illusion(), largest.offset_deg);
-  const double slopes[] = {g.by_weight, g.by_curve, gap_deg > 0.0 ? -1.0 : 1.0};
-  const F::Index unknowns[] = {F::weight, F::curve, F::bias};
+  const FeltShift g = felt_shift(illusion, largest.offset_deg);
+  const double slopes[] = {g.by_weight, g.by_curve, g.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
+  const F::Index unknowns[] = {F::weight, F::curve, F::fading, F::bias};
   double variance = 0.0;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j)
       variance += slopes[i] * slopes[j] * filter.covariance()(unknowns[i], unknowns[j]);
   return largest.shift_deg - std::abs(gap_deg) > least_margin_deg - margin_deviations * deviation(variance);
 }
@@ -175,8 +176,10 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   const bool begun = estimator_.motion() != FingerMotion::resting;
   const bool moving = estimator_.motion() == FingerMotion::moving;
   const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
+  const Progress p = progress(x(F::evenness), x(F::phase));
+  const Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
   const double felt_deg =
-      x(F::direction) + felt_shift(filter.illusion(), plate_.orientation_deg() - x(F::direction)).shift_deg;
+      x(F::direction) + felt_shift(illusion, plate_.orientation_deg() - x(F::direction)).shift_deg;
   const bool ends = begun && (!moving || x(F::phase) >= last_phase);
   const double miss_deg =
       ends ? bearing_deg(reach_.start, place) - reach_.real_direction_deg : decision_.predicted_miss_deg;

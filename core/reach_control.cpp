@@ -17,6 +17,8 @@ constexpr int arrival_nodes = 12;
 constexpr double change_weight_mm_deg = 0.08;
 // w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
 constexpr double weight_caution = 0.2;
+// The illusion is inverted for no less than this share of the mean speed.
+constexpr double least_speed_share = 0.2;
 
 // The finger as a plan carries it forward.
 struct Motion {
@@ -43,6 +45,8 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
                 .wander_deg = x(F::wander),
                 .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
+  const double mean_mm_s = filter.mean_speed_mm_s();
+  Illusion illusion{};
   const double now_deg = outlook.past.at(outlook.now_s);
   for (int i = 0; i < dead_time_steps; ++i) {
     const double felt_s = filter_s + (i + 0.5) * step_s - sensory_delay_s;
@@ -51,7 +55,8 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
     felt_plate_deg = felt_s <= outlook.now_s ? outlook.past.at(felt_s)
                                              : now_deg + ahead * (outlook.after_latency_deg - now_deg);
     const Progress p = progress(x(F::evenness), motion.phase + 0.5 * rate * step_s);
-    const FeltShift g = felt_shift(filter.illusion(), felt_plate_deg - motion.direction_deg);
+    illusion = filter.illusion(mean_mm_s * p.rate, filter.path_mm() * p.share);
+    const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
     const double felt_error_deg =
         motion.direction_deg + g.shift_deg - filter.goal_deg(p.share, motion.wander_deg);
     const double decay = k * step_s * std::max(0.0, 1.0 - g.by_offset);
@@ -62,7 +67,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
     motion.phase = std::min(1.0, motion.phase + rate * step_s);
     motion.wander_deg *= wander_kept;
   }
-  motion.shift_deg = felt_shift(filter.illusion(), felt_plate_deg - motion.direction_deg).shift_deg;
+  motion.shift_deg = felt_shift(illusion, felt_plate_deg - motion.direction_deg).shift_deg;
   return motion;
 }
 
@@ -121,8 +126,10 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
 
   const double moves_s = (1.0 - filter.state()(F::phase)) / exponential(filter.state()(F::log_rate));
   const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
-  const Illusion cautious{.weight = std::max(0.03, filter.state()(F::weight) - weight_caution * weight_sd),
-                          .curve = filter.state()(F::curve)};
+  // At rest nothing is felt: the plate stands for the motion to come.
+  const double mean_mm_s = filter.mean_speed_mm_s();
+  Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, least_speed_share), filter.path_mm());
+  cautious.weight = std::max(0.03, cautious.weight - weight_caution * weight_sd);
   const double largest_deg = largest_shift(cautious, config.bound_deg).shift_deg;
   const double given_deg = std::clamp(shift_deg, -largest_deg, largest_deg);
   return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),

@@ -208,7 +208,8 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
   return {.bearing_error_deg = error_deg,
           .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
           .peak_felt_error_deg = peak_deg,
-          .summary = controller ? controller->summary() : ReachSummary{}};
+          .summary = controller ? controller->summary() : ReachSummary{},
+          .learnt = std::nullopt};
 }
 
 }  // namespace
@@ -267,7 +268,10 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
     Retargeter retargeter(config);
     outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
                                       static_cast<std::uint32_t>(i)));
-    if (const auto learnt = retargeter.learnt()) config.person = carried(*learnt, unknown_person());
+    if (const auto learnt = retargeter.learnt()) {
+      config.person = carried(*learnt, unknown_person());
+      outcomes.back().learnt = config.person;
+    }
   }
   return outcomes;
 }
@@ -299,6 +303,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
   know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
   know(T::curve, curve, 0.015);
+  know(T::fading, person.steering == Steering::crossings ? 1.0 : 0.0, 0.02);
   know(T::gain, person.gain_per_s, 0.5);
   know(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
   know(T::habit, person.habit_deg, 0.5);

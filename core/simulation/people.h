@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -61,10 +62,11 @@ bool can_hold(const PersonCondition& condition);
 
 /// How a reach ended: truth, not estimate.
 struct PersonOutcome {
-  double bearing_error_deg;    ///< bearing of the end from the start, less the real direction
-  double miss_m;               ///< across the real direction, signed as bearing_error_deg
-  double peak_felt_error_deg;  ///< largest felt less virtual direction while the finger moves
-  ReachSummary summary;        ///< the controller's own account; zero without a controller
+  double bearing_error_deg;            ///< bearing of the end from the start, less the real direction
+  double miss_m;                       ///< across the real direction, signed as bearing_error_deg
+  double peak_felt_error_deg;          ///< largest felt less virtual direction while the finger moves
+  ReachSummary summary;                ///< the controller's own account; zero without a controller
+  std::optional<PersonBelief> learnt;  ///< what the next reach begins from, if this one taught anything
 };
 
 /// `reaches` of one person, one after another, each led by `controller` with what it has learnt; as

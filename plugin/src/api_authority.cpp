@@ -16,12 +16,14 @@ hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_t
   const bool arrival = core.mode == ControlMode::reach;
   const double bias_deg = arrival ? core.person.mean(PersonTrait::bias) : config.bias_deg;
   const double goal_deg = view(config, virtual_config).direction_deg + bias_deg;
-  const double gap_deg = wrap_deg(goal_deg - view(config, real).direction_deg, 360.0);
+  const Bearing seen = view(config, real);
+  const double gap_deg = wrap_deg(goal_deg - seen.direction_deg, 360.0);
   const Authority paper =
       steering_authority(goal_deg - gap_deg, goal_deg, config.tactile_weight, config.plate_bound_deg);
-  const Authority authority = arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg,
-                                                               illusion_of(config), config.motion_bound_deg)
-                                      : paper;
+  const Authority authority =
+      arrival ? authority_about_motion(goal_deg - gap_deg, goal_deg, illusion_of(config, seen.distance_m),
+                                       config.motion_bound_deg)
+              : paper;
   return {
       .struct_size = sizeof(hrt_authority),
       .reachable = authority.reachable ? 1u : 0u,

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <limits>
 
+#include "core/exponential.h"
 #include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
@@ -52,7 +53,7 @@ constexpr double least_tracker_noise_m = 1e-9;
 
 constexpr double default_tactile_weight = 0.2;
 
-static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_LOG_RATE == PersonTrait::log_rate &&
+static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_FADING == PersonTrait::fading &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
 
 PersonBelief person_of(const C& config) {
@@ -74,16 +75,27 @@ double limit_or_none(double limit) {
   return std::numeric_limits<double>::infinity();
 }
 
+constexpr const char* person_names[HRT_PERSON_TRAITS] = {
+    "person_mean[HRT_PERSON_WEIGHT]",  "person_mean[HRT_PERSON_CURVE]",    "person_mean[HRT_PERSON_GAIN]",
+    "person_mean[HRT_PERSON_BIAS]",    "person_mean[HRT_PERSON_HABIT]",    "person_mean[HRT_PERSON_EVENNESS]",
+    "person_mean[HRT_PERSON_HEADING]", "person_mean[HRT_PERSON_LOG_RATE]", "person_mean[HRT_PERSON_FADING]"};
+
 hrt_result check_person(const hrt_session_config& config) {
-  for (const double mean : config.person_mean)
-    HRT_RETURN_IF_FAILED(check_range("person_mean", mean, -100.0, 100.0));
   for (const double covariance : config.person_covariance)
     HRT_RETURN_IF_FAILED(check_range("person_covariance", covariance, -1e4, 1e4));
-  if (!knows_person(config) || holds_belief(config)) return HRT_OK;
+  if (!knows_person(config)) {
+    for (const double mean : config.person_mean)
+      HRT_RETURN_IF_FAILED(check_range("person_mean", mean, -100.0, 100.0));
+    return HRT_OK;
+  }
+  for (int i = 0; i < PersonTrait::count; ++i)
+    HRT_RETURN_IF_FAILED(
+        check_range(person_names[i], config.person_mean[i], trait_range[i].least, trait_range[i].most));
+  if (holds_belief(config)) return HRT_OK;
   return fail(
       HRT_ERROR_OUT_OF_RANGE,
-      "person_mean and person_covariance are no belief; allowed: weight in 0 to 1, gain above 0, log "
-      "rate -5 to 5, and the lower triangle of a positive definite matrix, or person_covariance all 0");
+      "person_covariance is not positive definite; allowed: the lower triangle, row by row, of a positive "
+      "definite matrix, or all 0");
 }
 
 }  // namespace
@@ -99,10 +111,7 @@ void forget_person(hrt_session_config* config) {
 }
 
 bool holds_belief(const hrt_session_config& config) {
-  const bool within = std::all_of(std::begin(config.person_mean), std::end(config.person_mean),
-                                  [](double mean) { return std::abs(mean) <= 100.0; });
-  return within && is_valid(person_of(config)) && config.person_mean[HRT_PERSON_GAIN] > 0.0 &&
-         std::abs(config.person_mean[HRT_PERSON_LOG_RATE]) <= 5.0;
+  return is_valid(person_of(config));
 }
 
 std::span<const NumberField> number_fields() {
@@ -230,9 +239,14 @@ void write_person(const PersonBelief& belief, hrt_session_config* config) {
   config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, most_weight_sd);
 }
 
-Illusion illusion_of(const hrt_session_config& config) {
+Illusion illusion_of(const hrt_session_config& config, double distance_m) {
   if (!knows_person(config)) return {config.tactile_weight, 0.0};
-  return {config.person_mean[HRT_PERSON_WEIGHT], config.person_mean[HRT_PERSON_CURVE]};
+  const double distance_mm = 1000.0 * distance_m;
+  return {.weight = config.person_mean[HRT_PERSON_WEIGHT],
+          .curve = config.person_mean[HRT_PERSON_CURVE],
+          .fading = config.person_mean[HRT_PERSON_FADING],
+          .slowness = ridge_slowness(distance_mm * exponential(config.person_mean[HRT_PERSON_LOG_RATE]),
+                                     distance_mm)};
 }
 
 PlateSurface surface_of(const hrt_session_config& config) {

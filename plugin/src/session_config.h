@@ -52,8 +52,9 @@ void forget_person(hrt_session_config* config);
 /// deviation.
 void write_person(const PersonBelief& belief, hrt_session_config* config);
 
-/// What is believed of the person's illusion: linear unless person_covariance holds something.
-Illusion illusion_of(const hrt_session_config& config);
+/// What is believed of the person's illusion on a path of that length: linear unless person_covariance holds
+/// something.
+Illusion illusion_of(const hrt_session_config& config, double distance_m);
 
 /// Of a checked configuration.
 RetargeterConfig to_core(const hrt_session_config& checked_config);

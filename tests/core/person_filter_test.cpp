@@ -65,7 +65,8 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
     double step;
   } cases[] = {{PersonTrait::weight, F::weight, 1e-4}, {PersonTrait::curve, F::curve, 1e-4},
                {PersonTrait::gain, F::gain, 1e-2},     {PersonTrait::bias, F::bias, 1e-3},
-               {PersonTrait::habit, F::habit, 1e-3},   {PersonTrait::heading, F::heading, 1e-4}};
+               {PersonTrait::habit, F::habit, 1e-3},   {PersonTrait::heading, F::heading, 1e-4},
+               {PersonTrait::fading, F::fading, 1e-3}};
   constexpr int steps = 30;
   constexpr double step_s = 0.002;
   for (const auto& c : cases) {

@@ -237,5 +237,24 @@ TEST(SimulationPeople, TheControllerLeadsLinearPeople) {
   EXPECT_EQ(unled, 0);
 }
 
+// People who feel a ridge only as they cross it and whose weight is ample: what carries to the fifth reach
+// says so, and brings them closer than without it.
+TEST(SimulationPeople, FadingTouchIsLearnt) {
+  const RetargeterConfig controller = people_controller();
+  double fading = 0.0;
+  int near = 0;
+  int people = 0;
+  for (std::uint32_t i = 0; people < 10; ++i) {
+    PersonCondition condition = draw("crossings", i);
+    if (!can_hold(condition)) continue;
+    ++people;
+    const auto outcomes = simulate_person(condition, &controller, 5, 1, i);
+    near += std::abs(outcomes.back().bearing_error_deg) <= 1.5;
+    fading += outcomes.back().learnt->mean(PersonTrait::fading) / 10.0;
+  }
+  EXPECT_GT(fading, 0.7);
+  EXPECT_GE(near, 7);
+}
+
 }  // namespace
 }  // namespace hrt

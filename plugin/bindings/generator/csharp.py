@@ -31,7 +31,7 @@ _TYPES = {"int32_t": "int", "uint32_t": "uint", "int64_t": "long", "uint64_t": "
           "size_t": "UIntPtr", "void": "void"}
 # Written by hand in Runtime/Values.cs.
 _ARRAYS = {("double", 3): "Double3", ("double", 4): "Double4", ("char", 64): "Name",
-           ("double", 8): "PersonMean", ("double", 36): "PersonCovariance"}
+           ("double", 9): "PersonMean", ("double", 45): "PersonCovariance"}
 _WIDTH = 110
 
 

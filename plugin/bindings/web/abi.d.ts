@@ -135,10 +135,12 @@ export declare const HRT_PERSON_EVENNESS = 5;
 export declare const HRT_PERSON_HEADING = 6;
 /** natural logarithm of one over a reach's duration in seconds */
 export declare const HRT_PERSON_LOG_RATE = 7;
+/** Share of touch that fades from one ridge to the next: 0 if all of the ridges is always felt, 1 if a ridge is felt as it is crossed and then fades. */
+export declare const HRT_PERSON_FADING = 8;
 /** Number of traits. */
-export declare const HRT_PERSON_TRAITS = 8;
+export declare const HRT_PERSON_TRAITS = 9;
 /** Numbers in the lower triangle of their covariance. */
-export declare const HRT_PERSON_COVARIANCES = 36;
+export declare const HRT_PERSON_COVARIANCES = 45;
 /** Maximum number of targets in a session. */
 export declare const HRT_TARGETS_MAX = 1000000;
 /** Bytes of a name, including the terminating zero. */
@@ -263,7 +265,7 @@ export interface hrt_session_config {
   motion_bound_deg: number;
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. Since version 0.3. */
   tracker_latency_ns: bigint;
-  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100 to 100. Default 0. Since version 0.3. */
+  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0: then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to 90, the habit -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to 2.4, the fading -0.2 to 1. Default 0. Since version 0.3. */
   person_mean: number[];
   /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since version 0.3. */
   person_covariance: number[];

@@ -60,8 +60,9 @@ export const HRT_PERSON_HABIT = 4;
 export const HRT_PERSON_EVENNESS = 5;
 export const HRT_PERSON_HEADING = 6;
 export const HRT_PERSON_LOG_RATE = 7;
-export const HRT_PERSON_TRAITS = 8;
-export const HRT_PERSON_COVARIANCES = 36;
+export const HRT_PERSON_FADING = 8;
+export const HRT_PERSON_TRAITS = 9;
+export const HRT_PERSON_COVARIANCES = 45;
 export const HRT_TARGETS_MAX = 1000000;
 export const HRT_NAME_SIZE = 64;
 export const HRT_TARGET_REAL = 1;
@@ -75,7 +76,7 @@ export const structs = Object.freeze({
   hrt_session: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_session_config: { size: 640, fields: {
+  hrt_session_config: { size: 720, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     horizon: {"offset": 4, "type": "u32"},
     step_period_ns: {"offset": 8, "type": "i64"},
@@ -108,8 +109,8 @@ export const structs = Object.freeze({
     max_felt_error_deg: {"offset": 264, "type": "f64"},
     motion_bound_deg: {"offset": 272, "type": "f64"},
     tracker_latency_ns: {"offset": 280, "type": "i64"},
-    person_mean: {"offset": 288, "type": "f64", "length": 8},
-    person_covariance: {"offset": 352, "type": "f64", "length": 36},
+    person_mean: {"offset": 288, "type": "f64", "length": 9},
+    person_covariance: {"offset": 360, "type": "f64", "length": 45},
   } },
   hrt_target: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},

@@ -62,10 +62,13 @@ typedef struct hrt_session {
 #define HRT_PERSON_EVENNESS 5 /**< of the pace: 0 minimum jerk, 1 even */
 #define HRT_PERSON_HEADING 6  /**< share of the goal's direction in which they set out */
 #define HRT_PERSON_LOG_RATE 7 /**< natural logarithm of one over a reach's duration in seconds */
+/** Share of touch that fades from one ridge to the next: 0 if all of the ridges is always felt, 1 if a ridge
+ * is felt as it is crossed and then fades. */
+#define HRT_PERSON_FADING 8
 /** Number of traits. */
-#define HRT_PERSON_TRAITS 8
+#define HRT_PERSON_TRAITS 9
 /** Numbers in the lower triangle of their covariance. */
-#define HRT_PERSON_COVARIANCES 36
+#define HRT_PERSON_COVARIANCES 45
 
 /** Configuration of a session. hrt_session_config_default() fills every field. */
 typedef struct hrt_session_config {
@@ -162,8 +165,9 @@ typedef struct hrt_session_config {
    *  version 0.3. */
   int64_t tracker_latency_ns;
   /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0:
-   * the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100 to 100.
-   * Default 0. Since version 0.3. */
+   * then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to 90, the habit
+   * -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to 2.4, the fading -0.2
+   * to 1. Default 0. Since version 0.3. */
   double person_mean[HRT_PERSON_TRAITS];
   /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an
    *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since

@@ -38,9 +38,12 @@ PERSON_HEADING = 6
 """share of the goal's direction in which they set out"""
 PERSON_LOG_RATE = 7
 """natural logarithm of one over a reach's duration in seconds"""
-PERSON_TRAITS = 8
+PERSON_FADING = 8
+"""Share of touch that fades from one ridge to the next: 0 if all of the ridges is always felt, 1 if a
+ridge is felt as it is crossed and then fades."""
+PERSON_TRAITS = 9
 """Number of traits."""
-PERSON_COVARIANCES = 36
+PERSON_COVARIANCES = 45
 """Numbers in the lower triangle of their covariance."""
 TARGETS_MAX = 1000000
 """Maximum number of targets in a session."""
@@ -340,8 +343,9 @@ class SessionConfig(Struct):
     tracker_latency_ns: Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s.
         Default 0. Since version 0.3.
     person_mean: What is believed of the person under GUIDANCE_ARRIVAL: PERSON_*. Read if person_covariance
-        is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to 5, the others -100
-        to 100. Default 0. Since version 0.3.
+        is not 0: then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to
+        90, the habit -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to
+        2.4, the fading -0.2 to 1. Default 0. Since version 0.3.
     person_covariance: Covariance of person_mean: the lower triangle, row by row; positive definite, up to
         1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read.
         Default 0. Since version 0.3.
@@ -416,8 +420,8 @@ class SessionConfig(Struct):
         ("max_felt_error_deg", c_double),
         ("motion_bound_deg", c_double),
         ("tracker_latency_ns", c_int64),
-        ("person_mean", c_double * 8),
-        ("person_covariance", c_double * 36),
+        ("person_mean", c_double * 9),
+        ("person_covariance", c_double * 45),
     )
 
 

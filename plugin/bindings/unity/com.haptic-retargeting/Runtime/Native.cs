@@ -32,10 +32,13 @@ namespace Hrt
         public const int PersonHeading = 6;
         /// <summary>natural logarithm of one over a reach's duration in seconds</summary>
         public const int PersonLogRate = 7;
+        /// <summary>Share of touch that fades from one ridge to the next: 0 if all of the ridges is always
+        /// felt, 1 if a ridge is felt as it is crossed and then fades.</summary>
+        public const int PersonFading = 8;
         /// <summary>Number of traits.</summary>
-        public const int PersonTraits = 8;
+        public const int PersonTraits = 9;
         /// <summary>Numbers in the lower triangle of their covariance.</summary>
-        public const int PersonCovariances = 36;
+        public const int PersonCovariances = 45;
         /// <summary>Maximum number of targets in a session.</summary>
         public const int TargetsMax = 1000000;
         /// <summary>Bytes of a name, including the terminating zero.</summary>
@@ -338,8 +341,9 @@ namespace Hrt
         /// Default 0. Since version 0.3.</summary>
         public long trackerLatencyNs;
         /// <summary>What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if
-        /// personCovariance is not 0: the weight in 0 to 1, the gain above 0, the logarithm of the rate -5 to
-        /// 5, the others -100 to 100. Default 0. Since version 0.3.</summary>
+        /// personCovariance is not 0: then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to
+        /// 20, the bias -90 to 90, the habit -45 to 45, the evenness 0 to 1, the heading -2 to 2, the
+        /// logarithm of the rate -3 to 2.4, the fading -0.2 to 1. Default 0. Since version 0.3.</summary>
         public PersonMean personMean;
         /// <summary>Covariance of personMean: the lower triangle, row by row; positive definite, up to 1e4.
         /// All 0: an unknown person, of whom only tactileWeight, tactileWeightSd and biasDeg are read.

@@ -45,7 +45,7 @@ namespace Hrt
         public override string ToString() => $"({x}, {y}, {z}, {w})";
     }
 
-    /// <summary>The traits of a person, in the order of Constants.PersonWeight to PersonLogRate.</summary>
+    /// <summary>The traits of a person, in the order of Constants.PersonWeight to PersonFading.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
     public struct PersonMean
@@ -58,6 +58,7 @@ namespace Hrt
         public double evenness;
         public double heading;
         public double logRate;
+        public double fading;
     }
 
     /// <summary>Their covariance: the lower triangle, row by row. Profiles hold and restore it.</summary>
@@ -68,7 +69,8 @@ namespace Hrt
         public double value0, value1, value2, value3, value4, value5, value6, value7, value8, value9,
             value10, value11, value12, value13, value14, value15, value16, value17, value18, value19,
             value20, value21, value22, value23, value24, value25, value26, value27, value28, value29,
-            value30, value31, value32, value33, value34, value35;
+            value30, value31, value32, value33, value34, value35, value36, value37, value38, value39,
+            value40, value41, value42, value43, value44;
     }
 
     /// <summary>A name of at most 63 bytes of UTF-8, ended by a zero: the library's char[64], as eight words of
