@@ -86,7 +86,7 @@ TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
 // Paths do not depend on when they were seen. A gap of 292 years has 10^16 steps of 1 ms.
 TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
   auto trials = simulate({}, 3);
-  const CalibrationConfig config{.step_period_ns = 1'000'000};
+  const CalibrationConfig config{.step_period_ns = 20'000'000};
   const Calibration timely = calibrated(trials, config);
   trials[7].samples.back().time_ns = std::numeric_limits<std::int64_t>::max();
   const Calibration late = calibrated(trials, config);
