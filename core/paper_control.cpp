@@ -16,15 +16,12 @@ MpcConfig with_plate(MpcConfig config, const PlateDynamics& plate, std::int64_t 
 
 }  // namespace
 
-PaperControl::PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns)
+PaperControl::PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
+                           double goal_direction_deg)
     : mpc_(with_plate(config, plate, step_period_ns)),
       latency_ns_(plate.latency_ns),
-      step_period_ns_(step_period_ns) {}
-
-void PaperControl::begin(double goal_direction_deg) {
-  mpc_ = Mpc(mpc_.config());
-  goal_direction_deg_ = goal_direction_deg;
-}
+      step_period_ns_(step_period_ns),
+      goal_direction_deg_(goal_direction_deg) {}
 
 bool PaperControl::plans_turns() const {
   return std::isfinite(mpc_.config().plate_rate_bound_deg);

@@ -11,15 +11,13 @@
 
 namespace hrt {
 
-/// Plans one reach after another. No heap, no lock, no exception. One thread at a time.
+/// Plans one reach. No heap, no lock, no exception. One thread at a time.
 class PaperControl {
  public:
   /// A turn within a step is bounded by what `plate` can do as well as by `config`. Requires valid arguments,
   /// a latency of at most `max_lead` steps.
-  PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns);
-
-  /// Starts a reach.
-  void begin(double goal_direction_deg);
+  PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
+               double goal_direction_deg);
 
   /// The orientation that the finger shall feel at the end of the first step that a command given now can
   /// change, planned about `centre_deg`, which feels like the goal. Steps before it end with `plate` as it is
@@ -34,7 +32,7 @@ class PaperControl {
   Mpc mpc_;
   std::int64_t latency_ns_;
   std::int64_t step_period_ns_;
-  double goal_direction_deg_ = 0.0;
+  double goal_direction_deg_;
 };
 
 }  // namespace hrt

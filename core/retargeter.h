@@ -1,23 +1,12 @@
-// One reach: the tracked fingertip in, the plate's orientation out. A sample passes through
-//   estimate (person_estimator), aim, plan (reach_control), limit (plate_limits), command
-// in a reach of a person (person_reach), and with the controller of the paper through
-//   estimate (reach_estimator), aim (authority), plan (paper_control), limit (plate_limits), command.
-//
-// Samples may come at any rate. Exact directions move the paper's controller once a model step; each position
-// moves either controller, since each refines the estimate. In between the command is held.
+// One reach after another: the tracked fingertip in, the plate's orientation out. Chooses who leads a reach:
+// the controller for people (person_reach) or the paper's (paper_reach).
 #pragma once
 
 #include <cstdint>
 #include <optional>
 
-#include "core/finger_sample.h"
-#include "core/paper_control.h"
-#include "core/person_belief.h"
+#include "core/paper_reach.h"
 #include "core/person_reach.h"
-#include "core/plate_limits.h"
-#include "core/plate_model.h"
-#include "core/reach.h"
-#include "core/reach_estimator.h"
 
 namespace hrt {
 
@@ -39,8 +28,8 @@ struct RetargeterConfig {
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
   PersonBelief person = unknown_person();     ///< whom the controller for people assumes
   ReachControlConfig reach;
-  std::int64_t tracker_latency_ns =
-      0;                     ///< from a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach
+  /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
+  std::int64_t tracker_latency_ns = 0;
   bool plate_waits = false;  ///< do not turn the plate before the finger moves; of ControlMode::reach
 };
 
@@ -65,9 +54,10 @@ class Retargeter {
   /// `finger_direction_deg` (finite). Requires begin(); not to be mixed with update() in one reach.
   PlateCommand step(double finger_direction_deg);
 
-  /// The last one; begin()'s before the first sample.
-  PlateCommand command() const { return person_ ? person_->command() : command_; }
-  ReachSummary summary() const;
+  /// The last one; begin()'s before the first sample. Requires begin().
+  PlateCommand command() const { return person_ ? person_->command() : paper_->command(); }
+  /// Requires begin().
+  ReachSummary summary() const { return person_ ? person_->summary() : paper_->summary(); }
   /// The reach is led by the controller for people.
   bool leads_person() const { return person_.has_value(); }
   /// What the reach says of the person, for carried(); none if it ended early, did not fit the model, or had
@@ -75,47 +65,13 @@ class Retargeter {
   std::optional<PersonBelief> learnt() const { return person_ ? person_->learnt() : std::nullopt; }
 
  private:
-  /// Where the finger is wanted.
-  struct Aim {
-    double direction_deg;
-    bool unreachable;
-  };
-  /// What the plate was last turned to, and for what.
-  struct Decision {
-    std::int64_t step = -1;
-    Aim aim;
-    PlateOrientation plate;
-  };
-  /// The finger as commands and summary show it.
-  struct Finger {
-    double direction_deg;
-    double perceived_direction_deg;
-    double tactile_weight;
-    double tactile_weight_sd;
-  };
-
   void lead_by_directions();
-  Aim aim(const ReachState& state) const;
-  PlateOrientation plan(const ReachState& state, const Aim& aim);
-  void decide(const Decision& decision);
-  Finger finger(const ReachState& state, double plate_orientation_deg) const;
-  PlateCommand publish(const ReachState& state, bool held);
-  double distance_to_go_m() const;
 
   RetargeterConfig config_;
   Reach reach_{};
-  double goal_deg_ = 0.0;
-  PlatePoint target_;
-  std::optional<PersonReach> person_;  // none under the paper's controller, and once directions are streamed
-  ReachEstimator estimator_;
-  PaperControl control_;
-  PlateLimits limits_;
-  PlateModel plate_;
-  Decision decision_{};
-  Finger finger_{};
-  PlateCommand command_;
-  std::int64_t saturated_steps_ = 0;  // without the last decision's
-  std::int64_t rate_limited_steps_ = 0;
+  // Of a reach one of the two: the paper's controller takes over if directions are streamed.
+  std::optional<PersonReach> person_;
+  std::optional<PaperReach> paper_;
 };
 
 }  // namespace hrt

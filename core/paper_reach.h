@@ -1,0 +1,87 @@
+// One reach under the controller of the paper. A sample passes through
+//   estimate (reach_estimator), aim (authority), plan (paper_control), limit (plate_limits), command.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/finger_sample.h"
+#include "core/paper_control.h"
+#include "core/plate_limits.h"
+#include "core/plate_model.h"
+#include "core/reach.h"
+#include "core/reach_estimator.h"
+
+namespace hrt {
+
+struct PaperReachConfig {
+  Participant participant;  ///< whom the controller assumes; w_T is where adaptation starts
+  MpcConfig mpc;
+  std::optional<double> fixed_plate_orientation_deg;  ///< the plate stays there, uncontrolled (paper Fig. 8)
+  EstimatorConfig estimator;
+  PlateDynamics plate;  ///< its latency at most `max_lead` steps
+  std::int64_t step_period_ns = 100'000'000;
+};
+
+/// Exact directions move the controller once a model step; each position moves it, since each refines the
+/// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
+class PaperReach {
+ public:
+  /// `commanded_deg` is the last command that the plate was given for this reach; none: it stands. Requires
+  /// valid arguments.
+  PaperReach(const PaperReachConfig& config, const Reach& reach, std::optional<double> commanded_deg = {});
+
+  /// Takes one sample in, not before the last one's.
+  PlateCommand update(const FingerSample& sample);
+
+  /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
+  /// (finite). Not to be mixed with update().
+  PlateCommand step(double finger_direction_deg);
+
+  PlateCommand command() const { return command_; }
+  ReachSummary summary() const;
+
+ private:
+  /// Where the finger is wanted.
+  struct Aim {
+    double direction_deg;
+    bool unreachable;
+  };
+  /// What the plate was last turned to, and for what.
+  struct Decision {
+    std::int64_t step = -1;
+    Aim aim;
+    PlateOrientation plate;
+  };
+  /// The finger as commands and summary show it.
+  struct Finger {
+    double direction_deg;
+    double perceived_direction_deg;
+    double tactile_weight;
+    double tactile_weight_sd;
+  };
+
+  PlateOrientation initial_plate(std::optional<double> commanded_deg) const;
+  Aim aim(const ReachState& state) const;
+  PlateOrientation plan(const ReachState& state, const Aim& aim);
+  void decide(const Decision& decision);
+  Finger finger(const ReachState& state, double plate_orientation_deg) const;
+  PlateCommand publish(const ReachState& state, bool held) const;
+  double distance_to_go_m() const;
+
+  PaperReachConfig config_;
+  Reach reach_;
+  double goal_deg_;
+  PlatePoint target_;
+  ReachEstimator estimator_;
+  PaperControl control_;
+  PlateModel plate_;
+  PlateLimits limits_;
+  Decision decision_;
+  Finger finger_;
+  PlateCommand command_;
+  std::int64_t saturated_steps_ = 0;  // without the last decision's
+  std::int64_t rate_limited_steps_ = 0;
+};
+
+}  // namespace hrt
