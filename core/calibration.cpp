@@ -34,7 +34,7 @@ struct Slide {
 // The 97.5 % point of Student's t, expanded about the normal's (Abramowitz and Stegun 26.7.5); to 0.003 from
 // 8 degrees on.
 double student_975(double degrees) {
-  constexpr double z = 1.959963984540054;
+  constexpr double z = normal_975;
   constexpr double z3 = z * z * z;
   constexpr double z5 = z3 * z * z;
   const double n = degrees;
@@ -283,7 +283,7 @@ Interval tracker_noise(const std::vector<Slide>& slides) {
   }
   const double noise_m = std::sqrt(variance_m2 / samples);
   // Two coordinates; neighbouring departures share samples, which is worth a factor of about two.
-  const double error = 1.96 * noise_m / std::sqrt(2.0 * samples);
+  const double error = normal_975 * noise_m / std::sqrt(2.0 * samples);
   return {noise_m, noise_m - error, noise_m + error, true};
 }
 

@@ -34,6 +34,14 @@ struct Interval {
   bool known = true;
 };
 
+/// The normal quantile of 0.975.
+inline constexpr double normal_975 = 1.959963984540054;
+
+/// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
+inline double deviation_of_interval(double lower, double upper) {
+  return (upper - lower) / (2.0 * normal_975);
+}
+
 /// The second half of one slide: its direction, and what the fit makes of it.
 struct Chord {
   double plate_orientation_deg;

@@ -183,7 +183,7 @@ class Checker {
     return "node " +
            (name != nodes[index].end() && name->is_string() && !name->get_ref<const std::string&>().empty()
                 ? in_quotes(name->get_ref<const std::string&>())
-                : in_brackets(index));
+                : "[" + std::to_string(index) + "]");
   }
 
   // Each is an integer in [0, count).

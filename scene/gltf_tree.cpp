@@ -151,8 +151,7 @@ class Walk {
     for (std::size_t i = 0; i < depth; ++i) {
       const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(ancestors_[i])];
       result += i == 0 ? "" : "/";
-      result +=
-          node.name.empty() ? in_brackets(static_cast<std::size_t>(ancestors_[i])) : printable(node.name);
+      result += node.name.empty() ? "[" + std::to_string(ancestors_[i]) + "]" : printable(node.name);
     }
     return result;
   }

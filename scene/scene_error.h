@@ -1,7 +1,6 @@
 // Messages of refusal.
 #pragma once
 
-#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -17,13 +16,10 @@ class SceneError : public std::runtime_error {
 /// `text` with control characters as '?'.
 std::string printable(std::string_view text);
 
-/// `text` in double quotes for a message: printable, cut after at most 80 bytes.
+/// `text` in double quotes for a message: printable, cut after 80 characters of UTF-8.
 std::string in_quotes(std::string_view text);
 
-/// A number for a message: six digits, in the "C" locale.
+/// A number for a message: six digits, whatever the locale.
 std::string number_text(double value);
-
-/// An index as `[7]`: stands for a missing name.
-std::string in_brackets(std::size_t index);
 
 }  // namespace hrt

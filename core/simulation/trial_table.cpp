@@ -48,7 +48,6 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
   const RetargeterConfig& controller = condition.controller;
   const bool biased = condition.participant.bias_deg != 0.0 || controller.participant.bias_deg != 0.0;
   if (biased || !looks_at_direction_alone(controller) || !stays_in_range(condition)) return std::nullopt;
-  const double w = condition.participant.tactile_weight;
   TrialTable table;
   table.real_offset_deg_ = condition.real_direction_deg - condition.virtual_direction_deg;
   table.virtual_direction_deg_ = condition.virtual_direction_deg;
@@ -80,7 +79,12 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
     if (!law) return std::nullopt;
     std::vector<PiecewiseLinear::Node> nodes = law->plate_offset_deg.nodes();
     for (PiecewiseLinear::Node& node : nodes)
-      node.value = node.x - felt.gain * (w * node.value + (1.0 - w) * node.x);
+      node.value = node.x + participant_step({.tactile_weight = condition.participant.tactile_weight,
+                                              .gain = felt.gain,
+                                              .goal_direction_deg = 0.0,
+                                              .plate_orientation_deg = node.value,
+                                              .finger_direction_deg = node.x})
+                                .motor_command_deg;
     const PiecewiseLinear next(std::move(nodes));
 
     Step step{

@@ -175,9 +175,8 @@ hrt_result check_interval(const char* field, const hrt_interval& interval) {
               " to ", interval.upper, "; allowed: a value within its interval");
 }
 
-// The standard deviation whose 95 % interval this is.
 double sd_of(const hrt_interval& interval) {
-  return (interval.upper - interval.lower) / (2.0 * 1.96);
+  return deviation_of_interval(interval.lower, interval.upper);
 }
 
 // What a checked result makes of a configuration.

@@ -14,21 +14,22 @@ constexpr const char* description =
     "numbers are simulation.";
 
 constexpr const char* exit_codes =
-    "Exit codes:\n"
-    "  0  the fingertip ended inside every target that can be held\n"
-    "  1  it ended outside of one\n"
-    "  2  the command line is wrong\n"
-    "  3  the plugin cannot be opened, or refused\n"
-    "  4  the scene cannot be loaded, or has no such target\n"
-    "  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest)\n"
-    "  6  the runtime has no headless sessions or no hand tracking\n"
-    "  7  the runtime failed, was lost too often, ended the session, or kept it from running\n"
-    "  8  no fingertip came to the start, or a reach did not end, in time\n"
-    "  9  the plate's device failed\n"
-    " 10  a file, or the standard output, cannot be written\n"
-    " 11  the runtime did not return from xrWaitFrame\n"
-    " 70  anything else\n"
-    "130  interrupted (Ctrl-C)\n";
+    R"(Exit codes:
+  0  the fingertip ended inside every target that can be held
+  1  it ended outside of one
+  2  the command line is wrong
+  3  the plugin cannot be opened, or refused
+  4  the scene cannot be loaded, or has no such target
+  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest)
+  6  the runtime has no headless sessions or no hand tracking
+  7  the runtime failed, was lost too often, ended the session, or kept it from running
+  8  no fingertip came to the start, or a reach did not end, in time
+  9  the plate's device failed
+ 10  a file, or the standard output, cannot be written
+ 11  the runtime did not return from xrWaitFrame
+ 70  anything else
+130  interrupted (Ctrl-C)
+)";
 
 // CLI11's own range lets NaN through.
 CLI::Validator between(double low, double high, const std::string& range) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <optional>
 #include <string>
 
 #include "samples/reach/exit_code.h"
+#include "samples/reach/format.h"
 
 namespace hrt::reach {
 namespace {
@@ -21,9 +21,7 @@ constexpr XrDuration settle_ns = 300'000'000;
 constexpr double rest_m = 0.004;  // a finger that has moved less in settle_ns is at rest
 
 std::string within_s(XrDuration limit_ns) {
-  char text[32];
-  std::snprintf(text, sizeof text, "within %g s", static_cast<double>(limit_ns) * 1e-9);
-  return text;
+  return format("within %g s", static_cast<double>(limit_ns) * 1e-9);
 }
 
 double distance_along_plate_m(const Point& a, const Point& b) {

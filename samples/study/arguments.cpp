@@ -186,6 +186,11 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::string* value
   });
 }
 
+CLI::Option* add_out(CLI::App& app, std::string* path) {
+  return add_path(app, "--out", path, "a file in a folder that can be written",
+                  "Write there instead of to standard output.");
+}
+
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads) {
   *threads = std::max(1U, std::thread::hardware_concurrency());
   return add_integer(app, "--threads", threads, 1, 256,

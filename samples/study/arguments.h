@@ -77,6 +77,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string* val
 CLI::Option* add_path(CLI::App& app, const std::string& name, std::string* value, const std::string& what,
                       const std::string& help);
 
+/// Adds --out, a file.
+CLI::Option* add_out(CLI::App& app, std::string* path);
+
 /// Adds --threads; the default is every processor.
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads);
 

@@ -52,14 +52,14 @@ int main(int argc, char** argv) {
       "hrt-study");
   format_help(app);
   app.footer(
-      "Start with:\n"
-      "  hrt-study table1                 the paper's Table I beside the model\n"
-      "  hrt-study trial                  one reach, step by step\n"
-      "  hrt-study report --out report    figures and a page that shows them all\n"
-      "\n"
-      "'hrt-study SUBCOMMAND --help' lists what each takes. Directions are in degrees from the plate's\n"
-      "mid-line (straight away from the participant), counter-clockwise positive seen from above.\n"
-      "Exit codes: 0 done, 1 failed, 2 an argument is wrong.");
+      R"(Start with:
+  hrt-study table1                 the paper's Table I beside the model
+  hrt-study trial                  one reach, step by step
+  hrt-study report --out report    figures and a page that shows them all
+
+'hrt-study SUBCOMMAND --help' lists what each takes. Directions are in degrees from the plate's
+mid-line (straight away from the participant), counter-clockwise positive seen from above.
+Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   app.set_version_flag("--version", HRT_STUDY_VERSION, "Print the version and exit.");
   app.set_help_flag("-h,--help", "Print this and exit.");
   app.require_subcommand(1);

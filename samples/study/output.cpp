@@ -3,13 +3,13 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
 #include <cstdio>
 #include <cstring>
-#include <stdexcept>
+#include <fstream>
+#include <sstream>
 
 #include "samples/study/arguments.h"
 
@@ -19,10 +19,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int bar_width = 30;
-
-std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
-  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
-}
 
 std::filesystem::path temporary_beside(const std::filesystem::path& path) {
   return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".tmp");
@@ -43,12 +39,15 @@ std::string fixed(double value, int decimals) {
   return {text.data(), end};
 }
 
-std::string right(std::string_view text, std::size_t width) {
-  return std::string(width - std::min(width, text.size()), ' ') + std::string(text);
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
 }
 
-std::string left(std::string_view text, std::size_t width) {
-  return std::string(text) + std::string(width - std::min(width, text.size()), ' ');
+std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
+  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
 }
 
 int write_all(int file, std::string_view content) {

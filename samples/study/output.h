@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -16,9 +17,11 @@ std::string number(double value);
 /// `value` with `decimals` digits after the point.
 std::string fixed(double value, int decimals);
 
-/// `text` with spaces before it, or after it, to at least `width` characters.
-std::string right(std::string_view text, std::size_t width);
-std::string left(std::string_view text, std::size_t width);
+/// The content of a file; empty if it can't be read.
+std::string read_file(const std::filesystem::path& path);
+
+/// "cannot write `path`: ..." with the text of an errno.
+std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 
 /// Puts `content` in the place of `path` in one step: it is written to a temporary file beside it, which is
 /// then renamed. Throws std::runtime_error, and leaves nothing behind, if that fails.

@@ -6,6 +6,8 @@
 #include <limits>
 #include <thread>
 
+#include "core/calibration.h"
+
 namespace hrt::study {
 namespace {
 
@@ -25,7 +27,6 @@ double true_weight(const PersonCondition& condition) {
 }
 
 ReachResult result(const PersonCondition& condition, const PersonOutcome& outcome) {
-  constexpr double z = 1.959963984540054;  // the normal quantile of 0.975
   const ReachSummary& summary = outcome.summary;
   const double weight_sd = summary.estimate.tactile_weight_sd;
   const double weight_error = summary.estimate.tactile_weight - true_weight(condition);
@@ -37,7 +38,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .misfit = summary.misfit,
           .off_target = summary.off_target,
           .weight_estimated = summary.person.has_value() && weight_sd > 0.0,
-          .weight_covered = std::abs(weight_error) <= z * weight_sd};
+          .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd};
 }
 
 PersonResults simulate(const PeopleFamily& family, double duration_s, std::uint64_t seed,
@@ -58,35 +59,14 @@ PersonResults simulate(const PeopleFamily& family, double duration_s, std::uint6
 }  // namespace
 
 const char* leading_name(Leading leading) {
-  switch (leading) {
-    case Leading::none:
-      return "none";
-    case Leading::paper:
-      return "paper";
-    case Leading::first:
-      return "first";
-    case Leading::fifth:
-      return "fifth";
-    case Leading::informed:
-      return "informed";
-  }
-  return "";
+  static constexpr const char* names[] = {"none", "paper", "first", "fifth", "informed"};
+  return names[static_cast<std::size_t>(leading)];
 }
 
 const char* leading_title(Leading leading) {
-  switch (leading) {
-    case Leading::none:
-      return "no controller";
-    case Leading::paper:
-      return "the paper's";
-    case Leading::first:
-      return "ours, first reach";
-    case Leading::fifth:
-      return "ours, fifth reach";
-    case Leading::informed:
-      return "ours, informed";
-  }
-  return "";
+  static constexpr const char* titles[] = {"no controller", "the paper's", "ours, first reach",
+                                           "ours, fifth reach", "ours, informed"};
+  return titles[static_cast<std::size_t>(leading)];
 }
 
 bool ReachResult::near() const {

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <limits>
 
+#include "core/calibration.h"
+
 namespace hrt::study {
 
 PercentInterval wilson_interval(double percent, double trials) {
-  constexpr double z = 1.959963984540054;  // the normal quantile of 0.975
+  constexpr double z = normal_975;
   const double p = percent / 100.0;
   const double shrink = 1.0 / (1.0 + z * z / trials);
   const double centre = shrink * (p + z * z / (2.0 * trials));

@@ -7,10 +7,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
-#include <stdexcept>
 
 #include "samples/study/arguments.h"
 #include "samples/study/output.h"
@@ -43,17 +39,6 @@ Known recognise(std::string_view text, const SweepFile::Content& content) {
   }
 }
 
-std::string read(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-std::runtime_error cannot_write(const std::filesystem::path& path) {
-  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(errno));
-}
-
 }  // namespace
 
 SweepFile::SweepFile(const std::string& argument, const std::string& path, const Content& content) {
@@ -67,7 +52,7 @@ SweepFile::SweepFile(const std::string& argument, const std::string& path, const
   };
 
   if (std::filesystem::exists(path_)) {
-    const std::string text = read(path_);
+    const std::string text = read_file(path_);
     const Known known = recognise(text, content);
     if (known.rows != content.rows || known.bytes != text.size())
       throw refuse(path_, "holds something else; delete it to write it anew");
@@ -82,7 +67,7 @@ SweepFile::SweepFile(const std::string& argument, const std::string& path, const
   // Another process may have given the file its final name since it was opened here.
   const bool is_ours = flock(file_, LOCK_EX | LOCK_NB) == 0 && fstat(file_, &opened) == 0 &&
                        stat(partial_.c_str(), &named) == 0 && opened.st_ino == named.st_ino;
-  const std::string text = is_ours ? read(partial_) : "";
+  const std::string text = is_ours ? read_file(partial_) : "";
   const Known known = recognise(text, content);
   if (!is_ours || known.foreign) {
     close(file_);
@@ -91,8 +76,9 @@ SweepFile::SweepFile(const std::string& argument, const std::string& path, const
   }
   rows_ = known.rows;
   if (ftruncate(file_, static_cast<off_t>(known.bytes)) != 0 || lseek(file_, 0, SEEK_END) < 0) {
+    const int error = errno;
     close(file_);
-    throw cannot_write(partial_);
+    throw cannot_write(partial_, error);
   }
   try {
     if (known.bytes == 0) append(content.header);
@@ -107,11 +93,11 @@ SweepFile::~SweepFile() {
 }
 
 void SweepFile::append(std::string_view text) {
-  if (write_all(file_, text) != 0) throw cannot_write(partial_);
+  if (const int error = write_all(file_, text); error != 0) throw cannot_write(partial_, error);
 }
 
 void SweepFile::finish() {
-  if (rename(partial_.c_str(), path_.c_str()) != 0) throw cannot_write(path_);
+  if (rename(partial_.c_str(), path_.c_str()) != 0) throw cannot_write(path_, errno);
 }
 
 }  // namespace hrt::study

@@ -368,15 +368,13 @@ TEST(SceneRefusal, NamesThatAreNoText) {
   EXPECT_EQ(scene.targets[0].node_path, "a?b");
 }
 
-// Two bytes each: 80 bytes hold 40, and with an "a" before them 39 and no half.
+// 80 of two bytes each.
 TEST(SceneRefusal, LongTextIsCutBetweenCharacters) {
   std::string text;
-  for (int i = 0; i < 50; ++i) {
-    text += "\u00fc";
-  }
-  EXPECT_EQ(in_quotes(text), std::string(1, '"').append(text, 0, 80).append("...\""));
-  EXPECT_EQ(in_quotes("a" + text), std::string("\"a").append(text, 0, 78).append("...\""));
-  EXPECT_EQ(in_quotes(text.substr(0, 80)), std::string(1, '"').append(text, 0, 80).append("\""));
+  for (int i = 0; i < 80; ++i) text += "\u00fc";
+  EXPECT_EQ(in_quotes(text), '"' + text + '"');
+  EXPECT_EQ(in_quotes(text + "\u00fc"), '"' + text + "...\"");
+  EXPECT_EQ(in_quotes("a" + text), "\"a" + text.substr(0, 158) + "...\"");
 }
 
 TEST(SceneRefusal, MessagesHoldNoControlCharacters) {

@@ -5,7 +5,8 @@
 
 #include <cstdio>
 
-#include "samples/reach/output/text.h"
+#include "samples/reach/format.h"
+#include "samples/text.h"
 
 namespace hrt::reach {
 namespace {

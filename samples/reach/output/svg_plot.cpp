@@ -4,7 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "samples/reach/output/text.h"
+#include "samples/reach/format.h"
+#include "samples/text.h"
 
 namespace hrt::reach {
 namespace {
@@ -14,21 +15,6 @@ constexpr double title_px = 44.0;   // above the plate
 constexpr double footer_px = 82.0;  // below all panels
 constexpr std::size_t columns = 3;
 constexpr double pi = std::numbers::pi;
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<')
-      result += "&lt;";
-    else if (c == '&')
-      result += "&amp;";
-    else if (c == '"')
-      result += "&quot;";
-    else
-      result += static_cast<unsigned char>(c) < 0x20 ? '?' : c;
-  }
-  return result;
-}
 
 std::string text_at(double x, double y, const std::string& attributes, const std::string& text) {
   return format("<text x=\"%.1f\" y=\"%.1f\" ", x, y) + attributes + ">" + escaped(text) + "</text>\n";

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "samples/reach/output/text.h"
+#include "samples/reach/format.h"
+#include "samples/text.h"
 
 namespace hrt::reach {
 namespace {
@@ -38,15 +39,15 @@ Table::Table(const std::vector<TargetPair>& pairs)
 }
 
 void Table::print_header(std::ostream& out) const {
-  out << padded_to("virtual", virtual_width_) << format(" %6s  ", "deg") << padded_to("real", real_width_)
+  out << left("virtual", virtual_width_) << format(" %6s  ", "deg") << left("real", real_width_)
       << format(" %6s  %9s %8s %8s %7s  %5s %7s %7s %7s %5s %6s\n", "deg", "final deg", "peak deg",
                 "miss deg", "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
 }
 
 void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
-  out << padded_to(pair.virtual_name, virtual_width_)
+  out << left(cut_to(pair.virtual_name, virtual_width_), virtual_width_)
       << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
-      << padded_to(pair.real_name, real_width_)
+      << left(cut_to(pair.real_name, real_width_), real_width_)
       << format(" %+6.1f  %+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s",
                 without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
@@ -63,17 +64,13 @@ void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResu
 }
 
 void Table::print_legend(std::ostream& out) const {
-  out << "final: direction of the finger at the end. peak: largest felt less virtual direction while the "
-         "finger\n"
-         "moves. miss: bearing of the fingertip's end, seen from the start, minus the real target's, and "
-         "the\n"
-         "distance along the plate between the two. touch: share of touch in what the user feels; assumed: "
-         "the\n"
-         "controller's estimate of touch. holds: largest gap, in degrees, that a plate can hold for this "
-         "user.\n"
-         "lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended "
-         "inside\n"
-         "the real target's radius. flag: as the controller reports.\n";
+  out << R"(final: direction of the finger at the end. peak: largest felt less virtual direction while the finger
+moves. miss: bearing of the fingertip's end, seen from the start, minus the real target's, and the
+distance along the plate between the two. touch: share of touch in what the user feels; assumed: the
+controller's estimate of touch. holds: largest gap, in degrees, that a plate can hold for this user.
+lost: frames without a tracked finger. bound: steps with the plate at a limit. reached: ended inside
+the real target's radius. flag: as the controller reports.
+)";
 }
 
 void Tally::add(const TargetPair& pair, const ReachResult& result) {

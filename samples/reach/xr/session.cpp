@@ -1,11 +1,11 @@
 #include "samples/reach/xr/session.h"
 
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <thread>
 
 #include "samples/reach/exit_code.h"
+#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
 
 namespace hrt::reach {
@@ -23,9 +23,7 @@ constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames h
 }
 
 std::string within(std::chrono::milliseconds limit) {
-  char text[32];
-  std::snprintf(text, sizeof text, "within %g s", static_cast<double>(limit.count()) * 1e-3);
-  return text;
+  return format("within %g s", static_cast<double>(limit.count()) * 1e-3);
 }
 
 bool can_be_observed(const XrHandJointLocationEXT& joint) {

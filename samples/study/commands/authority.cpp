@@ -8,6 +8,7 @@
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -124,16 +125,15 @@ void add_authority(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
       app, "authority", "The gaps between real and virtual target that can be held, over the tactile weight.",
-      "The largest gap is the largest shift of the felt direction: w_T times the bound for a linear\n"
-      "illusion, with the plate bounded about the motion, as our controller keeps it. The paper bounds it\n"
-      "about the virtual direction (fields paper_...). Studies with people cover ridges within 60 deg of "
-      "the\n"
-      "motion: beyond_human_data marks what needs more. Offsets are from the virtual direction; the real\n"
-      "one lies at minus the gap. All is from the model; there was no human trial of the controller.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study authority\n"
-      "  hrt-study authority --tactile-weight 0.05:0.45:9 --gap 10 --format csv --out map.csv",
+      R"(The largest gap is the largest shift of the felt direction: w_T times the bound for a linear
+illusion, with the plate bounded about the motion, as our controller keeps it. The paper bounds it
+about the virtual direction (fields paper_...). Studies with people cover ridges within 60 deg of the
+motion: beyond_human_data marks what needs more. Offsets are from the virtual direction; the real
+one lies at minus the gap. All is from the model; there was no human trial of the controller.
+
+Examples:
+  hrt-study authority
+  hrt-study authority --tactile-weight 0.05:0.45:9 --gap 10 --format csv --out map.csv)",
       [options] {
         const Output output("--out", options->out);
         output.write(options->format == "csv"    ? csv(*options)
@@ -148,8 +148,7 @@ void add_authority(CLI::App& app) {
   add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
              "How far the paper's plate turns from the virtual direction, deg.");
   add_choice(command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

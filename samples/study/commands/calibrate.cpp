@@ -89,26 +89,22 @@ void run(Options options) {
 
 void add_calibrate(CLI::App& app) {
   const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(
-      app, "calibrate", "A participant's parameters from slides over a plate at rest.",
-      "FILE is CSV with a header that names " + std::string(calibration_header) +
-          ":\na row a tracked position of the fingertip (right of and away along the mid-line), the rows of "
-          "a "
-          "trial\ntogether, its time increasing. Lines that start with # and other columns are passed over.\n"
-          "\n"
-          "Let the person slide to one target, eight to ten times at each of the plate orientations -60, "
-          "-30, "
-          "0,\n"
-          "30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed "
-          "are\n"
-          "ten such slides at three orientations that span 40 deg. If the data do not suffice, the reason is "
-          "on\n"
-          "standard error, and the exit code is 1.\n"
-          "\n"
-          "Examples:\n"
-          "  hrt-study calibrate me.csv --plot me.svg --profile me.json\n"
-          "  hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json",
-      [options] { run(*options); });
+  CLI::App& command =
+      add_command(app, "calibrate", "A participant's parameters from slides over a plate at rest.",
+                  "FILE is CSV with a header that names " + std::string(calibration_header) +
+                      R"(:
+a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
+together, its time increasing. Lines that start with # and other columns are ignored.
+
+Let the person slide to one target, eight to ten times at each of the plate orientations -60, -30, 0,
+30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are
+ten such slides at three orientations that span 40 deg. If the data do not suffice, the reason is on
+standard error, and the exit code is 1.
+
+Examples:
+  hrt-study calibrate me.csv --plot me.svg --profile me.json
+  hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json)",
+                  [options] { run(*options); });
   require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
   add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
              "Direction of the goal, deg. Best 0: off the mid-line the motor variance is overestimated.");
@@ -118,8 +114,7 @@ void add_calibrate(CLI::App& app) {
            "Draw directions and residuals there. Needs gnuplot.");
   add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
            "Write a profile there that the plugin loads (hrt_profile_load).");
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

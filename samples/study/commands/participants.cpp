@@ -78,13 +78,13 @@ void add_participants(CLI::App& app) {
   CLI::App& command = add_command(
       app, "participants", "Simulated calibration data as CSV: slides over a plate at rest, for 'calibrate'.",
       "Each row is a tracked position: " + std::string(calibration_header) +
-          ".\nTime 0 is when the finger starts to move; before it the finger rests on the plate.\n"
-          "Several tactile weights make as many participants, each a file participant_N.csv in the folder.\n"
-          "\n"
-          "Examples:\n"
-          "  hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate "
-          "me.csv\n"
-          "  hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/",
+          R"(.
+Time 0 is when the finger starts to move; before it the finger rests on the plate.
+Each of several tactile weights makes a participant, a file participant_N.csv in the folder.
+
+Examples:
+  hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv
+  hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/)",
       [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,

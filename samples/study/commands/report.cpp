@@ -52,12 +52,12 @@ void add_report(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
       app, "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.",
-      "Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which holds all\n"
-      "pictures itself. Needs gnuplot. Files of these names are replaced.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study report --out report\n"
-      "  hrt-study report --out quick --trials 1000",
+      R"(Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which contains
+all pictures. Needs gnuplot. Files of these names are replaced.
+
+Examples:
+  hrt-study report --out report
+  hrt-study report --out quick --trials 1000)",
       [options] { run(*options); });
   require(add_path(command, "--out", &options->out, "a folder that can be written",
                    "Folder for the files; made if missing."));

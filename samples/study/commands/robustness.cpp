@@ -16,6 +16,7 @@
 #include "samples/study/figures/robustness_page.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -270,32 +271,30 @@ void add_robustness(CLI::App& app) {
   for (const PeopleFamily& family : people_families()) options->families.push_back(&family);
   CLI::App& command = add_command(
       app, "robustness", "The controllers on simulated people who differ from what they assume.",
-      "Answers: of the people of a family, how many arrive at the real target, how far off are the others,\n"
-      "how large an error do they feel, and does the controller flag a reach that fails? Each person "
-      "reaches\n"
-      "without a controller; with the paper's; five times with ours, which starts without knowledge of the\n"
-      "person and carries what it learns; and once with ours informed of the person's traits, which shows\n"
-      "what is lost by not knowing them. All is simulation; there was no human trial.\n"
-      "\n"
-      "The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a line "
-      "for\n"
-      "each family, duration and controller: that share with its 95 % interval (Wilson), the miss across\n"
-      "the real direction, the largest felt error, unreachable found and false, model does not fit, off\n"
-      "target, silent misses (off target and no flag), and how often the 95 % interval of w_T covers the\n"
-      "person's, which is 95 if the interval is honest. People who cannot hold the gap, whatever the plate\n"
-      "does, are counted apart. A field without a value is empty (CSV) or null (JSON).\n"
-      "\n"
-      "With --out there is a folder of robustness.csv, robustness.json, a picture for each duration (.svg\n"
-      "and .png) and robustness.html, one file with everything in it. Needs gnuplot.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study robustness\n"
-      "  hrt-study robustness --family linear,place --durations 1.5 --people 1000\n"
-      "  hrt-study robustness --people 1000 --format csv > robustness.csv\n"
-      "  hrt-study robustness --out robustness\n"
-      "\n"
-      "Families (*: kept apart from the search for our controller's numbers):\n" +
-          family_list(),
+      R"(Answers: of the people of a family, how many arrive at the real target, how far off are the others,
+how large an error do they feel, and does the controller flag a reach that fails? Each person reaches
+without a controller; with the paper's; five times with ours, which starts without knowledge of the
+person and carries what it learns; and once with ours informed of the person's traits, which shows
+what is lost by not knowing them. All is simulation; there was no human trial.
+
+The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a line for
+each family, duration and controller: that share with its 95 % interval (Wilson), the miss across
+the real direction, the largest felt error, unreachable found and false, model does not fit, off
+target, silent misses (off target and no flag), and how often the 95 % interval of w_T covers the
+person's, which is 95 if the interval is honest. People who cannot hold the gap, whatever the plate
+does, are counted apart. A field without a value is empty (CSV) or null (JSON).
+
+--out makes a folder with robustness.csv, robustness.json, a picture for each duration (.svg and
+.png) and robustness.html, which contains everything. Needs gnuplot.
+
+Examples:
+  hrt-study robustness
+  hrt-study robustness --family linear,place --durations 1.5 --people 1000
+  hrt-study robustness --people 1000 --format csv > robustness.csv
+  hrt-study robustness --out robustness
+
+Families (*: kept apart from the search for our controller's numbers):
+)" + family_list(),
       [options] { run(*options); });
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", &robustness.people, 1, 100'000,

@@ -11,6 +11,7 @@
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -52,7 +53,7 @@ std::string text(const Scene& scene, const Options& options) {
           " mm, z " + millimetres(scene.start_m.z) + " mm from the plate's centre\n\n";
 
   std::size_t widest = 6;
-  for (const SceneTarget& target : scene.targets) widest = std::max(widest, target.name.size());
+  for (const SceneTarget& target : scene.targets) widest = std::max(widest, length_of(target.name));
   page += left("target", widest) + "  kind     direction  distance  height  node\n";
   page += left("", widest) + "                 deg        mm      mm\n";
   for (const SceneTarget& target : scene.targets)
@@ -124,11 +125,11 @@ void add_scene(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command =
       add_command(app, "scene", "What a glTF scene holds, and which of its pairs can be held.",
-                  "scene/README.md lists the properties of the file.\n"
-                  "\n"
-                  "Examples:\n"
-                  "  hrt-study scene samples/scenes/desk.gltf\n"
-                  "  hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json",
+                  R"(scene/README.md lists the properties of the file.
+
+Examples:
+  hrt-study scene samples/scenes/desk.gltf
+  hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json)",
                   [options] {
                     const Output output("--out", options->out);
                     const Scene scene = load_scene(options->file);
@@ -140,8 +141,7 @@ void add_scene(CLI::App& app) {
   add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg.");
   add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

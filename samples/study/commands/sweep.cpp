@@ -122,20 +122,19 @@ void add_sweep(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
       app, "sweep", "Every combination of lists of values, as CSV; in parts, and resumable.",
-      "Every option that takes a list makes the grid larger by the number of its values. A row of the CSV "
-      "is\n"
-      "one point of the grid: its parameters, then the results of its trials. Point i takes the random\n"
-      "numbers of condition i, so the rows do not depend on threads or parts.\n"
-      "\n"
-      "Stopped and started again with the same arguments, it continues where it stopped: rows gather in\n"
-      "FILE.partial, which becomes FILE when all are there. If FILE is there already, nothing is done.\n"
-      "Part 1 has the header and the others have none: 'cat' of all parts in order is the whole.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv\n"
-      "  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000\n"
-      "  hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv\n"
-      "  cat part1.csv part2.csv part3.csv > whole.csv",
+      R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
+then the results of its trials. Point i takes the random numbers of condition i, so the rows do not
+depend on threads or parts.
+
+With the same arguments a stopped sweep continues: rows are collected in FILE.partial, which becomes
+FILE when it is complete. If FILE exists, nothing is done. Part 1 alone has the header: 'cat' of all
+parts in order is the whole.
+
+Examples:
+  hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
+  hrt-study sweep --perceived-weight 0.01,0.1,1,10 --trials 100000
+  hrt-study sweep --horizon 1:50:50 --part $SLURM_ARRAY_TASK_ID/8 --out part$SLURM_ARRAY_TASK_ID.csv
+  cat part1.csv part2.csv part3.csv > whole.csv)",
       [options] { run(*options); });
   add_numbers(command, "--gap", &options->grid.gaps_deg, gap_range,
               "Gap: virtual minus real direction, deg.");

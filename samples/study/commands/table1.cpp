@@ -9,6 +9,7 @@
 #include "samples/study/output.h"
 #include "samples/study/paper.h"
 #include "samples/study/table1.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -204,13 +205,13 @@ void add_table1(CLI::App& app) {
   const auto options = std::make_shared<CommandOptions>();
   CLI::App& command = add_command(
       app, "table1", "The paper's Table I and its other claims beside what the model gives.",
-      "A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's\n"
-      "50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study table1\n"
-      "  hrt-study table1 --trials 50 --seed 7\n"
-      "  hrt-study table1 --trials 1000000 --format json --out table1.json",
+      R"(A cell agrees if the model's percentage lies in the 95 % interval (Wilson's) of the paper's
+50 trials. Chi-squared compares all 24 cells at once; its mean by chance is 24.
+
+Examples:
+  hrt-study table1
+  hrt-study table1 --trials 50 --seed 7
+  hrt-study table1 --trials 1000000 --format json --out table1.json)",
       [options] {
         const Output output("--out", options->out);
         const Table1 table = simulate_table1(options->table);
@@ -224,8 +225,7 @@ void add_table1(CLI::App& app) {
               "Steps that the controller looks ahead.");
   add_threads(command, &options->table.threads);
   add_choice(command, "--format", &options->format, {"text", "csv", "json"}, "What to write.");
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

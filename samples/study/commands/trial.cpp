@@ -26,19 +26,8 @@ struct Options {
 };
 
 const char* name(ActiveBound bound) {
-  switch (bound) {
-    case ActiveBound::none:
-      return "none";
-    case ActiveBound::lower:
-      return "lower";
-    case ActiveBound::upper:
-      return "upper";
-    case ActiveBound::rate_down:
-      return "rate_down";
-    case ActiveBound::rate_up:
-      return "rate_up";
-  }
-  return "";
+  static constexpr const char* names[] = {"none", "lower", "upper", "rate_down", "rate_up"};
+  return names[static_cast<std::size_t>(bound)];
 }
 
 std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome) {
@@ -84,13 +73,13 @@ void add_trial(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
       app, "trial", "One simulated reach as CSV, a row a step.",
-      "Row k holds what happened in step k. The last row holds only the direction in which the finger\n"
-      "moves after the last step. Numbers have full precision. The same seed, condition and trial\n"
-      "number give the random numbers of that trial in a batch.\n"
-      "\n"
-      "Examples:\n"
-      "  hrt-study trial --real 0 --virtual 10 --out reach.csv\n"
-      "  hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0",
+      R"(Row k holds what happened in step k. The last row holds only the direction in which the finger
+moves after the last step. Numbers have full precision. The same seed, condition and trial
+number give the random numbers of that trial in a batch.
+
+Examples:
+  hrt-study trial --real 0 --virtual 10 --out reach.csv
+  hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0)",
       [options] { run(*options); });
   add_number(command, "--real", &options->real_direction_deg, direction_range,
              "Direction of the real target, deg.");
@@ -108,8 +97,7 @@ void add_trial(CLI::App& app) {
   add_integer(command, "--condition", &options->condition, 0, largest,
               "Which condition's random numbers to take.");
   add_integer(command, "--trial", &options->trial, 0, largest, "Which trial's random numbers to take.");
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

@@ -1,4 +1,4 @@
-// The map of the gaps that can be held.
+// The map of gaps that can be held.
 #include <cmath>
 
 #include "core/authority.h"

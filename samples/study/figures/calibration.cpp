@@ -5,7 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/learning.h"
 #include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -48,7 +50,7 @@ std::string calibration_text(const CalibrationReport& report) {
     text += quantity.interval.known ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals),
                                           interval_text(quantity))
                                     : row(quantity.words, "not determined",
-                                          interval_text(quantity) + " is all as likely, most at " +
+                                          interval_text(quantity) + " is equally plausible, best fit " +
                                               fixed(quantity.interval.value, quantity.decimals));
   }
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
@@ -75,22 +77,19 @@ std::string calibration_json(const CalibrationReport& report) {
 }
 
 std::string calibration_profile(const Calibration& calibration) {
-  // No data make these surer than this, as in hrt_calibration_apply(): people change.
-  constexpr double least_weight_sd = 0.01;
-  constexpr double least_motor_variance_sd_deg2 = 0.1;
   const auto sd = [](const Interval& interval, double least) {
-    return std::max((interval.upper - interval.lower) / (2.0 * 1.96), least);
+    return std::max(deviation_of_interval(interval.lower, interval.upper), least);
   };
   const Interval& weight = calibration.tactile_weight;
   nlohmann::ordered_json profile{
       {"format", "haptic retargeting profile"}, {"version", 1},
-      {"tactile_weight", weight.value},         {"tactile_weight_sd", sd(weight, least_weight_sd)},
+      {"tactile_weight", weight.value},         {"tactile_weight_sd", sd(weight, least_carried_weight_sd)},
       {"bias_deg", calibration.bias_deg.value}, {"tracker_noise_m", calibration.tracker_noise_m.value}};
   const Interval& motor = calibration.motor_variance_deg2;
   const Interval& sensory = calibration.sensory_variance_deg2;
   if (motor.known) {
     profile["motor_variance_deg2"] = motor.value;
-    profile["motor_variance_sd_deg2"] = sd(motor, least_motor_variance_sd_deg2);
+    profile["motor_variance_sd_deg2"] = sd(motor, least_carried_motor_variance_sd_deg2);
   }
   if (sensory.known) profile["sensory_variance_deg2"] = sensory.value;
   return profile.dump(2) + '\n';

@@ -18,7 +18,7 @@ struct CalibrationReport {
 std::string calibration_text(const CalibrationReport& report);
 std::string calibration_json(const CalibrationReport& report);
 
-/// JSON for hrt_profile_load(); without the fields that the data cannot determine.
+/// JSON for hrt_profile_load(), without fields that the data cannot determine.
 std::string calibration_profile(const Calibration& calibration);
 
 /// Directions against the plate's orientation with the fit, and the residuals.

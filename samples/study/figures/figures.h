@@ -1,4 +1,4 @@
-// The figures of the report, each with its words and a gnuplot script that contains the data.
+// Figures: words, and a gnuplot script that contains the data.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct Figure {
   std::string caption;  ///< plain text
   int width_px;
   int height_px;
-  std::string script;  ///< draws on the terminal and output that are set
+  std::string script;  ///< without terminal and output
 };
 
 struct FigureOptions {
@@ -30,13 +30,13 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Table I, paper and model side by side.
 Figure table1_figure(const Table1& table);
 
-/// The gaps that can be held over the tactile weight, with the paper's conditions in it.
+/// The gaps that can be held over the tactile weight, with the paper's conditions.
 Figure authority_figure(const Table1& table);
 
 /// Perceived against actual error as the weights of the cost vary, and the theoretical limit.
 Figure frontier_figure(const FigureOptions& options);
 
-/// "set terminal ..." and "set output ..." for the figure as `ending` "svg" or "png", then its script.
+/// The whole script, for the file format `ending`, "svg" or "png".
 std::string drawing(const Figure& figure, const std::string& ending);
 
 }  // namespace hrt::study

@@ -1,10 +1,10 @@
-// What the weights of the cost trade: perceived against actual error.
+// Perceived against actual error as the weights of the cost vary.
 //
-// Away from the plate's bound the controller chooses e freely, and x = p - p_R goes x+ = x - e + noise with
-// the noise's variance s^2 = sigma_u^2 + var. Of all controllers, those with the least mean of e^2 for a mean
-// of x^2 are linear, e = g x with 0 < g <= 1, and at rest
+// Away from the plate's bound the controller chooses e freely, and x = p - p_R becomes x - e + noise, with
+// noise of variance s^2 = sigma_u^2 + var. The controllers with the least E e^2 for a given E x^2 are linear,
+// e = g x with 0 < g <= 1, and in the steady state
 //     E x^2 = s^2 / (g (2 - g)),   E e^2 = g s^2 / (2 - g).
-// That curve is the limit: a bound on the plate only takes choices away.
+// That curve is the limit: a bound on the plate cannot improve on it.
 #include <cmath>
 
 #include "core/perception.h"
@@ -15,7 +15,7 @@
 namespace hrt::study {
 namespace {
 
-// Long enough to forget where the reach started, so that the errors are those at rest.
+// Enough for the steady state.
 constexpr int steps_to_rest = 100;
 
 constexpr double motor_variances_deg2[] = {0.5, 1.0};
@@ -62,7 +62,7 @@ Figure frontier_figure(const FigureOptions& options) {
           "Each point is a ratio of the two weights in the controller's cost, actual to perceived, from 0.05 "
           "(upper left) to 20 (lower right); labelled where w_T = 0.15. Gap 10 deg, horizon 3, at rest (" +
           std::to_string(steps_to_rest) + " steps), " + std::to_string(options.trials) +
-          " trials a point. Lines: the theoretical limit; no controller gets below or left of it. With "
+          " trials a point. Lines: the theoretical limit of any controller. With "
           "w_T = 0.10 a gap of 10 deg is just out of reach, so the points lie above.",
       .width_px = 1000,
       .height_px = 620};

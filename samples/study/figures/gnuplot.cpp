@@ -19,7 +19,7 @@ struct CloseFile {
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
 
-// A file without a name: unlike a pipe it neither fills up nor breaks.
+// Unlike a pipe, a file neither fills up nor breaks.
 File anonymous_file() {
   File file(std::tmpfile());
   if (!file) throw std::runtime_error(std::string("cannot make a temporary file: ") + std::strerror(errno));

@@ -6,8 +6,7 @@
 
 namespace hrt::study {
 
-/// Runs gnuplot on `script` in `folder`. Throws std::runtime_error, one line, if gnuplot is not installed or
-/// refuses the script.
+/// Runs gnuplot on `script` in `folder`. Throws std::runtime_error, one line, if gnuplot is missing or fails.
 void run_gnuplot(const std::string& script, const std::filesystem::path& folder);
 
 }  // namespace hrt::study

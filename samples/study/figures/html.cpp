@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "samples/text.h"
+
 namespace hrt::study {
 namespace {
 
@@ -25,7 +27,7 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
     text.replace(at, from.size(), to);
 }
 
-// The <svg> element alone, its ids made unique in the page: gnuplot gives every file the same.
+// The <svg> element alone; its ids are made unique, since gnuplot repeats them in every file.
 std::string inlined(const std::string& file, const Figure& figure) {
   std::string svg = file.substr(std::min(file.find("<svg"), file.size()));
   const std::string prefix = figure.name + '-';
@@ -40,27 +42,11 @@ std::string inlined(const std::string& file, const Figure& figure) {
 
 }  // namespace
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char character : text) {
-    if (character == '&')
-      result += "&amp;";
-    else if (character == '<')
-      result += "&lt;";
-    else if (character == '>')
-      result += "&gt;";
-    else
-      result += character;
-  }
-  return result;
-}
-
 std::string page_start(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
          "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title) +
          "</h1>\n<p class=\"note\">Everything on this page is simulation, the paper's numbers too. There was "
-         "no "
-         "human trial.</p>\n";
+         "no human trial.</p>\n";
 }
 
 std::string table_cells(std::initializer_list<std::string> values) {

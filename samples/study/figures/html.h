@@ -1,4 +1,4 @@
-// What the pages of HTML share: one style, and pictures that stand in the page itself.
+// Parts of HTML pages, with style and pictures inline.
 #pragma once
 
 #include <initializer_list>
@@ -8,10 +8,7 @@
 
 namespace hrt::study {
 
-/// `text` as HTML.
-std::string escaped(const std::string& text);
-
-/// From the first byte of a page to below its heading, where it says that all of it is simulation.
+/// The page's head, heading, and the note that all of it is simulation.
 std::string page_start(const std::string& title);
 
 /// Cells of a table's row.

@@ -1,4 +1,4 @@
-// The report as one page of HTML that needs nothing else.
+// The report as one self-contained HTML page.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace hrt::study {
 
-/// `drawings` are the figures as gnuplot's SVG files, in their order.
+/// `drawings`: gnuplot's SVG of each figure.
 std::string html_page(const Table1& table, const std::vector<Figure>& figures,
                       const std::vector<std::string>& drawings);
 

@@ -21,7 +21,7 @@ struct PaperFigure {
   double motor_variance_deg2;
   double tactile_weight;
   bool is_plate_fixed;
-  const char* paper;  ///< what the paper says came of it
+  const char* paper;  ///< its result in the paper
 };
 
 constexpr PaperFigure paper_figures[] = {

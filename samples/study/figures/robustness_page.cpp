@@ -4,6 +4,7 @@
 
 #include "samples/study/figures/html.h"
 #include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {

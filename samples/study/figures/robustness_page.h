@@ -1,4 +1,4 @@
-// The robustness study in words and pictures.
+// The robustness study as one self-contained HTML page.
 #pragma once
 
 #include <span>
@@ -10,13 +10,13 @@
 
 namespace hrt::study {
 
-/// What all these reaches have in common.
+/// The condition common to all reaches.
 std::string condition_words(const RobustnessOptions& options);
 
 /// A figure for each duration.
 std::vector<Figure> robustness_figures(const RobustnessOptions& options, std::span<const RobustnessRow> rows);
 
-/// `drawings` are the figures as gnuplot's SVG files, in their order.
+/// `drawings`: gnuplot's SVG of each figure.
 std::string robustness_page(const RobustnessOptions& options, std::span<const RobustnessRow> rows,
                             const std::vector<Figure>& figures, const std::vector<std::string>& drawings);
 

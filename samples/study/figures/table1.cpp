@@ -12,7 +12,7 @@ Figure table1_figure(const Table1& table) {
           "Share of trials that end within 1.5 deg of the real direction, for the six pairs of each "
           "condition. Bars: 95 % interval of the paper's 50 trials. Model: " +
           std::to_string(table.options.trials) +
-          " trials a cell. Dashed: no controller does better, for the noise of the last step "
+          " trials a cell. Dashed: limit of any controller, since the noise of the last step "
           "comes after the plate has acted.",
       .width_px = 1200,
       .height_px = 760};

@@ -2,11 +2,10 @@
 
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "samples/study/arguments.h"
+#include "samples/study/output.h"
 
 namespace hrt::study {
 
@@ -25,15 +24,13 @@ Workshop::Workshop(const std::string& argument, const std::string& out)
 Workshop::~Workshop() {
   std::error_code ignored;
   fs::remove_all(folder_, ignored);
-  if (was_made_) fs::remove(out_, ignored);  // only if nothing came of it
+  if (was_made_) fs::remove(out_, ignored);  // only if it is empty
 }
 
 std::string Workshop::read(const std::string& name) const {
-  std::ifstream file(folder_ / name, std::ios::binary);
-  std::ostringstream text;
-  text << file.rdbuf();
-  if (!file || text.view().empty()) throw std::runtime_error("gnuplot did not write " + name);
-  return text.str();
+  std::string text = read_file(folder_ / name);
+  if (text.empty()) throw std::runtime_error("gnuplot did not write " + name);
+  return text;
 }
 
 void Workshop::publish(const std::string& name) const {

@@ -1,4 +1,4 @@
-// A folder in which files are made before any of them gets its name.
+// A temporary folder: results appear whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -6,7 +6,7 @@
 
 namespace hrt::study {
 
-/// Files of one result, gnuplot's among them: they appear where they belong when all are made, or not at all.
+/// Collects the files of one result until all are made.
 class Workshop {
  public:
   /// Makes `out` if it is missing. Throws UsageError naming `argument` if it can't be written.
@@ -15,10 +15,10 @@ class Workshop {
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// Where to make them; removed at the end.
+  /// Where to make them; removed by the destructor.
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// What was made under `name`. Throws std::runtime_error if nothing was.
+  /// The content of the file `name`. Throws std::runtime_error if there is none.
   std::string read(const std::string& name) const;
 
   /// Moves `name` to `out`.

@@ -126,7 +126,7 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
 }
 
-TEST(StudyCalibrate, SaysWhereTheDataCannotTell) {
+TEST(StudyCalibrate, ReportsWhatTheDataCannotDetermine) {
   const TemporaryFolder folder;
   const std::string data = folder / "me.csv";
   ASSERT_EQ(run_study({"participants", "--tracker-noise", "2", "--trials", "2", "--out", data}).exit_code, 0);

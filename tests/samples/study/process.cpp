@@ -54,13 +54,6 @@ pid_t start_study(const std::vector<std::string>& arguments) {
   return spawn(arguments, "/dev/null", "/dev/null", {});
 }
 
-std::string read_file(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::ostringstream content;
-  content << file.rdbuf();
-  return content.str();
-}
-
 std::vector<std::string> entries(const std::filesystem::path& folder) {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder))

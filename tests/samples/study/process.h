@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "samples/study/output.h"
+
 namespace hrt::study {
 
 struct StudyRun {
@@ -21,8 +23,6 @@ StudyRun run_study(const std::vector<std::string>& arguments, const std::string&
 
 /// Starts it with its output thrown away; the caller waits for the returned process.
 pid_t start_study(const std::vector<std::string>& arguments);
-
-std::string read_file(const std::filesystem::path& path);
 
 /// Names of all entries of a folder, hidden ones too, in order.
 std::vector<std::string> entries(const std::filesystem::path& folder);

@@ -53,6 +53,17 @@ TEST(StudyScene, GapIsTheShorterWayRound) {
   EXPECT_NEAR(nlohmann::json::parse(run.out)["pairs"][0]["gap_deg"].get<double>(), 10.0, 1e-6);
 }
 
+TEST(StudyScene, ColumnsCountCharactersOfNames) {
+  const TemporaryFolder folder;
+  std::string desk = read_file(scenes + "/desk.gltf");
+  const std::string name = "\"bottle\"";
+  desk.replace(desk.find(name), name.size(), "\"b\u00f6ttl\u00e9\"");
+  const std::string file = folder / "desk.gltf";
+  std::ofstream(file) << desk;
+  const auto rows = lines(run_study({"scene", file}).out);
+  EXPECT_EQ(rows[6], "b\u00f6ttl\u00e9    virtual       6.00     100.0     0.0  Desk/Apparatus/Bottle");
+}
+
 TEST(StudyScene, WrongFileIsOneLine) {
   const StudyRun missing = run_study({"scene", "no such.gltf"});
   EXPECT_EQ(missing.exit_code, 1);

@@ -65,8 +65,8 @@ TEST(StudySweep, ResultsAreTheLibrarysToTheBit) {
   Condition condition{.real_direction_deg = 0.0, .virtual_direction_deg = 10.0};
   condition.controller.participant.tactile_weight = 0.12;
   condition.controller.mpc.plate_rate_bound_deg = 40.0;
-  const BatchResult result =
-      run_job({.condition = condition, .condition_id = 1, .first_trial = 0, .last_trial = 70}, 5);
+  const BatchJob job{.condition = condition, .condition_id = 1, .first_trial = 0, .last_trial = 70};
+  const BatchResult result = run_batch({&job, 1}, 5)[0];
   const auto value = [&](const std::string& name) {
     return std::strtod(column(run.out, 1, name).c_str(), nullptr);
   };
