@@ -183,7 +183,6 @@ FingerEstimate Estimator::estimate() const {
   return {.position = {state_(right) / mm_per_m, state_(away) / mm_per_m},
           .speed_m_s = state_(speed) / mm_per_m,
           .direction_deg = state_(direction),
-          .direction_sd_deg = std::sqrt(std::max(covariance_(direction, direction), 0.0)),
           .tactile_weight = state_(weight),
           .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
           .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m,

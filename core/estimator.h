@@ -34,7 +34,6 @@ struct FingerEstimate {
   PlatePoint position;
   double speed_m_s = 0.0;
   double direction_deg = 0.0;
-  double direction_sd_deg = 0.0;
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;

@@ -141,12 +141,6 @@ double AngleSums::rms_deg(std::uint64_t count) const {
   return std::sqrt(squares / static_cast<double>(count)) / units_per_deg;
 }
 
-double AngleSums::standard_deviation_deg(std::uint64_t count) const {
-  const auto n = static_cast<double>(count);
-  const double variance_deg2 = rms_deg(count) * rms_deg(count) - mean_deg(count) * mean_deg(count);
-  return std::sqrt(std::max(0.0, variance_deg2) * n / (n - 1.0));
-}
-
 BatchResult& BatchResult::operator+=(const BatchResult& other) {
   trials += other.trials;
   hits += other.hits;
@@ -155,10 +149,6 @@ BatchResult& BatchResult::operator+=(const BatchResult& other) {
   miss.add(other.miss);
   felt_error.add(other.felt_error);
   return *this;
-}
-
-BatchResult run_job(const BatchJob& job, std::uint64_t seed) {
-  return run_trials(job, TrialTable::tabulate(job.condition), seed, job.first_trial, job.last_trial);
 }
 
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,

@@ -24,8 +24,6 @@ class AngleSums {
   double mean_deg(std::uint64_t count) const;
   /// Root of the mean square over `count` angles, > 0.
   double rms_deg(std::uint64_t count) const;
-  /// Standard deviation over `count` angles (divided by count - 1), > 1.
-  double standard_deviation_deg(std::uint64_t count) const;
 
   bool operator==(const AngleSums&) const = default;
 
@@ -50,7 +48,6 @@ struct BatchResult {
   /// Mean of P_steps - P_R.
   double mean_miss_deg() const { return miss.mean_deg(trials); }
   double rms_miss_deg() const { return miss.rms_deg(trials); }
-  /// Standard deviation of the final direction.
   /// Root mean square of theta_hat - theta_V in the last step.
   double rms_felt_error_deg() const { return felt_error.rms_deg(trials); }
 
@@ -73,9 +70,6 @@ struct BatchOptions {
   /// Once this is true the batch ends early. May be null; any thread or signal handler may set it.
   const std::atomic<bool>* cancel = nullptr;
 };
-
-/// Runs one job on this thread. Requires is_valid(job.condition).
-BatchResult run_job(const BatchJob& job, std::uint64_t seed);
 
 /// Runs all jobs; results in their order. A cancelled batch has results with fewer trials than were asked
 /// for. Requires is_valid() of every job's condition. Throws std::system_error if threads can't be started,

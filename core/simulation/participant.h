@@ -25,9 +25,6 @@ class SimulatedParticipant {
   /// theta_hat: where the person felt the finger move in the last step.
   double perceived_direction_deg() const { return perceived_direction_deg_; }
 
-  /// From now on touch has this share of what is felt, in (0, 0.5).
-  void set_tactile_weight(double tactile_weight) { participant_.tactile_weight = tactile_weight; }
-
   /// One model step over ridges at `plate_orientation_deg` (T_k). `noise` is a draw from N(0, 1): it
   /// stands for the sum of the motor and the estimation noise, of variance sigma_u^2 + var_k.
   SimulatedStep step(double plate_orientation_deg, double noise);

@@ -43,7 +43,8 @@ Condition condition_of(double motor_variance_deg2, double tactile_weight, const 
 }
 
 BatchResult run(const Condition& condition, std::uint32_t id = 0) {
-  return run_job({.condition = condition, .condition_id = id, .first_trial = 0, .last_trial = trials}, 2024);
+  const BatchJob job{.condition = condition, .condition_id = id, .first_trial = 0, .last_trial = trials};
+  return run_batch({&job, 1}, 2024)[0];
 }
 
 // A cell's standard error is 0.3 points at most; pairs of the model differ by up to 0.5.
