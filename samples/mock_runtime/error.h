@@ -1,5 +1,5 @@
-// How a function of the runtime refuses: it throws an Error, which the barrier around every entry point
-// (entry.h) turns into the result the application sees and a line of the call log that says why.
+// Refusals: a function throws an Error, which the barrier around every entry point (entry.h) turns into the
+// call's result and a line of the call log.
 #pragma once
 
 #include <openxr/openxr.h>

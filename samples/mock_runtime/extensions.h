@@ -1,4 +1,4 @@
-// The extensions that the runtime has.
+// The extensions of the runtime.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
-// Every function of the runtime, once: its OpenXR name, its implementation, and the extension that it
-// belongs to (core: none). Declarations, dispatch table, call log and fault injection follow from this.
+// Every function of the runtime, once: OpenXR name, implementation, extension (core: none). Declarations,
+// dispatch table, call log and fault injection derive from this list.
 #pragma once
 
 #include <ctime>

@@ -9,7 +9,7 @@
 namespace hrt::mock {
 namespace {
 
-// An action that a session may use, for one subaction path or all.
+// An action attached to the session, checked for one subaction path or all.
 Action& attached_action(const Session& session, XrAction handle, XrPath subaction) {
   auto& action = runtime().registry.get<Action>(handle);
   if (subaction != XR_NULL_PATH) {
@@ -22,7 +22,7 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
   return action;
 }
 
-// The state of an action of a type, which getInfo names.
+// The state of the action in getInfo, which must have this type.
 template <typename State>
 ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state,
                      XrStructureType state_type, XrActionType type) {
@@ -54,14 +54,14 @@ bool is_top_level(const std::string& path) {
   return std::find(all.begin(), all.end(), path) != all.end();
 }
 
-// The device that an automation call is about.
+// The device of an automation call.
 Device& device_at(Session& session, XrPath top_level) {
   const std::string& path = session.instance().paths.text(top_level);
   require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
   return session.input.devices[path];
 }
 
-// The text of a source of a kind that belongs to the device.
+// The path of a source of this kind on the device.
 const std::string& source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix,
                              SourceKind kind) {
   const std::string& text = session.instance().paths.text(path);
@@ -169,7 +169,7 @@ XrResult get_input_source_localized_name(XrSession handle, const XrInputSourceLo
   require(session.input.is_attached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
   const std::string_view top_level = top_level_of(path);
   require(!top_level.empty(), XR_ERROR_PATH_UNSUPPORTED, "no source path");
-  // Names for people in the one language that this runtime speaks.
+  // In English only.
   std::string name;
   const auto add = [&](std::string_view part) {
     if (!name.empty()) name += ' ';

@@ -23,7 +23,7 @@ void require_names(const Object& parent, const char (&name_array)[name_size],
   const std::string localized = text_of(localized_array);
   require(!name.empty() && name.size() < name_size, XR_ERROR_NAME_INVALID,
           "the name is empty or not terminated");
-  require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name has a-z, 0-9, '-', '_' and '.'");
+  require(is_path_component(name), XR_ERROR_PATH_FORMAT_INVALID, "a name is of a-z, 0-9, '-', '_' and '.'");
   require(!localized.empty() && localized.size() < localized_size, XR_ERROR_LOCALIZED_NAME_INVALID,
           "the localized name is empty or not terminated");
   for (const T* sibling : runtime().registry.children<T>(parent)) {
@@ -83,7 +83,7 @@ XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAct
   require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
   require_pointer(action, "action");
   require(!set.attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-          "the action set is attached: it can't change any more");
+          "the action set is attached: it cannot change");
   switch (info->actionType) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
     case XR_ACTION_TYPE_FLOAT_INPUT:
@@ -118,7 +118,7 @@ XrResult suggest_interaction_profile_bindings(XrInstance handle,
     const XrActionSuggestedBinding& binding = info->suggestedBindings[i];
     const auto& action = runtime().registry.get<Action>(binding.action);
     require(!action.action_set().attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-            "the action's set is attached: it can't get bindings any more");
+            "the action's set is attached: its bindings cannot change");
     require(resolve_binding(*profile, instance.paths.text(binding.binding), action.action_type).has_value(),
             XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such binding path");
     bindings.push_back({action.id(), binding.binding});
@@ -136,7 +136,7 @@ XrResult attach_session_action_sets(XrSession handle, const XrSessionActionSetsA
   for (std::uint32_t i = 0; i < info->countActionSets; ++i)
     sets.push_back(&runtime().registry.get<ActionSet>(info->actionSets[i]));
   require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-          "action sets are attached once");
+          "action sets are attached already");
   session.input.attach(sets, session.instance().suggestions);
   return XR_SUCCESS;
 }

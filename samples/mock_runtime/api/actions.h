@@ -1,5 +1,4 @@
-// Action sets, actions and their drivers: the bindings that the application suggests, and the
-// state of the simulated devices as of the last xrSyncActions.
+// Action sets, actions, suggested bindings, and the input of a session.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -26,7 +25,7 @@ class ActionSet : public Object {
   std::string name;
   std::string localized_name;
   std::uint32_t priority;
-  bool attached = false;  ///< to a session; from then on it does not change
+  bool attached = false;  ///< to a session: immutable from then on
 };
 
 class Action : public Object {
@@ -59,7 +58,7 @@ struct Device {
   std::map<std::string, Pose> poses;    ///< in the world
 };
 
-/// An action's state for one subaction path, or for all together (XR_NULL_PATH).
+/// An action's state, for one subaction path or for all together (XR_NULL_PATH).
 struct ActionState {
   bool active = false;
   bool changed = false;
@@ -72,25 +71,25 @@ class Input {
  public:
   explicit Input(Session& session) : session_(session) {}
 
-  /// Once: the action sets that the session uses, with the bindings suggested so far.
+  /// Attaches the session's action sets, with the bindings suggested so far. Called once.
   void attach(const std::vector<ActionSet*>& sets, const SuggestedBindings& suggestions);
   bool is_attached() const { return attached_; }
   bool is_attached(const ActionSet& set) const { return sets_.contains(set.id()); }
 
-  /// The devices, by top level user path.
+  /// By top level user path.
   std::map<std::string, Device, std::less<>> devices;
 
-  /// An active action set, and the one subaction path it is active for (or XR_NULL_PATH).
+  /// An active action set and its one subaction path, or XR_NULL_PATH.
   using ActiveSet = std::pair<const ActionSet*, XrPath>;
 
-  /// Takes over the state of all devices for the action sets that are active. Returns true if an
-  /// interaction profile has changed.
+  /// Copies the devices' state into the actions of the active sets. Returns true if an interaction profile
+  /// has changed.
   bool sync(const std::vector<ActiveSet>& active);
 
-  /// The state as of the last sync; XR_NULL_PATH for all subaction paths together.
+  /// State at the last sync; XR_NULL_PATH: of all subaction paths together.
   ActionState state(const Action& action, XrPath subaction) const;
 
-  /// Where the pose that drives an action is in the world now; nothing while none does.
+  /// World pose of the source that drives the action now; none without one.
   std::optional<Pose> pose(std::uint64_t action, XrPath subaction) const;
 
   /// The current profile of a top level user path, or XR_NULL_PATH.

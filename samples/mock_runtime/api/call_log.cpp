@@ -32,7 +32,7 @@ CallLog::CallLog() {
   if (file_ == nullptr)
     std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s can't be written\n", path);
   else
-    std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // what the application did is there if it crashes
+    std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // the log survives a crash of the application
 }
 
 void CallLog::append(CallRecord record) {

@@ -14,12 +14,12 @@ struct CallRecord {
   XrTime time;
   const char* function;
   XrResult result;
-  std::string why;  ///< it was refused
+  std::string why;  ///< of a refusal; empty if there was none
 };
 
 class CallLog {
  public:
-  /// Also writes to the end of the file that HRT_MOCK_CALL_LOG names, if it does.
+  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set.
   CallLog();
 
   void append(CallRecord record);
@@ -34,7 +34,7 @@ class CallLog {
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 
-/// "XR_SUCCESS"; its number if it has no name.
+/// "XR_SUCCESS"; the number of a result without a name.
 std::string result_name(XrResult result);
 
 }  // namespace hrt::mock

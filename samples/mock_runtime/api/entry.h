@@ -37,8 +37,8 @@ struct Entry<id, implementation> {
       record.result = XR_ERROR_RUNTIME_FAILURE;
     }
     const XrResult result = record.result;
-    // A loader asks for every function there is, which would drown what the application does; and a log
-    // that logs its own reading grows between the two calls of the two-call idiom.
+    // Not logged: a loader looks up every function, and the log must not grow between the two calls that
+    // read it.
     if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
       log(the, std::move(record));
     return result;
@@ -50,7 +50,7 @@ struct Entry<id, implementation> {
       record.time = the.now();
       the.log.append(std::move(record));
     } catch (const std::bad_alloc&) {
-      // The call stands; its record is lost.
+      // The record is lost, not the call.
     }
   }
 };

@@ -1,4 +1,4 @@
-// The frame loop, paced by the clock. A headless session may use it, and it shows nothing.
+// The frame loop, paced by the clock; nothing is shown.
 #include <chrono>
 
 #include "samples/mock_runtime/api/session.h"
@@ -12,7 +12,7 @@ Session& running_session(XrSession handle) {
   return session;
 }
 
-// Sleeps until a frame interval begins; with a manual clock that is at once.
+// Sleeps until a frame interval begins; a manual clock gets there at once.
 void wait_until(XrSession handle, XrTime time) {
   Clock& clock = running_session(handle).instance().clock;
   if (clock.kind() == Clock::Kind::manual) return clock.advance_to(time);
@@ -29,7 +29,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   if (info != nullptr) require_struct(info, XR_TYPE_FRAME_WAIT_INFO, "frameWaitInfo");
   require_struct(state, XR_TYPE_FRAME_STATE, "frameState");
   // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
-  // While it does, the session may end, be lost or be destroyed: it is looked up anew.
+  // Meanwhile the session may end, be lost or be destroyed, hence the new look-up.
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
   wait_until(handle, running_session(handle).frames.next_start);
 
@@ -39,7 +39,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;
-  // A grid of intervals, of which a late application misses some.
+  // Intervals on a grid; a late application misses some.
   if (frames.next_start == 0) frames.next_start = now;
   frames.next_start += frame_period * ((now - frames.next_start) / frame_period + 1);
   frames.waited = true;

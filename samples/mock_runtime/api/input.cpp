@@ -9,10 +9,10 @@
 namespace hrt::mock {
 namespace {
 
-// From here on a float is a pressed button.
+// A float from here on counts as a pressed button.
 constexpr float press_threshold = 0.5F;
 
-// "/user/hand/left/input/trigger" of "/user/hand/left/input/trigger/value": action sets compete for it.
+// "/user/hand/left/input/trigger" of "/user/hand/left/input/trigger/value", for which action sets compete.
 std::string identifier_of(const std::string& source) {
   return source.find("/input/") == std::string::npos ? source : source.substr(0, source.rfind('/'));
 }

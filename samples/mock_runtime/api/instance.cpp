@@ -11,7 +11,7 @@
 namespace hrt::mock {
 namespace {
 
-// A character array of the API that must hold a terminated, non-empty text.
+// An array of the API that must hold a terminated, non-empty text.
 template <std::size_t size>
 bool is_text(const char (&array)[size]) {
   return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
@@ -57,9 +57,10 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   require(is_text(info->applicationInfo.applicationName), XR_ERROR_NAME_INVALID, "applicationName");
   const XrVersion version = info->applicationInfo.apiVersion;
   require(XR_VERSION_MAJOR(version) == 1 && XR_VERSION_MINOR(version) <= 1, XR_ERROR_API_VERSION_UNSUPPORTED,
-          "applications for OpenXR 1.0 and 1.1 can be run");
+          "apiVersion must be 1.0 or 1.1");
   if (info->enabledExtensionCount > 0) require_pointer(info->enabledExtensionNames, "enabledExtensionNames");
-  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED, "there can be one instance at a time");
+  require(runtime().instance == nullptr, XR_ERROR_LIMIT_REACHED,
+          "an instance exists already; one is allowed");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
   auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
   try {

@@ -12,10 +12,10 @@
 
 namespace hrt::mock {
 
-/// The one system there is, a head-mounted display.
+/// The only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
-/// The instance; there can be one at a time.
+/// The instance; at most one exists.
 class Instance : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_INSTANCE;

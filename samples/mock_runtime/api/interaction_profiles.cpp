@@ -10,8 +10,7 @@ namespace {
 
 constexpr std::string_view hands = "left right";
 
-// The devices that have these components, and the components: names below input/ (and for outputs with
-// output/ in front), in words.
+// Devices, and their components: names below input/, or with output/ in front, separated by spaces.
 struct Part {
   std::string_view devices;
   std::string_view components;
@@ -110,7 +109,7 @@ const ProfileSources& all_profiles() {
   return profiles;
 }
 
-// Whether a source of this kind can drive an action: floats make booleans by a threshold, booleans floats.
+// Whether a source of this kind can drive an action; floats and booleans convert to each other.
 bool can_drive(SourceKind kind, XrActionType type) {
   switch (type) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:
@@ -125,7 +124,7 @@ bool can_drive(SourceKind kind, XrActionType type) {
   }
 }
 
-// Which components of a parent an action uses, the best first.
+// The components of a parent that an action can use, best first.
 std::vector<std::string_view> preferred_components(XrActionType type) {
   switch (type) {
     case XR_ACTION_TYPE_BOOLEAN_INPUT:

@@ -7,8 +7,8 @@
 namespace hrt::mock {
 namespace {
 
-// Now, so that even xrCreateInstance can fail on order. What is wrong with it, xrCreateInstance says: this
-// function has no way to.
+// Read now, so that xrCreateInstance itself can be given a fault. xrCreateInstance reports a mistake in the
+// script: the negotiation cannot.
 void load_script() {
   Runtime& the = runtime();
   const std::lock_guard lock(the.mutex);
@@ -43,7 +43,7 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
 }  // namespace
 }  // namespace hrt::mock
 
-/// The one symbol that the library exports, and where a loader starts.
+/// The only exported symbol, where a loader starts.
 extern "C" __attribute__((visibility("default"))) XRAPI_ATTR XrResult XRAPI_CALL
 xrNegotiateLoaderRuntimeInterface(const hrt::mock::NegotiateLoaderInfo* loader,
                                   hrt::mock::NegotiateRuntimeRequest* request) {

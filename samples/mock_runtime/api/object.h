@@ -24,8 +24,8 @@ class Object {
   Object* parent() const { return parent_; }
   std::uint64_t id() const { return id_; }
 
-  /// What using this object, or anything below it, returns once it is lost: XR_ERROR_INSTANCE_LOST or
-  /// XR_ERROR_SESSION_LOST. XR_SUCCESS while it is not.
+  /// XR_SUCCESS; once lost, XR_ERROR_INSTANCE_LOST or XR_ERROR_SESSION_LOST, which every call with this
+  /// object or one below it returns.
   XrResult lost = XR_SUCCESS;
 
  private:
@@ -42,8 +42,8 @@ std::uint64_t id_of(Handle handle) {
   return reinterpret_cast<std::uint64_t>(handle);
 }
 
-/// Every living object by its handle. A handle is a number that is never used twice, so a null, foreign
-/// or destroyed one is recognised, and never followed as a pointer.
+/// Every living object by its handle. A handle is a number, never reused and never followed as a pointer:
+/// a null, foreign or destroyed handle is recognised.
 class Registry {
  public:
   template <typename T, typename Parent, typename... Args>
@@ -57,7 +57,7 @@ class Registry {
     return created;
   }
 
-  /// The object of a handle. Throws XR_ERROR_HANDLE_INVALID, or that it or a parent of it is lost.
+  /// The object of a handle. Throws XR_ERROR_HANDLE_INVALID, or the loss of the object or a parent.
   template <typename T, typename Handle>
   T& get(Handle handle) const {
     T& object = get_even_lost<T>(handle);
@@ -66,7 +66,7 @@ class Registry {
     return object;
   }
 
-  /// The same for the functions that destroy, which work on lost objects too.
+  /// As get(), for functions that destroy: they accept lost objects.
   template <typename T, typename Handle>
   T& get_even_lost(Handle handle) const {
     const auto found = objects_.find(id_of(handle));

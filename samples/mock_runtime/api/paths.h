@@ -14,13 +14,13 @@ namespace hrt::mock {
 /// True for a name that may be a component of a path: a-z, 0-9, '-', '_' and '.', not periods alone.
 bool is_path_component(std::string_view name);
 
-/// The strings of an instance that have become paths.
+/// The path atoms of an instance.
 class PathTable {
  public:
   /// The atom of a string. Throws XR_ERROR_PATH_FORMAT_INVALID.
   XrPath intern(std::string_view text);
 
-  /// Throws XR_ERROR_PATH_INVALID for XR_NULL_PATH and what is no atom of this instance.
+  /// Throws XR_ERROR_PATH_INVALID unless the path is an atom of this instance.
   const std::string& text(XrPath path) const;
 
  private:
@@ -31,7 +31,7 @@ class PathTable {
 /// The top level user paths that actions can be bound to.
 const std::vector<std::string>& top_level_paths();
 
-/// "/user/hand/left" of "/user/hand/left/input/select/click"; empty if there is none.
+/// "/user/hand/left" of "/user/hand/left/input/select/click"; empty without one.
 std::string_view top_level_of(std::string_view path);
 
 enum class SourceKind { boolean, scalar, pose, haptic };
@@ -45,13 +45,12 @@ struct Source {
 /// The sources of an interaction profile, or null if there is no such profile.
 const std::vector<Source>* find_profile(std::string_view profile);
 
-/// What an action of a type is driven by if it is bound to `path`, a source or the parent of sources: one
-/// source, or x and y of a vector. Empty if the path is no binding path of the profile, and
-/// nothing inside it if it is one that can't drive such an action.
+/// The sources that drive an action of `type` bound to `path`, a source or the parent of sources: one, or x
+/// and y of a vector. An empty list if they cannot drive that type; none if the profile has no such path.
 std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
                                                    XrActionType type);
 
-/// The source of this path in any profile.
+/// The source of this path in any profile, or null.
 const Source* find_source(std::string_view path);
 
 }  // namespace hrt::mock

@@ -1,4 +1,4 @@
-// The one lock, held by every entry point, the objects and the instance.
+// What the entry points share: the lock, the objects, the instance, the script.
 #pragma once
 
 #include <condition_variable>
@@ -15,14 +15,14 @@ class Instance;
 struct Runtime {
   /// Held by every entry point while it runs, except in the waits of xrWaitFrame.
   std::mutex mutex;
-  /// Notified when a frame begins, and when a session ends or is lost: xrWaitFrame waits for these.
+  /// Notified when a frame begins and when a session ends or is lost, for xrWaitFrame.
   std::condition_variable_any frame_begun;
   Registry registry;
   Instance* instance = nullptr;
   CallLog log;
   Script script;
-  Faults faults;             ///< those of the script, and the calls counted so far
-  std::string script_error;  ///< why the script of the environment could not be read; empty if it could
+  Faults faults;             ///< of the script, with the calls counted so far
+  std::string script_error;  ///< the environment's script is invalid: why; else empty
 
   void apply(Script new_script);
   /// Runs the events of the script that are due.

@@ -92,9 +92,9 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
   require_system(info->systemId);
   require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
-          "this runtime has no graphics: enable XR_MND_headless");
+          "there are no graphics: enable XR_MND_headless");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
-          "there can be one session at a time");
+          "a session exists already; one is allowed");
   auto& session = runtime().registry.create<Session>(&instance, runtime().script);
   session.enter(XR_SESSION_STATE_IDLE);
   session.enter(XR_SESSION_STATE_READY);
@@ -121,7 +121,7 @@ XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
-  // Headless, it may be 0 (XR_MND_headless); what names views that do not exist is still refused.
+  // May be 0 in a headless session (XR_MND_headless); other unknown views are refused.
   if (info->primaryViewConfigurationType != 0) require_view_configuration(info->primaryViewConfigurationType);
   session.running = true;
   session.exit_requested = false;

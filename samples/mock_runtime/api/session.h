@@ -15,7 +15,7 @@ struct FrameLoop {
   XrTime last_display = 0;  ///< predicted for the latest frame
 };
 
-/// A session, always headless; an instance can have one at a time.
+/// A session, always headless; at most one exists.
 class Session : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SESSION;
@@ -24,14 +24,14 @@ class Session : public Object {
 
   Instance& instance() const { return static_cast<Instance&>(*parent()); }
 
-  /// The simulated world as it is now.
+  /// The simulated world now.
   World& world();
 
   /// Enters a state and queues its event. A state is never reported twice in a row.
   void enter(XrSessionState state);
   XrSessionState state() const { return state_; }
-  /// Enters a state of a running session by way of the states in between. Does nothing to a session that
-  /// does not run, or whose loss is pending.
+  /// Enters a state through the states in between. Does nothing to a session that does not run, or whose
+  /// loss is pending.
   void go_to(XrSessionState state);
 
   /// Runs the events of the script that are due in this session.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::array reference_spaces{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL,
                                       XR_REFERENCE_SPACE_TYPE_STAGE};
-// What a seated user can reach from the middle of the stage.
+// Within a seated user's reach.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 constexpr double half_eye_distance_m = 0.0315;
 constexpr XrFovf field_of_view{-0.785F, 0.785F, 0.785F, -0.785F};
@@ -24,7 +24,7 @@ void require_reference_space(XrReferenceSpaceType type) {
   switch (type) {
     case XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT:
     case XR_REFERENCE_SPACE_TYPE_COMBINED_EYE_VARJO:
-      throw Error{XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, "the reference spaces are VIEW, LOCAL and STAGE"};
+      throw Error{XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, "reference spaces are VIEW, LOCAL and STAGE"};
     default:
       throw Error{XR_ERROR_VALIDATION_FAILURE, "no such reference space type"};
   }

@@ -14,7 +14,7 @@ class Space : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SPACE;
 
-  /// What a space is attached to: a reference space, or the pose action that drives it.
+  /// The origin: a reference space, or a pose action.
   struct ActionOrigin {
     std::uint64_t action;  ///< its id
     XrPath subaction;
@@ -26,14 +26,14 @@ class Space : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  /// Where the space is in the world at a time; nothing while it is not tracked.
+  /// World pose at a time; none while not tracked.
   std::optional<Pose> in_world(XrTime time) const;
 
   Origin origin;
   Pose offset;
 };
 
-/// Where `space` is in `base`: nothing while one of them is not tracked.
+/// Pose of `space` in `base`; none while one of the two is not tracked.
 std::optional<Pose> locate(const Space& space, const Space& base, XrTime time);
 
 }  // namespace hrt::mock

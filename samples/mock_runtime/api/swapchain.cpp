@@ -1,4 +1,4 @@
-// Swapchains: a headless session has no formats, so none can be made.
+// Swapchains: a headless session has none.
 #include <array>
 
 #include "samples/mock_runtime/api/session.h"

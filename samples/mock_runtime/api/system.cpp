@@ -1,4 +1,4 @@
-// The one system, its blend modes and its views.
+// The system, its blend modes and its views.
 #include <cstdio>
 
 #include "samples/mock_runtime/api/instance.h"
@@ -7,12 +7,12 @@
 
 namespace hrt::mock {
 void require_system(XrSystemId system) {
-  require(system == the_system, XR_ERROR_SYSTEM_INVALID, "not the system that xrGetSystem returns");
+  require(system == the_system, XR_ERROR_SYSTEM_INVALID, "no such system");
 }
 
 void require_view_configuration(XrViewConfigurationType type) {
   require(type == XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, XR_ERROR_VIEW_CONFIGURATION_TYPE_UNSUPPORTED,
-          "the views are primary stereo");
+          "the only view configuration is primary stereo");
 }
 
 XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system) {
@@ -23,7 +23,7 @@ XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* 
               info->formFactor == XR_FORM_FACTOR_HANDHELD_DISPLAY,
           XR_ERROR_VALIDATION_FAILURE, "no such form factor");
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
-          "the one system is a head-mounted display");
+          "the only form factor is a head-mounted display");
   *system = the_system;
   return XR_SUCCESS;
 }

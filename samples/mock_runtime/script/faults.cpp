@@ -11,13 +11,13 @@ constexpr std::array names{
 #undef HRT_MOCK_NAME
 };
 
-// What the results of a function have in common with others'.
+// Functions with common results.
 enum class Group {
-  none,      // no error of the application's making can be asked for
+  none,      // no error can be injected
   global,    // called without an instance
   destroys,  // a handle
   instance,  // works on an instance
-  session,   // works on a session or what hangs below it
+  session,   // works on a session or an object below it
 };
 
 struct Row {

@@ -1,4 +1,4 @@
-// Faults on order: the n-th call of a function fails with a chosen error, or takes long.
+// Injected faults: the n-th call of a function fails with a chosen error, or is delayed.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -15,10 +15,10 @@ namespace hrt::mock {
 
 struct CallFault {
   FunctionId function;
-  std::uint64_t call;              ///< the first call that this happens to, counted from 1
-  std::uint64_t count;             ///< how many in a row it does
-  std::chrono::nanoseconds delay;  ///< of real time, before anything else
-  std::optional<XrResult> result;  ///< the error; nothing: the call does what it should
+  std::uint64_t call;              ///< first affected call, counted from 1
+  std::uint64_t count;             ///< affected calls in a row
+  std::chrono::nanoseconds delay;  ///< in real time, before the call
+  std::optional<XrResult> result;  ///< the error; none: the call proceeds
 };
 
 class Faults {
@@ -26,7 +26,7 @@ class Faults {
   Faults() = default;
   explicit Faults(std::vector<CallFault> faults) : faults_(std::move(faults)) {}
 
-  /// Counts a call; returns its fault, if it has one.
+  /// Counts a call; returns its fault, if any.
   std::optional<CallFault> next(FunctionId function);
 
  private:
@@ -37,7 +37,7 @@ class Faults {
 const char* name_of(FunctionId function);
 std::optional<FunctionId> find_function(std::string_view name);
 
-/// The errors that the specification lets a function return, in 1.0 and the extensions that are here.
+/// The errors that the specification allows a function, in 1.0 and the runtime's extensions.
 std::vector<XrResult> legal_errors(FunctionId function);
 
 }  // namespace hrt::mock

@@ -28,7 +28,18 @@ std::string quoted_list(const std::vector<std::string>& texts) {
   return list;
 }
 
-// The members of one JSON object; finish() refuses any that was not read.
+// A name of the script, and its meaning.
+template <typename Value>
+using Names = std::vector<std::pair<std::string, Value>>;
+
+template <typename Value>
+std::string quoted_list(const Names<Value>& names) {
+  std::vector<std::string> texts;
+  for (const auto& each : names) texts.push_back(each.first);
+  return quoted_list(texts);
+}
+
+// The members of one JSON object; finish() refuses members that were not read.
 class Members {
  public:
   Members(const Json& object, std::string where) : object_(object), where_(std::move(where)) {
@@ -60,12 +71,12 @@ class Members {
       refuse(where(key), "must be a whole number from " + std::to_string(least));
     return value.get<std::uint64_t>();
   }
-  std::string choice(const std::string& key, const std::vector<std::string>& allowed) {
-    const Json& value = at(key);
-    if (value.is_string())
-      for (const std::string& text : allowed)
-        if (value.get<std::string>() == text) return text;
-    refuse(where(key), "must be one of " + quoted_list(allowed));
+  template <typename Value>
+  Value choice(const std::string& key, const Names<Value>& known) {
+    const Json& name = at(key);
+    for (const auto& [text, value] : known)
+      if (name == text) return value;
+    refuse(where(key), "must be one of " + quoted_list(known));
   }
   bool boolean(const std::string& key, bool otherwise) {
     if (!has(key)) return otherwise;
@@ -80,7 +91,7 @@ class Members {
     for (const Json& element : value) result.push_back(checked_number(element, where(key), least, most));
     return result;
   }
-  // A number, or the two between which it is drawn; `scale` takes it to the unit of `range`.
+  // A number, or two between which it is drawn; `scale` converts to the unit of `range`.
   bool range(const std::string& key, Range& range, double least, double most, double scale = 1.0) {
     if (!has(key)) return false;
     std::vector<double> ends;
@@ -93,10 +104,9 @@ class Members {
     range = {ends[0] * scale, ends[1] * scale};
     return true;
   }
-  // A name, or several of which one is drawn.
+  // A name, or several, of which one is drawn.
   template <typename Value>
-  void one_of(const std::string& key, std::vector<Value>& values,
-              const std::vector<std::pair<std::string, Value>>& known) {
+  void one_of(const std::string& key, std::vector<Value>& values, const Names<Value>& known) {
     if (!has(key)) return;
     const Json names = object_[key].is_array() ? object_[key] : Json::array({object_[key]});
     values.clear();
@@ -104,10 +114,7 @@ class Members {
       for (const auto& [text, value] : known)
         if (name == text) values.push_back(value);
     if (values.size() == names.size() && !names.empty()) return;
-    std::vector<std::string> texts;
-    texts.reserve(known.size());
-    for (const auto& each : known) texts.push_back(each.first);
-    refuse(where(key), "must be one of, or an array of, " + quoted_list(texts));
+    refuse(where(key), "must be one of, or an array of, " + quoted_list(known));
   }
   // Calls `read(members)` for every object of an array.
   template <typename Read>
@@ -202,13 +209,11 @@ TrackerSettings read_tracker(Members& members) {
   settings.latency_ns = members.nanoseconds("latency_ms", 0.0);
   if (members.has("rate_hz"))
     settings.period_ns = std::llround(1e9 / members.number("rate_hz", 0.0, 0.1, 10'000.0));
-  if (members.has("velocities")) {
-    const std::string choice = members.choice("velocities", {"none", "zero", "linear", "full"});
-    settings.velocities = choice == "none"     ? Velocities::none
-                          : choice == "zero"   ? Velocities::zero
-                          : choice == "linear" ? Velocities::linear
-                                               : Velocities::full;
-  }
+  if (members.has("velocities"))
+    settings.velocities = members.choice<Velocities>("velocities", {{"none", Velocities::none},
+                                                                    {"zero", Velocities::zero},
+                                                                    {"linear", Velocities::linear},
+                                                                    {"full", Velocities::full}});
   return settings;
 }
 
@@ -243,42 +248,37 @@ void read_hand(Members& members, HandSettings& hand) {
   });
 }
 
-XrHandEXT read_side(Members& members) {
-  return members.choice("hand", {"left", "right"}) == "left" ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
-}
-
-StateEvent read_state(Members& members) {
-  const std::string state =
-      members.choice("state", {"SYNCHRONIZED", "VISIBLE", "FOCUSED", "STOPPING", "LOSS_PENDING"});
-  if (state == "SYNCHRONIZED") return {XR_SESSION_STATE_SYNCHRONIZED};
-  if (state == "VISIBLE") return {XR_SESSION_STATE_VISIBLE};
-  if (state == "FOCUSED") return {XR_SESSION_STATE_FOCUSED};
-  if (state == "STOPPING") return {XR_SESSION_STATE_STOPPING};
-  return {XR_SESSION_STATE_LOSS_PENDING};
-}
-
 ScriptEvent read_event(Members& members) {
   ScriptEvent event{};
   if (members.has("frame") == members.has("time_ms"))
     refuse(members.where(), "must have either a frame or a time_ms");
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
-  const std::string what = members.choice(
-      "do", {"lose_tracking", "regain_tracking", "freeze", "unfreeze", "jump", "session_state",
-             "repeat_session_state", "lose_session", "lose_instance", "instance_loss_pending"});
-  if (what == "lose_tracking") event.what = HandEvent{HandFault::lose_tracking, read_side(members)};
-  if (what == "regain_tracking") event.what = HandEvent{HandFault::regain_tracking, read_side(members)};
-  if (what == "freeze") event.what = HandEvent{HandFault::freeze, read_side(members)};
-  if (what == "unfreeze") event.what = HandEvent{HandFault::unfreeze, read_side(members)};
-  if (what == "jump") {
-    const std::vector<double> by = members.numbers("by_mm", 3, -1e5, 1e5);
-    event.what = HandEvent{HandFault::jump, read_side(members), Eigen::Vector3d(by[0], by[1], by[2]) * 1e-3};
+  event.what =
+      members.choice<decltype(event.what)>("do", {{"lose_tracking", HandEvent{HandFault::lose_tracking}},
+                                                  {"regain_tracking", HandEvent{HandFault::regain_tracking}},
+                                                  {"freeze", HandEvent{HandFault::freeze}},
+                                                  {"unfreeze", HandEvent{HandFault::unfreeze}},
+                                                  {"jump", HandEvent{HandFault::jump}},
+                                                  {"session_state", StateEvent{}},
+                                                  {"repeat_session_state", RepeatState{}},
+                                                  {"lose_session", LoseSession{}},
+                                                  {"lose_instance", LoseInstance{}},
+                                                  {"instance_loss_pending", InstanceLossPending{}}});
+  if (auto* state = std::get_if<StateEvent>(&event.what))
+    state->state = members.choice<XrSessionState>("state", {{"SYNCHRONIZED", XR_SESSION_STATE_SYNCHRONIZED},
+                                                            {"VISIBLE", XR_SESSION_STATE_VISIBLE},
+                                                            {"FOCUSED", XR_SESSION_STATE_FOCUSED},
+                                                            {"STOPPING", XR_SESSION_STATE_STOPPING},
+                                                            {"LOSS_PENDING", XR_SESSION_STATE_LOSS_PENDING}});
+  if (auto* hand = std::get_if<HandEvent>(&event.what)) {
+    hand->hand =
+        members.choice<XrHandEXT>("hand", {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}});
+    if (hand->fault == HandFault::jump) {
+      const std::vector<double> by = members.numbers("by_mm", 3, -1e5, 1e5);
+      hand->jump_m = Eigen::Vector3d(by[0], by[1], by[2]) * 1e-3;
+    }
   }
-  if (what == "session_state") event.what = read_state(members);
-  if (what == "repeat_session_state") event.what = RepeatState{};
-  if (what == "lose_session") event.what = LoseSession{};
-  if (what == "lose_instance") event.what = LoseInstance{};
-  if (what == "instance_loss_pending") event.what = InstanceLossPending{};
   return event;
 }
 
@@ -294,12 +294,9 @@ CallFault read_call(Members& members) {
   }
   const std::vector<XrResult> legal = legal_errors(*function);
   if (legal.empty()) refuse(members.where("function"), "must be the name of a function that may fail");
-  std::vector<std::string> names;
-  names.reserve(legal.size());
-  for (const XrResult result : legal) names.push_back(result_name(result));
-  const std::string chosen = members.choice("result", names);
-  const auto index = std::find(names.begin(), names.end(), chosen) - names.begin();
-  return {*function, call, count, delay, legal[static_cast<std::size_t>(index)]};
+  Names<XrResult> names;
+  for (const XrResult result : legal) names.emplace_back(result_name(result), result);
+  return {*function, call, count, delay, members.choice("result", names)};
 }
 
 ExtensionSet read_withheld(Members& members) {
@@ -330,8 +327,9 @@ Script parse_script(std::string_view text) {
   }
   Script script;
   Members members(json, "script");
-  if (members.has("clock") && members.choice("clock", {"manual", "real-time"}) == "real-time")
-    script.clock = Clock::Kind::real_time;
+  if (members.has("clock"))
+    script.clock = members.choice<Clock::Kind>(
+        "clock", {{"manual", Clock::Kind::manual}, {"real-time", Clock::Kind::real_time}});
   if (members.has("frame_rate_hz"))
     script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
   script.frame_times = members.boolean("frame_times", script.frame_times);

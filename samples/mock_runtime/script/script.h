@@ -17,21 +17,21 @@ namespace hrt::mock {
 enum class HandFault { lose_tracking, regain_tracking, freeze, unfreeze, jump };
 struct HandEvent {
   HandFault fault;
-  XrHandEXT hand;
+  XrHandEXT hand = XR_HAND_LEFT_EXT;
   Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
 };
 struct StateEvent {
-  XrSessionState state;
+  XrSessionState state = XR_SESSION_STATE_UNKNOWN;
 };
 struct RepeatState {};
 struct LoseSession {};
 struct LoseInstance {};
 struct InstanceLossPending {};
 
-/// Something that happens to a session.
+/// An event in a session.
 struct ScriptEvent {
-  std::int64_t frame;    ///< in the xrWaitFrame of this number, from 1; or, if 0,
-  std::int64_t time_ns;  ///< this long after the session was created
+  std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
+  std::int64_t time_ns;  ///< after the session was created
   std::variant<HandEvent, StateEvent, RepeatState, LoseSession, LoseInstance, InstanceLossPending> what;
 };
 
@@ -40,17 +40,16 @@ struct Script {
   XrDuration frame_period = 11'111'111;  ///< 90 Hz
   bool frame_times = true;               ///< false: xrWaitFrame predicts the display time 0
   bool hand_tracking = true;             ///< of the system: XrSystemHandTrackingPropertiesEXT
-  ExtensionSet withheld;                 ///< the runtime is as if it did not have these
+  ExtensionSet withheld;                 ///< extensions that the runtime hides
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
 };
 
-/// Throws an Error that names the place in the script, the mistake and the allowed values.
+/// Throws an Error that names place, mistake and allowed values.
 Script parse_script(std::string_view json);
 
-/// The script in the file that HRT_MOCK_SCRIPT names, or the default one if it names none. Throws as
-/// parse_script does.
+/// The script in the file that HRT_MOCK_SCRIPT names; the default script if unset. Throws as parse_script().
 Script script_from_environment();
 
 }  // namespace hrt::mock

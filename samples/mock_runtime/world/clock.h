@@ -7,8 +7,8 @@
 
 namespace hrt::mock {
 
-/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX: a run takes no longer than its
-/// computations and repeats exactly. A real-time clock is CLOCK_MONOTONIC.
+/// A manual clock advances only in xrWaitFrame and xrAdvanceTimeHRTX: runs are fast and repeat exactly. A
+/// real-time clock is CLOCK_MONOTONIC.
 class Clock {
  public:
   enum class Kind { manual, real_time };
@@ -19,7 +19,7 @@ class Clock {
   void set_kind(Kind kind) { kind_ = kind; }
   XrTime now() const;
 
-  /// Lets a manual clock stand at `time`, if that is later than it does.
+  /// Advances a manual clock to `time`; an earlier one does nothing.
   void advance_to(XrTime time);
 
  private:

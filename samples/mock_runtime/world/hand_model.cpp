@@ -4,8 +4,7 @@ namespace hrt::mock {
 namespace {
 
 // A right hand, palm down, wrist at the origin, in metres: +X right, +Y up, -Z to the fingers. The index
-// finger is bent onto a surface that the other fingers, further bent, stay clear of. The palm, which is
-// the middle of a bone, is not in the table.
+// finger touches a surface that the others, bent further, clear. The palm is computed: the middle of a bone.
 struct Rest {
   Eigen::Vector3d position_m;
   double radius_m;

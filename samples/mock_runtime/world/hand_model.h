@@ -1,5 +1,5 @@
-// A plausible hand around its index fingertip: 26 joints with the axes that XR_EXT_hand_tracking
-// specifies. -Z points along the bone to the finger's tip, +Y out of the back of the hand, +X right.
+// A hand around its index fingertip: 26 joints with the axes of XR_EXT_hand_tracking, -Z along the bone to
+// the fingertip, +Y out of the back of the hand, +X right.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -17,8 +17,8 @@ struct HandJoint {
 
 using HandJoints = std::array<HandJoint, XR_HAND_JOINT_COUNT_EXT>;
 
-/// The joints of a hand that points with its index finger, whose index tip joint is at `index_tip_m` and
-/// whose wrist has `orientation`. A left hand mirrors a right one.
+/// The joints of a hand that points with its index finger; `orientation` is the wrist's. A left hand mirrors
+/// a right one.
 HandJoints pose_hand(XrHandEXT hand, const Eigen::Vector3d& index_tip_m,
                      const Eigen::Quaterniond& orientation);
 

@@ -1,4 +1,4 @@
-// Who reaches: a seed and the settings of a script make a person.
+// People drawn from a seed and the settings of a script.
 #pragma once
 
 #include <optional>
@@ -8,17 +8,17 @@
 
 namespace hrt::mock {
 
-/// A number between two, or one that both are.
+/// A uniform draw between two numbers; equal ones fix it.
 struct Range {
   double least;
   double most;
 };
 
-/// What a person is drawn from. The defaults are people who move at a natural pace.
+/// Ranges that a person is drawn from. The defaults are people at a natural pace.
 struct PersonSettings {
   std::vector<IllusionFamily> illusions = {IllusionFamily::linear, IllusionFamily::saturating,
                                            IllusionFamily::sine, IllusionFamily::tanh};
-  std::optional<Range> illusion_scale_deg;  ///< none: as usual for the family
+  std::optional<Range> illusion_scale_deg;  ///< none: by family
   Range tactile_weight = {0.12, 0.30};      ///< in (0, 0.5)
   Range weight_drift = {0.0, 0.0};
   std::vector<Steering> steerings = {Steering::continuous, Steering::predictive};
@@ -46,7 +46,7 @@ struct DrawnPerson {
   Person towards(double virtual_direction_deg) const;
 };
 
-/// Person `number` of a seed. Each part is a draw of its own: setting one leaves the others as they are.
+/// Person `number` of a seed. Each trait has its own draw: fixing one leaves the others.
 DrawnPerson draw(const PersonSettings& settings, std::uint64_t seed, std::uint32_t number);
 
 /// The noise of reach `number`.

@@ -1,5 +1,4 @@
-// One reach of a simulated person: the fingertip rests until the person has reacted, then slides over the
-// plate.
+// One reach of a simulated person: the fingertip rests for the reaction time, then slides over the plate.
 //
 // Coordinates are the plate's (metres; x to the right, z towards the user), directions in degrees from
 // the mid-line, counter-clockwise positive seen from above: direction d is (-sin d, -cos d).
@@ -34,18 +33,18 @@ class Reach {
   Reach(const DrawnPerson& person, const ReachInstruction& instruction, std::uint64_t seed,
         std::uint32_t number, XrTime start);
 
-  /// Makes the milliseconds that end up to `time`: at the end of each the person feels the plate as it
-  /// stands then. `plate` stands at the time of the call before.
+  /// Simulates the milliseconds that end up to `time`; the person feels the plate at the end of each. `plate`
+  /// is as of the last call.
   void advance(XrTime time, const PlateModel& plate);
 
-  /// At any time; at one to come, with the plate as it moves without further commands.
+  /// At any time; a future time is predicted without further plate commands.
   FingerMotion motion(XrTime time, const PlateModel& plate) const;
 
   double tactile_weight() const { return simulated_.illusion.tactile_weight; }
-  /// Farther to the left (`sign` > 0) or to the right no plate within 75 degrees of the motion can hold the
-  /// finger, at the middle of the path.
+  /// The outermost direction, to the left (`sign` > 0) or right, on which a plate within 75 degrees of the
+  /// motion can hold the finger in mid-path.
   double outermost_direction_deg(double sign) const;
-  /// P, and the direction that the person feels.
+  /// P, and the felt direction.
   double true_direction_deg() const { return person_.direction_deg(); }
   double perceived_direction_deg() const { return goal_direction_deg_ + person_.felt_error_deg(); }
   /// Largest felt less virtual direction so far, while the finger moves.

@@ -1,5 +1,5 @@
-// The settings of the simulated world (script.h reads them from JSON). The defaults are people at a natural
-// pace under ideal conditions.
+// The settings of the simulated world; script.h reads them from JSON. The defaults are people at a natural
+// pace and an ideal tracker and servo.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -19,7 +19,7 @@ enum class Velocities { none, zero, linear, full };
 struct TrackerSettings {
   double noise_m = 0.0;         ///< standard deviation of each coordinate, white, >= 0
   std::int64_t latency_ns = 0;  ///< a location at time t is that of t - latency, >= 0
-  std::int64_t period_ns = 0;   ///< time between samples; 0: a new sample at every time that is asked for
+  std::int64_t period_ns = 0;   ///< between samples; 0: a sample for every requested time
   Velocities velocities = Velocities::full;
 };
 
@@ -32,12 +32,12 @@ struct Keyframe {
 
 struct HandSettings {
   bool tracked = false;
-  std::vector<Keyframe> path;  ///< in the order of time; empty: at rest
+  std::vector<Keyframe> path;  ///< in order of time; empty: at rest
 };
 
 struct WorldSettings {
   std::uint64_t seed = 1;
-  std::vector<PersonSettings> participants = {{}};  ///< reach n is made by number n modulo their count
+  std::vector<PersonSettings> participants = {{}};  ///< reach n is by entry n modulo their count
   TrackerSettings tracker;
   PlateDynamics servo;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right

@@ -11,7 +11,7 @@ namespace {
 
 // A seated user's eyes are this far above the floor.
 constexpr double eye_height_m = 1.2;
-// In plate coordinates: where the forearm turns about, to the right (left) of and behind the plate.
+// The elbow, in plate coordinates: to the right (left) of and behind the plate.
 constexpr double elbow_right_m = 0.10;
 constexpr double elbow_behind_m = 0.45;
 // The hand points down onto the plate by this much.
@@ -24,7 +24,7 @@ Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
   return turned;
 }
 
-// The turn that takes one orientation to another, the short way round.
+// From one orientation to another, the short way round.
 struct TurnBetween {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
   double angle_deg = 0.0;
@@ -42,7 +42,7 @@ Eigen::Quaterniond hand_orientation(double yaw_deg) {
   return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
 }
 
-// A hand without a path or a reach: beside the keyboard.
+// The index tip of a hand without path or reach.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
   return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0),

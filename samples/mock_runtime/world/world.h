@@ -13,13 +13,13 @@
 
 namespace hrt::mock {
 
-/// Where LOCAL space, and the head of the seated user, is.
+/// The pose of LOCAL space and of the seated user's head.
 Pose local_space_in_world();
 
-/// The orientation of a wrist whose hand points straight ahead, down onto a plate.
+/// Of the wrist of a hand that points straight ahead, down onto a plate.
 Eigen::Quaterniond resting_hand_orientation();
 
-/// A hand at a moment.
+/// A hand at a time.
 struct HandState {
   Eigen::Vector3d index_tip_m;
   Eigen::Quaterniond orientation;  ///< of the wrist
@@ -37,22 +37,21 @@ class World {
   bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
   double plate_radius_m() const { return plate_radius_m_; }
 
-  /// From now on every draw comes from this seed; the next reach has this number.
+  /// Sets the seed of all draws to come and the number of the next reach.
   void set_seed(std::uint64_t seed, std::uint32_t next_reach);
 
   void command_plate(double orientation_deg) { servo_.command(orientation_deg); }
-  /// At a time from now on; an earlier one gives where the plate stands now.
+  /// At a time from now on; an earlier one counts as now.
   double plate_orientation_deg(XrTime time) const { return servo_.orientation_at_deg(time); }
 
-  /// The person is instructed to slide now, with the index tip joint at `height_m` above the plate.
-  /// Requires plate_is_placed().
+  /// Starts a reach, with the index tip joint at `height_m` above the plate. Requires plate_is_placed().
   void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
   /// The hand's latest reach, or null.
   const Reach* reach(XrHandEXT hand) const;
-  /// Where the index tip joint of a hand with a reach is now, in plate coordinates.
+  /// The index tip joint of a hand with a reach, now, in plate coordinates.
   Eigen::Vector3d true_index_tip_m(XrHandEXT hand) const;
 
-  /// Faults of a hand, from now on.
+  /// Faults of a hand.
   void lose_tracking(XrHandEXT hand, bool lost) { at(hand).lost = lost; }
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
@@ -62,8 +61,8 @@ class World {
   /// Lets time pass up to `now`. Commands given before now have been given before.
   void advance(XrTime now);
 
-  /// The hand as the tracker reports it for `time`; nothing while it is not tracked. A time to come is a
-  /// prediction: as if the plate got no further command.
+  /// The hand as the tracker reports it for `time`; none while not tracked. A future time is predicted
+  /// without further plate commands.
   std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
 
  private:
