@@ -154,7 +154,7 @@ TEST(Calibration, IntervalsHoldTheirValueUnderAnExactTracker) {
   }
 }
 
-TEST(Calibration, RefusesWhatCannotTell) {
+TEST(Calibration, RefusesTooFewData) {
   const CalibrationCondition condition;
   EXPECT_NE(refused({}).find("at least 10 are needed"), std::string::npos);
   EXPECT_NE(refused(simulate(condition, 1)).find("at least 10 are needed"), std::string::npos);

@@ -59,7 +59,7 @@ TEST_F(ReachTest, LeadsTheModelParticipantToTheRealTarget) {
   EXPECT_NEAR(summary.perceived_error_deg, 0.0, 0.05);
 }
 
-TEST_F(ReachTest, PositionsTellTheDirectionAndTheDistanceToGo) {
+TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
   begin_reach();
   double forward_m = -0.05;
   hrt_command command{};
@@ -141,7 +141,7 @@ TEST_F(ReachTest, DropoutsAreHeldThenPredicted) {
   EXPECT_EQ(summary.predicted_steps, 4);
 }
 
-TEST_F(ReachTest, LiftedFingerTellsNothingWhateverItsDirection) {
+TEST_F(ReachTest, LiftedFingerIsNoObservationWhateverItsDirection) {
   begin_reach();
   hrt_sample lifted = direction_sample(0, 10.0);
   lifted.flags |= HRT_SAMPLE_LIFTED;
@@ -151,7 +151,7 @@ TEST_F(ReachTest, LiftedFingerTellsNothingWhateverItsDirection) {
   EXPECT_EQ(end().steps, 0);
 }
 
-TEST_F(ReachTest, FixedPlateStaysWhereItIsTold) {
+TEST_F(ReachTest, FixedPlateStaysAtItsOrientation) {
   hrt_session_config config = paper_config();
   config.control = HRT_CONTROL_FIXED_PLATE;
   config.fixed_plate_orientation_deg = -30.0;

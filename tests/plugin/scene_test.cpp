@@ -33,7 +33,7 @@ class SceneAbiTest : public SessionTest {
   hrt_scene scene{};
 };
 
-TEST_F(SceneAbiTest, TellsWhatTheSceneHolds) {
+TEST_F(SceneAbiTest, ReturnsTheContentOfTheScene) {
   const Scene expected = load_scene(std::filesystem::path(HRT_DESK_SCENE));
   auto info = output<hrt_scene_info>();
   ASSERT_OK(hrt_scene_get_info(scene, &info));

@@ -22,6 +22,15 @@ std::string refusal_with(const char* pointer, Json value) {
   return refusal(with(pointer, std::move(value)));
 }
 
+// `message` follows the file's name.
+void refused(const auto& file, const std::string& message) {
+  EXPECT_EQ(refusal(file), "test.gltf: " + message);
+}
+
+void refused(const char* pointer, Json value, const std::string& message) {
+  refused(with(pointer, std::move(value)), message);
+}
+
 TEST(SceneRefusal, GoodFileIsNotRefused) {
   EXPECT_EQ(refusal(good()), "");
 }
@@ -33,13 +42,13 @@ TEST(SceneRefusal, NotGltf) {
     SCOPED_TRACE(text);
     EXPECT_TRUE(refusal(text).starts_with("test.gltf: not a glTF file: ")) << refusal(text);
   }
-  EXPECT_EQ(refusal_with("/asset/version", "1.0"), "test.gltf: asset.version is \"1.0\"; glTF 2 is read");
-  EXPECT_EQ(refusal_with("/nodes", Json::object()), "test.gltf: nodes is not an array of objects");
-  EXPECT_EQ(refusal_with("/nodes/0", 7), "test.gltf: nodes is not an array of objects");
-  EXPECT_EQ(refusal_with("/scenes", Json::array({7})), "test.gltf: scenes is not an array of objects");
-  EXPECT_EQ(refusal_with("/scene", 1), "test.gltf: scene is \"1\", and there are 1 scenes");
-  EXPECT_EQ(refusal_with("/scene", -1), "test.gltf: scene is \"-1\", and there are 1 scenes");
-  EXPECT_EQ(refusal_with("/scene", "0"), "test.gltf: scene is \"\"0\"\", and there are 1 scenes");
+  refused("/asset/version", "1.0", R"(asset.version is "1.0"; glTF 2 is read)");
+  refused("/nodes", Json::object(), "nodes is not an array of objects");
+  refused("/nodes/0", 7, "nodes is not an array of objects");
+  refused("/scenes", Json::array({7}), "scenes is not an array of objects");
+  refused("/scene", 1, R"(scene is "1", and there are 1 scenes)");
+  refused("/scene", -1, R"(scene is "-1", and there are 1 scenes)");
+  refused("/scene", "0", R"(scene is ""0"", and there are 1 scenes)");
 }
 
 TEST(SceneRefusal, CutShortAtEveryByte) {
@@ -66,80 +75,62 @@ TEST(SceneRefusal, BinaryHeader) {
   EXPECT_EQ(with_word(12, 0x7fffffffu), "test.gltf: the JSON chunk claims 2147483647 bytes, and " +
                                             std::to_string(binary.size() - 20) + " are left");
   EXPECT_EQ(with_word(16, 0), "test.gltf: the first chunk of a binary glTF must be JSON");
-  EXPECT_EQ(refusal("glTF"), "test.gltf: the binary glTF header is cut short");
+  refused("glTF", "the binary glTF header is cut short");
 }
 
 TEST(SceneRefusal, NodeGraph) {
-  EXPECT_EQ(refusal_with("/nodes/0/children", {1, 2}),
-            "test.gltf: scenes[0].nodes holds 1, which is not a root but "
-            "the child of another node");
-  EXPECT_EQ(refusal_with("/nodes/0/children", {3}),
-            "test.gltf: node \"Plate\": children holds 3, and there are 3 nodes");
-  EXPECT_EQ(refusal_with("/nodes/0/children", {-1}),
-            "test.gltf: node \"Plate\": children holds \"-1\", which is not an index");
-  EXPECT_EQ(refusal_with("/nodes/0/children", {1.0}),
-            "test.gltf: node \"Plate\": children holds \"1.0\", which is not an index");
-  EXPECT_EQ(refusal_with("/nodes/0/children", 1), "test.gltf: node \"Plate\": children is not an array");
-  EXPECT_EQ(refusal_with("/scenes/0/nodes", {0, 3}),
-            "test.gltf: scenes[0].nodes holds 3, and there are 3 nodes");
-  EXPECT_EQ(refusal_with("/scenes/0/nodes", {0, 0}), "test.gltf: scenes[0].nodes holds 0 twice");
+  refused("/nodes/0/children", {1, 2},
+          "scenes[0].nodes holds 1, which is not a root but the child of another node");
+  refused("/nodes/0/children", {3}, R"(node "Plate": children holds 3, and there are 3 nodes)");
+  refused("/nodes/0/children", {-1}, R"(node "Plate": children holds "-1", which is not an index)");
+  refused("/nodes/0/children", {1.0}, R"(node "Plate": children holds "1.0", which is not an index)");
+  refused("/nodes/0/children", 1, R"(node "Plate": children is not an array)");
+  refused("/scenes/0/nodes", {0, 3}, "scenes[0].nodes holds 3, and there are 3 nodes");
+  refused("/scenes/0/nodes", {0, 0}, "scenes[0].nodes holds 0 twice");
 
   Json two_parents = good();
   two_parents["nodes"][0]["children"] = {2};
   two_parents["nodes"][1]["children"] = {2};
-  EXPECT_EQ(refusal(two_parents),
-            "test.gltf: node \"Left\": children of both node \"Plate\" and node \"Real\" name it; "
-            "a node has one parent");
+  refused(two_parents,
+          R"(node "Left": children of both node "Plate" and node "Real" name it; a node has one parent)");
   two_parents["nodes"][1]["children"] = Json::array();
   two_parents["nodes"][0]["children"] = {2, 2};
-  EXPECT_EQ(refusal(two_parents),
-            "test.gltf: node \"Left\": children of both node \"Plate\" and node \"Plate\" name "
-            "it; a node has one parent");
+  refused(two_parents,
+          R"(node "Left": children of both node "Plate" and node "Plate" name it; a node has one parent)");
 
-  EXPECT_EQ(refusal_with("/nodes/2/children", {2}),
-            "test.gltf: node \"Left\": children of the nodes below it lead back to it: a cycle");
+  refused("/nodes/2/children", {2},
+          R"(node "Left": children of the nodes below it lead back to it: a cycle)");
   Json cycle = good();
   cycle["nodes"][1]["children"] = {2};
   cycle["nodes"][2]["children"] = {1};
-  EXPECT_EQ(refusal(cycle),
-            "test.gltf: node \"Real\": children of the nodes below it lead back to it: a cycle");
+  refused(cycle, R"(node "Real": children of the nodes below it lead back to it: a cycle)");
 }
 
 TEST(SceneRefusal, Transforms) {
-  EXPECT_EQ(refusal_with("/nodes/1/translation", {0, 0}),
-            "test.gltf: node \"Real\": translation is not an array of 3 numbers");
-  EXPECT_EQ(refusal_with("/nodes/1/translation", {0, 0, "NaN"}),
-            "test.gltf: node \"Real\": translation is not an array of 3 numbers");
-  EXPECT_EQ(refusal_with("/nodes/1/translation", {0, 0, 1e300}),
-            "test.gltf: node \"Real\": its place in the world is further than 1e6 m from the origin");
-  EXPECT_EQ(refusal_with("/nodes/1/rotation", {0, 0, 0, 0}),
-            "test.gltf: node \"Real\": rotation is not a quaternion of unit length");
-  EXPECT_EQ(refusal_with("/nodes/1/rotation", {1e200, 0, 0, 0}),
-            "test.gltf: node \"Real\": rotation is not a quaternion of unit length");
-  EXPECT_EQ(refusal_with("/nodes/1/scale", 2),
-            "test.gltf: node \"Real\": scale is not an array of 3 numbers");
-  EXPECT_EQ(refusal_with("/nodes/1/matrix", Json::array({1, 0, 0})),
-            "test.gltf: node \"Real\": matrix is not an array of 16 numbers");
+  refused("/nodes/1/translation", {0, 0}, R"(node "Real": translation is not an array of 3 numbers)");
+  refused("/nodes/1/translation", {0, 0, "NaN"}, R"(node "Real": translation is not an array of 3 numbers)");
+  refused("/nodes/1/translation", {0, 0, 1e300},
+          R"(node "Real": its place in the world is further than 1e6 m from the origin)");
+  refused("/nodes/1/rotation", {0, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
+  refused("/nodes/1/rotation", {1e200, 0, 0, 0},
+          R"(node "Real": rotation is not a quaternion of unit length)");
+  refused("/nodes/1/scale", 2, R"(node "Real": scale is not an array of 3 numbers)");
+  refused("/nodes/1/matrix", Json::array({1, 0, 0}), R"(node "Real": matrix is not an array of 16 numbers)");
   const Json identity = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
-  EXPECT_EQ(refusal_with("/nodes/1/matrix", identity),
-            "test.gltf: node \"Real\": matrix is given beside translation, rotation or scale; glTF allows "
-            "one form");
+  refused("/nodes/1/matrix", identity,
+          R"(node "Real": matrix is given beside translation, rotation or scale; glTF allows one form)");
   Json projective = identity;
   projective[3] = 0.5;
-  EXPECT_EQ(refusal_with("/nodes/0/matrix", projective),
-            "test.gltf: node \"Plate\": matrix has a fourth row other than 0 0 0 1");
+  refused("/nodes/0/matrix", projective, R"(node "Plate": matrix has a fourth row other than 0 0 0 1)");
 
-  EXPECT_EQ(refusal_with("/nodes/0/scale", {1, 0, 1}),
-            "test.gltf: node \"Plate\": its scale has a zero-length axis or flattens space");
+  refused("/nodes/0/scale", {1, 0, 1}, R"(node "Plate": its scale has a zero-length axis or flattens space)");
   Json flat = identity;
   flat[8] = 1;  // +Z is made the same as +X
   flat[10] = 0;
-  EXPECT_EQ(refusal_with("/nodes/0/matrix", flat),
-            "test.gltf: node \"Plate\": its matrix has a zero-length axis or flattens space");
-  EXPECT_EQ(
-      refusal(document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()})),
-      "test.gltf: node \"Group\": its scale has a zero-length axis or flattens space, and \"Group/Plate\" is "
-      "below it");
+  refused("/nodes/0/matrix", flat, R"(node "Plate": its matrix has a zero-length axis or flattens space)");
+  refused(
+      document({node("Group", {}, {{"scale", {0, 0, 0}}, {"children", {1}}}), plate()}),
+      R"(node "Group": its scale has a zero-length axis or flattens space, and "Group/Plate" is below it)");
 
   // JSON has no NaN and no infinity; a number that overflows would be one.
   for (const char* number : {"NaN", "-Infinity", "1e999", "-1e999"}) {
@@ -150,119 +141,94 @@ TEST(SceneRefusal, Transforms) {
 }
 
 TEST(SceneRefusal, Roles) {
-  EXPECT_EQ(refusal(document({node("Cube", {}), node("Light", {{"haptics", 1}})})),
-            "test.gltf: no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
-  EXPECT_EQ(refusal(document({real(), virtual_on_the_left()})),
-            "test.gltf: no node has extras.haptic.role \"plate\"");
-  EXPECT_EQ(refusal(document({plate(), node("Second", haptic("plate", {{"radius_m", 1}}))})),
-            "test.gltf: node \"Second\": extras.haptic.role is the same as that of \"Plate\", and there may "
-            "be one only");
-  EXPECT_EQ(
-      refusal(document({plate(), node("A", haptic("start")), node("B", haptic("start"))})),
-      "test.gltf: node \"B\": extras.haptic.role is the same as that of \"A\", and there may be one only");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/role", "Real"),
-            "test.gltf: node \"Real\": extras.haptic.role is \"Real\"; allowed are \"plate\", \"real\", "
-            "\"virtual\" and "
-            "\"start\"");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/role", 3),
-            "test.gltf: node \"Real\": extras.haptic.role is not a string");
-  EXPECT_EQ(refusal_with("/nodes/1/extras", {{"haptic_role", Json()}}),
-            "test.gltf: node \"Real\": extras.haptic_role is not a string");
-  EXPECT_EQ(refusal_with("/nodes/1/extras", {{"haptic_name", "brass"}}),
-            "test.gltf: node \"Real\": extras.haptic_role is missing, beside extras.haptic_name");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic", {{"name", "brass"}}),
-            "test.gltf: node \"Real\": extras.haptic.role is missing, beside extras.haptic.name");
+  refused(document({node("Cube", {}), node("Light", {{"haptics", 1}})}),
+          "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
+  refused(document({real(), virtual_on_the_left()}), R"(no node has extras.haptic.role "plate")");
+  refused(document({plate(), node("Second", haptic("plate", {{"radius_m", 1}}))}),
+          R"(node "Second": extras.haptic.role is the same as that of "Plate", and there may be one only)");
+  refused(document({plate(), node("A", haptic("start")), node("B", haptic("start"))}),
+          R"(node "B": extras.haptic.role is the same as that of "A", and there may be one only)");
+  refused("/nodes/1/extras/haptic/role", "Real",
+          R"(node "Real": extras.haptic.role is "Real"; allowed are "plate", "real", "virtual" and "start")");
+  refused("/nodes/1/extras/haptic/role", 3, R"(node "Real": extras.haptic.role is not a string)");
+  refused("/nodes/1/extras", {{"haptic_role", Json()}}, R"(node "Real": extras.haptic_role is not a string)");
+  refused("/nodes/1/extras", {{"haptic_name", "brass"}},
+          R"(node "Real": extras.haptic_role is missing, beside extras.haptic_name)");
+  refused("/nodes/1/extras/haptic", {{"name", "brass"}},
+          R"(node "Real": extras.haptic.role is missing, beside extras.haptic.name)");
   for (const Json& not_an_object : {Json(), Json::object(), Json("real"), Json::array({"role", "real"})}) {
-    EXPECT_EQ(refusal_with("/nodes/1/extras/haptic", not_an_object),
-              "test.gltf: node \"Real\": extras.haptic is not an object with a role");
+    refused("/nodes/1/extras/haptic", not_an_object,
+            R"(node "Real": extras.haptic is not an object with a role)");
   }
-  EXPECT_EQ(
-      refusal_with("/nodes/1/extras/haptic_radius_m", 1),
-      "test.gltf: node \"Real\": both extras.haptic and extras.haptic_radius_m are given; keep one form");
+  refused("/nodes/1/extras/haptic_radius_m", 1,
+          R"(node "Real": both extras.haptic and extras.haptic_radius_m are given; keep one form)");
 }
 
 TEST(SceneRefusal, Properties) {
   Json file = good();
   file["nodes"][0]["extras"]["haptic"].erase("radius_m");
-  EXPECT_EQ(
-      refusal(file),
-      "test.gltf: node \"Plate\": extras.haptic.radius_m is missing: a plate needs its radius in metres");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", 0),
-            "test.gltf: node \"Plate\": extras.haptic.radius_m is 0; allowed is more than 0, up to 10");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", -0.075),
-            "test.gltf: node \"Plate\": extras.haptic.radius_m is -0.075; allowed is more than 0, up to 10");
+  refused(file, R"(node "Plate": extras.haptic.radius_m is missing: a plate needs its radius in metres)");
+  refused("/nodes/0/extras/haptic/radius_m", 0,
+          R"(node "Plate": extras.haptic.radius_m is 0; allowed is more than 0, up to 10)");
+  refused("/nodes/0/extras/haptic/radius_m", -0.075,
+          R"(node "Plate": extras.haptic.radius_m is -0.075; allowed is more than 0, up to 10)");
   // 2^32 + 1, of which 32 bits are 1.
-  EXPECT_EQ(
-      refusal_with("/nodes/0/extras/haptic/radius_m", 4294967297),
-      "test.gltf: node \"Plate\": extras.haptic.radius_m is 4.29497e+09; allowed is more than 0, up to 10");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", "0.075"),
-            "test.gltf: node \"Plate\": extras.haptic.radius_m is not a number");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", true),
-            "test.gltf: node \"Plate\": extras.haptic.radius_m is not a number");
-  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/max_speed_deg_s", 1e6),
-            "test.gltf: node \"Plate\": extras.haptic.max_speed_deg_s is 1e+06; allowed is more than 0, up "
-            "to 100000");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/radius", 0.01),
-            "test.gltf: node \"Real\": extras.haptic.radius is not a property of this role; allowed are "
-            "role, name, "
-            "radius_m");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/served_by", "Left"),
-            "test.gltf: node \"Real\": extras.haptic.served_by is not a property of this role; allowed are "
-            "role, name, "
-            "radius_m");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/ra\rdius", 0.01),
-            "test.gltf: node \"Real\": extras.haptic.ra?dius is not a property of this role; allowed are "
-            "role, name, "
-            "radius_m");
+  refused("/nodes/0/extras/haptic/radius_m", 4294967297,
+          R"(node "Plate": extras.haptic.radius_m is 4.29497e+09; allowed is more than 0, up to 10)");
+  refused("/nodes/0/extras/haptic/radius_m", "0.075",
+          R"(node "Plate": extras.haptic.radius_m is not a number)");
+  refused("/nodes/0/extras/haptic/radius_m", true, R"(node "Plate": extras.haptic.radius_m is not a number)");
+  refused("/nodes/0/extras/haptic/max_speed_deg_s", 1e6,
+          R"(node "Plate": extras.haptic.max_speed_deg_s is 1e+06; allowed is more than 0, up to 100000)");
+  refused(
+      "/nodes/1/extras/haptic/radius", 0.01,
+      R"(node "Real": extras.haptic.radius is not a property of this role; allowed are role, name, radius_m)");
+  refused(
+      "/nodes/1/extras/haptic/served_by", "Left",
+      R"(node "Real": extras.haptic.served_by is not a property of this role; allowed are role, name, radius_m)");
+  refused(
+      "/nodes/1/extras/haptic/ra\rdius", 0.01,
+      R"(node "Real": extras.haptic.ra?dius is not a property of this role; allowed are role, name, radius_m)");
   EXPECT_EQ(refusal_with(("/nodes/1/extras/haptic/" + std::string(3000, 'r')).c_str(), 0.01),
             "test.gltf: node \"Real\": extras.haptic." + std::string(80, 'r') +
                 "... is not a property of this role; allowed are role, name, radius_m");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", ""),
-            "test.gltf: node \"Real\": extras.haptic.name has 0 bytes; allowed are 1 to 255");
-  EXPECT_EQ(refusal_with("/nodes/1/name", 5),
-            "test.gltf: node [1]: name is not a string of at most 255 bytes");
+  refused("/nodes/1/extras/haptic/name", "",
+          R"(node "Real": extras.haptic.name has 0 bytes; allowed are 1 to 255)");
+  refused("/nodes/1/name", 5, "node [1]: name is not a string of at most 255 bytes");
   EXPECT_EQ(refusal_with("/nodes/1/name", std::string(256, 'x')),
             "test.gltf: node \"" + std::string(80, 'x') + "...\": name is not a string of at most 255 bytes");
 }
 
 TEST(SceneRefusal, Targets) {
-  EXPECT_EQ(
-      refusal_with("/nodes/2/name", "Real"),
-      "test.gltf: node \"Real\": its name \"Real\" is also that of \"Real\"; targets need names of their own "
-      "(extras.haptic.name)");
-  EXPECT_EQ(refusal_with("/nodes/1/translation", {0.0, 0.3, 0.05}),
-            "test.gltf: node \"Real\": the target lies at the start point, so it has no direction");
-  EXPECT_EQ(refusal_with("/nodes/2/extras/haptic/served_by", "Brass"),
-            "test.gltf: node \"Left\": extras.haptic.served_by is \"Brass\", which is not the name of a real "
-            "target");
-  EXPECT_EQ(refusal_with("/nodes/2/extras/haptic/served_by", "Left"),
-            "test.gltf: node \"Left\": extras.haptic.served_by is \"Left\", which is not the name of a real "
-            "target");
-  EXPECT_EQ(refusal(document({plate(), virtual_on_the_left()})),
-            "test.gltf: node \"Left\": the file has no real target that could serve this virtual one");
+  refused(
+      "/nodes/2/name", "Real",
+      R"(node "Real": its name "Real" is also that of "Real"; targets need names of their own (extras.haptic.name))");
+  refused("/nodes/1/translation", {0.0, 0.3, 0.05},
+          R"(node "Real": the target lies at the start point, so it has no direction)");
+  refused("/nodes/2/extras/haptic/served_by", "Brass",
+          R"(node "Left": extras.haptic.served_by is "Brass", which is not the name of a real target)");
+  refused("/nodes/2/extras/haptic/served_by", "Left",
+          R"(node "Left": extras.haptic.served_by is "Left", which is not the name of a real target)");
+  refused(document({plate(), virtual_on_the_left()}),
+          R"(node "Left": the file has no real target that could serve this virtual one)");
   const Json second = node("Second", haptic("real"));
-  EXPECT_EQ(refusal(document({plate(), real(), second, virtual_on_the_left()})),
-            "test.gltf: node \"Left\": extras.haptic.served_by is missing, and the file has more than one "
-            "real target");
+  refused(document({plate(), real(), second, virtual_on_the_left()}),
+          R"(node "Left": extras.haptic.served_by is missing, and the file has more than one real target)");
   const Json start = node("Start", haptic("start"), {{"translation", {0.0, 0.0, 0.08}}});
-  EXPECT_EQ(refusal(document({plate(), start, real()})),
-            "test.gltf: node \"Start\": the start lies off the plate, 0.08 m from its centre; the plate's "
-            "radius_m is "
-            "0.075");
+  refused(
+      document({plate(), start, real()}),
+      R"(node "Start": the start lies off the plate, 0.08 m from its centre; the plate's radius_m is 0.075)");
 }
 
 TEST(SceneRefusal, RequiredExtensions) {
-  EXPECT_EQ(
-      refusal_with("/extensionsRequired", {"EXT_mesh_gpu_instancing"}),
-      "test.gltf: extensionsRequired names \"EXT_mesh_gpu_instancing\", which may move nodes and is not "
-      "understood here");
-  EXPECT_EQ(refusal_with("/extensionsRequired", {"KHR_materials_unlit", "AGI_articulations"}),
-            "test.gltf: extensionsRequired names \"AGI_articulations\", which may move nodes and is not "
-            "understood here");
+  refused(
+      "/extensionsRequired", {"EXT_mesh_gpu_instancing"},
+      R"(extensionsRequired names "EXT_mesh_gpu_instancing", which may move nodes and is not understood here)");
+  refused("/extensionsRequired", {"KHR_materials_unlit", "AGI_articulations"},
+          R"(extensionsRequired names "AGI_articulations", which may move nodes and is not understood here)");
   EXPECT_EQ(refusal_with("/extensionsRequired", {"KHR_materials_unlit", "KHR_draco_mesh_compression"}), "");
   EXPECT_EQ(refusal_with("/extensionsUsed", {"EXT_mesh_gpu_instancing"}), "");
-  EXPECT_EQ(refusal_with("/extensionsRequired", Json::array({1})),
-            "test.gltf: extensionsRequired holds something that is not a string");
+  refused("/extensionsRequired", Json::array({1}), "extensionsRequired holds something that is not a string");
 }
 
 TEST(SceneRefusal, BufferAddresses) {
@@ -273,7 +239,7 @@ TEST(SceneRefusal, BufferAddresses) {
                           "console.bin", "a%20b.bin"}) {
     EXPECT_EQ(refusal_of_uri(uri), "") << uri;
   }
-  const std::vector<std::pair<const char*, const char*>> refused{
+  const std::vector<std::pair<const char*, const char*>> bad{
       {"../secret.bin", "climbs out of the file's folder"},
       {"meshes/../../secret.bin", "climbs out of the file's folder"},
       {"%2e%2e/secret.bin", "climbs out of the file's folder"},
@@ -291,12 +257,11 @@ TEST(SceneRefusal, BufferAddresses) {
       {"com1", "names a device"},
       {"", "is not a file name"},
       {"a%00b", "is not a file name"}};
-  for (const auto& [uri, reason] : refused) {
+  for (const auto& [uri, reason] : bad) {
     EXPECT_EQ(refusal_of_uri(uri),
               "test.gltf: buffers[1].uri is \"" + std::string(uri) + "\", which " + reason);
   }
-  EXPECT_EQ(refusal_with("/buffers", Json::array({{{"uri", 7}}})),
-            "test.gltf: buffers[0].uri is not a string");
+  refused("/buffers", Json::array({{{"uri", 7}}}), "buffers[0].uri is not a string");
 }
 
 TEST(SceneRefusal, PathsThatAreNoFile) {
@@ -326,7 +291,7 @@ TEST(SceneRefusal, DeepNodeTree) {
   EXPECT_TRUE(message.ends_with("lies deeper than 256 nodes")) << message;
   EXPECT_LT(message.size(), 300u);
   nodes.push_back(Json::object());
-  EXPECT_EQ(refusal(document(nodes)), "test.gltf: has more than 100000 nodes");
+  refused(document(nodes), "has more than 100000 nodes");
 }
 
 // JSON within JSON, where glTF has no place for it and where it has.
@@ -345,23 +310,21 @@ TEST(SceneRefusal, TooMuchOfEverything) {
   for (int i = 0; i < 1'000'000; ++i) {
     zeros += ",0";
   }
-  EXPECT_EQ(refusal(R"({"asset":{"version":"2.0"},"nodes":)" + zeros + "]}"),
-            "test.gltf: its JSON has more than 1000000 values");
-  EXPECT_EQ(refusal(std::string((std::size_t{64} << 20) + 1, ' ')),
-            "test.gltf: its JSON is larger than 67108864 bytes");
+  refused(R"({"asset":{"version":"2.0"},"nodes":)" + zeros + "]}", "its JSON has more than 1000000 values");
+  refused(std::string((std::size_t{64} << 20) + 1, ' '), "its JSON is larger than 67108864 bytes");
 
   Json nodes = Json::array({plate()});
   for (int i = 0; i < 1000; ++i) {
     nodes.push_back(real());
   }
-  EXPECT_EQ(refusal(document(nodes)), "test.gltf: more than 1000 nodes have a haptic role");
+  refused(document(nodes), "more than 1000 nodes have a haptic role");
 }
 
 TEST(SceneRefusal, NamesThatAreNoText) {
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", std::string(256, 'x')),
-            "test.gltf: node \"Real\": extras.haptic.name has 256 bytes; allowed are 1 to 255");
-  EXPECT_EQ(refusal_with("/nodes/1/extras/haptic/name", std::string("a\0b", 3)),
-            "test.gltf: node \"Real\": extras.haptic.name is \"a?b\", with a control character in it");
+  refused("/nodes/1/extras/haptic/name", std::string(256, 'x'),
+          R"(node "Real": extras.haptic.name has 256 bytes; allowed are 1 to 255)");
+  refused("/nodes/1/extras/haptic/name", std::string("a\0b", 3),
+          R"(node "Real": extras.haptic.name is "a?b", with a control character in it)");
   // Blender lets a node have any name.
   const Scene scene = load(with("/nodes/1/name", "a\nb"));
   EXPECT_EQ(scene.targets[0].name, "a?b");

@@ -214,7 +214,7 @@ TEST_F(MockScript, SessionStatesChangeByWayOfThoseInBetween) {
 }
 
 // What runtimes should not do and some do, an application can be tested with.
-TEST_F(MockScript, StateIsToldAgainAndFramesHaveNoTimesOnOrderOnly) {
+TEST_F(MockScript, StateIsRepeatedAndFramesHaveNoTimesOnOrderOnly) {
   begin_with(R"({"frame_times": false, "events": [{"frame": 2, "do": "repeat_session_state"}]})");
   EXPECT_EQ(frame_time(), 0);
   EXPECT_TRUE(all_states().empty());
@@ -464,7 +464,7 @@ TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   EXPECT_NE(whole[2], whole[0]);
 }
 
-TEST_F(MockScript, CallLogTellsEveryCallItsResultAndWhyItWasRefused) {
+TEST_F(MockScript, CallLogHasEveryCallItsResultAndTheReasonOfARefusal) {
   begin_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
   const auto log = call_log();

@@ -82,7 +82,7 @@ TEST(ReachFault, FocusComesAndGoes) {
   }
 }
 
-TEST(ReachFault, AStateIsToldTwice) {
+TEST(ReachFault, AStateIsReportedTwice) {
   const std::string script = "{" + calm + R"(, "events": [{"frame": 1, "do": "repeat_session_state"},
                                                           {"frame": 100, "do": "repeat_session_state"}]})";
   expect_all_reached(run_desk(script), script);
@@ -225,7 +225,7 @@ TEST(ReachFault, FramesHaveNoTimes) {
   EXPECT_NEAR(rows_of(outcome)[0].frames, 270, 70);  // 3 s at 90 Hz, on a machine that may be busy
 }
 
-TEST(ReachFault, NothingTellsTheTime) {
+TEST(ReachFault, ThereIsNoTime) {
   const Outcome outcome =
       run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})");
   EXPECT_EQ(outcome.exit_code, 7);

@@ -44,7 +44,7 @@ TEST(PlateLine, OfTheDocumentedExampleIsValid) {
   EXPECT_EQ(lines, 9);
 }
 
-TEST(PlateMessage, TellsLimitsAndSpeed) {
+TEST(PlateMessage, HasLimitsAndSpeed) {
   const auto message = parse_plate_message("PLATE 1 -90.00 85.5 400");
   ASSERT_TRUE(message);
   const auto greeting = std::get<PlateGreeting>(*message);
@@ -53,11 +53,11 @@ TEST(PlateMessage, TellsLimitsAndSpeed) {
   EXPECT_EQ(greeting.speed_deg_s, 400.0);
 }
 
-TEST(PlateMessage, TellsWhereThePlateIs) {
+TEST(PlateMessage, HasThePlatesOrientation) {
   EXPECT_EQ(std::get<PlateReport>(*parse_plate_message("AT -12.5")).orientation_deg, -12.5);
 }
 
-TEST(PlateMessage, TellsWhyThePlateStopped) {
+TEST(PlateMessage, HasTheReasonOfAStop) {
   EXPECT_EQ(std::get<PlateStopped>(*parse_plate_message("STOPPED host")).reason, StopReason::host);
   EXPECT_EQ(std::get<PlateStopped>(*parse_plate_message("STOPPED heartbeat")).reason, StopReason::heartbeat);
   EXPECT_EQ(std::get<PlateStopped>(*parse_plate_message("STOPPED limit")).reason, StopReason::limit);

@@ -138,7 +138,7 @@ TEST_F(Extension, RefusesWhatIsWrong) {
   EXPECT_TRUE(std::get<Dictionary>(call("get_authority", {int64_t{1}, int64_t{2}}))->values.empty());
 }
 
-TEST_F(Extension, RefusesACalibrationThatCannotTell) {
+TEST_F(Extension, RefusesACalibrationWithTooFewData) {
   ASSERT_EQ(call_int("begin_calibration", {0.0}), kOk);
   ASSERT_EQ(call_int("begin_trial", {30.0}), kOk);
   ASSERT_EQ(call_int("add_trial_sample", {Vector3{0, 0, 0.05f}, int64_t{0}}), kOk);

@@ -36,7 +36,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void PreviewTellsWhatCanBeHeld()
+        public void PreviewReturnsWhatCanBeHeld()
         {
             List<HapticRetargeting.Pairing> pairings = component.Preview();
             Assert.AreEqual(1, pairings.Count);
@@ -161,7 +161,7 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void EventsTellTheCommandAndWhatChanges()
+        public void EventsReportTheCommandAndChanges()
         {
             var commands = new List<Command>();
             var orientations = new List<float>();

@@ -101,7 +101,7 @@ namespace Hrt.Tests
         const double LargestGapDeg = 75 * 0.2;
 
         [Test]
-        public void AuthorityTellsWhatCanBeHeld()
+        public void AuthorityReturnsWhatCanBeHeld()
         {
             TargetId near = session.AddTarget(TargetRole.Real, -5), far = session.AddTarget(TargetRole.Real, -25);
             TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
