@@ -18,10 +18,10 @@ constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
 constexpr double first_judged_phase = 0.5;
 constexpr double longest_slew_s = 0.25;
-// The gap counts as out of reach once the margin is below 0.3 degrees less 0.6 of its standard deviations:
+// The gap counts as out of reach once the margin is below 0.3 degrees less 0.9 of its standard deviations:
 // few who can hold it are then said not to (hrt-study robustness counts both).
 constexpr double least_margin_deg = 0.3;
-constexpr double margin_deviations = 0.6;
+constexpr double margin_deviations = 0.9;
 constexpr double given_duration_log_sd = 0.12;
 // Below this share of the time a reach teaches nothing.
 constexpr double least_taught_phase = 0.7;

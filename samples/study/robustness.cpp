@@ -35,6 +35,7 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .miss_mm = 1e3 * std::abs(outcome.miss_m),
           .peak_felt_error_deg = outcome.peak_felt_error_deg,
           .unreachable = summary.unreachable,
+          .found = summary.unreachable,
           .misfit = summary.misfit,
           .off_target = summary.off_target,
           .weight_estimated = summary.person.has_value() && weight_sd > 0.0,
@@ -51,9 +52,10 @@ PersonResults simulate(const PeopleFamily& family, double duration_s, std::uint6
   const RetargeterConfig ours = people_controller();
   const RetargeterConfig informed = informed_controller(condition);
   const std::vector<PersonOutcome> carried = lead(&ours, reaches);
+  ReachResult fifth = result(condition, carried.back());
+  for (const PersonOutcome& outcome : carried) fifth.found = fifth.found || outcome.summary.unreachable;
   return {result(condition, lead(nullptr, 1).front()), result(condition, lead(&paper, 1).front()),
-          result(condition, carried.front()), result(condition, carried.back()),
-          result(condition, lead(&informed, 1).front())};
+          result(condition, carried.front()), fifth, result(condition, lead(&informed, 1).front())};
 }
 
 }  // namespace
@@ -89,7 +91,7 @@ RobustnessCell summarise(std::span<const ReachResult> results) {
       misses_mm.push_back(reach.miss_mm);
       peaks_deg.push_back(reach.peak_felt_error_deg);
     } else {
-      cell.unreachable_found.count(reach.unreachable);
+      cell.unreachable_found.count(reach.found);
       cell.silent_cannot_hold.count(reach.silent());
     }
     cell.misfit.count(reach.misfit);

@@ -34,6 +34,7 @@ struct ReachResult {
   double miss_mm;              ///< true, across the real direction; >= 0
   double peak_felt_error_deg;  ///< true
   bool unreachable = false;    ///< flags of the reach's summary
+  bool found = false;          ///< unreachable in this reach or an earlier one of the person
   bool misfit = false;
   bool off_target = false;
   bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
@@ -53,7 +54,7 @@ struct RobustnessCell {
   Share unreachable_false;
   Share silent;
   // Of those who cannot.
-  Share unreachable_found;
+  Share unreachable_found;  ///< in this reach or one before
   Share silent_cannot_hold;
   // Of all.
   Share misfit;

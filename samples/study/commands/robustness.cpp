@@ -113,7 +113,7 @@ std::string flags_table(const Rows& rows) {
   std::string page =
       "Flags, % of the reaches above                                     pap    1st    5th    inf\n";
   page +=
-      line("those who cannot hold the gap: unreachable, rightly", rows, &RobustnessCell::unreachable_found) +
+      line("those who cannot hold the gap: found unreachable by then", rows, &RobustnessCell::unreachable_found) +
       line("  silent miss", rows, &RobustnessCell::silent_cannot_hold) +
       line("those who can: unreachable, falsely", rows, &RobustnessCell::unreachable_false) +
       line("  silent miss: off target and no flag", rows, &RobustnessCell::silent) +
@@ -279,10 +279,11 @@ what is lost by not knowing them. All is simulation; there was no human trial.
 
 The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a line for
 each family, duration and controller: that share with its 95 % interval (Wilson), the miss across
-the real direction, the largest felt error, unreachable found and false, model does not fit, off
-target, silent misses (off target and no flag), and how often the 95 % interval of w_T covers the
-person's, which is 95 if the interval is honest. People who cannot hold the gap, whatever the plate
-does, are counted apart. A field without a value is empty (CSV) or null (JSON).
+the real direction, the largest felt error, unreachable found (in this reach or one before) and
+false, model does not fit, off target, silent misses (off target and no flag), and how often the
+95 % interval of w_T covers the person's, which is 95 if the interval is honest. People who cannot
+hold the gap, whatever the plate does, are counted apart. A field without a value is empty (CSV) or
+null (JSON).
 
 --out makes a folder with robustness.csv, robustness.json, a picture for each duration (.svg and
 .png) and robustness.html, which contains everything. Needs gnuplot.
