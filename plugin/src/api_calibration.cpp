@@ -152,17 +152,9 @@ class StreamedCalibration {
 using Calibrations = HandleTable<StreamedCalibration, HRT_CALIBRATIONS_MAX, 0xca>;
 constinit Calibrations calibrations;
 
-hrt_result no_lease(hrt_result result, hrt_calibration calibration) {
-  if (result == HRT_ERROR_BUSY) return fail(result, "another thread is in a call on this calibration");
-  return fail(result, "calibration ", calibration.value, " does not exist");
-}
-
 template <class Body>
 hrt_result with_calibration(const char* call, hrt_calibration handle, Body&& body) noexcept {
-  return guarded(call, [&]() -> hrt_result {
-    const Calibrations::Lease lease = calibrations.lease(handle.value);
-    return lease.result() == HRT_OK ? body(*lease) : no_lease(lease.result(), handle);
-  });
+  return with_lease(call, "calibration", calibrations, handle.value, body);
 }
 
 hrt_result check_interval(const char* field, const hrt_interval& interval) {
@@ -227,10 +219,7 @@ hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_con
 }
 
 hrt_result hrt_calibration_destroy(hrt_calibration calibration) noexcept {
-  return guarded("hrt_calibration_destroy", [&]() -> hrt_result {
-    const hrt_result result = calibrations.destroy(calibration.value);
-    return result == HRT_OK ? HRT_OK : no_lease(result, calibration);
-  });
+  return destroy("hrt_calibration_destroy", "calibration", calibrations, calibration.value);
 }
 
 hrt_result hrt_calibration_begin_trial(hrt_calibration calibration, double plate_orientation_deg) noexcept {

@@ -43,17 +43,9 @@ hrt_result add_scene(hrt_scene* out_scene, std::string_view file, Load&& load) {
   }
 }
 
-hrt_result no_lease(hrt_result result, hrt_scene scene) {
-  if (result == HRT_ERROR_BUSY) return fail(result, "another thread is in a call on this scene");
-  return fail(result, "scene ", scene.value, " does not exist");
-}
-
 template <class Body>
 hrt_result with_scene(const char* call, hrt_scene handle, Body&& body) noexcept {
-  return guarded(call, [&]() -> hrt_result {
-    const Scenes::Lease lease = scenes.lease(handle.value);
-    return lease.result() == HRT_OK ? body(*lease) : no_lease(lease.result(), handle);
-  });
+  return with_lease(call, "scene", scenes, handle.value, body);
 }
 
 std::uint32_t role_of(const SceneTarget& target) {
@@ -129,10 +121,7 @@ hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char*
 }
 
 hrt_result hrt_scene_destroy(hrt_scene scene) noexcept {
-  return guarded("hrt_scene_destroy", [&]() -> hrt_result {
-    const hrt_result result = scenes.destroy(scene.value);
-    return result == HRT_OK ? result : no_lease(result, scene);
-  });
+  return destroy("hrt_scene_destroy", "scene", scenes, scene.value);
 }
 
 hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) noexcept {

@@ -33,12 +33,7 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
 }
 
 hrt_result hrt_session_destroy(hrt_session session) noexcept {
-  return guarded("hrt_session_destroy", [&]() -> hrt_result {
-    const hrt_result result = sessions.destroy(session.value);
-    if (result == HRT_ERROR_BUSY) return fail(result, "another thread is in a call on this session");
-    if (result != HRT_OK) return fail(result, "session ", session.value, " does not exist");
-    return HRT_OK;
-  });
+  return destroy("hrt_session_destroy", "session", sessions, session.value);
 }
 
 hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) noexcept {
