@@ -3,12 +3,11 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -110,9 +109,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
 }
 
 TEST_F(MockScript, ScriptOfTheReadmeIsValid) {
-  std::ostringstream readme;
-  readme << std::ifstream(HRT_MOCK_README).rdbuf();
-  const std::string text = readme.str();
+  const std::string text = read_file(HRT_MOCK_README);
   const std::string fence = "```json\n";
   const std::size_t begin = text.find(fence);
   ASSERT_NE(begin, std::string::npos);
@@ -504,29 +501,22 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
 class MockEnvironment : public ::testing::Test {
  protected:
   void SetUp() override {
-    directory = std::filesystem::temp_directory_path() / ("mock_runtime_test_" + std::to_string(getpid()));
-    std::filesystem::create_directory(directory);
-    setenv("HRT_MOCK_SCRIPT", (directory / "script.json").c_str(), 1);
-    setenv("HRT_MOCK_CALL_LOG", (directory / "calls.log").c_str(), 1);
+    setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+    setenv("HRT_MOCK_CALL_LOG", (folder / "calls.log").c_str(), 1);
   }
   void TearDown() override {
     unsetenv("HRT_MOCK_SCRIPT");
     unsetenv("HRT_MOCK_CALL_LOG");
-    std::filesystem::remove_all(directory);
   }
 
-  void write_script(const char* text) { std::ofstream(directory / "script.json") << text; }
-  std::string read_log() {
-    std::ostringstream text;
-    text << std::ifstream(directory / "calls.log").rdbuf();
-    return text.str();
-  }
+  void write_script(const char* text) { std::ofstream(folder / "script.json") << text; }
+  std::string read_log() { return read_file(folder / "calls.log"); }
   XrResult create() {
     const XrInstanceCreateInfo info = instance_info(all_extensions());
     return xrCreateInstance(&info, &instance);
   }
 
-  std::filesystem::path directory;
+  TemporaryFolder folder;
   XrInstance instance = XR_NULL_HANDLE;
 };
 

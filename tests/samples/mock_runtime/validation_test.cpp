@@ -1,12 +1,10 @@
-// Debian's core validation layer between an application that makes no mistake and the runtime: it finds
-// nothing to say about either.
+// Debian's core validation layer finds nothing wrong with the runtime, nor with an application without
+// mistakes.
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -14,12 +12,9 @@ namespace {
 class MockValidation : public MockRuntime {
  protected:
   void SetUp() override {
-    report =
-        std::filesystem::temp_directory_path() / ("mock_validation_" + std::to_string(getpid()) + ".txt");
-    std::filesystem::remove(report);
     setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_LUNARG_core_validation", 1);
     setenv("XR_CORE_VALIDATION_EXPORT_TYPE", "text", 1);
-    setenv("XR_CORE_VALIDATION_FILE_NAME", report.c_str(), 1);
+    setenv("XR_CORE_VALIDATION_FILE_NAME", (folder / "report.txt").c_str(), 1);
     MockRuntime::SetUp();
   }
   void TearDown() override {
@@ -27,14 +22,9 @@ class MockValidation : public MockRuntime {
     for (const char* name :
          {"XR_ENABLE_API_LAYERS", "XR_CORE_VALIDATION_EXPORT_TYPE", "XR_CORE_VALIDATION_FILE_NAME"})
       unsetenv(name);
-    std::filesystem::remove(report);
   }
 
-  std::string messages() const {
-    std::ostringstream text;
-    text << std::ifstream(report).rdbuf();
-    return text.str();
-  }
+  std::string messages() const { return read_file(folder / "report.txt"); }
 
   void use_actions() {
     XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO};
@@ -72,7 +62,7 @@ class MockValidation : public MockRuntime {
     ASSERT_XR(XR_SUCCESS, xrCreateActionSpace(session, &space_info, &space));
   }
 
-  std::filesystem::path report;
+  TemporaryFolder folder;
 };
 
 TEST_F(MockValidation, LayerHasNothingToSayAboutAWholeSession) {

@@ -5,13 +5,9 @@
 #include <string>
 #include <vector>
 
-namespace hrt::reach {
+#include "tests/samples/process.h"
 
-struct Outcome {
-  int exit_code = -1;  ///< -1: it was ended by a signal, which is then named in `err`
-  std::string out;
-  std::string err;
-};
+namespace hrt::reach {
 
 /// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
 std::map<std::string, std::string> mock_environment();
@@ -26,34 +22,18 @@ inline const std::string calm = R"("participants": [{"illusion": "linear", "tact
     "habit_deg": 0, "pace": "minimum_jerk", "duration_ms": 2400, "reaction_ms": 300}])";
 
 /// hrt-reach on its way.
-class Program {
+class Program : public Process {
  public:
-  /// Starts it; its error output goes to `err`, if that is a file's descriptor.
   explicit Program(const std::vector<std::string>& arguments,
                    const std::map<std::string, std::string>& environment = mock_environment(), int err = -1);
-
-  void send_signal(int signal) const;
-  /// What it has written to its outputs so far.
-  std::string out() const;
-  std::string err() const;
-
-  /// Waits for its end. A run that takes over a minute is killed.
-  Outcome wait();
-
- private:
-  std::string folder_;
-  int child_ = -1;
 };
 
-/// Runs hrt-reach with these arguments and this environment. A run that takes over a minute is killed.
+/// Runs hrt-reach with these arguments and this environment.
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment = mock_environment());
 
 /// The same in scripted_environment().
 Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
-
-/// The whole file; empty if there is none.
-std::string read_file(const std::string& file);
 
 /// A row of the result table.
 struct Row {

@@ -1,5 +1,4 @@
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <chrono>
 #include <csignal>
@@ -124,13 +123,11 @@ TEST(StudySweep, AStoppedRunResumesToTheSameBytes) {
   const Arguments grid{"sweep", "--gap", "-20:20:200", "--trials", "2000", "--threads", "1"};
   const std::string whole = run_study(grid).out;
   const std::string out = folder / "sweep.csv";
-  const pid_t child = start_study(grid + Arguments{"--out", out});
+  const Process program = start_study(grid + Arguments{"--out", out});
   for (int i = 0; i < 5000 && lines(read_file(out + ".partial")).size() < 14; ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  kill(child, SIGKILL);
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
-  ASSERT_TRUE(WIFSIGNALED(status)) << "it was done before it could be stopped";
+  program.send_signal(SIGKILL);
+  ASSERT_EQ(program.wait().exit_code, -SIGKILL) << "it was done before it could be stopped";
   EXPECT_EQ(entries(folder.path), Arguments{"sweep.csv.partial"});
 
   ASSERT_EQ(run_study(grid + Arguments{"--out", out}).exit_code, 0);
@@ -169,13 +166,12 @@ TEST(StudySweep, TwoProcessesDoNotShareAFile) {
   const TemporaryFolder folder;
   const std::string out = folder / "sweep.csv";
   const Arguments grid{"sweep", "--gap", "-20:20:2000", "--trials", "20000", "--out", out};
-  const pid_t child = start_study(grid);
+  const Process first = start_study(grid);
   for (int i = 0; i < 5000 && read_file(out + ".partial").empty(); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const StudyRun second = run_study(grid);
-  kill(child, SIGKILL);
-  int status = 0;
-  ASSERT_EQ(waitpid(child, &status, 0), child);
+  first.send_signal(SIGKILL);
+  first.wait();
   EXPECT_EQ(second.exit_code, 2);
   EXPECT_NE(second.err.find("being written by another hrt-study"), std::string::npos) << second.err;
 }

@@ -1,0 +1,52 @@
+// Runs programs as people and scripts do, with their output in files.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hrt {
+
+struct Outcome {
+  int exit_code = 0;  ///< minus the signal's number if one ended the program
+  std::string out;
+  std::string err;
+};
+
+/// An empty folder, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder();
+  ~TemporaryFolder();
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
+
+  std::filesystem::path path;
+};
+
+/// A child process. The caller waits for it.
+class Process {
+ public:
+  /// Starts the program words[0] with `environment`, "NAME=value" each; its error output goes to `err`, if
+  /// that is a file's descriptor.
+  Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1);
+
+  void send_signal(int signal) const;
+  /// Its output so far.
+  std::string out() const;
+  std::string err() const;
+
+  /// Waits for its end. A run of over two minutes is killed.
+  Outcome wait() const;
+
+ private:
+  TemporaryFolder folder_;
+  int child_ = 0;
+};
+
+/// The whole file; empty if there is none.
+std::string read_file(const std::string& file);
+
+}  // namespace hrt
