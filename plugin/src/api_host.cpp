@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdlib>
+#include <memory>
+#include <mutex>
 #include <new>
 
 #include "haptic_retargeting/host.h"
@@ -58,6 +60,7 @@ struct Log {
   void* context;
 };
 constinit Log host_log{};
+constinit std::mutex log_mutex;  // of host_log, and held while its callback runs
 
 hrt_result check_nothing_held() {
   const std::int64_t held = blocks_held.load();
@@ -71,7 +74,12 @@ constexpr std::size_t plain = alignof(std::max_align_t);
 }  // namespace
 
 void log(std::uint32_t level, const char* text) {
+  const std::lock_guard lock(log_mutex);
   if (host_log.callback) host_log.callback(host_log.context, level, text);
+}
+
+void unlock_log_of_parent() {
+  std::construct_at(&log_mutex);
 }
 
 }  // namespace hrt::plugin
@@ -139,7 +147,7 @@ hrt_result hrt_set_allocator(const hrt_allocator* given) noexcept {
 
 hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) noexcept {
   return guarded("hrt_set_log_callback", [&]() -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_nothing_held());
+    const std::lock_guard lock(log_mutex);
     host_log = {callback, context};
     return HRT_OK;
   });

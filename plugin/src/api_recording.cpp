@@ -11,6 +11,7 @@ namespace hrt::plugin {
 namespace {
 
 constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr std::size_t block_size = 65536;
 
 hrt_recording_status to_abi(const RecorderStatus& status) {
   return {
@@ -21,19 +22,17 @@ hrt_recording_status to_abi(const RecorderStatus& status) {
   };
 }
 
-std::string read_file(const char* path) {
-  const File file = open_file(path, FileMode::read);
-  std::string text;
-  char block[65536];
-  while (const std::size_t n = std::fread(block, 1, sizeof block, file.get())) {
-    text.append(block, n);
-    if (text.size() > largest_file) {
-      errno = EFBIG;
-      throw file_error(path);
-    }
+hrt_result read_file(const char* path, std::string* out) {
+  File file;
+  HRT_RETURN_IF_FAILED(File::open(path, &file));
+  for (std::size_t size = 0; size <= largest_file;) {
+    out->resize(size + block_size);
+    const std::ptrdiff_t n = file.read({out->data() + size, block_size});
+    if (n < 0) return fail_of_file(path);
+    out->resize(size += static_cast<std::size_t>(n));
+    if (n == 0) return HRT_OK;
   }
-  if (std::ferror(file.get())) throw file_error(path);
-  return text;
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", largest_file, " bytes");
 }
 
 }  // namespace
@@ -44,7 +43,7 @@ using namespace hrt::plugin;
 hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
   return with_session("hrt_recording_start", session, [&](RecordedSession& s) -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    return s.start_recording(path);
+    return s.start_recording(path, session.value);
   });
 }
 
@@ -82,7 +81,9 @@ hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) noex
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     hrt_replay_report report{};
-    HRT_RETURN_IF_FAILED(replay(read_file(path), &report));
+    std::string text;
+    HRT_RETURN_IF_FAILED(read_file(path, &text));
+    HRT_RETURN_IF_FAILED(replay(text, &report));
     write_struct(report, out_report);
     return HRT_OK;
   });

@@ -15,13 +15,6 @@ namespace hrt::test {
 #define ASSERT_OK(call) ASSERT_EQ((call), HRT_OK) << hrt_last_error()
 #define EXPECT_OK(call) EXPECT_EQ((call), HRT_OK) << hrt_last_error()
 
-/// Takes whatever is written to it, as a path.
-#if defined(_WIN32)
-inline constexpr const char* null_device = "NUL";
-#else
-inline constexpr const char* null_device = "/dev/null";
-#endif
-
 /// Expects an error whose text begins with the call's name and mentions `part`.
 inline void expect_error(hrt_result result, hrt_result expected, const std::string& part) {
   EXPECT_EQ(result, expected) << hrt_result_string(result) << ": " << hrt_last_error();

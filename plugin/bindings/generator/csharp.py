@@ -23,6 +23,7 @@ _ENUMS = {
     "HRT_REACH_": "ReachFlags",
     "HRT_SAMPLE_": "SampleFlags",
     "HRT_COMMAND_": "CommandFlags",
+    "HRT_ENDING_": "Ending",
 }
 # Handles, whose names in C# say that they are.
 _HANDLES = {"hrt_session": "SessionHandle", "hrt_target": "TargetId", "hrt_scene": "SceneHandle",

@@ -87,6 +87,16 @@ export declare const HRT_COMMAND_RESTING = 512;
 export declare const HRT_COMMAND_APPROXIMATE = 1024;
 /** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
 export declare const HRT_COMMAND_FAULT = 2048;
+
+/** How a recording ends. */
+/** with its end line, and nothing was altered or lost */
+export declare const HRT_ENDING_COMPLETE = 0;
+/** without an end line: cut off, or the process ended while recording */
+export declare const HRT_ENDING_CUT = 1;
+/** at rows that a slow disk has lost: only those before were replayed */
+export declare const HRT_ENDING_LOST_ROWS = 2;
+/** with an end line whose checksum is not that of the text before it */
+export declare const HRT_ENDING_ALTERED = 3;
 /** Maximum number of scenes in a process. */
 export declare const HRT_SCENES_MAX = 64;
 /** Maximum number of sessions in a process. */
@@ -188,7 +198,7 @@ export declare const structs: {
   readonly hrt_calibration_result: StructLayout<"struct_size" | "reserved" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m">;
   readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
   readonly hrt_recording_status: StructLayout<"struct_size" | "system_error" | "rows_written" | "rows_lost">;
-  readonly hrt_replay_report: StructLayout<"struct_size" | "complete" | "rows" | "first_different_line" | "hash">;
+  readonly hrt_replay_report: StructLayout<"struct_size" | "complete" | "rows" | "first_different_line" | "hash" | "ending" | "reserved">;
   readonly hrt_scene: StructLayout<"value">;
   readonly hrt_scene_info: StructLayout<"struct_size" | "target_count" | "plate_position_m" | "plate_rotation" | "plate_radius_m" | "plate_max_speed_deg_s" | "start_position_m">;
   readonly hrt_scene_target: StructLayout<"struct_size" | "role" | "served_by" | "reserved" | "position_m" | "world_position_m" | "direction_deg" | "distance_m" | "radius_m" | "name">;
@@ -502,7 +512,7 @@ export interface hrt_recording_status {
 /** Result of a replay. Set `struct_size` before the call. */
 export interface hrt_replay_report {
   struct_size: number;
-  /** 1 if the recording has its end and no lost rows, else 0: only the rows before the gap were replayed. */
+  /** 1 if `ending` is HRT_ENDING_COMPLETE, else 0. */
   complete: number;
   /** Rows replayed. */
   rows: bigint;
@@ -510,6 +520,9 @@ export interface hrt_replay_report {
   first_different_line: bigint;
   /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as 8 bytes, step and the eleven numbers after it, least significant byte first. */
   hash: bigint;
+  /** HRT_ENDING_*. Since version 0.3. */
+  ending: number;
+  reserved: number;
 }
 
 /** A scene's handle. Zero is never a scene. Handles are never reused. */

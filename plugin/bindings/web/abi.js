@@ -41,6 +41,10 @@ export const HRT_COMMAND_OFF_TARGET = 256;
 export const HRT_COMMAND_RESTING = 512;
 export const HRT_COMMAND_APPROXIMATE = 1024;
 export const HRT_COMMAND_FAULT = 2048;
+export const HRT_ENDING_COMPLETE = 0;
+export const HRT_ENDING_CUT = 1;
+export const HRT_ENDING_LOST_ROWS = 2;
+export const HRT_ENDING_ALTERED = 3;
 export const HRT_SCENES_MAX = 64;
 export const HRT_SESSIONS_MAX = 64;
 export const HRT_CONTROL_MPC = 0;
@@ -245,12 +249,14 @@ export const structs = Object.freeze({
     rows_written: {"offset": 8, "type": "u64"},
     rows_lost: {"offset": 16, "type": "u64"},
   } },
-  hrt_replay_report: { size: 32, fields: {
+  hrt_replay_report: { size: 40, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     complete: {"offset": 4, "type": "u32"},
     rows: {"offset": 8, "type": "u64"},
     first_different_line: {"offset": 16, "type": "u64"},
     hash: {"offset": 24, "type": "u64"},
+    ending: {"offset": 32, "type": "u32"},
+    reserved: {"offset": 36, "type": "u32"},
   } },
   hrt_scene: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},

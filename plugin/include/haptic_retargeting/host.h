@@ -1,5 +1,5 @@
 /*
- * The host's allocator and log, for the whole process. Set them before creating any object.
+ * The host's allocator and log, for the whole process. Set the allocator before creating any object.
  */
 #ifndef HAPTIC_RETARGETING_HOST_H
 #define HAPTIC_RETARGETING_HOST_H
@@ -33,11 +33,12 @@ HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEP
 #define HRT_LOG_ERROR 2
 
 /** Receives what no call can return, for example that a recording's disk is full. `level` is HRT_LOG_*.
- *  `text` is one line, valid during the call. Called on a thread of the library. It may not call this
- *  library or throw. */
+ *  `text` is one line that names the session and the file, valid during the call. Called on a thread of the
+ *  library, one call at a time. It may not call this library or throw. */
 typedef void (*hrt_log_callback)(void* context, uint32_t level, const char* text);
 
-/** Sets the log callback. Null: no log, the default. Errors and thread rule: as hrt_set_allocator(). */
+/** Sets the log callback. Null: no log, the default. The former callback is not called any more once this
+ *  returns; the call waits for it to end. [any-thread] */
 HRT_API hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

@@ -27,7 +27,10 @@ typedef struct hrt_recording_status {
 } hrt_recording_status;
 
 /** Starts recording the session into a file, which is created or replaced. Errors: SYSTEM if the file
- *  cannot be created, WRONG_STATE during a reach or while recording, OUT_OF_MEMORY. [one-thread] */
+ *  cannot be created, is not a regular file, or another recording is written to it, in this process or
+ *  another; WRONG_STATE during a reach or while recording; OUT_OF_MEMORY. In the child of a fork, which has
+ * the parent's sessions but not its recordings, calls of these sessions are not recorded, the two calls below
+ *  return WRONG_STATE, and this one may start a recording of the child. [one-thread] */
 HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
 /** Returns the state of the recording. Errors: WRONG_STATE without a recording. [real-time] */
@@ -38,10 +41,16 @@ HRT_API hrt_result hrt_recording_get_status(hrt_session session,
  *  Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
 HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
 
+/** How a recording ends. */
+#define HRT_ENDING_COMPLETE 0  /**< with its end line, and nothing was altered or lost */
+#define HRT_ENDING_CUT 1       /**< without an end line: cut off, or the process ended while recording */
+#define HRT_ENDING_LOST_ROWS 2 /**< at rows that a slow disk has lost: only those before were replayed */
+#define HRT_ENDING_ALTERED 3   /**< with an end line whose checksum is not that of the text before it */
+
 /** Result of a replay. Set `struct_size` before the call. */
 typedef struct hrt_replay_report {
   uint32_t struct_size;
-  /** 1 if the recording has its end and no lost rows, else 0: only the rows before the gap were replayed. */
+  /** 1 if `ending` is HRT_ENDING_COMPLETE, else 0. */
   uint32_t complete;
   /** Rows replayed. */
   uint64_t rows;
@@ -51,6 +60,9 @@ typedef struct hrt_replay_report {
   /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as
    *  8 bytes, step and the eleven numbers after it, least significant byte first. */
   uint64_t hash;
+  /** HRT_ENDING_*. Since version 0.3. */
+  uint32_t ending;
+  uint32_t reserved;
 } hrt_replay_report;
 
 /** Repeats the recorded calls and compares results, commands and summaries. Errors: BAD_FORMAT naming the

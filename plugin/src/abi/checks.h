@@ -8,6 +8,7 @@
 
 #include "haptic_retargeting/authority.h"
 #include "haptic_retargeting/reach.h"
+#include "haptic_retargeting/recording.h"
 #include "plugin/src/abi/error.h"
 
 namespace hrt::plugin {
@@ -25,6 +26,9 @@ template <>
 inline constexpr std::uint32_t first_size<hrt_command> = 72;
 template <>
 inline constexpr std::uint32_t first_size<hrt_authority> = 64;
+template <>
+inline constexpr std::uint32_t first_size<hrt_replay_report> = 32;
+static_assert(first_size<hrt_replay_report> == offsetof(hrt_replay_report, ending));
 static_assert(first_size<hrt_authority> == offsetof(hrt_authority, paper_largest_gap_deg));
 static_assert(first_size<hrt_reach_config> == offsetof(hrt_reach_config, duration_s));
 static_assert(first_size<hrt_command> == offsetof(hrt_command, time_to_go_s));

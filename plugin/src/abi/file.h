@@ -1,20 +1,15 @@
 // Files, whose paths come in UTF-8 on every system.
 #pragma once
 
-#include <cerrno>
-#include <cstdio>
+#include <cstddef>
 #include <filesystem>
-#include <memory>
-#include <system_error>
+#include <span>
+#include <string_view>
+#include <utility>
 
-#include "plugin/src/abi/text.h"
+#include "haptic_retargeting/base.h"
 
 namespace hrt::plugin {
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// Windows' own narrow paths are in a code page that depends on the machine. Throws std::system_error if
 /// `utf8` is no UTF-8 there.
@@ -22,27 +17,38 @@ inline std::filesystem::path path_of(const char* utf8) {
   return reinterpret_cast<const char8_t*>(utf8);
 }
 
-enum class FileMode { read, write };
+/// A regular file, byte for byte and without a buffer. Programs that the process starts do not inherit it.
+class File {
+ public:
+  File() = default;
+  ~File();
+  File(File&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  File& operator=(File&& other) noexcept {
+    std::swap(descriptor_, other.descriptor_);
+    return *this;
+  }
+  File(const File&) = delete;
+  File& operator=(const File&) = delete;
 
-/// The last system error, about a file.
-inline std::system_error file_error(const char* path) {
-  const int error = errno;
-  Text<96> shown;
-  shown << Shown{path};
-  return {error, std::generic_category(), shown.c_str()};
-}
+  /// Opens a file to read. Fails naming the path and the reason. Never blocks: a pipe is refused.
+  static hrt_result open(const char* path, File* out);
+  /// Creates or empties a file to write. Fails too if another recording, of any process, is written to it.
+  static hrt_result create(const char* path, File* out);
 
-/// Opens a file, byte for byte: Windows would otherwise end lines in its own way. Children of the process do
-/// not inherit it. Throws std::system_error
-/// that names the path.
-inline File open_file(const char* path, FileMode mode) {
-#if defined(_WIN32)
-  File file(_wfopen(path_of(path).c_str(), mode == FileMode::read ? L"rbN" : L"wbN"));
-#else
-  File file(std::fopen(path, mode == FileMode::read ? "rbe" : "wbe"));
-#endif
-  if (!file) throw file_error(path);
-  return file;
-}
+  /// Bytes read into the beginning of `out`: 0 at the end, negative on failure, with errno set.
+  std::ptrdiff_t read(std::span<char> out);
+  /// 0, or errno.
+  int write(std::string_view text);
+  /// Lets others write to the file, even while a child of this process has it open.
+  void release();
+
+ private:
+  static hrt_result open_regular(const char* path, int flags, File* out);
+
+  int descriptor_ = -1;
+};
+
+/// Fails for the last system error, about a file.
+hrt_result fail_of_file(const char* path);
 
 }  // namespace hrt::plugin

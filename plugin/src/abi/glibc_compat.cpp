@@ -26,6 +26,9 @@ char __libc_single_threaded = 0;
 int stat(const char* path, struct stat* out) noexcept {
   return static_cast<int>(syscall(SYS_newfstatat, AT_FDCWD, path, out, 0));
 }
+int fstat(int file, struct stat* out) noexcept {
+  return static_cast<int>(syscall(SYS_fstat, file, out));
+}
 int fstat64(int file, struct stat64* out) noexcept {
   return static_cast<int>(syscall(SYS_fstat, file, out));
 }

@@ -7,7 +7,10 @@
 
 namespace hrt::plugin {
 
-/// Calls the host's log callback, if there is one.
+/// Calls the host's log callback, if there is one. Takes a lock.
 void log(std::uint32_t level, const char* text);
+
+/// In the child of a fork, where the thread that held the lock does not exist.
+void unlock_log_of_parent();
 
 }  // namespace hrt::plugin

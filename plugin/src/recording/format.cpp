@@ -287,6 +287,10 @@ void write_record(const Record& record, RecordText& out) {
   std::visit([&](const auto& call) { write(call, record.result, out); }, record.call);
 }
 
+void write_end(std::uint64_t checksum, RecordText& out) {
+  out << end_comment << checksum << "\n";
+}
+
 hrt_result read_row(std::string_view line, Record* out) {
   Cells cells;
   HRT_RETURN_IF_FAILED(split(line, &cells));

@@ -74,7 +74,10 @@ inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
 inline constexpr std::string_view lost_comment = "# lost ";
-inline constexpr std::string_view end_comment = "# end";
+inline constexpr std::string_view end_comment = "# end ";
+
+/// The last line: a checksum of all before it.
+void write_end(std::uint64_t checksum, RecordText& out);
 
 /// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
 hrt_result read_row(std::string_view line, Record* out);

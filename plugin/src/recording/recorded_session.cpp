@@ -107,16 +107,24 @@ hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument
   return result;
 }
 
-hrt_result RecordedSession::start_recording(const char* path) {
+hrt_result RecordedSession::start_recording(const char* path, std::uint64_t handle) {
   HRT_RETURN_IF_FAILED(session_.check_no_reach());
-  if (recorder_) return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
-  recorder_ =
-      std::make_unique<Recorder>(path, session_.config(), session_.targets, session_.plate_orientation_deg());
+  if (recorder_ && !recorder_->is_of_parent())
+    return fail(HRT_ERROR_WRONG_STATE, "the session is being recorded already; stop that first");
+  File file;
+  HRT_RETURN_IF_FAILED(File::create(path, &file));
+  Text<128> name;
+  name << "session " << handle << ", " << Shown{path};
+  recorder_ = std::make_unique<Recorder>(std::move(file), name.view(), session_.config(), session_.targets,
+                                         session_.plate_orientation_deg());
   return HRT_OK;
 }
 
 hrt_result RecordedSession::check_recording() const {
-  return recorder_ ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+  if (!recorder_) return fail(HRT_ERROR_WRONG_STATE, "nothing is being recorded");
+  if (!recorder_->is_of_parent()) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE,
+              "the recording is of the process that this one was forked from; calls here are not recorded");
 }
 
 RecorderStatus RecordedSession::stop_recording() {

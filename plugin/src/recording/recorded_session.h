@@ -35,9 +35,10 @@ class RecordedSession {
   /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
-  hrt_result start_recording(const char* path);
+  /// The log names the session by `handle`.
+  hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
-  /// These two while recording.
+  /// These two if check_recording() succeeds.
   RecorderStatus recording_status() const { return recorder_->status(); }
   RecorderStatus stop_recording();
 

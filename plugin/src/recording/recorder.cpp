@@ -1,10 +1,10 @@
 #include "plugin/src/recording/recorder.h"
 
-#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "plugin/src/abi/host.h"
 
@@ -35,35 +35,36 @@ std::thread start_thread(Run&& run) {
 #endif
 }
 
-void append(const Record& record, std::FILE* file) {
-  RecordText line;
-  write_record(record, line);
-  std::fwrite(line.c_str(), 1, line.view().size(), file);
-}
-
 }  // namespace
 
-Recorder::Recorder(const char* path, const hrt_session_config& config, const Targets& targets,
+Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
                    double plate_orientation_deg)
-    : ring_(std::make_unique<Entry[]>(capacity)), file_(open_file(path, FileMode::write)) {
-  std::fwrite(recording_header().data(), 1, recording_header().size(), file_.get());
-  append({.call = ConfigSet{config}}, file_.get());
-  append({.call = PlateStands{plate_orientation_deg}}, file_.get());
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
+  name_ << name;
+  watch_forks();
+  forks_ = forks();
+  write(recording_header());
+  write_record_of({.call = ConfigSet{config}});
+  write_record_of({.call = PlateStands{plate_orientation_deg}});
   for (const auto& [id, target] : targets.all())
-    append({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}}, file_.get());
-  if (std::fflush(file_.get()) != 0 || std::ferror(file_.get())) throw file_error(path);
+    write_record_of({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}});
+  if (const int error = system_error_.load(); error != 0)
+    throw std::system_error(error, std::generic_category(), name_.c_str());
   if (has_threads) writer_ = start_thread([this] { write_all(); });
 }
 
 Recorder::~Recorder() {
-  stop();
+  if (is_of_parent())
+    abandon();
+  else
+    stop();
 }
 
 void Recorder::push(const Record& record) noexcept {
   const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
   const std::uint64_t lost = lost_.load(std::memory_order_relaxed);
   if (!has_threads && pushed - taken_.load() == capacity) drain();
-  if (pushed - taken_.load(std::memory_order_acquire) == capacity) {
+  if (is_of_parent() || pushed - taken_.load(std::memory_order_acquire) == capacity) {
     lost_.store(lost + 1, std::memory_order_relaxed);
     return;
   }
@@ -81,7 +82,18 @@ RecorderStatus Recorder::stop() {
   } else {
     write_all();
   }
+  file_.release();
   return status();
+}
+
+// The thread and the file are the parent's.
+void Recorder::abandon() {
+  std::construct_at(&writer_);
+  const std::uint64_t lost = lost_.load();
+  if (lost == 0) return;
+  Text<96> text;
+  text << lost << " calls are not recorded: they are of a child of the process that records";
+  report(HRT_LOG_WARNING, text.view());
 }
 
 RecorderStatus Recorder::status() const {
@@ -99,49 +111,54 @@ void Recorder::write_all() {
   }
   drain();
   write_lost(lost_.load() - lost_noted_);
-  write(end_comment);
-  write("\n");
-  drain();
+  RecordText end;
+  write_end(checksum_.value(), end);
+  write(end.view());
 }
 
-// Writes what the ring holds, and hands it to the operating system.
+// Hands what the ring holds to the operating system.
 void Recorder::drain() {
-  RecordText line;
   const std::uint64_t pushed = pushed_.load(std::memory_order_acquire);
   for (std::uint64_t taken = taken_.load(std::memory_order_relaxed); taken != pushed; ++taken) {
     const Entry& entry = ring_[taken % capacity];
     write_lost(entry.lost_before);
-    line.clear();
-    write_record(entry.record, line);
-    write(line.view());
-    ++in_flight_;
+    write_record_of(entry.record);
+    if (system_error_.load() == 0) written_.fetch_add(1);
     taken_.store(taken + 1, std::memory_order_release);
   }
-  if (system_error_.load() != 0) return;
-  if (std::fflush(file_.get()) != 0) return give_up(errno);
-  written_.fetch_add(in_flight_);
-  in_flight_ = 0;
 }
 
 void Recorder::write(std::string_view text) {
   if (system_error_.load() != 0) return;
-  if (std::fwrite(text.data(), 1, text.size(), file_.get()) != text.size()) give_up(errno);
+  checksum_.add(text);
+  const int error = file_.write(text);
+  if (error == 0) return;
+  system_error_.store(error);
+  Text<240> reason;
+  reason << "the recording ends here, control continues: " << std::strerror(error);
+  report(HRT_LOG_ERROR, reason.view());
+}
+
+void Recorder::write_record_of(const Record& record) {
+  RecordText line;
+  write_record(record, line);
+  write(line.view());
 }
 
 void Recorder::write_lost(std::uint64_t count) {
   if (count == 0) return;
   Text<128> line;
   line << lost_comment << count << " calls here: the disk was too slow";
-  log(HRT_LOG_WARNING, line.c_str());
+  report(HRT_LOG_WARNING, line.view());
   line << "\n";
   write(line.view());
 }
 
-void Recorder::give_up(int error) {
-  system_error_.store(error == 0 ? EIO : error);
-  Text<240> text;
-  text << "the recording ends here, control continues: " << std::strerror(error);
-  log(HRT_LOG_ERROR, text.c_str());
+void Recorder::report(std::uint32_t level, std::string_view text) const {
+  Text<400> line;
+  line << name_.view() << ": " << text;
+  line.make_printable();
+  log(level, line.c_str());
 }
 
 }  // namespace hrt::plugin

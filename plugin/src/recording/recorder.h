@@ -4,10 +4,13 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <string_view>
 #include <thread>
 
 #include "plugin/src/abi/file.h"
+#include "plugin/src/abi/fork.h"
 #include "plugin/src/recording/format.h"
+#include "plugin/src/recording/hash.h"
 #include "plugin/src/targets.h"
 
 namespace hrt::plugin {
@@ -23,9 +26,9 @@ struct RecorderStatus {
 /// real-time.
 class Recorder {
  public:
-  /// Creates or replaces the file and writes what the session is before anything happens. Throws
+  /// Writes what the session is before anything happens. `name` names session and file in the log. Throws
   /// std::system_error, std::bad_alloc.
-  Recorder(const char* path, const hrt_session_config& config, const Targets& targets,
+  Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
            double plate_orientation_deg);
   /// Writes what is left, and waits for the disk to take it.
   ~Recorder();
@@ -35,6 +38,10 @@ class Recorder {
   Recorder& operator=(Recorder&&) = delete;
 
   void push(const Record& record) noexcept;
+
+  /// True in a child of the process that records. There push() loses records, and the others may not be
+  /// called.
+  bool is_of_parent() const { return forks_ != forks(); }
 
   /// Ends the recording as the destructor does, and returns the final state.
   RecorderStatus stop();
@@ -50,8 +57,10 @@ class Recorder {
   void write_all();
   void drain();
   void write(std::string_view text);
+  void write_record_of(const Record& record);
   void write_lost(std::uint64_t count);
-  void give_up(int error);
+  void report(std::uint32_t level, std::string_view text) const;
+  void abandon();
 
   std::unique_ptr<Entry[]> ring_;
   std::atomic<std::uint64_t> pushed_{0};  // written by the caller's thread
@@ -61,8 +70,10 @@ class Recorder {
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
   std::uint64_t lost_noted_ = 0;  // of lost_, those noted in entries; of the caller's thread
-  std::uint64_t in_flight_ = 0;   // written but not flushed; of the writer's
+  std::uint32_t forks_ = 0;
   File file_;
+  Hash checksum_;  // of what was written
+  Text<128> name_;
   std::thread writer_;
 };
 

@@ -8,34 +8,22 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/format.h"
+#include "plugin/src/recording/hash.h"
 #include "plugin/src/session.h"
 
 namespace hrt::plugin {
 namespace {
 
-/// FNV-1a, 64 bits.
-class Hash {
- public:
-  void add(std::uint64_t value) {
-    for (int byte = 0; byte < 8; ++byte) {
-      hash_ = (hash_ ^ (value >> (8 * byte) & 0xff)) * 0x100000001b3;
-    }
-  }
-  void add(const hrt_command& command) {
-    add(std::uint64_t{command.flags});
-    add(static_cast<std::uint64_t>(command.step));
-    for (const double value :
-         {command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
-          command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight,
-          command.tactile_weight_sd, command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg,
-          command.normalised_innovation})
-      add(std::bit_cast<std::uint64_t>(value));
-  }
-  std::uint64_t value() const { return hash_; }
-
- private:
-  std::uint64_t hash_ = 0xcbf29ce484222325;
-};
+void add(const hrt_command& command, Hash& hash) {
+  hash.add(std::uint64_t{command.flags});
+  hash.add(static_cast<std::uint64_t>(command.step));
+  for (const double value :
+       {command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
+        command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight,
+        command.tactile_weight_sd, command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg,
+        command.normalised_innovation})
+    hash.add(std::bit_cast<std::uint64_t>(value));
+}
 
 /// The ids of a session's targets, by their numbers in the recording.
 using TargetIds = std::map<std::uint64_t, std::uint64_t>;
@@ -58,7 +46,7 @@ class Rerun {
   }
   void operator()(Updated& call) {
     record_.result = session_.update(call.sample, &call.command);
-    if (record_.result == HRT_OK) hash_.add(call.command);
+    if (record_.result == HRT_OK) add(call.command, hash_);
   }
   void operator()(ReachEnded& call) { record_.result = session_.end(&call.summary); }
   void operator()(Refused& call) {
@@ -121,32 +109,42 @@ class Replay {
     if (!starts_with_and_drops(text, recording_header()))
       return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
     for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
-    while (!text.empty() && !lost_) {
+    checksum_.add(recording_header());
+    while (!text.empty() && report_.ending != HRT_ENDING_LOST_ROWS) {
       ++line_number_;
       const std::size_t end = text.find('\n');
       if (end == std::string_view::npos) break;  // cut off within a line
       if (const hrt_result result = take(text.substr(0, end)); result != HRT_OK) return at_line(result);
+      checksum_.add(text.substr(0, end + 1));
       text.remove_prefix(end + 1);
     }
     report_.hash = hash_.value();
+    report_.complete = report_.ending == HRT_ENDING_COMPLETE ? 1 : 0;
     *out = report_;
     return HRT_OK;
   }
 
  private:
   hrt_result take(std::string_view line) {
-    if (report_.complete) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
+    if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
-    if (line.starts_with(lost_comment)) {
-      lost_ = true;
-    } else if (line == end_comment) {
-      report_.complete = 1;
+    if (starts_with_and_drops(line, end_comment)) {
+      take_end(line);
+    } else if (line.starts_with(lost_comment)) {
+      report_.ending = HRT_ENDING_LOST_ROWS;
     } else if (!line.starts_with("#")) {
       return take_row(line);
     }
     return HRT_OK;
+  }
+
+  void take_end(std::string_view rest) {
+    std::uint64_t checksum = 0;
+    const bool is_same = read_number(rest, &checksum) && checksum == checksum_.value();
+    report_.ending = is_same ? HRT_ENDING_COMPLETE : HRT_ENDING_ALTERED;
+    ended_ = true;
   }
 
   hrt_result take_config(std::string_view json) {
@@ -218,9 +216,12 @@ class Replay {
                             .complete = 0,
                             .rows = 0,
                             .first_different_line = 0,
-                            .hash = 0};
+                            .hash = 0,
+                            .ending = HRT_ENDING_CUT,
+                            .reserved = 0};
+  Hash checksum_;  // of the lines before
   std::uint64_t line_number_ = 0;
-  bool lost_ = false;
+  bool ended_ = false;
 };
 
 }  // namespace

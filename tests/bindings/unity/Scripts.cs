@@ -31,7 +31,9 @@ sealed class Scripts : MarshalByRefObject
             if (i % 1000 == 0) Thread.Sleep(1);
         }
         if (logged == null) return "nothing was logged of a disk that is full";
-        if (!logged.StartsWith("error: Haptic retargeting: the recording ends here")) return "logged: " + logged;
+        if (!logged.StartsWith("error: Haptic retargeting: session ") ||
+            !logged.Contains(": the recording ends here"))
+            return "logged: " + logged;
         if (logThread == Thread.CurrentThread) return "logged on the caller's thread";
         return "";
     }

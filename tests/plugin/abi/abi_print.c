@@ -147,6 +147,8 @@ int main(void) {
   FIELD(hrt_replay_report, rows)
   FIELD(hrt_replay_report, first_different_line)
   FIELD(hrt_replay_report, hash)
+  FIELD(hrt_replay_report, ending)
+  FIELD(hrt_replay_report, reserved)
   END(hrt_replay_report)
   BEGIN(hrt_scene)
   FIELD(hrt_scene, value)

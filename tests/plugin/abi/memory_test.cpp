@@ -1,6 +1,9 @@
 // The library's memory: all of it from the host's allocator, any of it refused.
+#include <unistd.h>
+
 #include <atomic>
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -162,14 +165,17 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   hrt_session session{};
   ASSERT_OK(hrt_session_create(&config, &session));
   auto status = output<hrt_recording_status>();
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / ("hrt_memory" + std::to_string(getpid()) + ".csv");
   refuse_each_request(allocator, [&] {
-    const hrt_result result = hrt_recording_start(session, null_device);
+    const hrt_result result = hrt_recording_start(session, path.string().c_str());
     if (result == HRT_OK) {
       EXPECT_OK(hrt_recording_stop(session, &status));
     }
     return result;
   });
   ASSERT_OK(hrt_session_destroy(session));
+  std::filesystem::remove(path);
   auto report = output<hrt_replay_report>();
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #endif
 
 #include <unistd.h>
@@ -237,6 +239,51 @@ TEST_F(RecordingTest, LinesMayEndInCrLf) {
   const hrt_replay_report report = replay(text);
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.first_different_line, 0u);
+}
+
+/// How the recording ends, HRT_ENDING_*.
+std::uint32_t ending(const std::string& text) {
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, report.ending == HRT_ENDING_COMPLETE ? 1u : 0u);
+  return report.ending;
+}
+
+// The end line has a checksum of all before it, whatever the changed text is good for.
+TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
+  const std::string text = recording();
+  EXPECT_EQ(ending(text), HRT_ENDING_COMPLETE);
+  const auto changed = [&](const std::string& part, const std::string& by) {
+    std::string other = text;
+    const std::size_t at = other.find(part);
+    EXPECT_NE(at, std::string::npos) << part;
+    return other.replace(at, part.size(), by);
+  };
+  const std::size_t row = text.find("\nupdate,0,40000000,"), row_end = text.find('\n', row + 1);
+  std::string other = text;
+  EXPECT_EQ(ending(other.erase(row, row_end - row)), HRT_ENDING_ALTERED) << "a row less";
+  other = text;
+  EXPECT_EQ(ending(other.insert(row, text, row, row_end - row)), HRT_ENDING_ALTERED) << "a row twice";
+  EXPECT_EQ(ending(changed("a \\\"cup\\\"", "a mug")), HRT_ENDING_ALTERED) << "a name";
+  EXPECT_EQ(ending(changed("\n# target", "\n# a comment\n# target")), HRT_ENDING_ALTERED);
+  const std::size_t end = text.rfind("# end ");
+  for (const char* line : {"# end 1\n", "# end soon\n", "# end \n", "# end 99999999999999999999999\n"})
+    EXPECT_EQ(ending(text.substr(0, end) + line), HRT_ENDING_ALTERED) << line;
+  EXPECT_EQ(ending(text.substr(0, end)), HRT_ENDING_CUT);
+  EXPECT_EQ(ending(text.substr(0, text.size() - 1)), HRT_ENDING_CUT);
+  EXPECT_EQ(ending(text.substr(0, row + 1)), HRT_ENDING_CUT);
+  EXPECT_EQ(ending(changed("\nupdate,", "\n# lost 3 calls here: the disk was too slow\nupdate,")),
+            HRT_ENDING_LOST_ROWS);
+}
+
+// A caller of version 0.2 has a shorter report.
+TEST_F(RecordingTest, ReportOfFormerVersionsIsFilled) {
+  const std::string text = recording();
+  hrt_replay_report report = output<hrt_replay_report>();
+  report.struct_size = 32;
+  report.ending = 77;
+  ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.ending, 77u);
 }
 
 TEST_F(RecordingTest, NothingFollowsTheEnd) {
@@ -512,9 +559,77 @@ TEST_F(RecordingTest, CallsOutOfOrderAreRefused) {
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_WRONG_STATE, "under way");
 }
 
-#if defined(__linux__)  // what makes a disk full or slow here: a device, a limit, a pipe
+// Two recordings would write into each other. A file that is taken stays as it is.
+#if !defined(__EMSCRIPTEN__)
+TEST_F(RecordingTest, FileOfAnotherRecordingIsRefused) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  begin_reach();
+  const hrt_session_config config = paper_config();
+  hrt_session other{};
+  ASSERT_OK(hrt_session_create(&config, &other));
+  const std::string same = (folder() / "." / "recording.csv").string();
+  expect_error(hrt_recording_start(other, same.c_str()), HRT_ERROR_SYSTEM,
+               ": another recording is written to this file");
+  EXPECT_NE(std::string(hrt_last_error()).find(same.substr(0, 64)), std::string::npos) << hrt_last_error();
+  end();
+  stop();
+  EXPECT_EQ(replay(read(path())).rows, 2u);
+  EXPECT_EQ(replay(read(path())).complete, 1u);
+  EXPECT_OK(hrt_recording_start(other, same.c_str()));
+  EXPECT_OK(hrt_session_destroy(other));
+}
+#endif
+
+TEST_F(RecordingTest, WhatIsNoRegularFileIsRefused) {
+  const auto refused = [&](const std::string& path) {
+    expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, "");
+    EXPECT_NE(std::string(hrt_last_error()).find(path), std::string::npos) << hrt_last_error();
+  };
+  refused(folder().string());
+#if defined(_WIN32)
+  refused("NUL");
+#else
+  refused("/dev/null");
+#endif
+}
+
+#if defined(__linux__)  // pipes, limits and processes as they are here
+
+// Neither waits for someone at the other end of the pipe.
+TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
+  ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
+  auto report = output<hrt_replay_report>();
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_replay_file(path().c_str(), &report), HRT_ERROR_SYSTEM, ": not a regular file");
+  const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
+  close(reader);
+  expect_error(hrt_replay_file("/dev/zero", &report), HRT_ERROR_SYSTEM, "/dev/zero: not a regular file");
+}
+
+/// Files that grow beyond a size are refused by the system while this lives.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t size) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    EXPECT_EQ(getrlimit(RLIMIT_FSIZE, &before_), 0);
+    const rlimit small{.rlim_cur = size, .rlim_max = before_.rlim_max};
+    EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  }
+  ~FullDisk() { EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before_), 0); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  FullDisk(FullDisk&&) = delete;
+  FullDisk& operator=(FullDisk&&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
 TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
-  expect_error(hrt_recording_start(session, "/dev/full"), HRT_ERROR_SYSTEM, "No space left");
+  const FullDisk disk(100);
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "File too large");
   begin_reach();
   update(direction_sample(0, 0.0));
 }
@@ -536,17 +651,12 @@ class Log {
   }
 };
 
+// The log is set while the session lives, and names session and file.
 TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
+  Log log;
+  hrt_recording_status status{};
   {
-    Log log;
-    create(session_config());
-    std::signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
-    const rlimit small{.rlim_cur = 100'000, .rlim_max = before.rlim_max};
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    const FullDisk disk(100'000);
     ASSERT_OK(hrt_recording_start(session, path().c_str()));
     begin_reach();
     for (int i = 0; i < 5'000; ++i) {
@@ -554,24 +664,38 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
       if (i % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
     end();
-    const hrt_recording_status status = stop();
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
-    EXPECT_EQ(status.system_error, EFBIG);
-    EXPECT_GT(status.rows_lost, 0u);
-    EXPECT_GE(status.rows_written + status.rows_lost, 5'002u);
-    EXPECT_NE(log.text.find("File too large"), std::string::npos) << log.text;
-    EXPECT_EQ(replay(read(path())).complete, 0u);
-    ASSERT_OK(hrt_session_destroy(session));
-    session.value = 0;
+    status = stop();
   }
+  EXPECT_EQ(status.system_error, EFBIG);
+  EXPECT_GT(status.rows_lost, 0u);
+  EXPECT_GE(status.rows_written + status.rows_lost, 5'002u);
+  EXPECT_TRUE(log.text.starts_with("session " + std::to_string(session.value) + ", " + path().substr(0, 64)))
+      << log.text;
+  EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n"))
+      << log.text;
+  EXPECT_EQ(replay(read(path())).complete, 0u);
 }
 
-// A pipe that nobody reads for a while is a disk that has stalled.
+/// Descriptors of this process that are open on a file.
+std::vector<int> descriptors_of(const std::string& path) {
+  std::vector<int> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    if (std::filesystem::read_symlink(entry.path(), gone) == std::filesystem::canonical(path))
+      found.push_back(std::stoi(entry.path().filename().string()));
+  }
+  return found;
+}
+
+// A pipe in the file's place that nobody reads for a while is a disk that has stalled.
 TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
-  ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
-  const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
-  ASSERT_GE(reader, 0);
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  const std::vector<int> files = descriptors_of(path());
+  ASSERT_EQ(files.size(), 1u);
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(dup2(ends[1], files[0]), files[0]);
+  close(ends[1]);
   begin_reach();
   for (int i = 0; i < 30'000; ++i) update(direction_sample(i * ms, 0.0));
   auto status = output<hrt_recording_status>();
@@ -579,21 +703,86 @@ TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
   EXPECT_GT(status.rows_lost, 10'000u);
   EXPECT_EQ(end().samples, 30'000);
 
-  std::string text;
+  std::string text = read(path());
   std::thread slow([&] {
-    fcntl(reader, F_SETFL, 0);
     char block[4096];
-    for (ssize_t n = 0; (n = ::read(reader, block, sizeof block)) > 0;)
+    for (ssize_t n = 0; (n = ::read(ends[0], block, sizeof block)) > 0;)
       text.append(block, static_cast<size_t>(n));
   });
   status = stop();
   slow.join();
-  close(reader);
+  close(ends[0]);
   EXPECT_EQ(status.system_error, 0);
   EXPECT_NE(text.find("\n# lost "), std::string::npos);
-  EXPECT_TRUE(text.ends_with("# end\n"));
-  EXPECT_EQ(replay(text).complete, 0u);
+  EXPECT_NE(text.find("\n# end "), std::string::npos);
+  EXPECT_EQ(ending(text), HRT_ENDING_LOST_ROWS);
   EXPECT_EQ(replay(text).first_different_line, 0u);
+}
+
+/// Runs the body in a child of this process. Returns how it ended, as waitpid() has it.
+template <class Body>
+int status_in_child(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(20);  // instead of hanging
+    body();
+    std::exit(testing::Test::HasFailure() ? 1 : 0);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+// The thread that writes is the parent's. In a child the session works, and says that it is not recorded.
+TEST_F(RecordingTest, ChildrenAreNotRecordedAndSaySo) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  begin_reach();
+  update(direction_sample(0, 1.0));
+  const std::string of_child = (folder() / "child.csv").string();
+  const int child = status_in_child([&] {
+    Log log;
+    update(direction_sample(1, 1.0));
+    for (int i = 0; i < 10'000; ++i) update(direction_sample(2, 1.0));
+    auto status = output<hrt_recording_status>();
+    expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
+    expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
+    end();
+    expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "another recording");
+    ASSERT_OK(hrt_recording_start(session, of_child.c_str()));
+    EXPECT_NE(log.text.find(path().substr(0, 64)), std::string::npos) << log.text;
+    EXPECT_NE(log.text.find(": 10002 calls are not recorded"), std::string::npos) << log.text;
+    begin_reach();
+    end();
+    stop();
+    EXPECT_EQ(replay(read(of_child)).rows, 2u);
+  });
+  EXPECT_EQ(child, 0);
+  // One that takes no notice and leaves, by way of the library's destructors.
+  EXPECT_EQ(status_in_child([] {}), 0);
+  EXPECT_EQ(status_in_child([&] { EXPECT_OK(hrt_session_destroy(session)); }), 0);
+  update(direction_sample(1, 2.0));
+  end();
+  EXPECT_EQ(stop().rows_written, 6u);  // two targets too
+  const hrt_replay_report report = replay(read(path()));
+  EXPECT_EQ(report.rows, 4u);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+// A child that lives longer holds no file of its parent's.
+TEST_F(RecordingTest, FileIsFreeOnceItsRecordingStopsWhateverChildrenDo) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(20);
+    pause();
+    _exit(0);
+  }
+  stop();
+  EXPECT_OK(hrt_recording_start(session, path().c_str()));
+  stop();
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
 }
 
 std::set<std::string> threads() {
@@ -620,14 +809,9 @@ TEST_F(RecordingTest, LeavesSignalsAndChildrenAlone) {
   sigset_t own;
   ASSERT_EQ(pthread_sigmask(SIG_SETMASK, nullptr, &own), 0);
   EXPECT_EQ(sigismember(&own, SIGUSR1), 0);
-  int files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    std::error_code gone;
-    if (std::filesystem::read_symlink(entry.path(), gone) != std::filesystem::canonical(path())) continue;
-    ++files;
-    EXPECT_NE(fcntl(std::stoi(entry.path().filename().string()), F_GETFD) & FD_CLOEXEC, 0);
-  }
-  EXPECT_EQ(files, 1);
+  const std::vector<int> files = descriptors_of(path());
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_NE(fcntl(files[0], F_GETFD) & FD_CLOEXEC, 0);
   stop();
 }
 #endif

@@ -254,7 +254,7 @@ TEST(ReachFault, AFrameNeverComes) {
     EXPECT_EQ(outcome.exit_code, 11) << outcome.err;
     EXPECT_TRUE(says(outcome, "has not returned from xrWaitFrame within 0.3 s")) << outcome.err;
     EXPECT_EQ(rows_of(outcome).size(), call == 300 ? 1U : 0U) << outcome.out;
-    EXPECT_EQ(read_file(folder + "/r.csv").substr(read_file(folder + "/r.csv").size() - 6), "# end\n");
+    EXPECT_NE(read_file(folder + "/r.csv").find("\n# end "), std::string::npos);
     EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
   }
 }

@@ -250,14 +250,29 @@ class SessionFlag(IntFlag):
     PLATE_WAITS = 1
 
 
+class Ending(IntEnum):
+    """How a recording ends.
+
+    COMPLETE: with its end line, and nothing was altered or lost
+    CUT: without an end line: cut off, or the process ended while recording
+    LOST_ROWS: at rows that a slow disk has lost: only those before were replayed
+    ALTERED: with an end line whose checksum is not that of the text before it
+    """
+
+    COMPLETE = 0
+    CUT = 1
+    LOST_ROWS = 2
+    ALTERED = 3
+
+
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
 """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure."""
 AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
 """Releases memory that allocate() returned."""
 LogCallback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
 """Receives what no call can return, for example that a recording's disk is full. `level` is LogLevel.
-`text` is one line, valid during the call. Called on a thread of the library. It may not call this
-library or throw."""
+`text` is one line that names the session and the file, valid during the call. Called on a thread of the
+library, one call at a time. It may not call this library or throw."""
 
 
 class SessionHandle(Struct):
@@ -909,13 +924,13 @@ class RecordingStatus(Struct):
 class ReplayReport(Struct):
     """Result of a replay.
 
-    complete: 1 if the recording has its end and no lost rows, else 0: only the rows before the gap were
-        replayed.
+    complete: 1 if `ending` is Ending.COMPLETE, else 0.
     rows: Rows replayed.
     first_different_line: Line, from 1, of the first row whose result or any number differs from the
         recorded one; 0: all rows are equal, bit for bit.
     hash: FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags
         as 8 bytes, step and the eleven numbers after it, least significant byte first.
+    ending: Ending. Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -924,6 +939,8 @@ class ReplayReport(Struct):
         rows: int
         first_different_line: int
         hash: int
+        ending: int
+        reserved: int
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -931,6 +948,8 @@ class ReplayReport(Struct):
         ("rows", c_uint64),
         ("first_different_line", c_uint64),
         ("hash", c_uint64),
+        ("ending", c_uint32),
+        ("reserved", c_uint32),
     )
 
 

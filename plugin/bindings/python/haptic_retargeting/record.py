@@ -100,7 +100,7 @@ class Recording:
 
     reaches: list[ReachRecord]
     complete: bool
-    """It has its end, and no calls were lost."""
+    """It has its end, and no calls were lost. replay() checks too that nothing was altered."""
     targets: list[TargetConfig]
     """All that were ever added or changed, in that order."""
 
@@ -194,7 +194,7 @@ def _read(lines: Iterable[str]) -> Recording:
         try:
             if line.startswith("# lost"):
                 break
-            if line == "# end":
+            if line.startswith("# end "):
                 complete = True
             elif line.startswith("# config "):
                 config = _from_json(SessionConfig(), line.removeprefix("# config "))

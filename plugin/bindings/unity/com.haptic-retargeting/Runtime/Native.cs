@@ -231,6 +231,19 @@ namespace Hrt
         Fault = 2048,
     }
 
+    /// <summary>How a recording ends.</summary>
+    public enum Ending : uint
+    {
+        /// <summary>with its end line, and nothing was altered or lost</summary>
+        Complete = 0,
+        /// <summary>without an end line: cut off, or the process ended while recording</summary>
+        Cut = 1,
+        /// <summary>at rows that a slow disk has lost: only those before were replayed</summary>
+        LostRows = 2,
+        /// <summary>with an end line whose checksum is not that of the text before it</summary>
+        Altered = 3,
+    }
+
     /// <summary>A session's handle. Zero is never a session. Handles are never reused.</summary>
     [Serializable]
     [StructLayout(LayoutKind.Sequential)]
@@ -666,8 +679,7 @@ namespace Hrt
     public partial struct ReplayReport
     {
         public uint structSize;
-        /// <summary>1 if the recording has its end and no lost rows, else 0: only the rows before the gap
-        /// were replayed.</summary>
+        /// <summary>1 if <c>ending</c> is Ending.Complete, else 0.</summary>
         public uint complete;
         /// <summary>Rows replayed.</summary>
         public ulong rows;
@@ -678,6 +690,9 @@ namespace Hrt
         /// "update", flags as 8 bytes, step and the eleven numbers after it, least significant byte
         /// first.</summary>
         public ulong hash;
+        /// <summary>Ending. Since version 0.3.</summary>
+        public Ending ending;
+        public uint reserved;
     }
 
     /// <summary>A scene's handle. Zero is never a scene. Handles are never reused.</summary>
@@ -738,8 +753,9 @@ namespace Hrt
     internal delegate void AllocatorRelease(IntPtr context, IntPtr memory);
 
     /// <summary>Receives what no call can return, for example that a recording's disk is full. <c>level</c>
-    /// is LogLevel. <c>text</c> is one line, valid during the call. Called on a thread of the library. It may
-    /// not call this library or throw.</summary>
+    /// is LogLevel. <c>text</c> is one line that names the session and the file, valid during the call.
+    /// Called on a thread of the library, one call at a time. It may not call this library or
+    /// throw.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate void LogCallback(IntPtr context, uint level, IntPtr text);
 

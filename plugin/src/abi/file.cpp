@@ -1,0 +1,188 @@
+#include "plugin/src/abi/file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+#include <cstring>
+
+#if defined(_WIN32)
+#include <io.h>
+#include <share.h>
+#else
+#include <sys/file.h>
+#include <unistd.h>
+#endif
+
+#include "plugin/src/abi/error.h"
+
+namespace hrt::plugin {
+namespace {
+
+#if defined(_WIN32)
+
+using Status = struct _stat64;
+constexpr int to_read = _O_RDONLY | _O_BINARY | _O_NOINHERIT;
+constexpr int to_write = _O_WRONLY | _O_CREAT | _O_BINARY | _O_NOINHERIT;
+
+int open_descriptor(const char* path, int flags) {
+  int descriptor = -1;
+  // One writer at a time: the system refuses the second.
+  _wsopen_s(&descriptor, path_of(path).c_str(), flags, flags == to_write ? _SH_DENYWR : _SH_DENYNO,
+            _S_IREAD | _S_IWRITE);
+  return descriptor;
+}
+int status_of(int descriptor, Status* out) {
+  return _fstat64(descriptor, out);
+}
+bool is_regular(const Status& status) {
+  return (status.st_mode & _S_IFMT) == _S_IFREG;
+}
+bool lock(int) {
+  return true;
+}
+int truncate(int descriptor) {
+  return _chsize(descriptor, 0);
+}
+void unlock(int) {}
+std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
+  return _read(descriptor, out, static_cast<unsigned>(size));
+}
+std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
+  return _write(descriptor, text, static_cast<unsigned>(size));
+}
+void close_descriptor(int descriptor) {
+  _close(descriptor);
+}
+bool means_no_file() {
+  return false;
+}
+bool means_taken() {
+  constexpr unsigned long sharing_violation = 32;
+  return _doserrno == sharing_violation;
+}
+
+#else
+
+using Status = struct stat;
+// A pipe is not waited for, and a terminal does not become the process's.
+constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+constexpr int to_read = O_RDONLY | everywhere;
+constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
+
+int open_descriptor(const char* path, int flags) {
+  return ::open(path, flags, 0666);
+}
+int status_of(int descriptor, Status* out) {
+  return fstat(descriptor, out);
+}
+bool is_regular(const Status& status) {
+  return S_ISREG(status.st_mode);
+}
+// Locks belong to what was opened, so they keep apart the recordings of one process too.
+bool lock([[maybe_unused]] int descriptor) {
+#if defined(__EMSCRIPTEN__)
+  return true;
+#else
+  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have none
+#endif
+}
+void unlock([[maybe_unused]] int descriptor) {
+#if !defined(__EMSCRIPTEN__)
+  flock(descriptor, LOCK_UN);
+#endif
+}
+int truncate(int descriptor) {
+  return ftruncate(descriptor, 0);
+}
+std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
+  return ::read(descriptor, out, size);
+}
+std::ptrdiff_t write_some(int descriptor, const char* text, std::size_t size) {
+  return ::write(descriptor, text, size);
+}
+void close_descriptor(int descriptor) {
+  ::close(descriptor);
+}
+// Of a pipe that nobody reads, and of a socket.
+bool means_no_file() {
+  return errno == ENXIO;
+}
+bool means_taken() {
+  return false;
+}
+
+#endif
+
+constexpr std::size_t most_at_once = INT_MAX;
+
+hrt_result fail_as_not_regular(const char* path) {
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file");
+}
+
+hrt_result fail_as_taken(const char* path) {
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": another recording is written to this file");
+}
+
+}  // namespace
+
+hrt_result fail_of_file(const char* path) {
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": ", std::strerror(errno));
+}
+
+File::~File() {
+  if (descriptor_ >= 0) close_descriptor(descriptor_);
+}
+
+hrt_result File::open_regular(const char* path, int flags, File* out) {
+  File file;
+  file.descriptor_ = open_descriptor(path, flags);
+  Status status{};
+  if (file.descriptor_ < 0 && means_taken()) return fail_as_taken(path);
+  if (file.descriptor_ < 0 && means_no_file()) return fail_as_not_regular(path);
+  if (file.descriptor_ < 0 || status_of(file.descriptor_, &status) != 0) return fail_of_file(path);
+  if (!is_regular(status)) return fail_as_not_regular(path);
+  *out = std::move(file);
+  return HRT_OK;
+}
+
+hrt_result File::open(const char* path, File* out) {
+  return open_regular(path, to_read, out);
+}
+
+hrt_result File::create(const char* path, File* out) {
+  File file;
+  HRT_RETURN_IF_FAILED(open_regular(path, to_write, &file));
+  if (!lock(file.descriptor_)) return fail_as_taken(path);
+  if (truncate(file.descriptor_) != 0) return fail_of_file(path);
+  *out = std::move(file);
+  return HRT_OK;
+}
+
+std::ptrdiff_t File::read(std::span<char> out) {
+  for (;;) {
+    const std::ptrdiff_t n = read_some(descriptor_, out.data(), std::min(out.size(), most_at_once));
+    if (n >= 0 || errno != EINTR) return n;
+  }
+}
+
+int File::write(std::string_view text) {
+  while (!text.empty()) {
+    const std::ptrdiff_t n = write_some(descriptor_, text.data(), std::min(text.size(), most_at_once));
+    if (n < 0 && errno == EINTR) continue;
+    if (n <= 0) return n < 0 && errno != 0 ? errno : EIO;
+    text.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return 0;
+}
+
+void File::release() {
+  if (descriptor_ < 0) return;
+  unlock(descriptor_);
+  close_descriptor(std::exchange(descriptor_, -1));
+}
+
+}  // namespace hrt::plugin

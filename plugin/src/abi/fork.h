@@ -1,0 +1,14 @@
+// Children of the host, which have its memory and none of its other threads.
+#pragma once
+
+#include <cstdint>
+
+namespace hrt::plugin {
+
+/// Has forks() count. Throws std::bad_alloc.
+void watch_forks();
+
+/// Forks that lie between the process that began to watch and this one. Real-time.
+std::uint32_t forks();
+
+}  // namespace hrt::plugin
