@@ -60,6 +60,16 @@ inline Axes operator*(const Axes& a, const Axes& b) {
   return {a * b.x, a * b.y, a * b.z};
 }
 
+/// An affine map: the images of the axes and of the origin.
+struct Transform {
+  Axes axes;
+  Vec3 origin;
+};
+
+inline Transform operator*(const Transform& a, const Transform& b) {
+  return {a.axes * b.axes, a.axes * b.origin + a.origin};
+}
+
 /// The axes of a unit quaternion.
 inline Axes axes_of(Quaternion q) {
   return {

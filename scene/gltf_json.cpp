@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
-#include <vector>
+#include <utility>
 
-#include "scene/gltf_tree.h"
+#include "scene/gltf_limits.h"
 #include "scene/scene_error.h"
 
 namespace hrt {
 namespace {
-
-using nlohmann::json;
-
-constexpr std::array needed_sections{"asset", "extensionsRequired", "extensionsUsed", "nodes", "scene",
-                                     "scenes"};
 
 // Required extensions that leave every node where it is; their content is ignored.
 constexpr std::array harmless_prefixes{"KHR_materials_",
@@ -36,121 +30,58 @@ std::uint32_t little_endian(std::string_view four_bytes) {
   return value;
 }
 
-// Reads JSON without keeping any of it, and refuses what is not JSON or would take too much memory or stack
-// once kept. (A callback given to json::parse() could do the same, in time quadratic in the length of
-// arrays.)
-class LimitCheck : public nlohmann::json_sax<json> {
+class Reader {
  public:
-  explicit LimitCheck(const std::string& file) : file_(file) {}
+  Reader(std::string_view text, const std::string& file)
+      : file_(file), gltf_{.json = JsonDocument(text, file), .nodes = {}, .roots = {}} {}
 
-  void run(std::string_view text) { json::sax_parse(text, this); }
-
-  bool null() override { return count(); }
-  bool boolean(bool) override { return count(); }
-  bool number_integer(number_integer_t) override { return count(); }
-  bool number_unsigned(number_unsigned_t) override { return count(); }
-  bool number_float(number_float_t, const string_t&) override { return count(); }
-  bool string(string_t&) override { return count(); }
-  bool binary(binary_t&) override { return count(); }
-  bool key(string_t&) override { return true; }
-  bool start_object(std::size_t) override { return descend(); }
-  bool end_object() override { return ascend(); }
-  bool start_array(std::size_t) override { return descend(); }
-  bool end_array() override { return ascend(); }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
-    throw SceneError(file_ + ": not a glTF file: " + error.what());
-  }
-
- private:
-  bool count() {
-    if (++values_ > gltf_limits::json_values) {
-      throw SceneError(file_ + ": its JSON has more than " + std::to_string(gltf_limits::json_values) +
-                       " values");
-    }
-    return true;
-  }
-  bool descend() {
-    if (++depth_ > gltf_limits::json_depth) {
-      throw SceneError(file_ + ": its JSON is nested deeper than " + std::to_string(gltf_limits::json_depth) +
-                       " levels");
-    }
-    return count();
-  }
-  bool ascend() {
-    --depth_;
-    return true;
-  }
-
-  const std::string& file_;
-  std::size_t values_ = 0;
-  int depth_ = 0;
-};
-
-class Checker {
- public:
-  explicit Checker(const std::string& file) : file_(file) {}
-
-  std::string run(std::string_view text) {
-    LimitCheck(file_).run(text);
-    const json document = json::parse(text);
+  Gltf run() {
+    const JsonValue document = gltf_.json.root();
     if (!document.is_object()) {
       fail("not a glTF file: its JSON is not an object");
     }
-    check_version(document);
-    check_required_extensions(document);
-    check_buffers(document);
-    check_nodes(document);
-    check_scenes(document);
-    json needed;
-    for (const char* section : needed_sections) {
-      if (const auto found = document.find(section); found != document.end()) {
-        needed[section] = *found;
-      }
-    }
-    return needed.dump();
+    check_version(document.find("asset"));
+    check_required_extensions(document.find("extensionsRequired"));
+    check_addresses(document, "buffers");
+    check_addresses(document, "images");
+    read_nodes(document);
+    read_scenes(document);
+    return std::move(gltf_);
   }
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw SceneError(file_ + ": " + what); }
 
   // An array of objects, or nothing; anything else is refused.
-  const json& objects(const json& document, const char* section) const {
-    const auto found = document.find(section);
-    if (found == document.end()) {
-      return none_;
-    }
-    if (!found->is_array() ||
-        !std::all_of(found->begin(), found->end(), [](const json& o) { return o.is_object(); })) {
+  JsonValue objects(JsonValue document, const char* section) const {
+    const JsonValue found = document.find(section);
+    const bool all_objects =
+        std::all_of(found.begin(), found.end(), [](JsonValue o) { return o.is_object(); });
+    if (found.exists() && !(found.is_array() && all_objects)) {
       fail(std::string(section) + " is not an array of objects");
     }
-    return *found;
+    return found;
   }
 
-  void check_version(const json& document) const {
-    const auto asset = document.find("asset");
-    if (asset == document.end() || !asset->is_object() || !asset->contains("version") ||
-        !(*asset)["version"].is_string()) {
+  void check_version(JsonValue asset) const {
+    const JsonValue version = asset.find("version");
+    if (!version.is_string()) {
       fail("not a glTF file: asset.version is missing");
     }
-    const auto& version = (*asset)["version"].get_ref<const std::string&>();
-    if (!version.starts_with("2.")) {
-      fail("asset.version is " + in_quotes(version) + "; glTF 2 is read");
+    if (!version.string().starts_with("2.")) {
+      fail("asset.version is " + in_quotes(version.string()) + "; glTF 2 is read");
     }
   }
 
-  void check_required_extensions(const json& document) const {
-    const auto required = document.find("extensionsRequired");
-    if (required == document.end()) {
-      return;
-    }
-    if (!required->is_array()) {
+  void check_required_extensions(JsonValue required) const {
+    if (required.exists() && !required.is_array()) {
       fail("extensionsRequired is not an array");
     }
-    for (const json& entry : *required) {
+    for (const JsonValue entry : required) {
       if (!entry.is_string()) {
         fail("extensionsRequired holds something that is not a string");
       }
-      const auto& name = entry.get_ref<const std::string&>();
+      const std::string_view name = entry.string();
       const bool is_harmless = std::any_of(harmless_prefixes.begin(), harmless_prefixes.end(),
                                            [&](const char* prefix) { return name.starts_with(prefix); });
       if (!is_harmless) {
@@ -160,178 +91,201 @@ class Checker {
     }
   }
 
-  void check_buffers(const json& document) const {
-    const json& buffers = objects(document, "buffers");
-    for (std::size_t i = 0; i < buffers.size(); ++i) {
-      const auto uri = buffers[i].find("uri");
-      if (uri == buffers[i].end()) {
-        continue;
-      }
-      const std::string where = "buffers[" + std::to_string(i) + "].uri ";
-      if (!uri->is_string()) {
+  void check_addresses(JsonValue document, const char* section) const {
+    std::size_t i = 0;
+    for (const JsonValue object : objects(document, section)) {
+      const std::string where = section + ("[" + std::to_string(i++) + "].uri ");
+      const JsonValue uri = object.find("uri");
+      if (uri.exists() && !uri.is_string()) {
         fail(where + "is not a string");
       }
-      const auto& text = uri->get_ref<const std::string&>();
-      if (const char* reason = why_uri_is_refused(text)) {
-        fail(where + "is " + in_quotes(text) + ", which " + reason);
+      if (const char* reason = uri.exists() ? why_uri_is_refused(uri.string()) : nullptr) {
+        fail(where + "is " + in_quotes(uri.string()) + ", which " + reason);
       }
     }
   }
 
-  std::string node_label(const json& nodes, std::size_t index) const {
-    const auto name = nodes[index].find("name");
-    return "node " +
-           (name != nodes[index].end() && name->is_string() && !name->get_ref<const std::string&>().empty()
-                ? in_quotes(name->get_ref<const std::string&>())
-                : "[" + std::to_string(index) + "]");
+  std::string node_label(std::size_t index) const {
+    const std::string_view name = gltf_.nodes[index].name;
+    return "node " + (name.empty() ? "[" + std::to_string(index) + "]" : in_quotes(name));
   }
 
-  // Each is an integer in [0, count).
-  void check_indices(const json& indices, std::size_t count, const std::string& where) const {
+  // Each is an integer in [0, number of nodes).
+  std::vector<std::size_t> node_indices(JsonValue indices, const std::string& where) const {
     if (!indices.is_array()) {
       fail(where + " is not an array");
     }
-    for (const json& index : indices) {
-      if (!index.is_number_unsigned()) {
-        fail(where + " holds " + in_quotes(index.dump()) + ", which is not an index");
+    std::vector<std::size_t> result;
+    result.reserve(indices.size());
+    for (const JsonValue index : indices) {
+      if (!index.is_whole()) {
+        fail(where + " holds " + in_quotes(index.shown()) + ", which is not an index");
       }
-      if (index.get<std::uint64_t>() >= count) {
-        fail(where + " holds " + index.dump() + ", and there are " + std::to_string(count) + " nodes");
+      if (!(index.number() < static_cast<double>(gltf_.nodes.size()))) {
+        fail(where + " holds " + index.shown() + ", and there are " + std::to_string(gltf_.nodes.size()) +
+             " nodes");
       }
+      result.push_back(static_cast<std::size_t>(index.number()));
     }
+    return result;
   }
 
-  void check_numbers(const json& node, const char* key, std::size_t count, const std::string& where) const {
-    const auto found = node.find(key);
-    if (found == node.end()) {
-      return;
+  // True if the member is there.
+  template <std::size_t count>
+  bool read_numbers(JsonValue node, const char* key, const std::string& where,
+                    std::array<double, count>* out) const {
+    const JsonValue found = node.find(key);
+    if (!found.exists()) {
+      return false;
     }
-    if (!found->is_array() || found->size() != count ||
-        !std::all_of(found->begin(), found->end(), [](const json& number) { return number.is_number(); })) {
+    if (!found.is_array() || found.size() != count ||
+        !std::all_of(found.begin(), found.end(), [](JsonValue number) { return number.is_number(); })) {
       fail(where + key + " is not an array of " + std::to_string(count) + " numbers");
     }
+    std::transform(found.begin(), found.end(), out->begin(),
+                   [](JsonValue number) { return number.number(); });
+    return true;
   }
 
-  void check_transform(const json& node, const std::string& where) const {
-    check_numbers(node, "matrix", 16, where);
-    check_numbers(node, "translation", 3, where);
-    check_numbers(node, "rotation", 4, where);
-    check_numbers(node, "scale", 3, where);
-    if (const auto matrix = node.find("matrix"); matrix != node.end()) {
-      if (node.contains("translation") || node.contains("rotation") || node.contains("scale")) {
+  void read_transform(JsonValue json, const std::string& where, GltfNode* node) const {
+    std::array<double, 16> m{};  // column by column
+    std::array<double, 3> translation{}, scale{1.0, 1.0, 1.0};
+    std::array<double, 4> rotation{};
+    node->has_matrix = read_numbers(json, "matrix", where, &m);
+    const bool has_translation = read_numbers(json, "translation", where, &translation);
+    const bool has_rotation = read_numbers(json, "rotation", where, &rotation);
+    const bool has_scale = read_numbers(json, "scale", where, &scale);
+    if (node->has_matrix) {
+      if (has_translation || has_rotation || has_scale) {
         fail(where + "matrix is given beside translation, rotation or scale; glTF allows one form");
       }
-      const json& m = *matrix;
       if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0) {
         fail(where + "matrix has a fourth row other than 0 0 0 1");
       }
+      node->local = {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
+      return;
     }
-    if (const auto rotation = node.find("rotation"); rotation != node.end()) {
-      double squared_norm = 0.0;
-      for (const json& component : *rotation) {
-        squared_norm += component.get<double>() * component.get<double>();
-      }
+    Axes axes;
+    if (has_rotation) {
+      const auto [x, y, z, w] = rotation;
+      const double squared_norm = x * x + y * y + z * z + w * w;
       if (!(std::abs(squared_norm - 1.0) < 2e-3)) {
         fail(where + "rotation is not a quaternion of unit length");
       }
+      const double to_unit = 1.0 / std::sqrt(squared_norm);
+      axes = axes_of({x * to_unit, y * to_unit, z * to_unit, w * to_unit});
     }
+    node->local = {{axes.x * scale[0], axes.y * scale[1], axes.z * scale[2]},
+                   {translation[0], translation[1], translation[2]}};
   }
 
-  void check_nodes(const json& document) {
-    const json& nodes = objects(document, "nodes");
+  void read_nodes(JsonValue document) {
+    const JsonValue nodes = objects(document, "nodes");
     if (nodes.size() > gltf_limits::nodes) {
       fail("has more than " + std::to_string(gltf_limits::nodes) + " nodes");
     }
-    parent_of_.assign(nodes.size(), no_parent);
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
-      const json& node = nodes[i];
-      const std::string where = node_label(nodes, i) + ": ";
-      if (const auto name = node.find("name"); name != node.end()) {
-        if (!name->is_string() || name->get_ref<const std::string&>().size() > gltf_limits::name_bytes) {
-          fail(where + "name is not a string of at most " + std::to_string(gltf_limits::name_bytes) +
-               " bytes");
-        }
-      }
-      check_transform(node, where);
-      const auto children = node.find("children");
-      if (children == node.end()) {
-        continue;
-      }
-      check_indices(*children, nodes.size(), where + "children");
-      for (const json& child : *children) {
-        std::size_t& parent = parent_of_[child.get<std::size_t>()];
-        if (parent != no_parent) {
-          fail(node_label(nodes, child.get<std::size_t>()) + ": children of both " +
-               node_label(nodes, parent) + " and " + node_label(nodes, i) +
-               " name it; a node has one parent");
-        }
-        parent = i;
-      }
+    gltf_.nodes.reserve(nodes.size());
+    for (const JsonValue node : nodes) {
+      gltf_.nodes.push_back(
+          {.name = node.find("name").string(), .extras = node.find("extras"), .local = {}, .children = {}});
     }
-    check_for_cycles(nodes);
+    parent_of_.assign(nodes.size(), no_parent);
+    std::size_t i = 0;
+    for (const JsonValue node : nodes) {
+      read_node(node, i++);
+    }
+    check_for_cycles();
+  }
+
+  void read_node(JsonValue json, std::size_t i) {
+    GltfNode& node = gltf_.nodes[i];
+    const std::string where = node_label(i) + ": ";
+    const JsonValue name = json.find("name");
+    if (name.exists() && !(name.is_string() && node.name.size() <= gltf_limits::name_bytes)) {
+      fail(where + "name is not a string of at most " + std::to_string(gltf_limits::name_bytes) + " bytes");
+    }
+    read_transform(json, where, &node);
+    const JsonValue children = json.find("children");
+    if (!children.exists()) {
+      return;
+    }
+    node.children = node_indices(children, where + "children");
+    for (const std::size_t child : node.children) {
+      std::size_t& parent = parent_of_[child];
+      if (parent != no_parent) {
+        fail(node_label(child) + ": children of both " + node_label(parent) + " and " + node_label(i) +
+             " name it; a node has one parent");
+      }
+      parent = i;
+    }
   }
 
   // Every node has at most one parent, so a node not reached from a root is on a cycle or below one.
-  void check_for_cycles(const json& nodes) const {
+  void check_for_cycles() const {
     std::vector<std::size_t> reached;
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < parent_of_.size(); ++i) {
       if (parent_of_[i] == no_parent) {
         reached.push_back(i);
       }
     }
-    std::vector<bool> is_reached(nodes.size(), false);
+    std::vector<bool> is_reached(parent_of_.size(), false);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       is_reached[reached[next]] = true;
-      if (const auto children = nodes[reached[next]].find("children");
-          children != nodes[reached[next]].end()) {
-        for (const json& child : *children) {
-          reached.push_back(child.get<std::size_t>());
-        }
-      }
+      const std::vector<std::size_t>& children = gltf_.nodes[reached[next]].children;
+      reached.insert(reached.end(), children.begin(), children.end());
     }
     const auto missed = std::find(is_reached.begin(), is_reached.end(), false);
     if (missed != is_reached.end()) {
-      fail(node_label(nodes, static_cast<std::size_t>(missed - is_reached.begin())) +
+      fail(node_label(static_cast<std::size_t>(missed - is_reached.begin())) +
            ": children of the nodes below it lead back to it: a cycle");
     }
   }
 
-  void check_scenes(const json& document) const {
-    const json& scenes = objects(document, "scenes");
-    for (std::size_t i = 0; i < scenes.size(); ++i) {
-      const auto roots = scenes[i].find("nodes");
-      if (roots == scenes[i].end()) {
-        continue;
-      }
-      const std::string where = "scenes[" + std::to_string(i) + "].nodes";
-      check_indices(*roots, parent_of_.size(), where);
-      std::vector<bool> is_root(parent_of_.size(), false);
-      for (const json& root : *roots) {
-        const auto node = root.get<std::size_t>();
-        if (parent_of_[node] != no_parent) {
-          fail(where + " holds " + std::to_string(node) +
-               ", which is not a root but the child of another node");
-        }
-        if (is_root[node]) {
-          fail(where + " holds " + std::to_string(node) + " twice");
-        }
-        is_root[node] = true;
+  void read_scenes(JsonValue document) {
+    const JsonValue scenes = objects(document, "scenes");
+    const JsonValue scene = document.find("scene");
+    if (scene.exists() && !(scene.is_whole() && scene.number() < static_cast<double>(scenes.size()))) {
+      fail("scene is " + in_quotes(scene.shown()) + ", and there are " + std::to_string(scenes.size()) +
+           " scenes");
+    }
+    std::size_t i = 0;
+    for (const JsonValue json : scenes) {
+      std::vector<std::size_t> roots = roots_of(json, "scenes[" + std::to_string(i) + "].nodes");
+      if (static_cast<double>(i++) == scene.number()) {  // 0 unless it is given
+        gltf_.roots = std::move(roots);
       }
     }
-    const auto scene = document.find("scene");
-    if (scene != document.end() &&
-        (!scene->is_number_unsigned() || scene->get<std::uint64_t>() >= scenes.size())) {
-      fail("scene is " + in_quotes(scene->dump()) + ", and there are " + std::to_string(scenes.size()) +
-           " scenes");
+    if (!scene.exists() && scenes.size() != 1) {
+      fail("has " + std::to_string(scenes.size()) + " scenes and no default: `scene` must name one");
     }
   }
 
+  std::vector<std::size_t> roots_of(JsonValue scene, const std::string& where) const {
+    const JsonValue nodes = scene.find("nodes");
+    if (!nodes.exists()) {
+      return {};
+    }
+    std::vector<std::size_t> roots = node_indices(nodes, where);
+    std::vector<bool> is_root(parent_of_.size(), false);
+    for (const std::size_t root : roots) {
+      if (parent_of_[root] != no_parent) {
+        fail(where + " holds " + std::to_string(root) +
+             ", which is not a root but the child of another node");
+      }
+      if (is_root[root]) {
+        fail(where + " holds " + std::to_string(root) + " twice");
+      }
+      is_root[root] = true;
+    }
+    return roots;
+  }
+
   // Why an address is not that of a file beside this one; null if it may be.
-  static const char* why_uri_is_refused(const std::string& uri);
+  static const char* why_uri_is_refused(std::string_view uri);
 
   static constexpr std::size_t no_parent = static_cast<std::size_t>(-1);
   const std::string& file_;
-  const json none_ = json::array();  // not static: memory goes back to the plugin's host with the loader
+  Gltf gltf_;
   std::vector<std::size_t> parent_of_;
 };
 
@@ -365,7 +319,7 @@ bool is_device(std::string name) {
          name == "CONOUT$";
 }
 
-const char* Checker::why_uri_is_refused(const std::string& uri) {
+const char* Reader::why_uri_is_refused(std::string_view uri) {
   if (uri.starts_with("data:")) {
     return nullptr;
   }
@@ -431,8 +385,8 @@ JsonExtent json_extent(std::string_view head, std::uint64_t file_bytes, const st
   return extent;
 }
 
-std::string checked_gltf_json(std::string_view json, const std::string& file) {
-  return Checker(file).run(json);
+Gltf read_gltf(std::string_view json, const std::string& file) {
+  return Reader(json, file).run();
 }
 
 }  // namespace hrt

@@ -1,5 +1,4 @@
-// The node tree of one scene of a glTF 2.0 file: checked, as scene.cpp needs it. The only file
-// that uses tinygltf is gltf_tree.cpp.
+// The node tree of one scene of a glTF 2.0 file, as scene.cpp needs it.
 #pragma once
 
 #include <cstddef>
@@ -13,17 +12,6 @@
 #include "scene/haptic_properties.h"
 
 namespace hrt {
-
-/// What a file may hold. Each limit is far above any real scene and keeps a hostile file's memory bounded.
-namespace gltf_limits {
-inline constexpr std::size_t json_bytes = std::size_t{64} << 20;
-inline constexpr std::size_t json_values = 1'000'000;
-inline constexpr int json_depth = 64;
-inline constexpr std::size_t nodes = 100'000;
-inline constexpr int node_depth = 256;
-inline constexpr std::size_t name_bytes = 255;
-inline constexpr std::size_t haptic_nodes = 1000;
-}  // namespace gltf_limits
 
 /// A node that carries a haptic role.
 struct HapticNode {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -13,9 +12,10 @@ namespace hrt {
 namespace {
 
 constexpr std::size_t longest_text = 255;
+constexpr double least_number = 0.001;  // metres, or degrees a second: what a session takes as a radius
 constexpr double largest_radius_m = 10.0;
 constexpr double largest_speed_deg_s = 1e5;
-constexpr const char* nested_key = "haptic";
+constexpr std::string_view nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
 struct RoleName {
@@ -30,7 +30,7 @@ constexpr std::array role_names{RoleName{"plate", HapticRole::plate}, RoleName{"
 struct Property {
   std::string key;  // without prefix
   std::string label;
-  const nlohmann::json* value;
+  JsonValue value;
 };
 
 class Reader {
@@ -107,10 +107,10 @@ class Reader {
   }
 
   std::string text(const Property& property) const {
-    if (!property.value->is_string()) {
+    if (!property.value.is_string()) {
       fail(property.label + " is not a string");
     }
-    std::string value = property.value->get<std::string>();
+    std::string value(property.value.string());
     if (value.empty() || value.size() > longest_text) {
       fail(property.label + " has " + std::to_string(value.size()) + " bytes; allowed are 1 to " +
            std::to_string(longest_text));
@@ -122,13 +122,13 @@ class Reader {
   }
 
   double number(const Property& property, double largest) const {
-    if (!property.value->is_number()) {
+    if (!property.value.is_number()) {
       fail(property.label + " is not a number");
     }
-    const double value = property.value->get<double>();
-    if (!(value > 0.0 && value <= largest)) {
-      fail(property.label + " is " + number_text(value) + "; allowed is more than 0, up to " +
-           number_text(largest));
+    const double value = property.value.number();
+    if (!(value >= least_number && value <= largest)) {
+      fail(property.label + " is " + number_text(value) + "; allowed is " + number_text(least_number) +
+           " to " + number_text(largest));
     }
     return value;
   }
@@ -144,43 +144,40 @@ class Reader {
 };
 
 // A key as a message shows it: printable, and no longer than a name in quotes.
-std::string shown(const std::string& key) {
+std::string shown(std::string_view key) {
   const std::string quoted = in_quotes(key);
   return quoted.substr(1, quoted.size() - 2);
 }
 
 }  // namespace
 
-bool is_haptic(const nlohmann::json& extras) {
-  if (!extras.is_object()) {
-    return false;
-  }
-  const auto items = extras.items();
-  return extras.contains(nested_key) || std::any_of(items.begin(), items.end(), [](const auto& item) {
-           return item.key().starts_with(flat_prefix);
+bool is_haptic(JsonValue extras) {
+  return extras.is_object() && std::any_of(extras.begin(), extras.end(), [](JsonValue member) {
+           return member.key() == nested_key || member.key().starts_with(flat_prefix);
          });
 }
 
-HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where) {
+HapticProperties haptic_properties(JsonValue extras, const std::string& where) {
   std::vector<Property> flat;
-  for (const auto& [key, value] : extras.items()) {
-    if (key.starts_with(flat_prefix)) {
-      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown(key), &value});
+  for (const JsonValue member : extras) {
+    if (member.key().starts_with(flat_prefix)) {
+      flat.push_back(
+          {std::string(member.key().substr(flat_prefix.size())), "extras." + shown(member.key()), member});
     }
   }
-  const auto nested = extras.find(nested_key);
-  if (nested == extras.end()) {
+  const JsonValue nested = extras.find(nested_key);
+  if (!nested.exists()) {
     return Reader(std::move(flat), where).read();
   }
   if (!flat.empty()) {
     throw SceneError(where + "both extras.haptic and " + flat.front().label + " are given; keep one form");
   }
-  if (!nested->is_object() || nested->empty()) {
+  if (!nested.is_object() || nested.size() == 0) {
     throw SceneError(where + "extras.haptic is not an object with a role");
   }
   std::vector<Property> properties;
-  for (const auto& [key, value] : nested->items()) {
-    properties.push_back({key, "extras.haptic." + shown(key), &value});
+  for (const JsonValue member : nested) {
+    properties.push_back({std::string(member.key()), "extras.haptic." + shown(member.key()), member});
   }
   return Reader(std::move(properties), where).read();
 }

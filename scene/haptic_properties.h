@@ -1,9 +1,10 @@
 // A node's haptic role and its properties, from the node's `extras`.
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+
+#include "scene/json_document.h"
 
 namespace hrt {
 
@@ -13,16 +14,17 @@ enum class HapticRole { plate, real, virtual_target, start };
 struct HapticProperties {
   HapticRole role;
   std::optional<std::string> name;        ///< 1 to 255 bytes, no control characters
-  std::optional<double> radius_m;         ///< > 0, at most 10
-  std::optional<double> max_speed_deg_s;  ///< > 0, at most 1e5
+  std::optional<double> radius_m;         ///< 0.001 to 10
+  std::optional<double> max_speed_deg_s;  ///< 0.001 to 1e5
   std::optional<std::string> served_by;   ///< as name
 };
 
-/// True if `extras` holds haptic properties: nested under `haptic`, or flat as `haptic_role` and so on.
-bool is_haptic(const nlohmann::json& extras);
+/// True if `extras`, which may not exist, holds haptic properties: nested under `haptic`, or flat as
+/// `haptic_role` and so on.
+bool is_haptic(JsonValue extras);
 
 /// The haptic properties of `extras`; requires is_haptic(extras). Throws SceneError, its text starting with
 /// `where`, on one that is unknown, of the wrong type, out of its range or not for the role.
-HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where);
+HapticProperties haptic_properties(JsonValue extras, const std::string& where);
 
 }  // namespace hrt

@@ -9,7 +9,7 @@ namespace {
 
 // Between a plate's +Y and -Z, as a cosine: the rounding of single-precision files.
 constexpr double largest_shear = 1e-4;
-constexpr double largest_coordinate_m = 1e6;
+constexpr double largest_coordinate_m = 1000.0;  // as of a session
 
 class SceneBuilder {
  public:
@@ -20,7 +20,7 @@ class SceneBuilder {
       throw SceneError(file_ + ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
     }
     for (const HapticNode& node : nodes_) {
-      check_position(node);
+      check_position(node, node.origin_m, "the world's origin");
     }
     const HapticNode* plate = only(HapticRole::plate);
     if (plate == nullptr) {
@@ -47,11 +47,10 @@ class SceneBuilder {
     throw SceneError(file_ + ": node " + in_quotes(node.path) + ": " + what);
   }
 
-  void check_position(const HapticNode& node) const {
-    const Vec3 p = node.origin_m;
+  void check_position(const HapticNode& node, Vec3 p, const char* whence) const {
     for (const double coordinate_m : {p.x, p.y, p.z}) {
       if (!(std::abs(coordinate_m) < largest_coordinate_m)) {
-        fail(node, "its place in the world is further than 1e6 m from the origin");
+        fail(node, std::string("it is further than 1000 m from ") + whence);
       }
     }
   }
@@ -117,6 +116,7 @@ class SceneBuilder {
                      "; targets need names of their own (extras.haptic.name)");
     }
     const Vec3 position_m = in_plate_coordinates(node);
+    check_position(node, position_m, "the plate");
     const Bearing bearing = bearing_from(scene_.start_m, position_m);
     if (bearing.at_start) {
       fail(node, "the target lies at the start point, so it has no direction");

@@ -75,7 +75,7 @@ hrt_target_config config_of(const SceneTarget& target) {
   return config;
 }
 
-hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint32_t capacity,
+hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uint64_t capacity,
                           hrt_target* out_targets) {
   HRT_RETURN_IF_FAILED(session.session().check_no_reach());
   if (capacity > 0 && !out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
@@ -161,7 +161,7 @@ hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index, hrt_scene_targe
   });
 }
 
-hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint32_t capacity,
+hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                               hrt_target* out_targets) noexcept {
   return with_scene("hrt_scene_register", scene, [&](const hrt::Scene& loaded) -> hrt_result {
     return with_session("hrt_scene_register", session, [&](RecordedSession& s) -> hrt_result {

@@ -81,13 +81,13 @@ hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* ou
   });
 }
 
-hrt_result hrt_target_list(hrt_session session, uint32_t role, uint32_t capacity, hrt_target* out_targets,
-                           uint32_t* out_count) noexcept {
+hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,
+                           uint64_t* out_count) noexcept {
   return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
     HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
     const auto listed = [role](const auto& entry) { return role == 0 || entry.second.role == role; };
-    std::uint32_t count = 0;
+    std::uint64_t count = 0;
     for (const auto& entry : s.session().targets.all()) count += listed(entry) ? 1 : 0;
     if (capacity > 0) {
       if (!out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");

@@ -156,7 +156,7 @@ class Caller {
 
   void list() {
     hrt_target out[8];
-    uint32_t count = 0;
+    uint64_t count = 0;
     check(hrt_target_list(session(), bytes_.ConsumeIntegralInRange(0u, 3u),
                           bytes_.ConsumeIntegralInRange(0u, 8u), out, &count));
   }

@@ -88,7 +88,7 @@ TEST_F(SceneAbiTest, RegistersAllOrNothing) {
   expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_NAME_TAKEN, last.name);
   hrt_target small[1];
   expect_error(hrt_scene_register(scene, session, 1, small), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 1");
-  uint32_t count = 0;
+  uint64_t count = 0;
   ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
   EXPECT_EQ(count, 1u);
   auto after = output<hrt_session_config>();

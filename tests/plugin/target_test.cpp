@@ -84,7 +84,7 @@ TEST_F(TargetTest, AreListedInTheOrderAdded) {
                    c = add(HRT_TARGET_REAL, 2.0);
   ASSERT_OK(hrt_target_remove(session, a));
   const hrt_target d = add(HRT_TARGET_REAL, 3.0);
-  uint32_t count = 0;
+  uint64_t count = 0;
   ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
   ASSERT_EQ(count, 3u);
   std::vector<hrt_target> listed(3);
@@ -104,7 +104,7 @@ TEST_F(TargetTest, AreListedInTheOrderAdded) {
 TEST_F(TargetTest, TenThousandFit) {
   for (int i = 0; i < 10'000; ++i)
     add(i % 2 ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL, 0.01 * i, std::to_string(i).c_str());
-  uint32_t count = 0;
+  uint64_t count = 0;
   ASSERT_OK(hrt_target_list(session, HRT_TARGET_REAL, 0, nullptr, &count));
   EXPECT_EQ(count, 5'000u);
   hrt_target found{};

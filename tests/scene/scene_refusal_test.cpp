@@ -110,7 +110,10 @@ TEST(SceneRefusal, Transforms) {
   refused("/nodes/1/translation", {0, 0}, R"(node "Real": translation is not an array of 3 numbers)");
   refused("/nodes/1/translation", {0, 0, "NaN"}, R"(node "Real": translation is not an array of 3 numbers)");
   refused("/nodes/1/translation", {0, 0, 1e300},
-          R"(node "Real": its place in the world is further than 1e6 m from the origin)");
+          R"(node "Real": it is further than 1000 m from the world's origin)");
+  refused(
+      document({plate({{"translation", {900.0, 0.0, 0.0}}}), real({{"translation", {-900.0, 0.0, 0.0}}})}),
+      R"(node "Real": it is further than 1000 m from the plate)");
   refused("/nodes/1/rotation", {0, 0, 0, 0}, R"(node "Real": rotation is not a quaternion of unit length)");
   refused("/nodes/1/rotation", {1e200, 0, 0, 0},
           R"(node "Real": rotation is not a quaternion of unit length)");
@@ -169,17 +172,20 @@ TEST(SceneRefusal, Properties) {
   file["nodes"][0]["extras"]["haptic"].erase("radius_m");
   refused(file, R"(node "Plate": extras.haptic.radius_m is missing: a plate needs its radius in metres)");
   refused("/nodes/0/extras/haptic/radius_m", 0,
-          R"(node "Plate": extras.haptic.radius_m is 0; allowed is more than 0, up to 10)");
+          R"(node "Plate": extras.haptic.radius_m is 0; allowed is 0.001 to 10)");
   refused("/nodes/0/extras/haptic/radius_m", -0.075,
-          R"(node "Plate": extras.haptic.radius_m is -0.075; allowed is more than 0, up to 10)");
+          R"(node "Plate": extras.haptic.radius_m is -0.075; allowed is 0.001 to 10)");
   // 2^32 + 1, of which 32 bits are 1.
   refused("/nodes/0/extras/haptic/radius_m", 4294967297,
-          R"(node "Plate": extras.haptic.radius_m is 4.29497e+09; allowed is more than 0, up to 10)");
+          R"(node "Plate": extras.haptic.radius_m is 4.29497e+09; allowed is 0.001 to 10)");
+  refused("/nodes/0/extras/haptic/radius_m", 1e-300,
+          R"(node "Plate": extras.haptic.radius_m is 1e-300; allowed is 0.001 to 10)");
+  EXPECT_EQ(refusal_with("/nodes/0/extras/haptic/radius_m", 0.001), "");
   refused("/nodes/0/extras/haptic/radius_m", "0.075",
           R"(node "Plate": extras.haptic.radius_m is not a number)");
   refused("/nodes/0/extras/haptic/radius_m", true, R"(node "Plate": extras.haptic.radius_m is not a number)");
   refused("/nodes/0/extras/haptic/max_speed_deg_s", 1e6,
-          R"(node "Plate": extras.haptic.max_speed_deg_s is 1e+06; allowed is more than 0, up to 100000)");
+          R"(node "Plate": extras.haptic.max_speed_deg_s is 1e+06; allowed is 0.001 to 100000)");
   refused(
       "/nodes/1/extras/haptic/radius", 0.01,
       R"(node "Real": extras.haptic.radius is not a property of this role; allowed are role, name, radius_m)");
@@ -231,9 +237,12 @@ TEST(SceneRefusal, RequiredExtensions) {
   refused("/extensionsRequired", Json::array({1}), "extensionsRequired holds something that is not a string");
 }
 
-TEST(SceneRefusal, BufferAddresses) {
+class Addresses : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(SceneRefusal, Addresses, testing::Values("buffers", "images"));
+
+TEST_P(Addresses, OutsideTheFolderAreRefused) {
   const auto refusal_of_uri = [](const std::string& uri) {
-    return refusal_with("/buffers", Json::array({Json::object(), {{"byteLength", 4}, {"uri", uri}}}));
+    return refusal_with(("/" + GetParam()).c_str(), Json::array({Json::object(), {{"uri", uri}}}));
   };
   for (const char* uri : {"mesh.bin", "meshes/desk.bin", "data:application/octet-stream;base64,AAAA", "..bin",
                           "console.bin", "a%20b.bin"}) {
@@ -259,9 +268,25 @@ TEST(SceneRefusal, BufferAddresses) {
       {"a%00b", "is not a file name"}};
   for (const auto& [uri, reason] : bad) {
     EXPECT_EQ(refusal_of_uri(uri),
-              "test.gltf: buffers[1].uri is \"" + std::string(uri) + "\", which " + reason);
+              "test.gltf: " + GetParam() + "[1].uri is \"" + std::string(uri) + "\", which " + reason);
   }
-  refused("/buffers", Json::array({{{"uri", 7}}}), "buffers[0].uri is not a string");
+  refused(("/" + GetParam()).c_str(), Json::array({{{"uri", 7}}}), GetParam() + "[0].uri is not a string");
+}
+
+// Of two values for one key, readers take one or the other.
+TEST(SceneRefusal, KeysThatAreThereTwice) {
+  const auto with_member = [](const std::string& before, const std::string& member) {
+    std::string text = good().dump();
+    return text.insert(text.find(before), member + ",");
+  };
+  refused(with_member("\"nodes\":[{", "\"nodes\":[]"), R"(its JSON has the key "nodes" twice)");
+  refused(with_member("\"radius_m\"", "\"radius_m\":1"),
+          R"("nodes[0].extras.haptic" has the key "radius_m" twice)");
+  refused(with_member("\"translation\"", "\"translation\":7"),
+          R"("nodes[1]" has the key "translation" twice)");
+  refused(with_member("\"asset\"", R"("meshes":[{"a":[[{"b":1,"a\u0000":{},"\u0062":2}]]}])"),
+          R"("meshes[0].a[0][0]" has the key "b" twice)");
+  EXPECT_EQ(refusal(with_member("\"asset\"", R"("meshes":[{"b":{"b":1}},{"b":1}])")), "");
 }
 
 TEST(SceneRefusal, PathsThatAreNoFile) {

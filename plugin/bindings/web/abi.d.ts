@@ -100,7 +100,7 @@ export declare const HRT_ENDING_ALTERED = 3;
 /** Maximum number of scenes in a process. */
 export declare const HRT_SCENES_MAX = 64;
 /** Maximum number of sessions in a process. */
-export declare const HRT_SESSIONS_MAX = 64;
+export declare const HRT_SESSIONS_MAX = 1024;
 
 /** Source of the plate's commands. */
 /** the model-predictive controller */
@@ -494,7 +494,7 @@ export interface hrt_allocator {
   context: number;
   /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. */
   allocate: number;
-  /** Releases memory that allocate() returned. */
+  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it keeps it beside the memory. */
   release: number;
 }
 

@@ -416,12 +416,12 @@ class Session {
   }
   targets(role = 0) {
     const memory = this.#memory;
-    return memory.with(4, (count) => {
-      memory.call("hrt_target_list", this.#handle, role, 0, 0, count);
-      const capacity = memory.view.getUint32(count, true);
-      return memory.with(8 * capacity + 1, (ids) => {
+    return memory.with(8, (count) => {
+      memory.call("hrt_target_list", this.#handle, role, 0n, 0, count);
+      const capacity = memory.view.getBigUint64(count, true);
+      return memory.with(8 * Number(capacity) + 1, (ids) => {
         memory.call("hrt_target_list", this.#handle, role, capacity, ids, count);
-        return Array.from({ length: capacity }, (_, i) => memory.view.getBigUint64(ids + 8 * i, true));
+        return Array.from({ length: Number(capacity) }, (_, i) => memory.view.getBigUint64(ids + 8 * i, true));
       });
     });
   }
@@ -533,7 +533,7 @@ class Scene {
   register(session) {
     const memory = this.#memory, count = this.info.target_count;
     return memory.with(8 * count + 1, (ids) => {
-      memory.call("hrt_scene_register", this.#handle, session.handle, count, ids);
+      memory.call("hrt_scene_register", this.#handle, session.handle, BigInt(count), ids);
       return Array.from({ length: count }, (_, i) => memory.view.getBigUint64(ids + 8 * i, true));
     });
   }

@@ -4,7 +4,7 @@
  * Calls
  *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error neither the session nor
  *    the outputs change, and hrt_last_error() names the call, the field, its value and what is allowed.
- *  - No call throws, aborts or terminates, except as documented at hrt_scene_load_file().
+ *  - No call throws, aborts or terminates, when memory runs out neither.
  *  - Thread tags:
  *      [any-thread]  any thread, any time.
  *      [one-thread]  any thread, but one at a time for a session. The second thread gets HRT_ERROR_BUSY.

@@ -19,7 +19,8 @@ typedef struct hrt_allocator {
   void* context;
   /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. */
   void* (*allocate)(void* context, size_t size, size_t alignment);
-  /** Releases memory that allocate() returned. */
+  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it
+   * keeps it beside the memory. */
   void (*release)(void* context, void* memory);
 } hrt_allocator;
 

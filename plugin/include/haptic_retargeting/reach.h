@@ -181,8 +181,9 @@ typedef struct hrt_reach_summary {
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
 HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struct_size) HRT_NOEXCEPT;
 
-/** Begins a reach. Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach.
- *  [real-time] */
+/** Begins a reach. Its directions are measured from hrt_session_config::start_position_m, wherever the finger
+ *  is: to begin anew during a motion, set that to the finger's position first. Errors: INVALID_HANDLE or
+ * OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
 HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the

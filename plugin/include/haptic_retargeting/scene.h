@@ -54,7 +54,7 @@ typedef struct hrt_scene_target {
 } hrt_scene_target;
 
 /** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property,
- *  LIMIT_REACHED. If memory runs out during this call, the process may end. [any-thread] */
+ *  LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
 HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** Loads a scene from memory, which is not used after the call. Error texts call the file `name`.
@@ -77,7 +77,7 @@ HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
  *  position on the plate. Their ids go to `out_targets` in the scene's order; it may be null if `capacity`
  *  is 0. Errors, without any change: BUFFER_TOO_SMALL, NAME_TAKEN, WRONG_STATE during a reach.
  *  [one-thread] for both. */
-HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint32_t capacity,
+HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                                       hrt_target* out_targets) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)

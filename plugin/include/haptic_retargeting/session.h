@@ -18,7 +18,7 @@ typedef struct hrt_session {
 } hrt_session;
 
 /** Maximum number of sessions in a process. */
-#define HRT_SESSIONS_MAX 64
+#define HRT_SESSIONS_MAX 1024
 
 /** Source of the plate's commands. */
 #define HRT_CONTROL_MPC 0         /**< the model-predictive controller */

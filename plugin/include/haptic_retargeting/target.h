@@ -75,8 +75,8 @@ HRT_API hrt_result hrt_target_find(hrt_session session, const char* name,
 
 /** Lists the targets of a role (0: both) in the order of addition. With `capacity` 0 the call only counts
  *  them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
-HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint32_t capacity,
-                                   hrt_target* out_targets, uint32_t* out_count) HRT_NOEXCEPT;
+HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
+                                   hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

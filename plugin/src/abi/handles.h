@@ -16,7 +16,10 @@ namespace hrt::plugin {
 /// member may be called from any thread; an object is leased to one caller at a time.
 template <class Object, std::size_t capacity, std::uint8_t kind>
 class HandleTable {
-  static_assert(capacity <= 256);
+  // A handle, from its highest bit: the kind, the slot's generation, the slot's index.
+  static constexpr int index_bits = 16;
+  static constexpr int kind_shift = 56;
+  static_assert(capacity <= std::size_t{1} << index_bits);
 
  public:
   constexpr HandleTable() = default;
@@ -55,7 +58,7 @@ class HandleTable {
       const std::uint64_t generation = (state >> generation_shift) + 1;
       slot.state.store(generation << generation_shift | live, std::memory_order_release);
       count_.fetch_add(1);
-      return std::uint64_t{kind} << 56 | generation << 8 | index;
+      return std::uint64_t{kind} << kind_shift | generation << index_bits | index;
     }
     return 0;
   }
@@ -94,12 +97,12 @@ class HandleTable {
   };
 
   Slot* find(std::uint64_t handle) {
-    const std::size_t index = handle & 0xff;
-    return handle >> 56 == kind && index < capacity ? &slots_[index] : nullptr;
+    const std::size_t index = handle & ((std::uint64_t{1} << index_bits) - 1);
+    return handle >> kind_shift == kind && index < capacity ? &slots_[index] : nullptr;
   }
 
   static std::uint64_t idle_state(std::uint64_t handle) {
-    const std::uint64_t generation = (handle & ~(std::uint64_t{0xff} << 56)) >> 8;
+    const std::uint64_t generation = (handle & ~(std::uint64_t{0xff} << kind_shift)) >> index_bits;
     return generation << generation_shift | live;
   }
 

@@ -13,7 +13,7 @@
 namespace hrt::test {
 namespace {
 
-/// An allocator that counts, and that fails at the n-th request.
+/// An allocator that counts, and that fails at the n-th request, or from it on.
 class CountingAllocator {
  public:
   CountingAllocator() {
@@ -22,7 +22,9 @@ class CountingAllocator {
     allocator.context = this;
     allocator.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
       auto& self = *static_cast<CountingAllocator*>(context);
-      if (++self.requests == self.fail_at) return nullptr;
+      const long request = ++self.requests;
+      if (request == self.fail_at || (self.fail_on && self.fail_at > 0 && request > self.fail_at))
+        return nullptr;
       ++self.held;
       return std::malloc(size);
     };
@@ -41,6 +43,7 @@ class CountingAllocator {
   std::atomic<long> requests{0};
   std::atomic<long> held{0};
   std::atomic<long> fail_at{0};
+  std::atomic<bool> fail_on{false};
 };
 
 // A life of a session, in steps that each must succeed, or fail for want of memory and change nothing.
@@ -88,7 +91,7 @@ TEST(Memory, EveryRequestMayBeRefused) {
     expect_error(live(&session), HRT_ERROR_OUT_OF_MEMORY, "out of memory");
     allocator.fail_at = 0;
     if (session.value != 0) {
-      uint32_t count = 0;
+      uint64_t count = 0;
       EXPECT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
       EXPECT_LE(count, 2u);
       ASSERT_OK(hrt_session_destroy(session));
@@ -97,21 +100,25 @@ TEST(Memory, EveryRequestMayBeRefused) {
   }
 }
 
-// Refuses each request of an operation in turn: every time a clean error, and nothing held that was not
-// before.
+// Refuses each request of an operation in turn, alone and with all that follow: every time a clean error, and
+// nothing held that was not before.
 template <class Operation>
 void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
   allocator.requests = 0;
   ASSERT_OK(operation());
   const long requests = allocator.requests, held = allocator.held;
   ASSERT_GT(requests, 0);
-  for (long n = 1; n <= requests; ++n) {
-    allocator.requests = 0;
-    allocator.fail_at = n;
-    ASSERT_EQ(operation(), HRT_ERROR_OUT_OF_MEMORY) << "refusing request " << n << " of " << requests;
-    allocator.fail_at = 0;
-    ASSERT_EQ(allocator.held, held) << "after refusing request " << n << " of " << requests;
+  for (const bool fail_on : {false, true}) {
+    allocator.fail_on = fail_on;
+    for (long n = 1; n <= requests; ++n) {
+      allocator.requests = 0;
+      allocator.fail_at = n;
+      ASSERT_EQ(operation(), HRT_ERROR_OUT_OF_MEMORY) << "refusing request " << n << " of " << requests;
+      allocator.fail_at = 0;
+      ASSERT_EQ(allocator.held, held) << "after refusing request " << n << " of " << requests;
+    }
   }
+  allocator.fail_on = false;
 }
 
 TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
@@ -182,6 +189,59 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   for (int i = 0; i < 16 && std::getline(file, line); ++i) text += line + "\n";
   refuse_each_request(allocator, [&] { return hrt_replay_text(text.data(), text.size(), &report); });
   EXPECT_GT(report.rows, 0u);
+}
+
+// Files from Blender and from the maker of the samples, text and binary, good and bad.
+class SceneMemory : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Memory, SceneMemory,
+                         testing::Values(HRT_SAMPLE_SCENES "/desk.gltf", HRT_SAMPLE_SCENES "/table1.gltf",
+                                         HRT_SCENE_FILES "/blender.gltf"));
+
+TEST_P(SceneMemory, EveryRequestOfAFileMayBeRefused) {
+  CountingAllocator allocator;
+  refuse_each_request(allocator, [] {
+    hrt_scene scene{};
+    const hrt_result result = hrt_scene_load_file(GetParam(), &scene);
+    if (result == HRT_OK) {
+      EXPECT_OK(hrt_scene_destroy(scene));
+    }
+    return result;
+  });
+  EXPECT_EQ(allocator.held, 0);
+}
+
+// A refusal makes its text out of memory too.
+TEST(Memory, EveryRequestOfARefusedSceneMayBeRefused) {
+  CountingAllocator allocator;
+  const std::string good = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[
+    {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":0.1}}}]})";
+  const auto with = [&](const std::string& part, const std::string& by) {
+    std::string text = good;
+    return text.replace(text.find(part), part.size(), by);
+  };
+  for (const std::string& text :
+       {with("]}],", "]}]"), with("0.1", "-0.1"), with("\"nodes\":[0]", "\"nodes\":[0,7]"),
+        with("\"radius_m\"", "\"radius_m\":1,\"radius_m\""), with("\"plate\"", "{\"a\":[1,2,3.5e-3]}")}) {
+    allocator.requests = 0;
+    const auto load = [&] {
+      hrt_scene scene{};
+      return hrt_scene_load_memory(text.data(), text.size(), "a name too long for its string", &scene);
+    };
+    expect_error(load(), HRT_ERROR_BAD_FORMAT, "a name too long for its string: ");
+    const long requests = allocator.requests;
+    for (const bool fail_on : {false, true}) {
+      allocator.fail_on = fail_on;
+      for (long n = 1; n <= requests; ++n) {
+        allocator.requests = 0;
+        allocator.fail_at = n;
+        const hrt_result result = load();
+        EXPECT_TRUE(result == HRT_ERROR_OUT_OF_MEMORY || result == HRT_ERROR_BAD_FORMAT) << hrt_last_error();
+        allocator.fail_at = 0;
+        ASSERT_EQ(allocator.held, 0) << "after refusing request " << n << " of " << requests;
+      }
+    }
+    allocator.fail_on = false;
+  }
 }
 
 TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {

@@ -20,7 +20,7 @@ CALIBRATIONS_MAX = 16
 """Maximum number of calibrations in a process."""
 SCENES_MAX = 64
 """Maximum number of scenes in a process."""
-SESSIONS_MAX = 64
+SESSIONS_MAX = 1024
 """Maximum number of sessions in a process."""
 PERSON_WEIGHT = 0
 """w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t"""
@@ -268,7 +268,8 @@ class Ending(IntEnum):
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
 """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure."""
 AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
-"""Releases memory that allocate() returned."""
+"""Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it
+keeps it beside the memory."""
 LogCallback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
 """Receives what no call can return, for example that a recording's disk is full. `level` is LogLevel.
 `text` is one line that names the session and the file, valid during the call. Called on a thread of the
@@ -879,7 +880,8 @@ class Allocator(Struct):
     context: Passed to both functions. The library does not read it.
     allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on
         failure.
-    release: Releases memory that allocate() returned.
+    release: Releases memory that allocate() returned. As of free(), it gets no size: an allocator that
+        needs it keeps it beside the memory.
     """
 
     if TYPE_CHECKING:
@@ -1067,7 +1069,7 @@ def declare(library: CDLL) -> None:
     library.hrt_target_remove.restype = c_int32
     library.hrt_target_find.argtypes = (SessionHandle, c_char_p, POINTER(TargetHandle))
     library.hrt_target_find.restype = c_int32
-    library.hrt_target_list.argtypes = (SessionHandle, c_uint32, c_uint32, POINTER(TargetHandle), POINTER(c_uint32))
+    library.hrt_target_list.argtypes = (SessionHandle, c_uint32, c_uint64, POINTER(TargetHandle), POINTER(c_uint64))
     library.hrt_target_list.restype = c_int32
     library.hrt_authority_query.argtypes = (SessionHandle, TargetHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query.restype = c_int32
@@ -1129,5 +1131,5 @@ def declare(library: CDLL) -> None:
     library.hrt_scene_get_info.restype = c_int32
     library.hrt_scene_get_target.argtypes = (SceneHandle, c_uint32, POINTER(SceneTarget))
     library.hrt_scene_get_target.restype = c_int32
-    library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint32, POINTER(TargetHandle))
+    library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint64, POINTER(TargetHandle))
     library.hrt_scene_register.restype = c_int32

@@ -169,7 +169,7 @@ class Session:
     def targets(self, role: Role | None = None) -> list[Target]:
         """All targets, or those of a role, in the order in which they were added."""
         wanted = 0 if role is None else int(role)
-        count = ctypes.c_uint32()
+        count = ctypes.c_uint64()
         check(library().hrt_target_list(self.handle, wanted, 0, None, byref(count)))
         handles = (_abi.TargetHandle * count.value)()
         check(library().hrt_target_list(self.handle, wanted, count, handles, byref(count)))

@@ -93,7 +93,7 @@ namespace Hrt
         public TargetId[] GetTargets(TargetRole? role = null)
         {
             uint wanted = role == null ? 0 : (uint)role.Value;
-            Check(Native.hrt_target_list(Handle, wanted, 0, null, out uint count));
+            Check(Native.hrt_target_list(Handle, wanted, 0, null, out ulong count));
             var targets = new TargetId[count];
             if (count > 0) Check(Native.hrt_target_list(Handle, wanted, count, targets, out count));
             return targets;

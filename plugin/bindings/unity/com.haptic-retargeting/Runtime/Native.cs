@@ -15,7 +15,7 @@ namespace Hrt
         /// <summary>Maximum number of scenes in a process.</summary>
         public const int ScenesMax = 64;
         /// <summary>Maximum number of sessions in a process.</summary>
-        public const int SessionsMax = 64;
+        public const int SessionsMax = 1024;
         /// <summary>w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t</summary>
         public const int PersonWeight = 0;
         /// <summary>b: 0 for a linear illusion</summary>
@@ -654,7 +654,8 @@ namespace Hrt
         /// <summary>Returns <c>size</c> bytes (at least 1) at a multiple of <c>alignment</c> (a power of
         /// two), or null on failure.</summary>
         public IntPtr allocate;
-        /// <summary>Releases memory that allocate() returned.</summary>
+        /// <summary>Releases memory that allocate() returned. As of free(), it gets no size: an allocator
+        /// that needs it keeps it beside the memory.</summary>
         public IntPtr release;
     }
 
@@ -748,7 +749,8 @@ namespace Hrt
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate IntPtr AllocatorAllocate(IntPtr context, UIntPtr size, UIntPtr alignment);
 
-    /// <summary>Releases memory that allocate() returned.</summary>
+    /// <summary>Releases memory that allocate() returned. As of free(), it gets no size: an allocator that
+    /// needs it keeps it beside the memory.</summary>
     [UnmanagedFunctionPointer(CallingConvention.Cdecl)]
     internal delegate void AllocatorRelease(IntPtr context, IntPtr memory);
 
@@ -814,8 +816,8 @@ namespace Hrt
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_target_list(
-            SessionHandle session, uint role, uint capacity, [In, Out] TargetId[] outTargets,
-            out uint outCount);
+            SessionHandle session, uint role, ulong capacity, [In, Out] TargetId[] outTargets,
+            out ulong outCount);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_authority_query(
@@ -925,6 +927,6 @@ namespace Hrt
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_scene_register(
-            SceneHandle scene, SessionHandle session, uint capacity, [In, Out] TargetId[] outTargets);
+            SceneHandle scene, SessionHandle session, ulong capacity, [In, Out] TargetId[] outTargets);
     }
 }

@@ -1,0 +1,253 @@
+// Whatever is configured and sampled within the documented ranges, every number that comes out is finite.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+using C = hrt_session_config;
+
+struct Range {
+  double C::*field;
+  double low;
+  double high;
+};
+constexpr Range ranges[] = {
+    {&C::perceived_weight, 1e-6, 1e6},
+    {&C::actual_weight, 0.0, 1e6},
+    {&C::plate_bound_deg, 0.1, 90.0},
+    {&C::plate_max_speed_deg_s, 0.0, 1e6},
+    {&C::plate_max_acceleration_deg_s2, 0.0, 1e8},
+    {&C::fixed_plate_orientation_deg, -180.0, 180.0},
+    {&C::tactile_weight, 0.001, 0.499},
+    {&C::tactile_weight_sd, 0.001, 0.49},
+    {&C::motor_variance_deg2, 1e-9, 1e4},
+    {&C::sensory_variance_deg2, 1e-9, 1e4},
+    {&C::initial_variance_deg2, 0.0, 1e4},
+    {&C::tracker_noise_m, 0.0, 0.1},
+    {&C::plate_radius_m, 0.001, 1000.0},
+    {&C::lift_height_m, 0.0001, 1000.0},
+    {&C::bias_deg, -45.0, 45.0},
+    {&C::motor_variance_sd_deg2, 0.001, 10.0},
+    {&C::max_felt_error_deg, 0.1, 45.0},
+    {&C::motion_bound_deg, 1.0, 89.0},
+};
+
+constexpr double trait_ranges[HRT_PERSON_TRAITS][2] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
+                                                       {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},
+                                                       {-2.0, 2.0},   {-3.0, 2.4},   {-0.2, 1.0}};
+
+// From an offset on, all of these are doubles. The offset of the first that is not finite, or 0.
+template <class Struct>
+std::size_t first_not_finite(const Struct& value, std::size_t offset) {
+  for (; offset < sizeof value; offset += sizeof(double)) {
+    double number = 0.0;
+    std::memcpy(&number, reinterpret_cast<const char*>(&value) + offset, sizeof number);
+    if (!std::isfinite(number)) return offset;
+  }
+  return 0;
+}
+
+class Extremes : public SessionTest {
+ protected:
+  double uniform(double low, double high) {
+    return low + (high - low) * (static_cast<double>(bits_() >> 11) * 0x1p-53);
+  }
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits_() % count); }
+  template <class Value, std::size_t n>
+  Value one_of(const Value (&values)[n]) {
+    return values[below(n)];
+  }
+
+  /// Often an end of the range, or next to 0 where the range begins there.
+  double within(double low, double high) {
+    switch (below(4)) {
+      case 0:
+        return low;
+      case 1:
+        return high;
+      case 2:
+        return low >= 0.0 ? std::pow(10.0, uniform(low > 0.0 ? std::log10(low) : -320.0, std::log10(high)))
+                          : uniform(low, high);
+      default:
+        return uniform(low, high);
+    }
+  }
+
+  /// Every field at random: all of them, or a few that differ from the defaults.
+  hrt_session_config configuration() {
+    hrt_session_config config = session_config();
+    const std::size_t share = one_of<std::size_t>({1, 2, 8});
+    const auto changes = [&] { return below(share) == 0; };
+    for (const Range& range : ranges) {
+      if (changes()) config.*range.field = within(range.low, range.high);
+    }
+    if (changes()) config.horizon = one_of({1u, 2u, 3u, 10u, 50u});
+    if (changes()) config.step_period_ns = one_of<std::int64_t>({1'000'000, 10'000'000, 10'000'000'000});
+    if (changes()) config.control = one_of({HRT_CONTROL_MPC, HRT_CONTROL_MPC, HRT_CONTROL_FIXED_PLATE});
+    if (changes()) config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
+    config.adaptation = one_of({HRT_ADAPTATION_OFF, HRT_ADAPTATION_REACH, HRT_ADAPTATION_CARRIED});
+    if (changes()) config.flags = HRT_SESSION_PLATE_WAITS;
+    if (changes()) config.tracker_latency_ns = one_of<std::int64_t>({1, 30'000'000, 500'000'000});
+    if (changes())
+      config.plate_latency_ns =
+          std::min<std::int64_t>(8 * config.step_period_ns, one_of({1, 30'000'000, 1'000'000'000}));
+    if (changes()) {
+      config.plate_lower_stop_deg = one_of({-3600.0, -90.0, 0.0, 3420.0});
+      config.plate_upper_stop_deg =
+          std::min(3600.0, config.plate_lower_stop_deg + one_of({180.0, 270.0, 7200.0}));
+    }
+    for (double& coordinate_m : config.start_position_m) {
+      if (changes()) coordinate_m = within(-1000.0, 1000.0);
+    }
+    for (double& coordinate_m : config.plate_position_m) {
+      if (changes()) coordinate_m = within(-1000.0, 1000.0);
+    }
+    if (below(4) == 0) believe(&config);
+    return config;
+  }
+
+  /// A person within the documented bounds, whose traits are independent.
+  void believe(hrt_session_config* config) {
+    for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
+      config->person_mean[trait] = within(trait_ranges[trait][0], trait_ranges[trait][1]);
+    for (double& covariance : config->person_covariance) covariance = 0.0;
+    for (int trait = 0, at = 0; trait < HRT_PERSON_TRAITS; at += ++trait + 1)
+      config->person_covariance[at] = within(1e-12, 1e4);
+  }
+
+  hrt_target place(std::uint32_t role) {
+    hrt_target_config config = target_config(role, 0.0);
+    config.place = one_of(
+        {HRT_PLACE_DIRECTION, HRT_PLACE_DIRECTION, HRT_PLACE_PLATE_POSITION, HRT_PLACE_WORLD_POSITION});
+    config.direction_deg = below(2) == 0 ? uniform(-20.0, 20.0) : within(-180.0, 180.0);
+    config.distance_m = below(2) == 0 ? 0.1 : within(0.001, 1000.0);
+    for (double& coordinate_m : config.position_m) coordinate_m = within(-1000.0, 1000.0);
+    hrt_target target{};
+    const hrt_result result = hrt_target_add(session, &config, &target);
+    EXPECT_TRUE(result == HRT_OK || result == HRT_ERROR_OUT_OF_RANGE) << hrt_last_error();
+    return target;
+  }
+
+  hrt_result begin_anyhow() {
+    hrt_reach_config reach;
+    EXPECT_OK(hrt_reach_config_default(&reach, sizeof reach));
+    reach.real_target = place(HRT_TARGET_REAL);
+    reach.virtual_target = place(HRT_TARGET_VIRTUAL);
+    reach.flags = below(2) == 0 ? HRT_REACH_PLATE_ORIENTATION : 0u;
+    reach.plate_orientation_deg = within(-3600.0, 3600.0);
+    reach.duration_s = one_of({0.0, 0.1, 1.0, 20.0});
+    auto authority = output<hrt_authority>();
+    if (hrt_authority_query(session, reach.real_target, reach.virtual_target, &authority) == HRT_OK) {
+      EXPECT_EQ(first_not_finite(authority, offsetof(hrt_authority, gap_deg)), 0u);
+    }
+    return hrt_reach_begin(session, &reach);
+  }
+
+  /// Fingers that rest, slide, leap and vanish.
+  void move(hrt_sample* sample) {
+    sample->flags = one_of<std::uint32_t>(
+        {HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_PLATE_POSITION, HRT_SAMPLE_DIRECTION,
+         HRT_SAMPLE_WORLD_POSITION, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE, 0, HRT_SAMPLE_LIFTED});
+    if (below(3) == 0) sample->flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    sample->plate_orientation_deg = within(-3600.0, 3600.0);
+    sample->finger_direction_deg = within(-180.0, 180.0);
+    sample->plate_rotation[3] = 1.0;
+    switch (below(8)) {
+      case 0:
+        for (double& coordinate_m : sample->finger_position_m) coordinate_m = within(-1000.0, 1000.0);
+        break;
+      case 1:
+        break;  // rests
+      default:
+        sample->finger_position_m[0] += 0.001 * uniform(-1.0, 1.0);
+        sample->finger_position_m[2] -= 0.002;
+        for (double& coordinate_m : sample->finger_position_m)
+          coordinate_m = std::clamp(coordinate_m, -1000.0, 1000.0);
+    }
+    constexpr std::int64_t steps_ns[] = {0,          1,           11'000'000,    11'000'000,
+                                         11'000'000, 100'000'000, 20'000'000'000};
+    const std::int64_t step_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
+    sample->time_ns += std::min(step_ns, std::numeric_limits<std::int64_t>::max() - sample->time_ns);
+  }
+
+  /// What the session knows after a reach is finite, can be configured, and is a profile.
+  void check_what_is_kept() {
+    hrt_session_config config = config_of(session);
+    for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(config.*range.field));
+    EXPECT_EQ(first_not_finite(config.person_mean, 0), 0u);
+    EXPECT_EQ(first_not_finite(config.person_covariance, 0), 0u);
+    EXPECT_OK(hrt_session_set_config(session, &config));
+    char profile[4096];
+    std::uint64_t length = 0;
+    ASSERT_OK(hrt_profile_save(session, sizeof profile, profile, &length));
+    EXPECT_OK(hrt_profile_load(session, profile, length));
+  }
+
+  void reach() {
+    hrt_sample sample = output<hrt_sample>();
+    sample.time_ns =
+        one_of<std::int64_t>({0, -1, std::numeric_limits<std::int64_t>::min(), 1'700'000'000'000'000'000});
+    std::memcpy(sample.finger_position_m, config_of(session).start_position_m,
+                sizeof sample.finger_position_m);
+    for (int i = 0; i < 60; ++i) {
+      move(&sample);
+      const hrt_command command = update(sample);
+      ASSERT_EQ(command.flags & HRT_COMMAND_FAULT, 0u) << "in sample " << i;
+      ASSERT_EQ(first_not_finite(command, offsetof(hrt_command, plate_orientation_deg)), 0u);
+    }
+    const hrt_reach_summary summary = end();
+    ASSERT_EQ(summary.flags & HRT_COMMAND_FAULT, 0u);
+    ASSERT_EQ(first_not_finite(summary, offsetof(hrt_reach_summary, final_direction_deg)), 0u);
+    check_what_is_kept();
+  }
+
+  std::mt19937_64 bits_{1};
+};
+
+TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {
+  int reached = 0;
+  for (int i = 0; i < 6000 && !HasFailure(); ++i) {
+    SCOPED_TRACE("configuration " + std::to_string(i));
+    const hrt_session_config config = configuration();
+    hrt_session other{};
+    ASSERT_OK(hrt_session_create(&config, &other));
+    ASSERT_OK(hrt_session_destroy(session));
+    session = other;
+    for (int n = 0; n < 3; ++n) {
+      if (begin_anyhow() != HRT_OK) continue;
+      ++reached;
+      reach();
+    }
+  }
+  EXPECT_GT(reached, 4000);
+}
+
+// One field at a time, at its lower and its upper end.
+TEST_F(Extremes, OfOneFieldGiveFiniteNumbers) {
+  for (const Range& range : ranges) {
+    for (const double value : {range.low, range.high, std::nextafter(range.low, range.high)}) {
+      for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
+        SCOPED_TRACE("field " + std::to_string(&range - ranges) + " at " + std::to_string(value));
+        hrt_session_config config = session_config();
+        config.*range.field = value;
+        config.guidance = guidance;
+        create(config);
+        for (int n = 0; n < 3; ++n) {
+          begin_reach();
+          reach();
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hrt::test
