@@ -8,6 +8,7 @@
 #include <system_error>
 
 #include "haptic_retargeting/base.h"
+#include "plugin/src/abi/rounding.h"
 #include "plugin/src/abi/text.h"
 
 namespace hrt::plugin {
@@ -33,6 +34,7 @@ hrt_result fail(hrt_result code, const Parts&... parts) {
 template <class Body>
 hrt_result guarded(const char* call, Body&& body) noexcept {
   thread_error.call = call;
+  const NearestRounding rounding;
   try {
     return body();
   } catch (const std::bad_alloc&) {

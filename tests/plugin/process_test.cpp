@@ -1,0 +1,224 @@
+// What plugin/README.md says of the library in the host's process.
+#include <algorithm>
+#include <atomic>
+#include <cfenv>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#if defined(__SSE2__)
+#include <xmmintrin.h>
+#endif
+#if defined(HRT_MEASURES_MEMORY)
+#include <pthread.h>
+#include <sys/mman.h>
+#endif
+
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+std::string golden_recording() {
+  std::ifstream file(HRT_GOLDEN_RECORDING, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+void expect_golden_bits() {
+  const std::string text = golden_recording();
+  auto report = output<hrt_replay_report>();
+  ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+  EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
+}
+
+#if !defined(__EMSCRIPTEN__)  // which rounds to nearest and has no other mode
+TEST(Process, RoundingOfTheHostChangesNoBitAndStays) {
+  for (const int mode : {FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO, FE_TONEAREST}) {
+    SCOPED_TRACE(mode);
+    ASSERT_EQ(std::fesetround(mode), 0);
+    const volatile double one = 1.0, three = 3.0;
+    const double third = one / three;
+    expect_golden_bits();
+    EXPECT_EQ(std::fegetround(), mode);
+    EXPECT_EQ(one / three, third);
+    // On the way out of an error too.
+    EXPECT_EQ(hrt_session_destroy({42}), HRT_ERROR_INVALID_HANDLE);
+    EXPECT_EQ(std::fegetround(), mode);
+    EXPECT_EQ(one / three, third);
+  }
+  ASSERT_EQ(std::fesetround(FE_TONEAREST), 0);
+}
+#endif
+
+#if defined(__SSE2__)
+TEST(Process, FlushingToZeroChangesNoBitAndStays) {
+  constexpr unsigned flush_to_zero = 0x8000, denormals_are_zero = 0x0040;
+  const unsigned before = _mm_getcsr();
+  _mm_setcsr(before | flush_to_zero | denormals_are_zero);
+  expect_golden_bits();
+  EXPECT_EQ(_mm_getcsr() & (flush_to_zero | denormals_are_zero), flush_to_zero | denormals_are_zero);
+  _mm_setcsr(before);
+}
+#endif
+
+#if defined(HRT_MEASURES_MEMORY)
+
+// In bytes, on 64-bit machines.
+constexpr std::size_t most_of_session = 17'000;
+constexpr std::size_t most_of_target = 300;
+constexpr std::size_t most_of_recording = 6'100'000;
+constexpr std::size_t most_real_time_stack = 24'000;
+constexpr std::size_t most_stack = 56'000;
+
+/// An allocator that counts bytes.
+class ByteCounter {
+ public:
+  ByteCounter() {
+    hrt_allocator allocator{};
+    allocator.struct_size = sizeof allocator;
+    allocator.context = this;
+    allocator.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
+      auto* block = static_cast<std::size_t*>(std::malloc(size + 16));
+      *block = size;
+      static_cast<ByteCounter*>(context)->held += size;
+      return block + 2;
+    };
+    allocator.release = [](void* context, void* memory) {
+      auto* block = static_cast<std::size_t*>(memory) - 2;
+      static_cast<ByteCounter*>(context)->held -= *block;
+      std::free(block);
+    };
+    EXPECT_OK(hrt_set_allocator(&allocator));
+  }
+  ~ByteCounter() { EXPECT_OK(hrt_set_allocator(nullptr)); }
+  ByteCounter(const ByteCounter&) = delete;
+  ByteCounter& operator=(const ByteCounter&) = delete;
+  ByteCounter(ByteCounter&&) = delete;
+  ByteCounter& operator=(ByteCounter&&) = delete;
+
+  std::atomic<std::size_t> held{0};
+};
+
+TEST(Process, MemoryIsAsDocumented) {
+  ByteCounter memory;
+  const hrt_session_config config = session_config();
+  hrt_session session{};
+  ASSERT_OK(hrt_session_create(&config, &session));
+  RecordProperty("session", static_cast<int>(memory.held));
+  EXPECT_LE(memory.held, most_of_session);
+  const std::size_t before_target = memory.held;
+  const hrt_target_config target = target_config(HRT_TARGET_REAL, 1.0, "a name too long for its string");
+  hrt_target id{};
+  ASSERT_OK(hrt_target_add(session, &target, &id));
+  RecordProperty("target", static_cast<int>(memory.held - before_target));
+  EXPECT_LE(memory.held - before_target, most_of_target);
+  const std::size_t before_recording = memory.held;
+  const std::string path = testing::TempDir() + "hrt_process.csv";
+  ASSERT_OK(hrt_recording_start(session, path.c_str()));
+  RecordProperty("recording", static_cast<int>(memory.held - before_recording));
+  EXPECT_LE(memory.held - before_recording, most_of_recording);
+  ASSERT_OK(hrt_session_destroy(session));
+  std::remove(path.c_str());
+  EXPECT_EQ(memory.held, 0u);
+}
+
+constexpr unsigned char paint = 0xa5;
+constexpr std::size_t stack_size = std::size_t{1} << 20;
+
+// Bytes of stack that a thread needs for the body.
+std::size_t stack_of(void* (*body)(void*), void* argument) {
+  auto* stack = static_cast<unsigned char*>(
+      mmap(nullptr, stack_size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_STACK, -1, 0));
+  std::fill(stack, stack + stack_size, paint);
+  pthread_attr_t attributes;
+  pthread_attr_init(&attributes);
+  EXPECT_EQ(pthread_attr_setstack(&attributes, stack, stack_size), 0);
+  pthread_t thread{};
+  EXPECT_EQ(pthread_create(&thread, &attributes, body, argument), 0);
+  EXPECT_EQ(pthread_join(thread, nullptr), 0);
+  pthread_attr_destroy(&attributes);
+  const std::size_t untouched = static_cast<std::size_t>(
+      std::find_if(stack, stack + stack_size, [](auto b) { return b != paint; }) - stack);
+  munmap(stack, stack_size);
+  return stack_size - untouched;
+}
+
+class Stack : public SessionTest {
+ protected:
+  /// What the body needs beyond a thread that does nothing.
+  template <class Body>
+  static std::size_t used(Body body) {
+    const std::size_t nothing = stack_of([](void*) -> void* { return nullptr; }, nullptr);
+    return stack_of(
+               [](void* argument) -> void* {
+                 (*static_cast<Body*>(argument))();
+                 return nullptr;
+               },
+               &body) -
+           nothing;
+  }
+};
+
+TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
+  hrt_session_config config = session_config();
+  config.horizon = 50;
+  std::size_t most = 0;
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
+    config.guidance = guidance;
+    create(config);
+    hrt_reach_config reach;
+    ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+    reach.real_target = add(HRT_TARGET_REAL, -5.0);
+    reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
+    most = std::max(most, used([&] {
+                      hrt_reach_begin(session, &reach);
+                      auto command = output<hrt_command>();
+                      for (int i = 0; i < 200; ++i) {
+                        const hrt_sample sample =
+                            position_sample(std::int64_t{i} * 11'111'111, 0.0, -0.05 + 0.0005 * i);
+                        hrt_reach_update(session, &sample, &command);
+                      }
+                      auto summary = output<hrt_reach_summary>();
+                      hrt_reach_end(session, &summary);
+                    }));
+  }
+  RecordProperty("bytes", static_cast<int>(most));
+  EXPECT_LE(most, most_real_time_stack);
+}
+
+TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
+  const std::string text = golden_recording();
+  const std::string path = testing::TempDir() + "hrt_stack.csv";
+  const std::size_t most = used([&] {
+    auto report = output<hrt_replay_report>();
+    hrt_replay_text(text.data(), text.size(), &report);
+    hrt_scene scene{};
+    hrt_scene_load_file(HRT_DESK_SCENE, &scene);
+    hrt_target ids[8];
+    hrt_scene_register(scene, session, 8, ids);
+    hrt_scene_destroy(scene);
+    char profile[4096];
+    std::uint64_t length = 0;
+    hrt_profile_save(session, sizeof profile, profile, &length);
+    hrt_profile_load(session, profile, length);
+    hrt_recording_start(session, path.c_str());
+    auto status = output<hrt_recording_status>();
+    hrt_recording_stop(session, &status);
+    hrt_replay_file(path.c_str(), &report);
+  });
+  std::remove(path.c_str());
+  RecordProperty("bytes", static_cast<int>(most));
+  EXPECT_LE(most, most_stack);
+}
+
+#endif
+
+}  // namespace
+}  // namespace hrt::test
