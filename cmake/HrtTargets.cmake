@@ -15,6 +15,12 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
 endif()
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for the same and more
+  target_compile_options(hrt_flags INTERFACE -fstack-protector-strong
+    $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
+  target_link_options(hrt_flags INTERFACE LINKER:-z,relro,-z,now,-z,noexecstack)
+endif()
+target_compile_definitions(hrt_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
 # For the sanitizers: fast enough to run everything, names and lines in their reports, and half the time to
 # compile of a release with debug information.
 set(CMAKE_C_FLAGS_SANITIZE "-O1 -g1")

@@ -1,6 +1,6 @@
 /*
- * Scenes: plate, start and targets from a glTF file; scene/README.md lists the properties. Load a scene,
- * register it with a session, destroy it.
+ * Scenes: plate, start and targets from a glTF file; scene/README.md, installed as scene.md, lists the
+ * properties. Load a scene, register it with a session, destroy it.
  */
 #ifndef HAPTIC_RETARGETING_SCENE_H
 #define HAPTIC_RETARGETING_SCENE_H
