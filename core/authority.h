@@ -7,7 +7,7 @@
 
 namespace hrt {
 
-/// What can be held for one pair of targets and one participant. Angles in degrees.
+/// The gaps that can be held for one pair of targets and one participant. Angles in degrees.
 struct Authority {
   bool reachable;                 ///< the real direction can be held
   double gap_deg;                 ///< theta_V - P_R
@@ -25,7 +25,7 @@ double largest_gap_deg(double tactile_weight, double plate_bound_deg);
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg);
 
-/// What can be held with the plate within `bound_deg` of the motion, for a person of this illusion.
+/// The same with the plate within `bound_deg` of the motion, for a person of this illusion.
 Authority authority_about_motion(double real_direction_deg, double goal_direction_deg,
                                  const Illusion& illusion, double bound_deg);
 

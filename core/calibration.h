@@ -26,7 +26,7 @@ struct CalibrationConfig {
 };
 
 /// An estimate with its 95 % interval. If the data cannot determine the value, `known` is false, the interval
-/// is as wide as what was searched, and the value is no more than its most likely point.
+/// is the searched range, and the value its most likely point.
 struct Interval {
   double value = 0.0;
   double lower = 0.0;
@@ -42,7 +42,7 @@ inline double deviation_of_interval(double lower, double upper) {
   return (upper - lower) / (2.0 * normal_975);
 }
 
-/// The second half of one slide: its direction, and what the fit makes of it.
+/// The second half of one slide: its direction, and the fitted one.
 struct Chord {
   double plate_orientation_deg;
   double direction_deg;
@@ -58,14 +58,14 @@ struct Calibration {
   std::vector<Chord> chords;  ///< one a trial that was used
 };
 
-/// Why there is no calibration: one sentence that names what is wrong and what is needed.
+/// Why there is no calibration: one sentence with the mistake and the requirement.
 struct CalibrationRefusal {
   std::string reason;
 };
 
 /// Needs at least `least_trials` slides of at least 30 mm, at three plate angles or more that span
 /// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within
-/// what can be used, (0.02, 0.48).
+/// the usable range (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         const CalibrationConfig& config = {});
 

@@ -130,7 +130,7 @@ bool Estimator::observe_position(const PlatePoint& position) {
       innovation_determinant_mm4_;
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= most_outliers) return false;
   if (outliers_ > most_outliers) {
-    // The tracker has jumped, or the finger has been moved: what was believed of the place is void.
+    // The tracker has jumped, or the finger has been moved: the believed place is void.
     covariance_.row(right).setZero();
     covariance_.col(right).setZero();
     covariance_.row(away).setZero();

@@ -1,4 +1,4 @@
-// What is known of this finger and this participant: tracked samples in, motion and w_T out.
+// The state of this finger and this participant: tracked samples in, motion and w_T out.
 //
 // An extended Kalman filter whose process is the participant of paper section II-A (core/README.md has the
 // equations): position on the plate, speed, direction of motion and w_T, with their covariance. Directions
@@ -14,7 +14,7 @@
 
 namespace hrt {
 
-/// What the estimator assumes before it has seen anything.
+/// Assumptions before the first sample.
 struct EstimatorConfig {
   /// Learn w_T; if not, participant.tactile_weight is taken as the truth.
   bool adapt = false;
@@ -29,7 +29,7 @@ struct EstimatorConfig {
 /// True if every field is in its range.
 bool is_valid(const EstimatorConfig& config);
 
-/// What is known now. Standard deviations are the filter's own.
+/// The present estimate. Standard deviations are the filter's own.
 struct FingerEstimate {
   PlatePoint position;
   double speed_m_s = 0.0;
@@ -37,7 +37,7 @@ struct FingerEstimate {
   double tactile_weight = 0.0;
   double tactile_weight_sd = 0.0;
   double tracker_noise_m = 0.0;
-  /// sigma_u^2 as this reach corrects what was assumed, and its standard deviation: about the configured one
+  /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
   /// if the reach cannot determine them.
   double motor_variance_deg2 = 0.0;
   double motor_variance_sd_deg2 = 0.0;
@@ -106,7 +106,7 @@ class Estimator {
   double innovation_determinant_mm4_ = 0.0;
   int outliers_ = 0;
 
-  // What the current step began with, to see by how much its samples correct it.
+  // At the beginning of the current step, to see how far its samples correct it.
   double step_direction_deg_ = 0.0;
   double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
   double motor_variance_deg2_;       // as assumed

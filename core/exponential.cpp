@@ -21,7 +21,7 @@ double exponential(double x) {
   x = std::clamp(x, -700.0, 700.0);
   const double doublings = std::floor(x / ln2 + 0.5);
   const double f = x - doublings * ln2;  // within ln2 / 2
-  // Taylor's series; what it leaves out is below 1e-16 there.
+  // Taylor's series; its remainder is below 1e-16 there.
   constexpr double coefficients[] = {
       1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880, 1.0 / 40320, 1.0 / 5040, 1.0 / 720,
       1.0 / 120,       1.0 / 24,       1.0 / 6,       1.0 / 2,      1.0,         1.0};

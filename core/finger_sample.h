@@ -1,4 +1,4 @@
-// One tracked sample, as it comes into the core.
+// One tracked sample.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace hrt {
 
-/// What a sample observed of the finger.
+/// The observation in a sample.
 enum class Observation {
   none,       ///< nothing: tracking lost
   lifted,     ///< the finger is off the plate: nothing is felt

@@ -22,7 +22,7 @@ RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& l
   const double limited_deg2 = std::clamp(learnt.motor_variance_deg2, 0.5 * assumed_deg2, 2.0 * assumed_deg2);
   next.participant.motor_variance_deg2 =
       std::clamp(limited_deg2, Estimator::least_motor_variance_deg2, Estimator::most_motor_variance_deg2);
-  // Far from what was assumed, the reach is surer than it can be.
+  // Far from the assumed variance, the reach is too sure of it.
   if (limited_deg2 == learnt.motor_variance_deg2)
     next.estimator.motor_variance_sd_deg2 =
         std::max(learnt.motor_variance_sd_deg2, least_carried_motor_variance_sd_deg2);

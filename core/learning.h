@@ -1,4 +1,4 @@
-// What one reach leaves for the next reach of the same person.
+// Parameters carried from one reach to the next of the same person.
 #pragma once
 
 #include "core/estimator.h"
@@ -7,10 +7,10 @@
 
 namespace hrt {
 
-/// People change: what is carried is never surer than this.
+/// People change: carried deviations are at least these.
 inline constexpr double least_carried_weight_sd = 0.01;
 inline constexpr double least_carried_motor_variance_sd_deg2 = 0.1;
-/// Nor less sure of w_T.
+/// And at most this, of w_T.
 inline constexpr double most_weight_sd = 0.49;
 
 /// The configuration for the next reach, after one with `config` that has learnt `learnt`: w_T, the motor
@@ -18,8 +18,8 @@ inline constexpr double most_weight_sd = 0.49;
 /// unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
-/// What the next reach begins with after one that ended with `learnt`: people change, so it is wider, yet
-/// never wider than `unknown`.
+/// The belief for the next reach after one that ended with `learnt`: wider, since people change, yet never
+/// wider than `unknown`.
 PersonBelief carried(const PersonBelief& learnt, const PersonBelief& unknown);
 
 }  // namespace hrt

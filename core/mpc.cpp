@@ -14,7 +14,7 @@ ActiveBound active_bound(const WorkingSet& set, int i) {
   return ActiveBound::none;
 }
 
-// Whether the plate would turn faster than it can. What it does while nothing is felt of it is left open.
+// Whether the plate would turn faster than it can; its turns while it is not felt are left open.
 bool breaks_rate_bound(const WindowProblem& window, const WindowSolution& solution) {
   const double slack_deg = tolerance_deg(window);
   double last_deg = window.last_plate_deg;
@@ -61,7 +61,7 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
     ++i;
   };
 
-  // Out of the bound, and too far to come back in one step: full speed towards it is all there is.
+  // Out of the bound, and too far to come back in one step: full speed towards it.
   while (has_rate_bound && i < config_.horizon && std::abs(last_plate_deg) > bound_deg + rate_deg) {
     const bool above = last_plate_deg > 0.0;
     const double plate_deg = last_plate_deg + (above ? -rate_deg : rate_deg);

@@ -40,7 +40,7 @@ struct MpcProblem {
   double tactile_weight;     ///< w_T in (0, 0.5)
   /// t_k-1: where the plate stands now, finite. Read only with a rate bound. If it is farther out of the
   /// plate bound than one step can turn, the plate returns at full rate and the bound gives way until then;
-  /// beyond 90 the finger feels on the way what it feels 180 nearer.
+  /// beyond 90 the plate feels on the way as it does 180 nearer.
   double plate_offset_deg;
   /// K_k .. K_k+N-1, each in [0, 1]; must point at `horizon` values. Below 1e-12 a gain counts as 0: the
   /// plate is not felt in that step. With a rate bound it turns towards where it is next felt, or stays.
@@ -64,7 +64,7 @@ class Mpc {
 
   struct Command {
     double plate_offset_deg;  ///< t_k, relative to the virtual direction; within both bounds in any case
-    ActiveBound active;       ///< what holds t_k
+    ActiveBound active;       ///< the bound that holds t_k
     bool optimal;             ///< false: the work was cut short, and a better t_k may exist
   };
 

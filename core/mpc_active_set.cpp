@@ -96,7 +96,7 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
     gain_[steps_] = problem.gains[i];
     rate_deg_[steps_] = rate_deg;
     miss_weight_[steps_] = miss_weight;
-    // What holds the path given, clamped step after step.
+    // The bounds that hold the given path, clamped step after step.
     const double u = solution.plate_deg[i];
     const double high_deg = std::min(problem.bound_deg, last_deg + rate_deg);
     const double low_deg = std::max(-problem.bound_deg, last_deg - rate_deg);
@@ -283,7 +283,7 @@ bool DualActiveSet::depends_on_held(Constraint constraint) const {
   return !constraint.is_link || constraint.i == 0 || fixed_[constraint.i - 1];
 }
 
-// Adds to target_ what balances a multiplier `flow` that enters at step i of a fixed run.
+// Adds to target_ the balance of a multiplier `flow` that enters at step i of a fixed run.
 void DualActiveSet::push_to_ground(int i, double flow) {
   int pinned = i;
   while (!set_.pin[pinned] && pinned + 1 < steps_ && set_.link[pinned + 1]) ++pinned;

@@ -29,7 +29,7 @@ class PlateBoundSolver {
     double s;
     double r;
   };
-  // What a pair of sweeps finds, step by step.
+  // Found by a pair of sweeps, step by step.
   struct Sweeps {
     std::array<CostToGo, max_horizon> after;  // written where a bound may be active
     std::array<double, max_horizon> miss_deg;

@@ -14,7 +14,7 @@ namespace hrt {
 /// Plans one reach. No heap, no lock, no exception. One thread at a time.
 class PaperControl {
  public:
-  /// A turn within a step is bounded by what `plate` can do as well as by `config`. Requires valid arguments,
+  /// A turn within a step is bounded by `plate` as well as by `config`. Requires valid arguments,
   /// a latency of at most `max_lead` steps.
   PaperControl(const MpcConfig& config, const PlateDynamics& plate, std::int64_t step_period_ns,
                double goal_direction_deg);

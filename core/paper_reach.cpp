@@ -20,7 +20,7 @@ PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double r
   return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
 }
 
-// No plate stands beyond its stops, whatever is given.
+// No plate stands beyond its stops.
 double within(const PlateStops& stops, double orientation_deg) {
   return std::clamp(orientation_deg, stops.lower_deg, stops.upper_deg);
 }
@@ -105,8 +105,7 @@ ReachSummary PaperReach::summary() const {
           .estimate = estimator_.estimate()};
 }
 
-// A direction beyond what can be held would trade felt error for nothing: what can be held is as near as it
-// gets.
+// Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.
 PaperReach::Aim PaperReach::aim(const ReachState& state) const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double weight = state.finger.tactile_weight;

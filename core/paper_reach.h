@@ -15,7 +15,7 @@
 namespace hrt {
 
 struct PaperReachConfig {
-  Participant participant;  ///< whom the controller assumes; w_T is where adaptation starts
+  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
   MpcConfig mpc;
   std::optional<double> fixed_plate_orientation_deg;  ///< the plate stays there, uncontrolled (paper Fig. 8)
   EstimatorConfig estimator;
@@ -47,7 +47,7 @@ class PaperReach {
     double direction_deg;
     bool unreachable;
   };
-  /// What the plate was last turned to, and for what.
+  /// The last command, with its step and aim.
   struct Decision {
     std::int64_t step = -1;
     Aim aim;

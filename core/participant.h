@@ -1,4 +1,4 @@
-// What a person feels and how they steer: the participant of paper section II-A. Every equation that moves P
+// How a person feels and steers: the participant of paper section II-A. Every equation that moves P
 // or theta_hat is here. No heap, no lock, no exception.
 #pragma once
 
@@ -25,7 +25,7 @@ bool is_valid(const Participant& participant);
 /// G: where a person goes who sees a target in `virtual_direction_deg`.
 double goal_direction_deg(const Participant& participant, double virtual_direction_deg);
 
-/// h = w_T T + (1 - w_T) P: what touch and proprioception report together.
+/// h = w_T T + (1 - w_T) P: the combination of touch and proprioception.
 double felt_direction_deg(double tactile_weight, double plate_orientation_deg, double finger_direction_deg);
 
 /// One step: the finger moves along `finger_direction_deg` over ridges at `plate_orientation_deg` while the
@@ -39,7 +39,7 @@ struct ParticipantInput {
   double finger_direction_deg;   ///< P
 };
 
-/// What the person makes of it. P of the next step is P + motor_command_deg + noise.
+/// The person's response. P of the next step is P + motor_command_deg + noise.
 struct ParticipantStep {
   double felt_direction_deg;       ///< h
   double perceived_direction_deg;  ///< theta_hat = G + K (h - G): the filter's prior is the goal itself

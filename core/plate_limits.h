@@ -17,10 +17,10 @@ struct PlateStops {
 /// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
-/// What holds an orientation: the bound about the virtual direction or a stop, or the rate bound.
+/// The limit that holds an orientation: a bound about the virtual direction, a stop, or the rate bound.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 
-/// An orientation for the plate, and what holds it.
+/// An orientation for the plate, and the limit that holds it.
 struct PlateOrientation {
   double orientation_deg = 0.0;
   ActiveBound active = ActiveBound::none;

@@ -9,7 +9,7 @@
 
 namespace hrt {
 
-/// What a servo can do. The defaults are a plate that follows at once and turns freely.
+/// A servo's abilities. The defaults are a plate that follows at once and turns freely.
 struct PlateDynamics {
   double max_speed_deg_s = std::numeric_limits<double>::infinity();          ///< > 0
   double max_acceleration_deg_s2 = std::numeric_limits<double>::infinity();  ///< > 0

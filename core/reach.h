@@ -1,4 +1,4 @@
-// One reach as it goes in and comes out: where it goes, what the plate is to do, and what became of it.
+// The inputs and outputs of a reach: targets, commands, summary.
 #pragma once
 
 #include <cstdint>
@@ -24,12 +24,12 @@ struct Reach {
 /// True if every field is in its range, for this participant.
 bool is_valid(const Reach& reach, const Participant& participant);
 
-/// What the plate is to do, and why.
+/// A command for the plate, with its reasons.
 struct PlateCommand {
   double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
   double finger_direction_deg = 0.0;     ///< P, estimated or predicted
   double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
-  double aimed_direction_deg = 0.0;      ///< where the finger is wanted, within what can be held
+  double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
   double tactile_weight = 0.0;     ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;  ///< its standard deviation; 0 without adaptation
   double distance_to_go_m = 0.0;   ///< to the real target's place; the whole until a position is seen
@@ -51,7 +51,7 @@ struct PlateCommand {
 /// Within this of the real target's bearing, a reach ends on it.
 inline constexpr double near_deg = 1.5;
 
-/// What a reach says of the person; standard deviations are the filter's own.
+/// A person as estimated in a reach; standard deviations are the filter's own.
 struct PersonEstimate {
   double curve = 0.0;  ///< b of illusion.h: 0 is linear
   double curve_sd = 0.0;
@@ -64,7 +64,7 @@ struct PersonEstimate {
   double duration_s = 0.0;  ///< of the motion
 };
 
-/// What became of a reach.
+/// The outcome of a reach.
 struct ReachSummary {
   std::int64_t steps = 0;               ///< model steps with samples
   std::int64_t predicted_steps = 0;     ///< model steps without
@@ -84,7 +84,7 @@ struct ReachSummary {
   bool unreachable = false;              ///< as in the last PlateCommand
   bool misfit = false;                   ///< at any time
   bool off_target = false;               ///< the finger ended beyond `near_deg` of the real target's bearing
-  FingerEstimate estimate;               ///< what was learnt: w_T, tracker noise
+  FingerEstimate estimate;               ///< of w_T and tracker noise
   std::optional<PersonEstimate> person;  ///< none without positions
 };
 

@@ -1,4 +1,4 @@
-// What is known of one reach: samples and time in, the finger's motion and the person's w_T out.
+// The state of one reach: samples and time in, the finger's motion and the person's w_T out.
 //
 // The model's steps start when the finger starts to move. They wait while the finger rests or is lifted,
 // since nothing is felt then; a step without samples is predicted.
@@ -16,12 +16,12 @@
 
 namespace hrt {
 
-/// What is known after a sample.
+/// The state after a sample.
 struct ReachState {
   FingerEstimate finger;
   /// Last place seen, or predicted from it; none until a position is seen.
   std::optional<PlatePoint> place;
-  /// What the sample added that a decision can be based on: none, direction or position.
+  /// The sample's basis for a decision: none, direction or position.
   Observation observed = Observation::none;
   bool predicted = false;   ///< neither this step nor the one before has a sample
   std::int64_t step = -1;   ///< under way; -1 before the finger moves
@@ -34,7 +34,7 @@ struct ReachState {
 ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
                                double plate_orientation_deg);
 
-/// What became of the samples and steps so far.
+/// Counts of samples and steps so far.
 struct SampleCounts {
   std::int64_t steps = 0;            ///< model steps with samples
   std::int64_t predicted_steps = 0;  ///< model steps without

@@ -1,6 +1,7 @@
 #include "core/retargeter.h"
 
 #include <cmath>
+#include <utility>
 
 namespace hrt {
 namespace {
@@ -40,7 +41,7 @@ bool is_valid(const RetargeterConfig& config) {
          config.tracker_latency_ns <= 500'000'000;
 }
 
-Retargeter::Retargeter(const RetargeterConfig& config) : config_(config) {}
+Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
 
 void Retargeter::begin(const Reach& reach) {
   reach_ = reach;

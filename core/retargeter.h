@@ -10,7 +10,7 @@
 
 namespace hrt {
 
-/// What decides the plate's orientation.
+/// The controller of the plate's orientation.
 enum class ControlMode {
   mpc,          ///< the controller of paper section III
   reach,        ///< the controller for people, where positions are streamed; with directions alone, as mpc
@@ -19,14 +19,14 @@ enum class ControlMode {
 
 /// The defaults are the paper's controller.
 struct RetargeterConfig {
-  Participant participant;  ///< whom the controller assumes; w_T is where adaptation starts
+  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
   MpcConfig mpc;
   ControlMode mode = ControlMode::mpc;
   double fixed_plate_orientation_deg = 0.0;   ///< finite
   EstimatorConfig estimator;                  ///< of the paper's person
   PlateDynamics plate;                        ///< its latency at most `max_lead` model steps
   std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
-  PersonBelief person = unknown_person();     ///< whom the controller for people assumes
+  PersonBelief person = unknown_person();     ///< as assumed by the controller for people
   ReachControlConfig reach;
   /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
   std::int64_t tracker_latency_ns = 0;
@@ -40,10 +40,9 @@ bool is_valid(const RetargeterConfig& config);
 class Retargeter {
  public:
   /// Requires is_valid(config).
-  explicit Retargeter(const RetargeterConfig& config);
+  explicit Retargeter(RetargeterConfig config);
 
-  /// Starts a reach; whatever the last one left is forgotten. Requires is_valid(reach,
-  /// config.participant).
+  /// Starts a reach anew. Requires is_valid(reach, config.participant).
   void begin(const Reach& reach);
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
@@ -60,7 +59,7 @@ class Retargeter {
   ReachSummary summary() const { return person_ ? person_->summary() : paper_->summary(); }
   /// The reach is led by the controller for people.
   bool leads_person() const { return person_.has_value(); }
-  /// What the reach says of the person, for carried(); none if it ended early, did not fit the model, or had
+  /// The belief about the person, for carried(); none if the reach ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
   std::optional<PersonBelief> learnt() const { return person_ ? person_->learnt() : std::nullopt; }
 

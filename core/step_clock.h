@@ -53,7 +53,7 @@ class StepClock {
   /// The next step, without a time.
   void count() { ++step_; }
 
-  /// After this many steps without a sample the model has long settled; more would change nothing.
+  /// After this many steps without a sample the model has settled.
   static constexpr std::uint64_t max_catch_up_steps = 64;
 
  private:

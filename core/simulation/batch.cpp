@@ -87,7 +87,7 @@ class Chunks {
   std::vector<std::uint64_t> ends_;  // of each job, the number after its last chunk's
 };
 
-// One trial after the other through the Retargeter, for what has no table.
+// One trial after the other through the Retargeter, for conditions without a table.
 BatchResult run_untabulated(const BatchJob& job, std::uint64_t seed, std::uint32_t first,
                             std::uint32_t last) {
   BatchResult result;

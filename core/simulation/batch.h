@@ -1,4 +1,4 @@
-// Many trials of many conditions on all cores. What comes out depends on the seed, the conditions and the
+// Many trials of many conditions on all cores. The results depend on the seed, the conditions and the
 // trial numbers alone: every bit is the same for any number of threads, any order, any split of a range of
 // trials into parts, and any compiler that keeps IEEE arithmetic.
 #pragma once
@@ -33,8 +33,8 @@ class AngleSums {
   std::uint64_t squares_high_ = 0;
 };
 
-/// What a range of trials of one condition came to. Results of disjoint ranges merge to exactly what their
-/// union gives.
+/// The result of a range of trials of one condition. Results of disjoint ranges add up exactly to that of
+/// their union.
 struct BatchResult {
   std::uint64_t trials = 0;
   std::uint64_t hits = 0;

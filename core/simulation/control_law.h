@@ -59,7 +59,7 @@ struct ControlLaw {
   double saturated_above_deg;
 };
 
-/// What Mpc::solve() answers to every finger offset, with the other fields of `problem` as they are. None if
+/// The answer of Mpc::solve() to every finger offset, with the other fields of `problem` fixed. None if
 /// that is no function of the finger offset alone (a rate bound, a gain of 0), or if the plate is at a bound
 /// elsewhere than at both ends. Requires is_valid(config). Uses the heap.
 std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem& problem);

@@ -7,7 +7,7 @@ namespace hrt {
 
 /// One step of a SimulatedParticipant. Angles in degrees.
 struct SimulatedStep {
-  double felt_direction_deg;  ///< h_k: what touch and proprioception report together
+  double felt_direction_deg;  ///< h_k: of touch and proprioception together
   double gain;                ///< K_k
   double variance_deg2;       ///< var_k of the perceived direction
   double motor_command_deg;   ///< u_k

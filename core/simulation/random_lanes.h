@@ -53,7 +53,7 @@ template <class Lanes>
   using Words = typename Lanes::Words;
   const Words multiplier0 = Lanes::all(std::uint64_t{0xD2511F53});
   const Words multiplier1 = Lanes::all(std::uint64_t{0xCD9E8D57});
-  // Only the low half of each word counts; what lies above is not cleared until the end.
+  // Only the low half of each word counts; the high half is not cleared until the end.
   for (const typename PhiloxKeys<Lanes>::Round& round : keys.rounds()) {
     const Words product0 = Lanes::multiply_low(word0, multiplier0);
     const Words product1 = Lanes::multiply_low(word2, multiplier1);

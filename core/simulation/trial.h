@@ -15,7 +15,7 @@ inline constexpr int max_trial_steps = 10'000;
 /// All that a trial depends on but its random numbers. The defaults are condition 1 of Table I.
 struct Condition {
   Participant participant;             ///< who reaches
-  RetargeterConfig controller;         ///< what leads them; `controller.participant` is whom it assumes
+  RetargeterConfig controller;         ///< `controller.participant` is the participant that it assumes
   double real_direction_deg = -5.0;    ///< P_R
   double virtual_direction_deg = 5.0;  ///< theta_V, within 90 of the real one
   double plate_orientation_deg = 0.0;  ///< where the plate stands before the first step
@@ -36,7 +36,7 @@ struct TrialId {
 /// Steps of trials draw below this, a tracker's noise from here on.
 inline constexpr std::uint32_t tracker_draws = 1U << 20;
 
-/// What happened in step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
+/// Step k, 0 to Condition::steps - 1. Angles in degrees from the mid-line.
 struct TrialStep {
   int step;                        ///< k
   double finger_direction_deg;     ///< P_k

@@ -34,7 +34,7 @@ bool looks_at_direction_alone(const RetargeterConfig& controller) {
          controller.plate.latency_ns < controller.step_period_ns;
 }
 
-// t_k whatever the finger does.
+// t_k for every direction of the finger.
 ControlLaw constant_law(double plate_offset_deg) {
   const double infinity = std::numeric_limits<double>::infinity();
   return {PiecewiseLinear(
@@ -188,7 +188,7 @@ BatchResult TrialTable::run(std::uint64_t seed, std::uint32_t condition_id, std:
   std::array<Block, 4> draws;
   for (std::uint32_t first = first_trial; first < last_trial;) {
     const std::uint32_t count = std::min<std::uint32_t>(block_trials, last_trial - first);
-    // P_0 = 0. What is over in the last block is not a number, which no comparison counts.
+    // P_0 = 0. Unused lanes of the last block are NaN, which no comparison counts.
     offsets.fill(std::numeric_limits<double>::quiet_NaN());
     std::fill_n(offsets.begin(), count, -virtual_direction_deg_);
 

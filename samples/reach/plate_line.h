@@ -30,7 +30,7 @@ std::string encode_line(std::string_view body);
 /// The body of a received line (without its "\n"); nothing if the line is not valid.
 std::optional<std::string_view> decode_line(std::string_view line);
 
-/// What a body from the plate means; nothing if it is not in the protocol.
+/// The meaning of a body from the plate; none if it is not in the protocol.
 std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
 /// Cuts a stream of bytes into lines, in bounded memory.
@@ -45,7 +45,7 @@ class LineReader {
  private:
   std::string line_;
   bool ended_ = false;     // the next byte starts a line
-  bool too_long_ = false;  // what is left of this line is dropped
+  bool too_long_ = false;  // the rest of this line is dropped
 };
 
 }  // namespace hrt::reach

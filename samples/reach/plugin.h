@@ -1,4 +1,4 @@
-// The plugin, opened like an engine would: dlopen, and its C headers for the types only.
+// The plugin, opened as an engine would: dlopen, with the C headers for types only.
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>

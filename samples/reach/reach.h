@@ -13,13 +13,13 @@
 
 namespace hrt::reach {
 
-/// What is known after one frame. Positions in plate coordinates.
+/// The state after one frame. Positions in plate coordinates.
 struct Moment {
   XrTime time;
   bool tracked;                      ///< without it, `position_m` is of the last frame that was
   std::array<double, 3> position_m;  ///< of the fingertip, as tracked
   double finger_direction_deg;       ///< in the last step, observed or predicted
-  double felt_direction_deg;         ///< the simulation's truth, or else what the plugin's model says
+  double felt_direction_deg;         ///< the simulation's truth, or else the plugin's estimate
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;
   bool saturated;
@@ -32,9 +32,9 @@ struct ReachResult {
   double miss_deg;             ///< bearing of the fingertip's end, from the start, less the real target's
   double miss_m;               ///< from where the fingertip ended to the real target's place, along the plate
   bool is_truth;               ///< the fields above and the next two are the simulation's truth
-  double tactile_weight;       ///< share of touch in what the user feels; 0 if unknown
+  double tactile_weight;       ///< share of touch in the felt direction; 0 if unknown
   double holdable_gap_deg;  ///< largest one, to the real target's side, that a plate can hold; 0 if unknown
-  double assumed_weight;    ///< what the controller assumed of the share of touch at the end
+  double assumed_weight;    ///< the controller's estimate of that share at the end
   bool can_be_held;         ///< as the controller reports (HRT_COMMAND_UNREACHABLE)
   bool off_target;          ///< the controller reports HRT_COMMAND_OFF_TARGET
   bool misfit;              ///< the controller reports HRT_COMMAND_MISFIT

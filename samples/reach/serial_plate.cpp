@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 
 constexpr auto greeting_limit = 2000ms;
 constexpr auto greeting_period = 200ms;  // a plate that starts up may not hear the first one
-constexpr auto beat_period = 50ms;       // half of what the protocol asks for
+constexpr auto beat_period = 50ms;       // half of the protocol's limit
 constexpr auto silence_limit = 500ms;
 constexpr std::size_t most_unsent = 1024;
 constexpr int most_reads = 64;  // at a time, however much the plate sends
@@ -173,7 +173,7 @@ void SerialPlate::flush() {
   }
 }
 
-// What can still be done for the plate is done here, because nothing more is said to it afterwards.
+// The last chance to stop the plate.
 void SerialPlate::fail(const std::string& what) {
   if (line_ >= 0 && unsent_.empty()) {
     const std::string stop = encode_line("STOP");

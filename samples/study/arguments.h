@@ -1,4 +1,4 @@
-// What the subcommands share of the command line: options whose values are checked against a range that
+// Options of the subcommands, whose values are checked against a range that
 // the help and the error message both state.
 #pragma once
 

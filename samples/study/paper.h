@@ -1,4 +1,4 @@
-// What the paper reports, number by number as printed: "Controlling Hand Movements relying on Tactile
+// The paper's numbers as printed: "Controlling Hand Movements relying on Tactile
 // Illusions: A Model Predictive Control Framework".
 #pragma once
 

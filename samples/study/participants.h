@@ -29,7 +29,7 @@ std::vector<CalibrationTrial> simulate_session(const Session& session);
 /// The session as CSV, under comments with the true values of the simulated person.
 std::string session_csv(const Session& session);
 
-/// Reads calibration data; `name` is what errors call the file. Comments (#), empty lines, CRLF and columns
+/// Reads calibration data; `name` is the file's name in errors. Comments (#), empty lines, CRLF and columns
 /// of other names are ignored. Throws UsageError naming line, column and the allowed values.
 std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text);
 

@@ -13,12 +13,12 @@
 
 namespace hrt::study {
 
-/// What leads a reach.
+/// The controller of a reach.
 enum class Leading {
   none,      ///< no controller: the plate stays at 0
   paper,     ///< the paper's controller, which assumes w_T = 0.15
   first,     ///< ours, on the first reach of an unknown person
-  fifth,     ///< ours, on the fifth reach, with what the four before it have learnt
+  fifth,     ///< ours, on the fifth reach, with the knowledge of the four before it
   informed,  ///< ours, given the person's traits before the first reach
 };
 inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth,
@@ -27,7 +27,7 @@ inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::fir
 const char* leading_name(Leading leading);   ///< in CSV and JSON
 const char* leading_title(Leading leading);  ///< in text
 
-/// What counts of one reach. Angles in degrees.
+/// The result of one reach. Angles in degrees.
 struct ReachResult {
   bool can_hold;               ///< as can_hold() of the person
   double bearing_error_deg;    ///< true, of the end

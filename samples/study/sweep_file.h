@@ -14,7 +14,7 @@ namespace hrt::study {
 /// FILE.partial; the next run with the same rows keeps the whole ones and continues after them.
 class SweepFile {
  public:
-  /// What the file must hold: `header`, maybe empty, then `rows` rows of `commas` commas each, row r starting
+  /// The file's content: `header`, maybe empty, then `rows` rows of `commas` commas each, row r starting
   /// with `row_start(r)`.
   struct Content {
     std::string header;

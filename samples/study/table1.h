@@ -46,7 +46,7 @@ bool agrees(const Cell& cell);
 struct Table1 {
   Table1Options options;
   std::vector<CellGroup> conditions;  ///< the four of Table I
-  std::vector<CellGroup> claims;      ///< what the paper says beside the table
+  std::vector<CellGroup> claims;      ///< the paper's other claims
   double chi_squared;                 ///< over all cells of `conditions`
   int degrees_of_freedom;
   double p_value;

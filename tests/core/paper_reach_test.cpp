@@ -65,6 +65,14 @@ TEST(PaperReach, APersonsBiasShiftsTheGoal) {
 
 constexpr std::int64_t ms = 1'000'000;
 
+FingerSample position(std::int64_t time_ns, const PlatePoint& place) {
+  return {.time_ns = time_ns, .observation = Observation::position, .position = place};
+}
+
+FingerSample direction(std::int64_t time_ns, double direction_deg) {
+  return {.time_ns = time_ns, .observation = Observation::direction, .direction_deg = direction_deg};
+}
+
 // A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
 // before the motion starts; returns the final direction.
 struct StreamedReach {
@@ -93,7 +101,7 @@ struct StreamedReach {
       }
       move_to(time_ns);
       if (step >= dropped_from && step < dropped_to) continue;
-      led.update({.time_ns = time_ns, .observation = Observation::position, .position = finger.place()});
+      led.update(position(time_ns, finger.place()));
     }
     summary = led.summary();
     final_direction_deg = participant.finger_direction_deg();
@@ -126,16 +134,14 @@ TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
   PaperReach stepped({}, reach);
   for (int k = 0; k < 30; ++k) {
     const double direction_deg = 3.0 * std::sin(k * 1.7);
-    const PlateCommand a = streamed.update(
-        {.time_ns = k * 100 * ms, .observation = Observation::direction, .direction_deg = direction_deg});
+    const PlateCommand a = streamed.update(direction(k * 100 * ms, direction_deg));
     const PlateCommand b = stepped.step(direction_deg);
     EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
     EXPECT_EQ(a.perceived_direction_deg, b.perceived_direction_deg);
     EXPECT_EQ(a.step, k);
     // Between steps the command is held.
     const double held_deg = a.plate_orientation_deg;
-    const PlateCommand c = streamed.update(
-        {.time_ns = k * 100 * ms + 50 * ms, .observation = Observation::direction, .direction_deg = 40.0});
+    const PlateCommand c = streamed.update(direction(k * 100 * ms + 50 * ms, 40.0));
     EXPECT_TRUE(c.held);
     EXPECT_EQ(c.plate_orientation_deg, held_deg);
   }
@@ -143,13 +149,10 @@ TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
 
 TEST(PaperReach, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
-  const auto sample = [](std::int64_t time_ns) {
-    return FingerSample{.time_ns = time_ns, .observation = Observation::direction, .direction_deg = 2.0};
-  };
-  led.update(sample(std::numeric_limits<std::int64_t>::min()));
-  led.update(sample(0));
-  EXPECT_EQ(led.update(sample(3'600'000 * ms)).held, false);
-  const PlateCommand last = led.update(sample(std::numeric_limits<std::int64_t>::max()));
+  led.update(direction(std::numeric_limits<std::int64_t>::min(), 2.0));
+  led.update(direction(0, 2.0));
+  EXPECT_EQ(led.update(direction(3'600'000 * ms, 2.0)).held, false);
+  const PlateCommand last = led.update(direction(std::numeric_limits<std::int64_t>::max(), 2.0));
   EXPECT_TRUE(std::isfinite(last.plate_orientation_deg));
   const ReachSummary summary = led.summary();
   EXPECT_EQ(summary.steps, 4);
@@ -171,13 +174,8 @@ TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
   EXPECT_TRUE(command.held);
 
   PaperReach resting({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
-  for (int i = 0; i < 50; ++i) {
-    resting.update(
-        {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.0003 * i}});
-  }
-  for (int i = 50; i < 400; ++i) {
-    resting.update({.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.015}});
-  }
+  for (int i = 0; i < 50; ++i) resting.update(position(i * 10 * ms, {0, 0.0003 * i}));
+  for (int i = 50; i < 400; ++i) resting.update(position(i * 10 * ms, {0, 0.015}));
   EXPECT_TRUE(resting.command().held);
   EXPECT_LT(resting.command().step, 12);
 }
@@ -186,9 +184,7 @@ TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
 // plate held. Step 2 is the first without a sample, so the commands from step 3 on are predicted.
 TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
   PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
-  for (int k = 0; k < 2; ++k) {
-    led.update({.time_ns = k * 100 * ms, .observation = Observation::direction, .direction_deg = 3.0 * k});
-  }
+  for (int k = 0; k < 2; ++k) led.update(direction(k * 100 * ms, 3.0 * k));
   const double plate_deg = led.command().plate_orientation_deg;
   const Participant participant;
   FilterGain step = next_gain(participant, next_gain(participant, 0.0).variance_deg2);
@@ -218,9 +214,7 @@ TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
 TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
   int t = 0;
-  for (; t < 1000; t += 10) {
-    led.update({.time_ns = t * ms, .observation = Observation::position, .position = {0, 33e-6 * t}});
-  }
+  for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-6 * t}));
   const double seen_m = led.command().distance_to_go_m;
   EXPECT_NEAR(seen_m, 0.1 - 0.033, 0.001);
   for (; t < 1500; t += 10) led.update({.time_ns = t * ms});
@@ -235,12 +229,8 @@ TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
 TEST(PaperReach, ASampleSentTwiceCountsOnce) {
   const auto run = [](int times) {
     PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
-    for (int i = 0; i < 100; ++i) {
-      for (int repeat = 0; repeat < times; ++repeat) {
-        led.update(
-            {.time_ns = i * 10 * ms, .observation = Observation::position, .position = {0, 0.0003 * i}});
-      }
-    }
+    for (int i = 0; i < 100; ++i)
+      for (int repeat = 0; repeat < times; ++repeat) led.update(position(i * 10 * ms, {0, 0.0003 * i}));
     return led.command().plate_orientation_deg;
   };
   EXPECT_EQ(run(1), run(3));
@@ -286,8 +276,7 @@ TEST(PaperReach, AFixedPlateTurnsOneWay) {
 TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
   PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
   for (int i = 0; i < 100; ++i) {
-    const PlateCommand command =
-        led.update({.time_ns = i * 50 * ms, .observation = Observation::position, .position = {0, 0}});
+    const PlateCommand command = led.update(position(i * 50 * ms, {0, 0}));
     EXPECT_EQ(command.plate_orientation_deg, 12.5);
     EXPECT_EQ(command.step, -1);
   }

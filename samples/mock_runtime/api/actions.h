@@ -50,7 +50,7 @@ struct Binding {
 /// By interaction profile; a new suggestion for a profile replaces the one before.
 using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
 
-/// What a simulated device reports: every source by its path.
+/// A simulated device's sources, by path.
 struct Device {
   bool active = false;
   XrPath profile = XR_NULL_PATH;

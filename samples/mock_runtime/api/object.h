@@ -1,5 +1,5 @@
 // The tree of objects behind the application's handles: an instance owns its sessions, a session its
-// spaces, and so on. Destroying an object destroys what hangs below it.
+// spaces, and so on. Destroying an object destroys all below it.
 #pragma once
 
 #include <openxr/openxr.h>

@@ -1,4 +1,4 @@
-// What the entry points share: the lock, the objects, the instance, the script.
+// Shared by the entry points: the lock, the objects, the instance, the script.
 #pragma once
 
 #include <condition_variable>

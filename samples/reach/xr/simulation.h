@@ -33,7 +33,7 @@ class Simulation {
     double peak_felt_error_deg;      ///< largest difference between felt and goal direction so far
     double leftmost_direction_deg;   ///< farther to the left, or to the right, no plate can hold the finger
     double rightmost_direction_deg;
-    double tactile_weight;        ///< the share of touch in what the person feels
+    double tactile_weight;        ///< the share of touch in the felt direction
     std::array<double, 3> tip_m;  ///< in plate coordinates, without the tracker's errors
     bool done;                    ///< the motion has ended
   };

@@ -13,7 +13,7 @@
 namespace hrt::study {
 namespace {
 
-// Ridges within this of the motion are what studies with people have covered.
+// Studies with people have covered ridges within this of the motion.
 constexpr double human_data_deg = 60.0;
 
 struct Options {

@@ -36,7 +36,7 @@ Authority authority_over(const Scene& scene, const SceneTarget& virtual_target, 
   return steering_authority(virtual_deg - gap_deg, virtual_deg, tactile_weight, plate_bound_deg);
 }
 
-// What rounds to zero is written without a sign.
+// A value that rounds to zero is written without a sign.
 std::string degrees(double angle_deg) {
   return fixed(std::abs(angle_deg) < 0.005 ? 0.0 : angle_deg, 2);
 }
