@@ -112,13 +112,13 @@ std::string flags_table(const Rows& rows) {
   };
   std::string page =
       "Flags, % of the reaches above                                     pap    1st    5th    inf\n";
-  page +=
-      line("those who cannot hold the gap: found unreachable by then", rows, &RobustnessCell::unreachable_found) +
-      line("  silent miss", rows, &RobustnessCell::silent_cannot_hold) +
-      line("those who can: unreachable, falsely", rows, &RobustnessCell::unreachable_false) +
-      line("  silent miss: off target and no flag", rows, &RobustnessCell::silent) +
-      line("all: model does not fit", rows, &RobustnessCell::misfit) +
-      line("  off target", rows, &RobustnessCell::off_target);
+  page += line("those who cannot hold the gap: found unreachable by then", rows,
+               &RobustnessCell::unreachable_found) +
+          line("  silent miss", rows, &RobustnessCell::silent_cannot_hold) +
+          line("those who can: unreachable, falsely", rows, &RobustnessCell::unreachable_false) +
+          line("  silent miss: off target and no flag", rows, &RobustnessCell::silent) +
+          line("all: model does not fit", rows, &RobustnessCell::misfit) +
+          line("  off target", rows, &RobustnessCell::off_target);
   if (const Rows linear = of_family(rows, &people_families().front()); !linear.empty())
     page +=
         line("linear: the 95 % interval of w_T covers the person's", linear, &RobustnessCell::weight_covered);
