@@ -54,6 +54,9 @@ class Estimator {
   /// The finger has not moved yet, and rests at `place` after all.
   void rest_at(const PlatePoint& place);
 
+  /// The participant goes for another direction from now on.
+  void turn_to(double goal_direction_deg) { goal_direction_deg_ = goal_direction_deg; }
+
   /// The finger moves on for `elapsed_s` >= 0 within a model step.
   void move(double elapsed_s);
 

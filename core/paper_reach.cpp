@@ -78,6 +78,16 @@ PlateCommand PaperReach::update(const FingerSample& sample) {
   return command_ = publish(state, !decides);
 }
 
+void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
+  const double goal_deg = goal_direction_deg(config_.participant, now.virtual_direction_deg);
+  limits_.turn_goal(goal_deg - goal_deg_);
+  reach_ = now;
+  goal_deg_ = goal_deg;
+  target_ = real;
+  estimator_.turn_to(goal_deg);
+  control_ = PaperControl(config_.mpc, config_.plate, config_.step_period_ns, goal_deg);
+}
+
 PlateCommand PaperReach::step(double finger_direction_deg) {
   const ReachState state = estimator_.step(finger_direction_deg, plate_);
   const Aim aimed = aim(state);

@@ -34,11 +34,18 @@ class PaperReach {
   /// Takes one sample in, not before the last one's.
   PlateCommand update(const FingerSample& sample);
 
+  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is.
+  void retarget(const PlatePoint& real, const Reach& now);
+
   /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
   /// (finite). Not to be mixed with update().
   PlateCommand step(double finger_direction_deg);
 
   PlateCommand command() const { return command_; }
+  /// Where the finger is; none before it moves, and with directions alone.
+  std::optional<PlatePoint> place() const {
+    return command_.step >= 0 ? estimator_.place() : std::nullopt;
+  }
   ReachSummary summary() const;
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arrival.h"
 #include "core/exponential.h"
@@ -37,6 +38,8 @@ constexpr double start_tolerance_mm = 15.0;
 constexpr int still_samples = 10;
 constexpr double least_pausing_speed_mm_s = 25.0;
 constexpr double pause_clock_sd_s = 0.07;
+// A finger beyond this share of the time has come to rest.
+constexpr double arrived_phase = 0.97;
 // Of the means that make up ModelFit.
 constexpr double fit_share = 0.05;
 // A stray position is no misfit: a single one counts for no more than this.
@@ -109,6 +112,30 @@ void PersonEstimator::lift(double time_s, const PlateTrace& plate) {
   if (motion_ != FingerMotion::resting) motion_ = FingerMotion::paused;
   lifted_ = true;
   backlog_ = 0;
+}
+
+void PersonEstimator::retarget(double time_s, double virtual_direction_deg, double longer_mm) {
+  virtual_direction_deg_ = virtual_direction_deg;
+  path_mm_ = std::max(path_mm_ + longer_mm, 1.0);
+  if (motion_ == FingerMotion::resting) {
+    filter_ = PersonFilter(belief_, virtual_direction_deg_, path_mm_, noise_);
+    return;
+  }
+  // A target that moves on before they have answered is answered with it.
+  if (!retarget_) retarget_ = {.time_s = time_s + answer_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
+  retarget_->virtual_direction_deg = virtual_direction_deg;
+  retarget_->longer_mm += longer_mm;
+  if (motion_ == FingerMotion::paused || filter_.state()(PersonFilter::phase) <= arrived_phase) return;
+  // The finger rests at its former target until it leaves.
+  motion_ = FingerMotion::paused;
+  pause_ = place();
+  outliers_ = 0;
+}
+
+PersonFilter PersonEstimator::to_come() const {
+  PersonFilter filter = filter_;
+  if (retarget_) filter.retarget(retarget_->virtual_direction_deg, retarget_->longer_mm, false);
+  return filter;
 }
 
 PlaceMm PersonEstimator::place() const {
@@ -243,6 +270,11 @@ bool PersonEstimator::catch_up(const PlateTrace& plate) {
 }
 
 void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
+  if (retarget_ && retarget_->time_s <= time_s) {
+    const Retarget answered = *std::exchange(retarget_, std::nullopt);
+    carry_to(answered.time_s, plate);
+    filter_.retarget(answered.virtual_direction_deg, answered.longer_mm, true);
+  }
   const double left_s = std::min(time_s - filter_s_, longest_gap_s);
   if (left_s <= 0.0) return;
   if (motion_ == FingerMotion::paused) {

@@ -4,11 +4,15 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "core/person_filter.h"
 #include "core/plate_trace.h"
 
 namespace hrt {
+
+/// From a target's move to the person's answer.
+inline constexpr double answer_s = 0.2;
 
 enum class FingerMotion {
   resting,  ///< before the reach
@@ -50,10 +54,16 @@ class PersonEstimator {
   /// The finger is off the plate: nothing is felt, and it may come back elsewhere.
   void lift(double time_s, const PlateTrace& plate);
 
+  /// The target has moved at `time_s`: asked to go in `virtual_direction_deg`, over a path that is
+  /// `longer_mm` longer. The person answers after answer_s.
+  void retarget(double time_s, double virtual_direction_deg, double longer_mm);
+
   FingerMotion motion() const { return motion_; }
   /// The filter has taken in all that was seen.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
+  /// The filter, with the person's answer to a moved target that is still to come.
+  PersonFilter to_come() const;
   /// Of the filter; before the finger moves, of the last position.
   double time_s() const { return filter_s_; }
   /// Where the finger rested: the filter's places are measured from here.
@@ -87,12 +97,19 @@ class PersonEstimator {
 
   static constexpr int capacity = 128;
 
+  struct Retarget {
+    double time_s;  // of the answer
+    double virtual_direction_deg;
+    double longer_mm;
+  };
+
   PersonBelief belief_;
   double virtual_direction_deg_;
   double path_mm_;
   TrackerNoise noise_;
   bool noise_known_;
   PersonFilter filter_;
+  std::optional<Retarget> retarget_;  // still to be answered
   FingerMotion motion_ = FingerMotion::resting;
   ModelFit fit_;
 

@@ -25,6 +25,12 @@ constexpr double log_rate_density_s = 0.07;
 constexpr double place_density_mm2_s = 0.018;
 constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
 constexpr double resting_density_mm2_s = 0.5;
+// Of a target that moves: the share of the turn that is uncertain, how much longer one motion gets,
+// and when another one begins.
+constexpr double turn_sd_share = 0.5;
+constexpr double longest_stretch = 1.5;
+constexpr double least_path_mm = 1.0;
+constexpr double another_motion_sd_s = 0.15;
 // Of the first direction about its share of the goal's.
 constexpr double first_direction_sd_deg = 2.0;
 
@@ -216,6 +222,27 @@ void PersonFilter::place_at(double right_mm, double away_mm) {
   covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
       noise_.correlated_mm * noise_.correlated_mm;
   covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+}
+
+void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool answered) {
+  const double turn_deg = virtual_direction_deg_ - virtual_direction_deg;
+  // Until they answer, they go where they went: the goal's fast part is the turn to come.
+  if (!answered) state_(wander) += turn_deg;
+  covariance_(wander, wander) += turn_sd_share * turn_sd_share * turn_deg * turn_deg;
+  virtual_direction_deg_ = virtual_direction_deg;
+
+  const double left = 1.0 - progress(state_(evenness), state_(phase)).share;
+  const double left_mm = std::max(path_mm_ * left + longer_mm, least_path_mm);
+  if (left_mm <= longest_stretch * path_mm_ * left) {  // the same motion, stretched or cut
+    const double stretch = left_mm / (path_mm_ * left);
+    covariance_(log_rate, log_rate) += (stretch - 1.0) * (stretch - 1.0);
+    path_mm_ *= stretch;
+    return;
+  }
+  // Another motion follows.
+  path_mm_ = std::max(path_mm_, left_mm);
+  state_(phase) = phase_at(state_(evenness), 1.0 - left_mm / path_mm_);
+  loosen_clock(another_motion_sd_s);
 }
 
 void PersonFilter::loosen_clock(double seconds) {

@@ -75,6 +75,10 @@ class PersonFilter {
   /// The place is void: the tracker has jumped, or the finger was lifted and set down.
   void place_at(double right_mm, double away_mm);
 
+  /// The target has moved within the motion: asked to go in `virtual_direction_deg`, over a path that still
+  /// goes `longer_mm` further than it did. `answered`: the person turns now, or else within wander_s.
+  void retarget(double virtual_direction_deg, double longer_mm, bool answered);
+
   /// The person's clock may be off by `seconds`, standard deviation.
   void loosen_clock(double seconds);
 

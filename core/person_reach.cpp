@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/arrival.h"
 #include "core/exponential.h"
@@ -67,19 +68,58 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach)
     : config_(config),
       reach_(reach),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
+      aimed_direction_deg_(reach.real_direction_deg),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
                  to_mm(reach.start), mm_per_m * config.tracker_noise_m),
       plate_(config.plate, within_stops(config, reach)),
       limits_(limits_of(config, reach, within_stops(config, reach))) {
   decision_.plate.orientation_deg = plate_.orientation_deg();
-  if (!config.plate_waits) {
-    const double ready_deg = ready_orientation_deg(config.control, estimator_.filter(), aim());
-    decision_.plate =
-        limits_.limit({ready_deg + limits_.centre_deg() - reach.virtual_direction_deg, ActiveBound::none},
-                      plate_.orientation_deg());
-    plate_.command(decision_.plate.orientation_deg);
-  }
+  stand_ready();
   command_ = publish({}, 0.0, false);
+}
+
+// Where the first moment of the motion wants the plate.
+void PersonReach::stand_ready() {
+  if (config_.plate_waits) return;
+  const double ready_deg = ready_orientation_deg(config_.control, estimator_.filter(), aim());
+  decision_.plate =
+      limits_.limit({ready_deg + limits_.centre_deg() - reach_.virtual_direction_deg, ActiveBound::none},
+                    plate_.orientation_deg());
+  plate_.command(decision_.plate.orientation_deg);
+  turned_ready_ = true;
+}
+
+void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
+  const double longer_mm = mm_per_m * (now.real_distance_m - distance_m(now.start, target_));
+  limits_.turn_goal(now.virtual_direction_deg - reach_.virtual_direction_deg);
+  reach_.virtual_direction_deg = now.virtual_direction_deg;
+  // The short way round.
+  reach_.real_direction_deg =
+      now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
+  reach_.real_distance_m = distance_m(reach_.start, real);
+  target_ = real;
+  aimed_from_ = now.start;
+  aimed_direction_deg_ = now.real_direction_deg;
+  miss_share_ = cos_deg(now.real_direction_deg - reach_.real_direction_deg);
+  estimator_.retarget(seen_s_, now.virtual_direction_deg, longer_mm);
+  if (estimator_.motion() == FingerMotion::resting) {
+    aimed_from_.reset();
+    stand_ready();
+  }
+}
+
+std::optional<PlatePoint> PersonReach::place() const {
+  if (estimator_.motion() == FingerMotion::resting) return std::nullopt;
+  const PlaceMm place = estimator_.place();
+  return PlatePoint{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
+}
+
+double PersonReach::speed_m_s() const {
+  using F = PersonFilter;
+  if (estimator_.motion() != FingerMotion::moving) return 0.0;
+  const F& filter = estimator_.filter();
+  const Progress p = progress(filter.state()(F::evenness), filter.state()(F::phase));
+  return filter.path_mm() / mm_per_m * exponential(filter.state()(F::log_rate)) * p.rate;
 }
 
 PlateCommand PersonReach::update(const FingerSample& sample) {
@@ -87,6 +127,7 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
   plate_.advance(sample.time_ns);
   if (sample.plate_orientation_deg) plate_.report(*sample.plate_orientation_deg);
   const double now_s = seconds(sample.time_ns);
+  seen_s_ = now_s;
   trace_.add(now_s, plate_.orientation_deg());
 
   const bool observed = observe(sample, now_s - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
@@ -96,8 +137,8 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
     decision_ = decide(now_s);
     plate_.command(decision_.plate.orientation_deg);
   }
-  const bool stands_ready = counts_.samples == 1 && !config_.plate_waits;  // decided before the first sample
-  command_ = publish(sample, now_s, decides || stands_ready);
+  const bool turned_ready = std::exchange(turned_ready_, false);
+  command_ = publish(sample, now_s, decides || turned_ready);
   count(command_, observed);
   return command_;
 }
@@ -125,7 +166,7 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
 PersonReach::Decision PersonReach::decide(double now_s) {
   const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
   const double later_deg = plate_.orientation_at_deg(later_ns(*position_ns_, config_.plate.latency_ns));
-  const ReachPlan plan = plan_reach(config_.control, estimator_.filter(), estimator_.time_s(), aim(),
+  const ReachPlan plan = plan_reach(config_.control, estimator_.to_come(), estimator_.time_s(), aim(),
                                     {trace_, now_s, latency_s, later_deg, slew_s_});
   // On average a turn is half done after half its time.
   slew_s_ =
@@ -137,13 +178,19 @@ PersonReach::Decision PersonReach::decide(double now_s) {
   return {
       .plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
                              plate_.orientation_deg()),
-      .predicted_miss_deg = atan2_deg(plan.miss_mm, mm_per_m * reach_.real_distance_m),
+      .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m),
       .time_to_go_s = plan.time_to_go_s};
 }
 
 ReachAim PersonReach::aim() const {
   const PlaceMm target = to_mm(target_);
-  return {target.right_mm - estimator_.origin().right_mm, target.away_mm - estimator_.origin().away_mm};
+  const PlaceMm& origin = estimator_.origin();
+  ReachAim aim{target.right_mm - origin.right_mm, target.away_mm - origin.away_mm};
+  if (aimed_from_) {
+    aim.from_right_mm = mm_per_m * aimed_from_->right_m - origin.right_mm;
+    aim.from_away_mm = mm_per_m * aimed_from_->away_m - origin.away_mm;
+  }
+  return aim;
 }
 
 double PersonReach::seconds(std::int64_t time_ns) const {
@@ -156,7 +203,7 @@ bool PersonReach::can_be_held() const {
   const F& filter = estimator_.filter();
   const Illusion illusion = filter.mean_illusion();
   const LargestShift largest = largest_shift(illusion, config_.control.bound_deg);
-  const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - reach_.real_direction_deg;
+  const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - aimed_direction_deg_;
   const FeltShift g = felt_shift(illusion, largest.offset_deg);
   const double slopes[] = {g.by_weight, g.by_curve, g.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
   const F::Index unknowns[] = {F::weight, F::curve, F::fading, F::bias};

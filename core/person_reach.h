@@ -34,7 +34,15 @@ class PersonReach {
   /// Takes one sample in, not before the last one's, of any observation but a direction.
   PlateCommand update(const FingerSample& sample);
 
+  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is: its
+  /// directions, distance and start are read.
+  void retarget(const PlatePoint& real, const Reach& now);
+
   PlateCommand command() const { return command_; }
+  /// Where the finger is; none before it moves.
+  std::optional<PlatePoint> place() const;
+  /// Of the finger, as estimated; 0 before it moves, and at rest.
+  double speed_m_s() const;
   /// A position has been seen.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
@@ -48,6 +56,7 @@ class PersonReach {
     double predicted_miss_deg = 0.0;
     double time_to_go_s = 0.0;
   };
+  void stand_ready();
   bool observe(const FingerSample& sample, double time_s);
   Decision decide(double now_s);
   PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
@@ -59,6 +68,11 @@ class PersonReach {
   PersonReachConfig config_;
   Reach reach_;
   PlatePoint target_;
+  // Of the target as seen from where the finger was when the reach was last aimed: its direction, and how
+  // much of a miss across the line there shows across the line from the start.
+  std::optional<PlatePoint> aimed_from_;  // none before retarget()
+  double aimed_direction_deg_;
+  double miss_share_ = 1.0;
   PersonEstimator estimator_;
   PlateModel plate_;
   PlateTrace trace_;
@@ -66,6 +80,8 @@ class PersonReach {
   Decision decision_;
   PlateCommand command_;
   ReachSummary counts_;
+  bool turned_ready_ = false;  // since the last sample
+  double seen_s_ = 0.0;        // time of the last sample
   double slew_s_ = 0.0;
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;

@@ -61,6 +61,9 @@ class PlateLimits {
   /// The goal in the half turn that the plate keeps to: orientations are planned about it.
   double centre_deg() const { return centre_deg_; }
 
+  /// The goal turns within the reach; the half turn stays.
+  void turn_goal(double by_deg) { centre_deg_ += by_deg; }
+
   /// `planned` held at a stop, if the plate keeps to one half turn.
   PlateOrientation at_stops(const PlateOrientation& planned) const;
 

@@ -110,7 +110,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s,
                      const ReachAim& aim, const PlateOutlook& outlook) {
   using F = PersonFilter;
-  const double line_deg = atan2_deg(-aim.right_mm, aim.away_mm);
+  const double line_deg = atan2_deg(-(aim.right_mm - aim.from_right_mm), aim.away_mm - aim.from_away_mm);
   const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
   const Arrival arrival = arrive(filter, motion, line_deg);
 

@@ -27,6 +27,10 @@ struct ReachControlConfig {
 struct ReachAim {
   double right_mm;
   double away_mm;
+  /// Where the line to the target begins, across which the miss is measured: where the finger was when it
+  /// was last aimed.
+  double from_right_mm = 0.0;
+  double from_away_mm = 0.0;
 };
 
 /// What the plate does before a command given now is felt.

@@ -62,6 +62,11 @@ ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
                Observation::direction);
 }
 
+void ReachEstimator::turn_to(double goal_direction_deg) {
+  goal_direction_deg_ = goal_direction_deg;
+  estimator_.turn_to(goal_direction_deg);
+}
+
 SampleCounts ReachEstimator::counts() const {
   SampleCounts counts = counts_;
   if (sampled_) ++counts.steps;

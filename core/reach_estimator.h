@@ -57,6 +57,9 @@ class ReachEstimator {
   /// a step that ended with the plate as it stands. Not to be mixed with observe().
   ReachState step(double direction_deg, const PlateModel& plate);
 
+  /// The participant goes for another direction from now on.
+  void turn_to(double goal_direction_deg);
+
   /// Of the whole reach, the step under way included once it has a sample.
   SampleCounts counts() const;
   FingerEstimate estimate() const { return estimator_.estimate(); }

@@ -1,10 +1,19 @@
 #include "core/retargeter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "core/trigonometry.h"
+
 namespace hrt {
 namespace {
+
+// Nearer than this a direction says nothing, and what the tracker's noise adds to a way is not small.
+constexpr double least_leg_m = 0.01;
+// As the finger passes the real target its direction turns to anywhere.
+constexpr double largest_seen_gap_deg = 89.0;
+constexpr double least_seen_distance_m = 0.001;
 
 PaperReachConfig paper_config(const RetargeterConfig& config) {
   PaperReachConfig paper{.participant = config.participant,
@@ -45,6 +54,7 @@ Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
 
 void Retargeter::begin(const Reach& reach) {
   reach_ = reach;
+  passed_ = felt_passed_ = reach.start;
   person_.reset();
   paper_.reset();
   if (config_.mode == ControlMode::reach) {
@@ -62,6 +72,39 @@ PlateCommand Retargeter::update(const FingerSample& sample) {
 PlateCommand Retargeter::step(double finger_direction_deg) {
   if (person_) lead_by_directions();
   return paper_->step(finger_direction_deg);
+}
+
+Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
+  reach_ = seen_from_here(real, virtual_place);
+  if (person_) {
+    person_->retarget(real, reach_);
+  } else {
+    paper_->retarget(real, reach_);
+  }
+  return reach_;
+}
+
+// The person feels that they go straight for the virtual target, whatever the plate has made of it.
+Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place) {
+  Reach seen = reach_;
+  seen.start = (person_ ? person_->place() : paper_->place()).value_or(reach_.start);
+  const double passed_m = distance_m(passed_, seen.start);
+  const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_m);
+  // They turn to the target as they see it once they answer.
+  const PlatePoint answers_from =
+      point_ahead(felt, reach_.virtual_direction_deg, person_ ? answer_s * person_->speed_m_s() : 0.0);
+  if (passed_m > least_leg_m) {
+    passed_ = seen.start;
+    felt_passed_ = felt;
+  }
+  if (distance_m(answers_from, virtual_place) > least_leg_m)
+    seen.virtual_direction_deg +=
+        wrap_deg(bearing_deg(answers_from, virtual_place) - seen.virtual_direction_deg, 360.0);
+  const double goal_deg = goal_direction_deg(config_.participant, seen.virtual_direction_deg);
+  const double gap_deg = wrap_deg(goal_deg - bearing_deg(seen.start, real), 360.0);
+  seen.real_direction_deg = goal_deg - std::clamp(gap_deg, -largest_seen_gap_deg, largest_seen_gap_deg);
+  seen.real_distance_m = std::max(distance_m(seen.start, real), least_seen_distance_m);
+  return seen;
 }
 
 void Retargeter::lead_by_directions() {

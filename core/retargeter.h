@@ -49,6 +49,12 @@ class Retargeter {
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
   PlateCommand update(const FingerSample& sample);
 
+  /// The targets of the reach are elsewhere from now on, at these places; the reach goes on from where the
+  /// finger is, and what is known of finger and person stays. Returns the reach as it is seen from there, the
+  /// virtual target from where the person will feel that the finger is once they answer. Requires begin().
+  /// Before the finger moves, and with directions alone, everything is seen from the start.
+  Reach retarget(const PlatePoint& real, const PlatePoint& virtual_place);
+
   /// The paper's loop, without a clock: one model step with the finger moving along
   /// `finger_direction_deg` (finite). Requires begin(); not to be mixed with update() in one reach.
   PlateCommand step(double finger_direction_deg);
@@ -65,9 +71,13 @@ class Retargeter {
 
  private:
   void lead_by_directions();
+  Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
 
   RetargeterConfig config_;
-  Reach reach_{};
+  Reach reach_{};  // as it was last aimed
+  // Where the finger was then or later, and where the person felt that it was.
+  PlatePoint passed_;
+  PlatePoint felt_passed_;
   // Of a reach one of the two: the paper's controller takes over if directions are streamed.
   std::optional<PersonReach> person_;
   std::optional<PaperReach> paper_;

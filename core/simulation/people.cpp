@@ -187,6 +187,9 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                        .real_distance_m = condition.distance_m});
     plate.command(controller->command().plate_orientation_deg);
   }
+  const PlatePoint virtual_place = point_ahead(start, condition.virtual_direction_deg, condition.distance_m);
+  PlatePoint real_place = point_ahead(start, condition.real_direction_deg, condition.distance_m);
+  bool moves = condition.move.has_value();
   double peak_deg = 0.0;
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
@@ -197,6 +200,14 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
         peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
     }
+    if (moves && distance_m(start, person.position()) >= condition.move->at_share * condition.distance_m) {
+      moves = false;
+      const PlatePoint& by = condition.move->by;
+      const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
+      real_place = {real_place.right_m + by.right_m, real_place.away_m + by.away_m};
+      person.retarget(virtual_now);
+      if (controller) controller->retarget(real_place, virtual_now);
+    }
     if (person.done() && ended_s < 0.0) ended_s = now_s;
     if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s) break;
     tracker.look(now_s, person.position());
@@ -204,7 +215,9 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
     }
   }
-  const double error_deg = bearing_deg(start, person.position()) - condition.real_direction_deg;
+  const double real_deg =
+      condition.move && !moves ? bearing_deg(start, real_place) : condition.real_direction_deg;
+  const double error_deg = bearing_deg(start, person.position()) - real_deg;
   return {.bearing_error_deg = error_deg,
           .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
           .peak_felt_error_deg = peak_deg,

@@ -26,6 +26,12 @@ struct TrackerModel {
   double scale = 1.0;          ///< of its frame about the start
 };
 
+/// Both targets are elsewhere from some moment of a reach on.
+struct TargetMove {
+  double at_share = 1.0;  ///< of the distance to the real target, once the finger is as far from the start
+  PlatePoint by;
+};
+
 /// One person with an apparatus.
 struct PersonCondition {
   Person person;
@@ -34,6 +40,7 @@ struct PersonCondition {
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_m = 0.1;
+  std::optional<TargetMove> move;  ///< within each reach
 };
 
 /// A kind of people or apparatus.
@@ -62,7 +69,7 @@ bool can_hold(const PersonCondition& condition);
 
 /// How a reach ended: truth, not estimate.
 struct PersonOutcome {
-  double bearing_error_deg;            ///< bearing of the end from the start, less the real direction
+  double bearing_error_deg;            ///< bearing of the end from the start, less the real target's
   double miss_m;                       ///< across the real direction, signed as bearing_error_deg
   double peak_felt_error_deg;          ///< largest felt less virtual direction while the finger moves
   ReachSummary summary;                ///< the controller's own account; zero without a controller

@@ -63,9 +63,9 @@ double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, do
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
                              double distance_m, Draws draws)
     : person_(person),
-      start_(start),
       virtual_direction_deg_(virtual_direction_deg),
       distance_m_(distance_m * person.path_scale),
+      virtual_place_(point_ahead(start, virtual_direction_deg, distance_m_)),
       draws_(draws),
       position_(start),
       felt_position_(start),
@@ -110,7 +110,25 @@ double SlidingPerson::progress(double time_s) const {
   return 0.0;
 }
 
+void SlidingPerson::retarget(const PlatePoint& place) {
+  virtual_place_ = place;
+  answers_in_ms_ = static_cast<int>(reaction_s / tick_s);
+}
+
+void SlidingPerson::answer() {
+  const double turn_deg = bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
+  virtual_direction_deg_ += wrap_deg(turn_deg, 360.0);
+  const double left_m = person_.path_scale * hrt::distance_m(felt_position_, virtual_place_);
+  const double left = 1.0 - progress(time_s_);
+  distance_m_ = left > 0.1 ? left_m / left : left_m;
+  if (left > 0.1) return;
+  millisecond_ = 0;
+  time_s_ = 0.0;
+  done_ = false;
+}
+
 void SlidingPerson::advance(double plate_orientation_deg) {
+  if (answers_in_ms_ > 0 && --answers_in_ms_ == 0) answer();
   if (done_) return;
   const double before = progress(time_s_);
   time_s_ = ++millisecond_ / 1000.0;
@@ -158,14 +176,11 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   felt_deg_ = motion_deg + person_.own_bias_deg + shift_deg;
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
-  if (person_.steering == Steering::place) {
-    felt_position_.right_m -= travel_m * sin_deg(felt_deg_);
-    felt_position_.away_m += travel_m * cos_deg(felt_deg_);
-    const PlatePoint target{start_.right_m - distance_m_ * sin_deg(virtual_direction_deg_),
-                            start_.away_m + distance_m_ * cos_deg(virtual_direction_deg_)};
-    if (distance_m(felt_position_, target) > 0.15 * distance_m_) {
-      goal_deg_ += bearing_deg(felt_position_, target) - virtual_direction_deg_;
-    }
+  felt_position_.right_m -= travel_m * sin_deg(felt_deg_);
+  felt_position_.away_m += travel_m * cos_deg(felt_deg_);
+  if (person_.steering == Steering::place &&
+      hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
+    goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
 
   const double noise_deg = std::sqrt(person_.noise_deg2_per_s * tick_s) * draws_.normal();

@@ -76,6 +76,9 @@ struct Person {
 inline constexpr double ridge_spacing_m = 0.01;
 inline constexpr double touch_memory_s = 0.3;
 
+/// From a target's move to the person's answer.
+inline constexpr double reaction_s = 0.2;
+
 /// One reach of a person. Advances in milliseconds.
 class SlidingPerson {
  public:
@@ -83,10 +86,14 @@ class SlidingPerson {
   SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
                 double distance_m, Draws draws);
 
+  /// The virtual target is at `place` from now on. They answer after `reaction_s`, as seen from where they
+  /// feel that the finger is: by the same motion, stretched or cut, or by another one near its end.
+  void retarget(const PlatePoint& place);
+
   /// One millisecond of the motion with the plate at `plate_orientation_deg` at its end.
   void advance(double plate_orientation_deg);
 
-  bool done() const { return done_; }
+  bool done() const { return done_ && answers_in_ms_ == 0; }
   const PlatePoint& position() const { return position_; }
   double speed_m_s() const { return speed_m_s_; }
   double direction_deg() const { return direction_deg_; }
@@ -99,11 +106,13 @@ class SlidingPerson {
  private:
   double progress(double time_s) const;
   double total_s() const;
+  void answer();
 
   Person person_;
-  PlatePoint start_;
   double virtual_direction_deg_;
   double distance_m_;
+  PlatePoint virtual_place_;
+  int answers_in_ms_ = 0;  // to a target that has moved; 0: answered
   Draws draws_;
   PlatePoint position_;
   PlatePoint felt_position_;
