@@ -1,7 +1,9 @@
 #include "scene/scene.h"
 
+#include <cmath>
 #include <map>
 
+#include "core/trigonometry.h"
 #include "scene/gltf_tree.h"
 
 namespace hrt {
@@ -36,7 +38,7 @@ class SceneBuilder {
     }
     for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
       if (scene_.targets[i].kind == TargetKind::virtual_object) {
-        scene_.targets[i].served_by = real_target_of(*target_nodes_[i]);
+        scene_.targets[i].served_by = real_target_of(*target_nodes_[i], scene_.targets[i].direction_deg);
       }
     }
     return std::move(scene_);
@@ -136,7 +138,7 @@ class SceneBuilder {
     target_nodes_.push_back(&node);
   }
 
-  std::size_t real_target_of(const HapticNode& node) const {
+  std::size_t real_target_of(const HapticNode& node, double direction_deg) const {
     if (node.properties.served_by) {
       const std::string& wanted = *node.properties.served_by;
       const auto found = index_of_.find(wanted);
@@ -146,20 +148,23 @@ class SceneBuilder {
       }
       return found->second;
     }
-    std::optional<std::size_t> only_one;
+    // Any real target may serve many: the gap is smallest with the one that is nearest in direction.
+    std::optional<std::size_t> nearest;
+    double smallest_gap_deg = 0.0;
     for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
       if (scene_.targets[i].kind != TargetKind::real_object) {
         continue;
       }
-      if (only_one) {
-        fail(node, "extras.haptic.served_by is missing, and the file has more than one real target");
+      const double gap_deg = std::abs(wrap_deg(scene_.targets[i].direction_deg - direction_deg, 360.0));
+      if (!nearest || gap_deg < smallest_gap_deg) {
+        nearest = i;
+        smallest_gap_deg = gap_deg;
       }
-      only_one = i;
     }
-    if (!only_one) {
+    if (!nearest) {
       fail(node, "the file has no real target that could serve this virtual one");
     }
-    return *only_one;
+    return *nearest;
   }
 
   const std::vector<HapticNode>& nodes_;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/plate_frame.h"
 #include "tests/scene/scene_document.h"
 
 namespace hrt {
@@ -24,6 +25,20 @@ TEST(SceneGeometry, DefaultStartIsTwoThirdsTowardsTheUser) {
   EXPECT_DOUBLE_EQ(scene.targets[0].distance_m, 0.1);
   EXPECT_DOUBLE_EQ(scene.targets[1].direction_deg, 90.0);
   EXPECT_EQ(scene.targets[1].served_by, 0u);
+}
+
+// Of the real targets at 60 degrees, twice, and at -170, the last is 100 degrees from one at 90, and 40 from
+// one at 150, the short way round.
+TEST(SceneGeometry, WithoutServedByTheNearestInDirectionServes) {
+  const auto at = [](const char* name, const char* role, double direction_deg) {
+    const PlatePoint place = point_ahead({0.0, -0.05}, direction_deg, 0.05);
+    return node(name, haptic(role), {{"translation", {place.right_m, 0.0, -place.away_m}}});
+  };
+  const Scene scene =
+      load(document({plate(), at("Far", "real", -170.0), at("Near", "real", 60.0), at("Equal", "real", 60.0),
+                     at("Left", "virtual", 90.0), at("Behind", "virtual", 150.0)}));
+  EXPECT_EQ(scene.targets[3].served_by, 1u);
+  EXPECT_EQ(scene.targets[4].served_by, 0u);
 }
 
 // A start 40 mm nearer to the user and 30 mm to the right of a target 120 mm up: 3-4-5, seen to the left.

@@ -217,9 +217,6 @@ TEST(SceneRefusal, Targets) {
           R"(node "Left": extras.haptic.served_by is "Left", which is not the name of a real target)");
   refused(document({plate(), virtual_on_the_left()}),
           R"(node "Left": the file has no real target that could serve this virtual one)");
-  const Json second = node("Second", haptic("real"));
-  refused(document({plate(), real(), second, virtual_on_the_left()}),
-          R"(node "Left": extras.haptic.served_by is missing, and the file has more than one real target)");
   const Json start = node("Start", haptic("start"), {{"translation", {0.0, 0.0, 0.08}}});
   refused(
       document({plate(), start, real()}),
