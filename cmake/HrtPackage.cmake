@@ -3,7 +3,11 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
-install(TARGETS haptic_retargeting EXPORT HapticRetargetingTargets
+set(HRT_LIBRARIES haptic_retargeting)
+if(HRT_BUILD_STATIC)
+  list(APPEND HRT_LIBRARIES haptic_retargeting_static)
+endif()
+install(TARGETS ${HRT_LIBRARIES} EXPORT HapticRetargetingTargets
   RUNTIME COMPONENT runtime
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
@@ -26,8 +30,16 @@ install(FILES
 # ${pcfiledir}: the file stays true wherever the tree is moved to.
 file(RELATIVE_PATH HRT_PC_PREFIX "/${CMAKE_INSTALL_LIBDIR}/pkgconfig" "/")
 string(REGEX REPLACE "/$" "" HRT_PC_PREFIX "${HRT_PC_PREFIX}")
-configure_file(cmake/haptic_retargeting.pc.in haptic_retargeting.pc @ONLY)
-install(FILES ${PROJECT_BINARY_DIR}/haptic_retargeting.pc
+foreach(library ${HRT_LIBRARIES})
+  set(HRT_PC_LIBRARY ${library})
+  if(library STREQUAL haptic_retargeting_static)
+    set(HRT_PC_CFLAGS " -DHRT_STATIC")
+    set(HRT_PC_LIBS " -lstdc++ -lm -pthread")
+  endif()
+  configure_file(cmake/haptic_retargeting.pc.in ${library}.pc @ONLY)
+  list(APPEND HRT_PC_FILES ${PROJECT_BINARY_DIR}/${library}.pc)
+endforeach()
+install(FILES ${HRT_PC_FILES}
         DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)
 
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPONENT runtime)

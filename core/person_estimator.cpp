@@ -132,9 +132,10 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
   outliers_ = 0;
 }
 
-PersonFilter PersonEstimator::to_come() const {
-  PersonFilter filter = filter_;
-  if (retarget_) filter.retarget(retarget_->virtual_direction_deg, retarget_->longer_mm, false);
+std::optional<PersonFilter> PersonEstimator::to_come() const {
+  if (!retarget_) return std::nullopt;
+  std::optional<PersonFilter> filter = filter_;
+  filter->retarget(retarget_->virtual_direction_deg, retarget_->longer_mm, false);
   return filter;
 }
 

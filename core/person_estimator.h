@@ -62,8 +62,8 @@ class PersonEstimator {
   /// The filter has taken in all that was seen.
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
-  /// The filter, with the person's answer to a moved target that is still to come.
-  PersonFilter to_come() const;
+  /// The filter with the person's answer to a moved target, while that is still to come.
+  std::optional<PersonFilter> to_come() const;
   /// Of the filter; before the finger moves, of the last position.
   double time_s() const { return filter_s_; }
   /// Where the finger rested: the filter's places are measured from here.

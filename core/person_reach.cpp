@@ -166,8 +166,10 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
 PersonReach::Decision PersonReach::decide(double now_s) {
   const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
   const double later_deg = plate_.orientation_at_deg(later_ns(*position_ns_, config_.plate.latency_ns));
-  const ReachPlan plan = plan_reach(config_.control, estimator_.to_come(), estimator_.time_s(), aim(),
-                                    {trace_, now_s, latency_s, later_deg, slew_s_});
+  const std::optional<PersonFilter> to_come = estimator_.to_come();
+  const ReachPlan plan =
+      plan_reach(config_.control, to_come ? *to_come : estimator_.filter(), estimator_.time_s(), aim(),
+                 {trace_, now_s, latency_s, later_deg, slew_s_});
   // On average a turn is half done after half its time.
   slew_s_ =
       0.5 * std::min(std::abs(wrap_deg(plan.plate_deg - later_deg, 180.0)) / config_.plate.max_speed_deg_s,

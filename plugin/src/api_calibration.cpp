@@ -1,7 +1,9 @@
 #include "haptic_retargeting/calibration.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/calibration.h"
@@ -35,11 +37,20 @@ hrt_result check_calibration_config(const hrt_calibration_config& config) {
 /// Trials as they are streamed in. Its memory is taken at construction; only solve() takes more.
 class StreamedCalibration {
  public:
-  StreamedCalibration(const hrt_session_config& session_config, const hrt_calibration_config& checked_config)
-      : session_config_(session_config), config_(checked_config) {
+  /// `under_way` counts the trials under way of all calibrations of the session.
+  StreamedCalibration(const hrt_session_config& session_config, const hrt_calibration_config& checked_config,
+                      std::shared_ptr<std::atomic<int>> under_way)
+      : session_config_(session_config), config_(checked_config), under_way_(std::move(under_way)) {
     trials_.reserve(checked_config.max_trials);
     samples_.reserve(checked_config.max_samples);
   }
+  ~StreamedCalibration() {
+    if (in_trial_) --*under_way_;
+  }
+  StreamedCalibration(const StreamedCalibration&) = delete;
+  StreamedCalibration& operator=(const StreamedCalibration&) = delete;
+  StreamedCalibration(StreamedCalibration&&) = delete;
+  StreamedCalibration& operator=(StreamedCalibration&&) = delete;
 
   hrt_result begin_trial(double plate_orientation_deg) {
     HRT_RETURN_IF_FAILED(check_no_trial());
@@ -48,6 +59,7 @@ class StreamedCalibration {
       return fail(HRT_ERROR_LIMIT_REACHED, "the calibration holds max_trials trials, ", config_.max_trials);
     trials_.push_back({plate_orientation_deg, samples_.size()});
     in_trial_ = true;
+    ++*under_way_;
     sampled_ = false;
     return HRT_OK;
   }
@@ -78,7 +90,7 @@ class StreamedCalibration {
 
   hrt_result end_trial() {
     HRT_RETURN_IF_FAILED(check_trial());
-    in_trial_ = false;
+    leave_trial();
     return HRT_OK;
   }
 
@@ -86,7 +98,7 @@ class StreamedCalibration {
     HRT_RETURN_IF_FAILED(check_trial());
     samples_.resize(trials_.back().first_sample);
     trials_.pop_back();
-    in_trial_ = false;
+    leave_trial();
     return HRT_OK;
   }
 
@@ -112,6 +124,11 @@ class StreamedCalibration {
   }
 
  private:
+  void leave_trial() {
+    in_trial_ = false;
+    --*under_way_;
+  }
+
   struct Trial {
     double plate_orientation_deg;
     std::size_t first_sample;
@@ -142,6 +159,7 @@ class StreamedCalibration {
 
   hrt_session_config session_config_;
   hrt_calibration_config config_;
+  std::shared_ptr<std::atomic<int>> under_way_;
   std::vector<Trial> trials_;
   std::vector<TimedPoint> samples_;  // of all trials, one after another
   bool in_trial_ = false;
@@ -209,7 +227,7 @@ hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_con
     HRT_RETURN_IF_FAILED(read_struct("config", config, &checked));
     HRT_RETURN_IF_FAILED(check_calibration_config(checked));
     const std::uint64_t handle =
-        calibrations.insert(std::make_unique<StreamedCalibration>(s.session().config(), checked));
+        calibrations.insert(std::make_unique<StreamedCalibration>(s.session().config(), checked, s.trials()));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_CALIBRATIONS_MAX,
                   " calibrations; destroy one first");

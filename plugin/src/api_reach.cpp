@@ -49,6 +49,16 @@ hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
   });
 }
 
+hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
+                              hrt_target virtual_target) noexcept {
+  return with_session("hrt_reach_retarget", session,
+                      [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
+}
+
+hrt_result hrt_reach_cancel(hrt_session session) noexcept {
+  return with_session("hrt_reach_cancel", session, [](RecordedSession& s) { return s.cancel(); });
+}
+
 hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) noexcept {
   return with_session("hrt_reach_end", session, [&](RecordedSession& s) -> hrt_result {
     if (const hrt_result result = check_output("out_summary", out_summary); result != HRT_OK)

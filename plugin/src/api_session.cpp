@@ -32,6 +32,18 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
   });
 }
 
+uint32_t hrt_session_is_valid(hrt_session session) noexcept {
+  return sessions.is_live(session.value) ? 1 : 0;
+}
+
+hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) noexcept {
+  return with_session("hrt_session_get_state", session, [&](RecordedSession& s) -> hrt_result {
+    if (!out_state) return fail(HRT_ERROR_NULL_ARGUMENT, "out_state is null");
+    *out_state = s.state();
+    return HRT_OK;
+  });
+}
+
 hrt_result hrt_session_destroy(hrt_session session) noexcept {
   return destroy("hrt_session_destroy", "session", sessions, session.value);
 }

@@ -83,53 +83,95 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   return HRT_OK;
 }
 
-// The reach that a configuration and its targets make.
-hrt_result Session::resolve(const hrt_reach_config& config, Reach* out) const {
-  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION));
-  const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
-  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
-  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
-
-  const hrt_target_config* real_target = nullptr;
-  const hrt_target_config* virtual_target = nullptr;
+hrt_result Session::find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const {
+  const hrt_target_config* real = nullptr;
+  const hrt_target_config* virtual_config = nullptr;
+  HRT_RETURN_IF_FAILED(find_target(targets, "real_target", real_target, HRT_TARGET_REAL, &real));
   HRT_RETURN_IF_FAILED(
-      find_target(targets, "real_target", config.real_target, HRT_TARGET_REAL, &real_target));
-  HRT_RETURN_IF_FAILED(
-      find_target(targets, "virtual_target", config.virtual_target, HRT_TARGET_VIRTUAL, &virtual_target));
-  const Bearing real = view(config_, *real_target);
-  const double virtual_direction_deg = view(config_, *virtual_target).direction_deg;
-  const auto& start_m = config_.start_position_m;
-  *out = {
-      // The short way round from the virtual direction.
-      .real_direction_deg =
-          virtual_direction_deg - wrap_deg(virtual_direction_deg - real.direction_deg, 360.0),
-      .virtual_direction_deg = virtual_direction_deg,
-      .plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_,
-      .start = {.right_m = start_m[0], .away_m = -start_m[2]},
-      .real_distance_m = real.distance_m,
-      .duration_s = config.duration_s,
-  };
+      find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
+  *out = {*real, *virtual_config};
   return HRT_OK;
 }
 
-hrt_result Session::begin(const hrt_reach_config& config) {
-  HRT_RETURN_IF_FAILED(check_no_reach());
-  Reach reach{};
-  HRT_RETURN_IF_FAILED(resolve(config, &reach));
-  if (!(reach.real_distance_m >= least_distance_m))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", reach.real_distance_m,
-                " m from the start; at least ", least_distance_m, " is needed");
+// Directions and distance of the pair as seen from the start; fails unless a reach from there can go to it.
+hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) const {
+  const Bearing real = view_from(start, config_, pair.real);
+  const Bearing seen = view_from(start, config_, pair.virtual_target);
+  if (!(real.distance_m >= least_distance_m))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", real.distance_m, " m from the start; at least ",
+                least_distance_m, " is needed");
+  if (seen.at_start)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "virtual_target is ", seen.distance_m, " m from the start; at least ",
+                least_distance_m, " is needed");
+  Reach reach = *out;
+  reach.start = start;
+  reach.virtual_direction_deg = seen.direction_deg;
+  // The short way round from the virtual direction.
+  reach.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
+  reach.real_distance_m = real.distance_m;
   const Participant participant = to_core(config_).participant;
   if (!is_valid(reach, participant))
     return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
                 " degrees, the virtual at ", goal_direction_deg(participant, reach.virtual_direction_deg),
                 config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
+  *out = reach;
+  return HRT_OK;
+}
+
+hrt_result Session::begin(const hrt_reach_config& config) {
+  HRT_RETURN_IF_FAILED(check_no_reach());
+  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION | HRT_REACH_START_AT_FINGER));
+  const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
+  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
+  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
+  Pair pair{};
+  HRT_RETURN_IF_FAILED(find_pair(config.real_target, config.virtual_target, &pair));
+  Reach reach{};
+  reach.plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_;
+  reach.duration_s = config.duration_s;
+  HRT_RETURN_IF_FAILED(aim(pair, start_of(config_), &reach));
   retargeter_.begin(reach);
   plate_orientation_deg_ = reach.plate_orientation_deg;  // no command has been returned yet
-  reaching_ = true;
-  sampled_ = faulty_ = false;
+  pair_ = pair;
+  start_ = reach.start;
   reach_ = reach;
+  reaching_ = true;
+  awaits_finger_ = (config.flags & HRT_REACH_START_AT_FINGER) != 0;
+  sampled_ = faulty_ = false;
+  return HRT_OK;
+}
+
+// The finger is seen for the first time, and the reach starts there.
+hrt_result Session::start_at(const PlatePoint& finger) {
+  Reach reach = reach_;
+  reach.plate_orientation_deg = plate_orientation_deg_;
+  HRT_RETURN_IF_FAILED(aim(pair_, finger, &reach));
+  retargeter_.begin(reach);
+  start_ = finger;
+  reach_ = reach;
+  awaits_finger_ = false;
+  return HRT_OK;
+}
+
+hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) {
+  HRT_RETURN_IF_FAILED(check_reach());
+  Pair pair{};
+  HRT_RETURN_IF_FAILED(find_pair(real_target, virtual_target, &pair));
+  Reach from_start = reach_;
+  HRT_RETURN_IF_FAILED(aim(pair, start_, &from_start));
+  const auto place = [&](const hrt_target_config& target) {
+    const Bearing bearing = view_from(start_, config_, target);
+    return point_ahead(start_, bearing.direction_deg, bearing.distance_m);
+  };
+  pair_ = pair;
+  reach_ = retargeter_.retarget(place(pair.real), place(pair.virtual_target));
+  return HRT_OK;
+}
+
+hrt_result Session::cancel() {
+  HRT_RETURN_IF_FAILED(check_reach());
+  reaching_ = false;
   return HRT_OK;
 }
 
@@ -140,7 +182,10 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
     return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
                 last_time_ns_);
   std::uint32_t flags = 0;
-  retargeter_.update(observe(config_, sample, &flags));
+  const FingerSample finger = observe(config_, sample, &flags);
+  if (awaits_finger_ && finger.observation == Observation::position)
+    HRT_RETURN_IF_FAILED(start_at(finger.position));
+  retargeter_.update(finger);
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
   *out_command = command(flags);

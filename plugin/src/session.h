@@ -10,7 +10,7 @@
 
 namespace hrt::plugin {
 
-/// Every call that fails changes nothing. begin(), update() and end() are real-time.
+/// Every call that fails changes nothing. Those of a reach are real-time.
 class Session {
  public:
   explicit Session(const hrt_session_config& checked_config);
@@ -26,26 +26,39 @@ class Session {
   /// What a caller gave has been read, not checked.
   hrt_result begin(const hrt_reach_config& config);
   hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
+  hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
   hrt_result check_no_reach() const;
   hrt_result check_reach() const;
-  /// As the last begin() made it of its targets.
+  bool reaching() const { return reaching_; }
+  /// What the last begin() or retarget() made of its targets.
   const Reach& reach() const { return reach_; }
 
   Targets targets;
 
  private:
-  hrt_result resolve(const hrt_reach_config& config, Reach* out) const;
+  /// The targets of a reach as they were when it was given them.
+  struct Pair {
+    hrt_target_config real;
+    hrt_target_config virtual_target;
+  };
+  hrt_result find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const;
+  hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
+  hrt_result start_at(const PlatePoint& finger);
   hrt_command command(std::uint32_t finger_flags) const;
   hrt_reach_summary to_c(const ReachSummary& summary) const;
   void carry(const FingerEstimate& estimate);
 
   hrt_session_config config_;
   Retargeter retargeter_;
+  Pair pair_{};
+  PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;
-  bool sampled_ = false;  // the reach has had a sample
-  bool faulty_ = false;   // a value of the reach was not finite
+  bool awaits_finger_ = false;  // the reach starts where the finger is first seen
+  bool sampled_ = false;        // the reach has had a sample
+  bool faulty_ = false;         // a value of the reach was not finite
   std::int64_t last_time_ns_ = 0;
   double plate_orientation_deg_ = 0.0;
 };

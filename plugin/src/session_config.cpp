@@ -249,6 +249,10 @@ Illusion illusion_of(const hrt_session_config& config, double distance_m) {
                                      distance_mm)};
 }
 
+PlatePoint start_of(const hrt_session_config& config) {
+  return {.right_m = config.start_position_m[0], .away_m = -config.start_position_m[2]};
+}
+
 PlateSurface surface_of(const hrt_session_config& config) {
   return {.radius_m = config.plate_radius_m, .lift_height_m = config.lift_height_m};
 }

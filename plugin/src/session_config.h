@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/learning.h"
+#include "core/plate_frame.h"
 #include "core/retargeter.h"
 #include "haptic_retargeting/session.h"
 #include "scene/plate_coordinates.h"
@@ -58,6 +59,7 @@ Illusion illusion_of(const hrt_session_config& config, double distance_m);
 
 /// Of a checked configuration.
 RetargeterConfig to_core(const hrt_session_config& checked_config);
+PlatePoint start_of(const hrt_session_config& checked_config);
 PlateSurface surface_of(const hrt_session_config& checked_config);
 Pose plate_pose_of(const hrt_session_config& checked_config);
 

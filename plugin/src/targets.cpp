@@ -76,6 +76,7 @@ hrt_result Targets::add(const hrt_target_config& checked_config, std::uint64_t* 
       throw;
     }
   }
+  real_count_ += checked_config.role == HRT_TARGET_REAL;
   *out_id = id;
   return HRT_OK;
 }
@@ -90,6 +91,8 @@ hrt_result Targets::set(std::uint64_t id, const hrt_target_config& checked_confi
     if (!new_name.empty()) by_name_.emplace(new_name, id);
     if (!old_name.empty()) by_name_.erase(by_name_.find(old_name));
   }
+  real_count_ += checked_config.role == HRT_TARGET_REAL;
+  real_count_ -= found->second.role == HRT_TARGET_REAL;
   found->second = checked_config;
   return HRT_OK;
 }
@@ -99,6 +102,7 @@ hrt_result Targets::remove(std::uint64_t id) {
   if (found == by_id_.end()) return no_such_target(id);
   const auto named = by_name_.find(std::string_view(found->second.name));
   if (named != by_name_.end()) by_name_.erase(named);
+  real_count_ -= found->second.role == HRT_TARGET_REAL;
   by_id_.erase(found);
   return HRT_OK;
 }
@@ -113,15 +117,19 @@ std::uint64_t Targets::find(std::string_view name) const {
   return found == by_name_.end() ? 0 : found->second;
 }
 
-Bearing view(const hrt_session_config& config, const hrt_target_config& target) {
+Bearing view_from(const PlatePoint& start, const hrt_session_config& config,
+                  const hrt_target_config& target) {
   if (target.place == HRT_PLACE_DIRECTION)
     return {.direction_deg = target.direction_deg, .distance_m = target.distance_m, .at_start = false};
   const auto& p = target.position_m;
   FingerOnPlate place{};
   locate_finger(surface_of(config), target.place == HRT_PLACE_WORLD_POSITION ? plate_pose_of(config) : Pose{},
                 {p[0], p[1], p[2]}, place);
-  const auto& start_m = config.start_position_m;
-  return bearing_from({start_m[0], start_m[1], start_m[2]}, place.position_m);
+  return bearing_from({start.right_m, 0.0, -start.away_m}, place.position_m);
+}
+
+Bearing view(const hrt_session_config& config, const hrt_target_config& target) {
+  return view_from(start_of(config), config, target);
 }
 
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,

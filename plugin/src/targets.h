@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/plate_frame.h"
 #include "haptic_retargeting/target.h"
 #include "scene/plate_coordinates.h"
 
@@ -26,6 +27,8 @@ class Targets {
   std::uint64_t find(std::string_view name) const;
 
   const std::map<std::uint64_t, hrt_target_config>& all() const { return by_id_; }
+  std::size_t real_count() const { return real_count_; }
+  std::size_t virtual_count() const { return by_id_.size() - real_count_; }
 
   /// A number that stands for one of these targets' ids in recordings: from 1 in a process of one session.
   std::uint64_t number(std::uint64_t id) const { return id - before_first_; }
@@ -33,6 +36,7 @@ class Targets {
  private:
   std::map<std::uint64_t, hrt_target_config> by_id_;
   std::map<std::string, std::uint64_t, std::less<>> by_name_;
+  std::size_t real_count_ = 0;
   std::uint64_t before_first_;  // the last id that was given out before
 };
 
@@ -42,7 +46,10 @@ hrt_result check_target_fields(hrt_target_config* config);
 /// The same, and fails too if the target is too near to where the session's reaches start.
 hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config);
 
-/// A target in the plane of the plate, seen from where the session's reaches start.
+/// A target in the plane of the plate, seen from a start in plate coordinates.
+Bearing view_from(const PlatePoint& start, const hrt_session_config& config, const hrt_target_config& target);
+
+/// The same from where the session's reaches start.
 Bearing view(const hrt_session_config& config, const hrt_target_config& target);
 
 /// Finds a target of the wanted role (0: of either), or fails naming `argument`.

@@ -50,7 +50,7 @@ class Caller {
   Caller& operator=(Caller&&) = delete;
 
   void call() {
-    switch (bytes_.ConsumeIntegralInRange(0, 20)) {
+    switch (bytes_.ConsumeIntegralInRange(0, 26)) {
       case 0:
         return create();
       case 1:
@@ -81,6 +81,14 @@ class Caller {
         return solve();
       case 13:
         return slide();
+      case 21:
+        return retarget();
+      case 22:
+        return check(hrt_reach_cancel(session()));
+      case 23:
+        return state();
+      case 24:
+        return assign();
       default:
         return update();
     }
@@ -175,8 +183,38 @@ class Caller {
     require(hrt_reach_config_default(&config, sizeof config) == HRT_OK);
     config.real_target = target();
     config.virtual_target = target();
+    config.flags = bytes_.ConsumeIntegralInRange(0u, 4u);
     if (bytes_.ConsumeBool()) disturb(config);
     check(hrt_reach_begin(session(), &config));
+  }
+
+  void assign() {
+    hrt_target virtuals[3] = {target(), target(), target()}, reals[3] = {target(), target(), target()};
+    const uint32_t count = bytes_.ConsumeIntegralInRange(0u, 3u);
+    hrt_authority out[3]{};
+    out[0].struct_size = sizeof out[0];
+    const hrt_result result =
+        hrt_target_assign(session(), virtuals, count, reals, bytes_.ConsumeIntegralInRange(0u, 3u),
+                          bytes_.ConsumeIntegralInRange(0u, 2u), bytes_.ConsumeIntegralInRange(0u, 3u), out);
+    check(result);
+    for (uint32_t i = 0; i < 3; ++i) {
+      require(result == HRT_OK || out[i].virtual_target.value == 0);
+      if (result != HRT_OK || i >= count) continue;
+      require_finite(out[i], offsetof(hrt_authority, gap_deg));
+      require(out[i].virtual_target.value == virtuals[i].value);
+      require((out[i].reachable == 1) == (out[i].real_target.value != 0));
+    }
+  }
+
+  void retarget() { check(hrt_reach_retarget(session(), target(), target())); }
+
+  void state() {
+    const hrt_session asked = session();
+    uint32_t state = 77;
+    const hrt_result result = hrt_session_get_state(asked, &state);
+    check(result);
+    require((result == HRT_OK) == (hrt_session_is_valid(asked) == 1));
+    require(result == HRT_OK ? state < 16 : state == 77);
   }
 
   void create_calibration() {

@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
@@ -118,6 +119,27 @@ class RealTimeTest : public SessionTest {
     expect(hrt_reach_update(session, &hour_late, &command), HRT_OK);
     expect(hrt_reach_end(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
     expect(hrt_reach_end(session, &summary), HRT_OK);
+
+    std::uint32_t state = 0;
+    expect(hrt_session_get_state(session, &state), HRT_OK);
+    expect(hrt_session_get_state(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
+    wrong += hrt_session_is_valid(session) != 1 || hrt_session_is_valid({42}) != 0;
+    expect(hrt_reach_retarget(session, reach.real_target, reach.virtual_target), HRT_ERROR_WRONG_STATE);
+    expect(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
+    hrt_reach_config at_finger = reach;
+    at_finger.flags = HRT_REACH_START_AT_FINGER;
+    for (const hrt_reach_config* config : {&reach, static_cast<const hrt_reach_config*>(&at_finger)}) {
+      expect(hrt_reach_begin(session, config), HRT_OK);
+      for (int i = 0; i < 300; ++i) {
+        const hrt_sample position =
+            position_sample(std::int64_t{i} * 10'000'000, 0.0, -0.05 + 0.0004 * std::max(0, i - 50));
+        expect(hrt_reach_update(session, &position, &command), HRT_OK);
+        expect(hrt_reach_retarget(session, reach.real_target, reach.virtual_target), HRT_OK);
+      }
+      expect(hrt_reach_retarget(session, reach.virtual_target, reach.virtual_target), HRT_ERROR_OUT_OF_RANGE);
+      expect(hrt_reach_retarget(session, {0}, reach.virtual_target), HRT_ERROR_INVALID_HANDLE);
+      expect(hrt_reach_cancel(session), HRT_OK);
+    }
     return wrong;
   }
 

@@ -307,5 +307,93 @@ TEST_F(AuthorityTest, RolesAreChecked) {
   expect_error(hrt_authority_query_best(session, real, &authority), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
 }
 
+class AssignTest : public SessionTest {
+ protected:
+  std::vector<hrt_authority> assign(const std::vector<hrt_target>& virtuals,
+                                    const std::vector<hrt_target>& reals, std::uint32_t flags) const {
+    std::vector<hrt_authority> out(virtuals.size(), output<hrt_authority>());
+    EXPECT_OK(hrt_target_assign(session, virtuals.data(), size(virtuals), reals.data(), size(reals), flags,
+                                size(out), out.data()));
+    return out;
+  }
+
+  template <class Element>
+  static std::uint32_t size(const std::vector<Element>& elements) {
+    return static_cast<std::uint32_t>(elements.size());
+  }
+};
+
+TEST_F(AssignTest, EachIsServedByTheNearestUnlessRealTargetsServeOneEach) {
+  const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0), add(HRT_TARGET_REAL, 8.0)},
+      virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 9.0)};
+  const auto shared = assign(virtuals, reals, 0), exclusive = assign(virtuals, reals, HRT_ASSIGN_EXCLUSIVE);
+  EXPECT_EQ(shared[0].real_target.value, reals[1].value);
+  EXPECT_EQ(shared[1].real_target.value, reals[1].value);
+  EXPECT_EQ(exclusive[0].real_target.value, reals[0].value);
+  EXPECT_EQ(exclusive[1].real_target.value, reals[1].value);
+  // Each element is what a query says of the pair.
+  auto queried = output<hrt_authority>();
+  ASSERT_OK(hrt_authority_query(session, reals[0], virtuals[0], &queried));
+  EXPECT_EQ(std::memcmp(&exclusive[0], &queried, sizeof queried), 0);
+}
+
+TEST_F(AssignTest, WhatCannotBeServedIsNamed) {
+  const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, -40.0), add(HRT_TARGET_REAL, 0.0)},
+      virtuals{add(HRT_TARGET_VIRTUAL, 50.0), add(HRT_TARGET_VIRTUAL, 2.0), add(HRT_TARGET_VIRTUAL, 4.0)};
+  const auto shared = assign(virtuals, reals, 0), exclusive = assign(virtuals, reals, HRT_ASSIGN_EXCLUSIVE);
+  for (const auto& assigned : {shared, exclusive}) {
+    EXPECT_EQ(assigned[0].reachable, 0u);
+    EXPECT_EQ(assigned[0].real_target.value, 0u);
+    EXPECT_EQ(assigned[0].virtual_target.value, virtuals[0].value);
+    EXPECT_NEAR(assigned[0].gap_deg, 50.0, 1e-9);
+    EXPECT_LT(assigned[0].margin_deg, 0.0);
+  }
+  EXPECT_EQ(shared[1].reachable + shared[2].reachable, 2u);
+  EXPECT_EQ(exclusive[1].reachable + exclusive[2].reachable, 1u) << "one real target is near them";
+  EXPECT_EQ(exclusive[1].reachable, 1u) << "the smaller share";
+}
+
+TEST_F(AssignTest, RefusesWhatIsNoSet) {
+  const hrt_target real = add(HRT_TARGET_REAL, 0.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
+  const hrt_target reals[]{real, real}, cups[]{cup, cup}, none[]{{0}, {0}};
+  hrt_authority out[2]{output<hrt_authority>(), output<hrt_authority>()};
+  const hrt_authority before = out[0];
+  const auto assign = [&](const hrt_target* v, std::uint32_t vs, const hrt_target* r, std::uint32_t rs,
+                          std::uint32_t flags, std::uint32_t capacity, hrt_authority* to) {
+    return hrt_target_assign(session, v, vs, r, rs, flags, capacity, to);
+  };
+  expect_error(assign(cups, 0, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE,
+               "the count of virtual_targets is 0");
+  expect_error(assign(cups, 1, reals, 1001, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "allowed: 1 to 1000");
+  expect_error(assign(nullptr, 1, reals, 1, 0, 2, out), HRT_ERROR_NULL_ARGUMENT, "virtual_targets is null");
+  expect_error(assign(cups, 1, nullptr, 1, 0, 2, out), HRT_ERROR_NULL_ARGUMENT, "real_targets is null");
+  expect_error(assign(cups, 1, reals, 1, 0, 2, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_authorities is null");
+  expect_error(assign(cups, 2, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "virtual_targets: target");
+  expect_error(assign(cups, 1, reals, 2, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "is there twice");
+  expect_error(assign(none, 1, reals, 1, 0, 2, out), HRT_ERROR_INVALID_HANDLE, "virtual_targets[0]");
+  expect_error(assign(reals, 1, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
+  expect_error(assign(cups, 1, reals, 1, 2, 2, out), HRT_ERROR_OUT_OF_RANGE, "flags is 2");
+  expect_error(assign(cups, 1, reals, 1, 0, 0, out), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 0");
+  EXPECT_EQ(std::memcmp(&out[0], &before, sizeof before), 0);
+  out[0].struct_size = 3;
+  expect_error(assign(cups, 1, reals, 1, 0, 2, out), HRT_ERROR_STRUCT_SIZE, "out_authorities");
+}
+
+// The elements of a caller with older headers are as far apart as its struct is large.
+TEST_F(AssignTest, ElementsHaveTheCallersSize) {
+  const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0)},
+      virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 6.0)};
+  constexpr std::uint32_t old_size = 64;
+  alignas(8) unsigned char out[2 * old_size + 8]{};
+  std::memcpy(out, &old_size, sizeof old_size);
+  out[2 * old_size] = 77;
+  ASSERT_OK(hrt_target_assign(session, virtuals.data(), 2, reals.data(), 1, 0, 2,
+                              reinterpret_cast<hrt_authority*>(out)));
+  hrt_target second{};
+  std::memcpy(&second, out + old_size + offsetof(hrt_authority, virtual_target), sizeof second);
+  EXPECT_EQ(second.value, virtuals[1].value);
+  EXPECT_EQ(out[2 * old_size], 77);
+}
+
 }  // namespace
 }  // namespace hrt::test

@@ -17,6 +17,10 @@ from pycparser import c_ast, c_parser
 SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
 
 
+# Headers that are written from the others.
+WRITTEN = ("init.h", "functions.h")
+
+
 class HeaderError(Exception):
     """A header has something that the model has no place for."""
 
@@ -79,6 +83,11 @@ class Function:
     parameters: tuple[Parameter, ...]
     doc: str
 
+    @property
+    def returns_result(self) -> bool:
+        """An hrt_result, which nothing else has the type of."""
+        return self.result == Type("int32_t")
+
 
 @dataclass
 class Abi:
@@ -112,7 +121,7 @@ class Abi:
 
 def read(include: Path) -> Abi:
     """The interface that `include`/haptic_retargeting/*.h declare."""
-    headers = sorted((include / "haptic_retargeting").glob("*.h"))
+    headers = sorted(p for p in (include / "haptic_retargeting").glob("*.h") if p.name not in WRITTEN)
     if not headers:
         raise HeaderError(f"no headers in {include}/haptic_retargeting")
     texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
@@ -125,7 +134,7 @@ def read(include: Path) -> Abi:
 
     abi = Abi()
     for node in tree.ext:
-        if "haptic_retargeting" in str(node.coord.file):
+        if str(node.coord.file) in texts:
             _take(node, texts[str(node.coord.file)], abi)
     values = {e.name: e.value for node in tree.ext if _is_values(node) for e in node.type.values.enumerators}
     for text in texts.values():
@@ -152,7 +161,8 @@ def _preprocess(include: Path, macros: list[str]) -> str:
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "stdint.h").write_text(_STDINT)
         (Path(folder) / "stddef.h").write_text(_STDDEF)
-        source = "".join(f"#include <{p.parent.name}/{p.name}>\n" for p in sorted(include.glob("*/*.h")))
+        source = "".join(f"#include <{p.parent.name}/{p.name}>\n" for p in sorted(include.glob("*/*.h"))
+                         if p.name not in WRITTEN)
         source += "enum { " + ", ".join(f"{name}_value = {name}" for name in macros) + " };\n"
         command = ["cpp", "-nostdinc", "-D__attribute__(x)=", "-I", folder, "-I", str(include), "-"]
         done = subprocess.run(command, input=source, text=True, capture_output=True, check=False)

@@ -18,6 +18,7 @@ _ENUMS = {
     "HRT_GUIDANCE_": "Guidance",
     "HRT_ADAPTATION_": "Adaptation",
     "HRT_SESSION_": "SessionFlags",
+    "HRT_STATE_": "StateFlags",
     "HRT_TARGET_": "TargetRole",
     "HRT_PLACE_": "Place",
     "HRT_REACH_": "ReachFlags",

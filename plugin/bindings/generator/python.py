@@ -12,7 +12,8 @@ _CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int6
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
 _ENUMERATIONS = {"ERROR": "ErrorCode", "CONTROL": "Control", "GUIDANCE": "Guidance", "ADAPTATION": "Adaptation",
                  "TARGET": "Role", "PLACE": "Place", "LOG": "LogLevel", "REACH": "ReachFlag", "SAMPLE": "SampleFlag",
-                 "COMMAND": "CommandFlag", "SESSION": "SessionFlag", "ENDING": "Ending"}
+                 "COMMAND": "CommandFlag", "SESSION": "SessionFlag", "ENDING": "Ending",
+                 "STATE": "StateFlag"}
 
 
 def render(abi: Abi, notice: str) -> str:

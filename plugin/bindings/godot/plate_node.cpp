@@ -22,6 +22,7 @@ constexpr Argument kPolarTarget[] = {
     {"name", Type::kString}, {"direction_deg", Type::kReal}, {"distance_m", Type::kReal}};
 constexpr Argument kPlacedTarget[] = {{"name", Type::kString}, {"world_position", Type::kVector3}};
 constexpr Argument kTarget[] = {{"target", Type::kInt}};
+constexpr Argument kTargetAndPlace[] = {{"target", Type::kInt}, {"world_position", Type::kVector3}};
 constexpr Argument kPair[] = {{"real_target", Type::kInt}, {"virtual_target", Type::kInt}};
 constexpr Argument kVirtualTarget[] = {{"virtual_target", Type::kInt}};
 constexpr Argument kPairAndPlate[] = {
@@ -49,12 +50,15 @@ const Method kMethods[] = {
     {"add_virtual_target", Type::kInt, kNoTarget, kPolarTarget, &PlateNode::add_virtual_target},
     {"add_real_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_real_target_at},
     {"add_virtual_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_virtual_target_at},
+    {"move_target_to", Type::kInt, kError, kTargetAndPlace, &PlateNode::move_target_to},
     {"remove_target", Type::kInt, kError, kTarget, &PlateNode::remove_target},
     {"begin", Type::kInt, kError, kPair, &PlateNode::begin},
     {"begin_with_plate_at", Type::kInt, kError, kPairAndPlate, &PlateNode::begin_with_plate_at},
     {"update", Type::kInt, kError, kFinger, &PlateNode::update},
     {"update_lost", Type::kInt, kError, kTime, &PlateNode::update_lost},
     {"update_sample", Type::kInt, kError, kSample, &PlateNode::update_sample},
+    {"retarget", Type::kInt, kError, kPair, &PlateNode::retarget},
+    {"cancel", Type::kInt, kError, {}, &PlateNode::cancel},
     {"end", Type::kInt, kError, {}, &PlateNode::end},
     {"is_reaching", Type::kBool, false, {}, &PlateNode::is_reaching},
     {"get_command", Type::kRecord, Record{}, {}, &PlateNode::get_command},
@@ -306,6 +310,18 @@ Value PlateNode::add_virtual_target_at(const Value* arguments) {
   return add_target(placed_target(HRT_TARGET_VIRTUAL, arguments));
 }
 
+Value PlateNode::move_target_to(const Value* arguments) {
+  hrt_target_config config{};
+  config.struct_size = sizeof config;
+  if (!configure() || !ok(hrt_target_get(session_, to_target(arguments[0]), &config)))
+    return to_godot_error(result_);
+  const hrt_target_config moved = placed_target(config.role, arguments);
+  config.place = moved.place;
+  std::memcpy(config.position_m, moved.position_m, sizeof config.position_m);
+  ok(hrt_target_set(session_, to_target(arguments[0]), &config));
+  return to_godot_error(result_);
+}
+
 Value PlateNode::remove_target(const Value* arguments) {
   ok(hrt_target_remove(session_, to_target(arguments[0])));
   return to_godot_error(result_);
@@ -393,6 +409,16 @@ Value PlateNode::send(const hrt_sample& filled) {
   if (changed) engine_.emit(kFlagsChanged, int64_t{command.flags});
   if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
   return int64_t{0};
+}
+
+Value PlateNode::retarget(const Value* arguments) {
+  ok(hrt_reach_retarget(session_, to_target(arguments[0]), to_target(arguments[1])));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::cancel(const Value*) {
+  if (ok(hrt_reach_cancel(session_))) reaching_ = false;
+  return to_godot_error(result_);
 }
 
 Value PlateNode::end(const Value*) {

@@ -72,12 +72,15 @@ class PlateNode {
   Value add_virtual_target(const Value* arguments);
   Value add_real_target_at(const Value* arguments);
   Value add_virtual_target_at(const Value* arguments);
+  Value move_target_to(const Value* arguments);
   Value remove_target(const Value* arguments);
   Value begin(const Value* arguments);
   Value begin_with_plate_at(const Value* arguments);
   Value update(const Value* arguments);
   Value update_lost(const Value* arguments);
   Value update_sample(const Value* arguments);
+  Value retarget(const Value* arguments);
+  Value cancel(const Value* arguments);
   Value end(const Value* arguments);
   Value is_reaching(const Value* arguments);
   Value get_command(const Value* arguments);

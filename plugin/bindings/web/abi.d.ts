@@ -1,5 +1,11 @@
 // Written by plugin/bindings/generate from the C headers.
 
+/** Flags of hrt_target_assign(). */
+/** A real target serves one virtual target at most. Otherwise it may serve any number. */
+export declare const HRT_ASSIGN_EXCLUSIVE = 1;
+/** Maximum number of virtual targets, and of real ones, in hrt_target_assign(). */
+export declare const HRT_ASSIGN_TARGETS_MAX = 1000;
+
 /** Version of these headers. hrt_get_version() returns the library's. */
 export declare const HRT_VERSION_MAJOR = 0;
 export declare const HRT_VERSION_MINOR = 3;
@@ -47,6 +53,8 @@ export declare const HRT_LOG_ERROR = 2;
 /** hrt_reach_config::flags. */
 /** `plate_orientation_deg` is given. Otherwise the plate is at the session's last command, at first 0. */
 export declare const HRT_REACH_PLATE_ORIENTATION = 1;
+/** The reach starts where the finger is first seen, instead of at hrt_session_config::start_position_m: directions and distances are measured from there. The plate stands ready for the configured start until then, and samples before it are not counted. In a reach of directions alone this has no effect. Since version 0.3. */
+export declare const HRT_REACH_START_AT_FINGER = 2;
 
 /** hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and WORLD_POSITION. With none of these and without LIFTED the sample is a dropout: the plate is held, and the model predicts. */
 /** finger_direction_deg */
@@ -151,6 +159,16 @@ export declare const HRT_PERSON_FADING = 8;
 export declare const HRT_PERSON_TRAITS = 9;
 /** Numbers in the lower triangle of their covariance. */
 export declare const HRT_PERSON_COVARIANCES = 45;
+
+/** What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin. */
+/** a real and a virtual target are there, and no reach is under way */
+export declare const HRT_STATE_READY = 1;
+/** a reach is under way */
+export declare const HRT_STATE_REACHING = 2;
+/** A trial of a calibration that was created from this session is under way. */
+export declare const HRT_STATE_CALIBRATING = 4;
+/** the calls of the session are recorded */
+export declare const HRT_STATE_RECORDING = 8;
 /** Maximum number of targets in a session. */
 export declare const HRT_TARGETS_MAX = 1000000;
 /** Bytes of a name, including the terminating zero. */
@@ -550,7 +568,7 @@ export interface hrt_scene_target {
   struct_size: number;
   /** HRT_TARGET_*. */
   role: number;
-  /** Index of the real target that serves this virtual one; -1 for a real target. */
+  /** Index of the real target that serves this virtual one: the one that the file names, or else the nearest in direction, the first among equals; -1 for a real target. */
   served_by: number;
   reserved: number;
   /** In plate coordinates; y is the height above the plate. */

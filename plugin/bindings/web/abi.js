@@ -1,4 +1,6 @@
 // Written by plugin/bindings/generate from the C headers.
+export const HRT_ASSIGN_EXCLUSIVE = 1;
+export const HRT_ASSIGN_TARGETS_MAX = 1000;
 export const HRT_VERSION_MAJOR = 0;
 export const HRT_VERSION_MINOR = 3;
 export const HRT_VERSION_PATCH = 0;
@@ -23,6 +25,7 @@ export const HRT_CALIBRATIONS_MAX = 16;
 export const HRT_LOG_WARNING = 1;
 export const HRT_LOG_ERROR = 2;
 export const HRT_REACH_PLATE_ORIENTATION = 1;
+export const HRT_REACH_START_AT_FINGER = 2;
 export const HRT_SAMPLE_DIRECTION = 1;
 export const HRT_SAMPLE_PLATE_POSITION = 2;
 export const HRT_SAMPLE_PLATE_ORIENTATION = 4;
@@ -67,6 +70,10 @@ export const HRT_PERSON_LOG_RATE = 7;
 export const HRT_PERSON_FADING = 8;
 export const HRT_PERSON_TRAITS = 9;
 export const HRT_PERSON_COVARIANCES = 45;
+export const HRT_STATE_READY = 1;
+export const HRT_STATE_REACHING = 2;
+export const HRT_STATE_CALIBRATING = 4;
+export const HRT_STATE_RECORDING = 8;
 export const HRT_TARGETS_MAX = 1000000;
 export const HRT_NAME_SIZE = 64;
 export const HRT_TARGET_REAL = 1;
@@ -291,6 +298,8 @@ export const functions = Object.freeze([
   "hrt_get_version",
   "hrt_session_config_default",
   "hrt_session_create",
+  "hrt_session_is_valid",
+  "hrt_session_get_state",
   "hrt_session_destroy",
   "hrt_session_get_config",
   "hrt_session_set_config",
@@ -304,9 +313,12 @@ export const functions = Object.freeze([
   "hrt_authority_query",
   "hrt_authority_query_all",
   "hrt_authority_query_best",
+  "hrt_target_assign",
   "hrt_reach_config_default",
   "hrt_reach_begin",
   "hrt_reach_update",
+  "hrt_reach_retarget",
+  "hrt_reach_cancel",
   "hrt_reach_end",
   "hrt_calibration_config_default",
   "hrt_calibration_create",
@@ -319,8 +331,6 @@ export const functions = Object.freeze([
   "hrt_calibration_apply",
   "hrt_set_allocator",
   "hrt_set_log_callback",
-  "hrt_profile_save",
-  "hrt_profile_load",
   "hrt_recording_start",
   "hrt_recording_get_status",
   "hrt_recording_stop",
@@ -332,4 +342,6 @@ export const functions = Object.freeze([
   "hrt_scene_get_info",
   "hrt_scene_get_target",
   "hrt_scene_register",
+  "hrt_profile_save",
+  "hrt_profile_load",
 ]);

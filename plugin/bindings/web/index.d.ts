@@ -67,8 +67,15 @@ export interface Session {
   readonly sample: View<hrt_sample>;
   /** Output of the last update(). */
   readonly command: Readonly<View<hrt_command>>;
-  /** The plate is at the last command, unless its orientation is given. */
-  beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number): void;
+  /** What the session is about now: HRT_STATE_*; 0: idle. */
+  readonly state: number;
+  /** The plate is at the last command, unless its orientation is given. Directions are measured from the configured
+   *  start, or from where the finger is first seen. */
+  beginReach(realTarget: TargetId, virtualTarget: TargetId, plateOrientationDeg?: number, startAtFinger?: boolean): void;
+  /** Leads the reach to other targets from now on, or to the same ones after setTarget() has moved them. */
+  retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
+  /** Ends the reach without a summary; nothing is learnt from it. */
+  cancelReach(): void;
   /** Reads `sample` and writes `command`. Once a frame. */
   update(): void;
   endReach(): Output<hrt_reach_summary>;

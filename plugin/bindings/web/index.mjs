@@ -435,12 +435,24 @@ class Session {
       this.#memory.call("hrt_authority_query_best", this.#handle, virtualTarget, at));
   }
 
-  beginReach(realTarget, virtualTarget, plateOrientationDeg) {
-    const plate = plateOrientationDeg === undefined
-      ? {} : { flags: abi.HRT_REACH_PLATE_ORIENTATION, plate_orientation_deg: plateOrientationDeg };
-    this.#memory.withStruct("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, ...plate },
+  get state() {
+    return this.#memory.with(4, (at) => {
+      this.#memory.call("hrt_session_get_state", this.#handle, at);
+      return this.#memory.view.getUint32(at, true);
+    });
+  }
+
+  beginReach(realTarget, virtualTarget, plateOrientationDeg, startAtFinger = false) {
+    const flags = (plateOrientationDeg === undefined ? 0 : abi.HRT_REACH_PLATE_ORIENTATION) |
+                  (startAtFinger ? abi.HRT_REACH_START_AT_FINGER : 0);
+    this.#memory.withStruct("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
+                                                  plate_orientation_deg: plateOrientationDeg },
       (at) => this.#memory.call("hrt_reach_begin", this.#handle, at));
   }
+  retargetReach(realTarget, virtualTarget) {
+    this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
+  }
+  cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
   update() {
     const code = this.#update(this.#handle, this.sample.address, this.command.address);
     if (code !== abi.HRT_OK) this.#memory.fail(code);

@@ -52,6 +52,28 @@ HRT_API hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacit
 HRT_API hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_target,
                                             hrt_authority* out_authority) HRT_NOEXCEPT;
 
+/** Flags of hrt_target_assign(). */
+/** A real target serves one virtual target at most. Otherwise it may serve any number. */
+#define HRT_ASSIGN_EXCLUSIVE UINT32_C(1)
+
+/** Maximum number of virtual targets, and of real ones, in hrt_target_assign(). */
+#define HRT_ASSIGN_TARGETS_MAX 1000
+
+/** Assigns a real target to each virtual one. As many virtual targets as possible are served, and of all such
+ *  assignments the largest share of the authority that a pair needs, the size of gap_deg over
+ *  largest_gap_deg, is the smallest; exactly so. `out_authorities[i]` is the authority over
+ * virtual_targets[i] and the real target that serves it; `out_authorities[0].struct_size` is the size of
+ * every element. A virtual target that cannot be served has `reachable` 0 and a null real_target, and the
+ * other numbers are those of the nearest real target, of the first among equals. Takes up to half a second
+ * for 1000 of each with EXCLUSIVE. `flags` is HRT_ASSIGN_*. Errors: BUFFER_TOO_SMALL if `capacity` is below
+ * `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument and the index of an id that is not of
+ * its role or is there twice, also for a count of 0 or above HRT_ASSIGN_TARGETS_MAX; OUT_OF_MEMORY. Since
+ * version 0.3. [one-thread] */
+HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
+                                     uint32_t virtual_count, const hrt_target* real_targets,
+                                     uint32_t real_count, uint32_t flags, uint32_t capacity,
+                                     hrt_authority* out_authorities) HRT_NOEXCEPT;
+
 #if defined(__cplusplus)
 }
 #endif

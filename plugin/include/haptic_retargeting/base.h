@@ -50,7 +50,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#if defined(_WIN32)
+/* A host that links the static library defines HRT_STATIC. */
+#if defined(HRT_STATIC)
+#define HRT_API
+#elif defined(_WIN32)
 #if defined(HRT_BUILDING_LIBRARY)
 #define HRT_API __declspec(dllexport)
 #else

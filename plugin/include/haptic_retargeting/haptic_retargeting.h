@@ -9,6 +9,7 @@
 #include "base.h"
 #include "calibration.h"
 #include "host.h"
+#include "init.h"
 #include "profile.h"
 #include "reach.h"
 #include "recording.h"

@@ -1,10 +1,10 @@
 /*
  * Recordings of a session, and their replay.
  *
- * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update
- * and end of a reach is a row, refused calls too; comments hold configuration, targets and the plate
- * orientation (base.h). Numbers have full precision. A thread of the library writes the file: a slow or full
- * disk never delays a call; rows are dropped and counted.
+ * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update,
+ * retarget, cancel and end of a reach is a row, refused calls too; comments hold configuration, targets and
+ * the plate orientation (base.h). Numbers have full precision. A thread of the library writes the file: a
+ * slow or full disk never delays a call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
 #define HAPTIC_RETARGETING_RECORDING_H

@@ -39,7 +39,8 @@ typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** HRT_TARGET_*. */
   uint32_t role;
-  /** Index of the real target that serves this virtual one; -1 for a real target. */
+  /** Index of the real target that serves this virtual one: the one that the file names, or else the
+   *  nearest in direction, the first among equals; -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
   /** In plate coordinates; y is the height above the plate. */

@@ -1,7 +1,7 @@
 /*
  * A session: one user, one plate, and what the controller assumes about both.
  *
- *   create -> add targets -> (begin -> update ... update -> end) for each reach -> destroy
+ *   create -> add targets -> (begin -> update ... update -> end or cancel) for each reach -> destroy
  */
 #ifndef HAPTIC_RETARGETING_SESSION_H
 #define HAPTIC_RETARGETING_SESSION_H
@@ -183,6 +183,20 @@ HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
  *  [any-thread] */
 HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
                                       hrt_session* out_session) HRT_NOEXCEPT;
+
+/** Returns 1 if the handle is that of a session that exists, also while a call is on it, else 0. Changes
+ *  nothing, not hrt_last_error() either. [any-thread] [real-time] */
+HRT_API uint32_t hrt_session_is_valid(hrt_session session) HRT_NOEXCEPT;
+
+/** What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin. */
+#define HRT_STATE_READY UINT32_C(1) /**< a real and a virtual target are there, and no reach is under way */
+#define HRT_STATE_REACHING UINT32_C(2) /**< a reach is under way */
+/** A trial of a calibration that was created from this session is under way. */
+#define HRT_STATE_CALIBRATING UINT32_C(4)
+#define HRT_STATE_RECORDING UINT32_C(8) /**< the calls of the session are recorded */
+
+/** Returns what the session is about: HRT_STATE_*. Later versions may set further bits. [real-time] */
+HRT_API hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) HRT_NOEXCEPT;
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;

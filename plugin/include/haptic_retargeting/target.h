@@ -57,8 +57,8 @@ HRT_API hrt_result hrt_target_config_default(hrt_target_config* out_config,
 HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
                                   hrt_target* out_target) HRT_NOEXCEPT;
 
-/** Replaces a target and keeps its id. A running reach keeps the former target. Errors: as
- *  hrt_target_add(). [one-thread] */
+/** Replaces a target and keeps its id. A running reach keeps the former target until hrt_reach_retarget().
+ *  Allocates nothing if the name stays. Errors: as hrt_target_add(). [one-thread] */
 HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                   const hrt_target_config* config) HRT_NOEXCEPT;
 

@@ -127,6 +127,27 @@ void write(const Refused& refused, hrt_result result, RecordText& out) {
   row.skip(reach_columns + command_columns + summary_columns);
 }
 
+void put(const Reach& reach, Row& row) {
+  row.put(reach.real_direction_deg).put(reach.virtual_direction_deg).put(reach.real_distance_m);
+  row.put(reach.start.right_m).put(reach.start.away_m);
+}
+
+void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
+  Row row(out);
+  row.put("retarget").put(result).skip(sample_columns + 1);
+  row.put(retargeted.real_number).put(retargeted.virtual_number).skip(1 + refused_columns);
+  if (result == HRT_OK) {
+    put(retargeted.reach, row);
+  } else {
+    row.skip(reach_columns);
+  }
+  row.skip(command_columns + summary_columns);
+}
+
+void write(const ReachCancelled&, hrt_result result, RecordText& out) {
+  Row(out).put("cancel").put(result).skip(columns - 2);
+}
+
 void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("begin").put(result).skip(measured_plate_column - 2);
@@ -138,10 +159,8 @@ void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
     row.skip(reach_columns + command_columns + summary_columns);
     return;
   }
-  const Reach& reach = begun.reach;
-  row.put(reach.real_direction_deg).put(reach.virtual_direction_deg).put(reach.real_distance_m);
-  row.put(reach.start.right_m).put(reach.start.away_m);
-  row.skip(2).put(reach.plate_orientation_deg).skip(command_columns - 3 + summary_columns);
+  put(begun.reach, row);
+  row.skip(2).put(begun.reach.plate_orientation_deg).skip(command_columns - 3 + summary_columns);
 }
 
 void write(const Updated& updated, hrt_result result, RecordText& out) {
@@ -249,6 +268,14 @@ hrt_result read_begin(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
+hrt_result read_retarget(const Cells& cells, Record* out) {
+  Retargeted retargeted{};
+  HRT_RETURN_IF_FAILED(read_cell(begin_column + 1, cells[begin_column + 1], &retargeted.real_number));
+  HRT_RETURN_IF_FAILED(read_cell(begin_column + 2, cells[begin_column + 2], &retargeted.virtual_number));
+  out->call = retargeted;
+  return HRT_OK;
+}
+
 // A refused call, if the row has an argument for which it was.
 hrt_result read_refused(const Cells& cells, Record* out) {
   const std::string_view name = cells[refused_column];
@@ -298,12 +325,17 @@ hrt_result read_row(std::string_view line, Record* out) {
   if (!cells[refused_column].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
   if (cells[0] == "update") return read_update(cells, out);
+  if (cells[0] == "retarget") return read_retarget(cells, out);
+  if (cells[0] == "cancel") {
+    out->call = ReachCancelled{};
+    return HRT_OK;
+  }
   if (cells[0] == "end") {
     out->call = ReachEnded{};
     return HRT_OK;
   }
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, end");
+              "\"; allowed: begin, update, retarget, cancel, end");
 }
 
 bool is_same_row(std::string_view row, std::string_view other) {

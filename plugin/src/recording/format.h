@@ -39,6 +39,14 @@ struct ReachBegun {
   Reach reach;  ///< what targets and configuration make of it; only if the call succeeded
 };
 
+struct Retargeted {
+  std::uint64_t real_number;  ///< as of ReachBegun
+  std::uint64_t virtual_number;
+  Reach reach;  ///< as seen from where the finger is; only if the call succeeded
+};
+
+struct ReachCancelled {};
+
 struct Updated {
   hrt_sample sample;
   hrt_command command;  ///< only if the call succeeded
@@ -58,7 +66,9 @@ struct Refused {
 /// One call that crossed the boundary.
 struct Record {
   hrt_result result = HRT_OK;
-  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, ReachEnded, Refused> call;
+  std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, ReachCancelled,
+               ReachEnded, Refused>
+      call;
 };
 
 using RecordText = Text<8192>;

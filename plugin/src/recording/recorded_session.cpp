@@ -73,9 +73,6 @@ hrt_result RecordedSession::add_scene(const hrt_session_config& checked_config,
 hrt_result RecordedSession::begin(const hrt_reach_config& config) {
   const hrt_result result = session_.begin(config);
   record([&] {
-    const auto number = [this](hrt_target target) {
-      return session_.targets.find(target.value) ? session_.targets.number(target.value) : 0;
-    };
     return Record{result, ReachBegun{.flags = config.flags,
                                      .plate_orientation_deg = config.plate_orientation_deg,
                                      .real_number = number(config.real_target),
@@ -83,6 +80,22 @@ hrt_result RecordedSession::begin(const hrt_reach_config& config) {
                                      .duration_s = config.duration_s,
                                      .reach = session_.reach()}};
   });
+  return result;
+}
+
+hrt_result RecordedSession::retarget(hrt_target real_target, hrt_target virtual_target) {
+  const hrt_result result = session_.retarget(real_target, virtual_target);
+  record([&] {
+    return Record{result, Retargeted{.real_number = number(real_target),
+                                     .virtual_number = number(virtual_target),
+                                     .reach = session_.reach()}};
+  });
+  return result;
+}
+
+hrt_result RecordedSession::cancel() {
+  const hrt_result result = session_.cancel();
+  record([&] { return Record{result, ReachCancelled{}}; });
   return result;
 }
 
@@ -105,6 +118,15 @@ hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument
     return Record{result, refused};
   });
   return result;
+}
+
+std::uint32_t RecordedSession::state() const {
+  const Targets& targets = session_.targets;
+  const bool ready = targets.real_count() > 0 && targets.virtual_count() > 0;
+  return (session_.reaching() ? HRT_STATE_REACHING
+          : ready             ? HRT_STATE_READY
+                              : 0) |
+         (trials_->load() > 0 ? HRT_STATE_CALIBRATING : 0) | (recorder_ ? HRT_STATE_RECORDING : 0);
 }
 
 hrt_result RecordedSession::start_recording(const char* path, std::uint64_t handle) {
@@ -131,6 +153,10 @@ RecorderStatus RecordedSession::stop_recording() {
   const RecorderStatus status = recorder_->stop();
   recorder_.reset();
   return status;
+}
+
+std::uint64_t RecordedSession::number(hrt_target target) const {
+  return session_.targets.find(target.value) ? session_.targets.number(target.value) : 0;
 }
 
 void RecordedSession::record_target(TargetChanged::Change change, std::uint64_t id) const {

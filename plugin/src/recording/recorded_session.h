@@ -1,6 +1,7 @@
 // A session whose calls are recorded while a recording runs.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -12,7 +13,7 @@
 namespace hrt::plugin {
 
 /// Forwards calls to a session and hands each one to the recorder, if there is one; nothing is built for a
-/// recording that is off. Every call that fails changes nothing. begin(), update(), end() and refuse() are
+/// recording that is off. Every call that fails changes nothing. Those of a reach and refuse() are
 /// real-time.
 class RecordedSession {
  public:
@@ -31,9 +32,16 @@ class RecordedSession {
 
   hrt_result begin(const hrt_reach_config& config);
   hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
+  hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
   /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
+
+  /// HRT_STATE_*.
+  std::uint32_t state() const;
+  /// How many trials of calibrations of this session are under way, for as long as any of them exists.
+  const std::shared_ptr<std::atomic<int>>& trials() const { return trials_; }
 
   /// The log names the session by `handle`.
   hrt_result start_recording(const char* path, std::uint64_t handle);
@@ -47,9 +55,11 @@ class RecordedSession {
   void record(MakeRecord&& make_record) const {
     if (recorder_) recorder_->push(make_record());
   }
+  std::uint64_t number(hrt_target target) const;
   void record_target(TargetChanged::Change change, std::uint64_t id) const;
 
   Session session_;
+  std::shared_ptr<std::atomic<int>> trials_ = std::make_shared<std::atomic<int>>(0);
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

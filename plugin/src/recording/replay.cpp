@@ -48,6 +48,11 @@ class Rerun {
     record_.result = session_.update(call.sample, &call.command);
     if (record_.result == HRT_OK) add(call.command, hash_);
   }
+  void operator()(Retargeted& call) {
+    record_.result = session_.retarget(target(call.real_number), target(call.virtual_number));
+    call.reach = session_.reach();
+  }
+  void operator()(ReachCancelled&) { record_.result = session_.cancel(); }
   void operator()(ReachEnded& call) { record_.result = session_.end(&call.summary); }
   void operator()(Refused& call) {
     if (record_.result == HRT_ERROR_NULL_ARGUMENT) return;

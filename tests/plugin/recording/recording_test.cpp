@@ -13,6 +13,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -166,6 +167,59 @@ TEST_F(RecordingTest, ReplaysToTheSameBits) {
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.rows, 3u * 2u + 64u + 2u * 270u);
   EXPECT_EQ(report.first_different_line, 0u);
+}
+
+// Targets that move, reaches that are abandoned or start where the finger is, and refusals of both.
+TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  std::size_t rows = 0;
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
+    hrt_session_config config = session_config();
+    config.guidance = guidance;
+    ASSERT_OK(hrt_session_set_config(session, &config));
+    const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
+    for (const bool cancels : {true, false}) {
+      EXPECT_EQ(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE);
+      EXPECT_EQ(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
+      hrt_reach_config reach;
+      ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+      reach.flags = HRT_REACH_START_AT_FINGER;
+      reach.real_target = real;
+      reach.virtual_target = cup;
+      ASSERT_OK(hrt_reach_begin(session, &reach));
+      rows += 3;
+      for (int i = 0; i < 200; ++i, ++rows) {
+        update(position_sample(i * 10 * ms, 0.001 * noise(), -0.04 + 0.0006 * std::max(0, i - 40)));
+        if (i % 7 != 0) continue;
+        const hrt_target_config moved = target_config(HRT_TARGET_VIRTUAL, 5.0 + 0.1 * i);
+        ASSERT_OK(hrt_target_set(session, cup, &moved));
+        EXPECT_OK(hrt_reach_retarget(session, real, cup));
+        EXPECT_EQ(hrt_reach_retarget(session, cup, cup), HRT_ERROR_OUT_OF_RANGE);
+        EXPECT_EQ(hrt_reach_retarget(session, {0}, cup), HRT_ERROR_INVALID_HANDLE);
+        rows += 3;
+      }
+      if (cancels) {
+        ASSERT_OK(hrt_reach_cancel(session));
+      } else {
+        end();
+      }
+      ++rows;
+    }
+  }
+  stop();
+  const std::string text = read(path());
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.rows, rows);
+  EXPECT_EQ(report.first_different_line, 0u);
+  for (const std::string call :
+       {"\nretarget,0,", "\nretarget,-4,", "\nretarget,-5,", "\ncancel,0,", "\ncancel,-5,"}) {
+    std::string other = text;
+    const std::size_t at = other.find(call);
+    ASSERT_NE(at, std::string::npos) << call;
+    other.replace(at, call.size(), call.substr(0, call.find(',')) + ",-9,");
+    EXPECT_NE(replay(other).first_different_line, 0u) << call;
+  }
 }
 
 // The checked-in recording was made by play(); every host, compiler and optimisation gives these bits. After

@@ -15,6 +15,10 @@ from ._struct import Struct
 
 VERSION = (0, 3, 0)
 """Of the headers that this was written from."""
+ASSIGN_EXCLUSIVE = 1
+"""A real target serves one virtual target at most. Otherwise it may serve any number."""
+ASSIGN_TARGETS_MAX = 1000
+"""Maximum number of virtual targets, and of real ones, in hrt_target_assign()."""
 OK = 0
 CALIBRATIONS_MAX = 16
 """Maximum number of calibrations in a process."""
@@ -178,9 +182,14 @@ class ReachFlag(IntFlag):
 
     PLATE_ORIENTATION: `plate_orientation_deg` is given. Otherwise the plate is at the session's last
         command, at first 0.
+    START_AT_FINGER: The reach starts where the finger is first seen, instead of at
+        SessionConfig.start_position_m: directions and distances are measured from there. The plate stands
+        ready for the configured start until then, and samples before it are not counted. In a reach of
+        directions alone this has no effect. Since version 0.3.
     """
 
     PLATE_ORIENTATION = 1
+    START_AT_FINGER = 2
 
 
 class SampleFlag(IntFlag):
@@ -263,6 +272,21 @@ class Ending(IntEnum):
     CUT = 1
     LOST_ROWS = 2
     ALTERED = 3
+
+
+class StateFlag(IntFlag):
+    """What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin.
+
+    READY: a real and a virtual target are there, and no reach is under way
+    REACHING: a reach is under way
+    CALIBRATING: A trial of a calibration that was created from this session is under way.
+    RECORDING: the calls of the session are recorded
+    """
+
+    READY = 1
+    REACHING = 2
+    CALIBRATING = 4
+    RECORDING = 8
 
 
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
@@ -1004,7 +1028,8 @@ class SceneTarget(Struct):
     """A target of a scene.
 
     role: Role.
-    served_by: Index of the real target that serves this virtual one; -1 for a real target.
+    served_by: Index of the real target that serves this virtual one: the one that the file names, or else
+        the nearest in direction, the first among equals; -1 for a real target.
     position_m: In plate coordinates; y is the height above the plate.
     world_position_m
     direction_deg: From the start, along the plate.
@@ -1051,6 +1076,10 @@ def declare(library: CDLL) -> None:
     library.hrt_session_config_default.restype = c_int32
     library.hrt_session_create.argtypes = (POINTER(SessionConfig), POINTER(SessionHandle))
     library.hrt_session_create.restype = c_int32
+    library.hrt_session_is_valid.argtypes = (SessionHandle,)
+    library.hrt_session_is_valid.restype = c_uint32
+    library.hrt_session_get_state.argtypes = (SessionHandle, POINTER(c_uint32))
+    library.hrt_session_get_state.restype = c_int32
     library.hrt_session_destroy.argtypes = (SessionHandle,)
     library.hrt_session_destroy.restype = c_int32
     library.hrt_session_get_config.argtypes = (SessionHandle, POINTER(SessionConfig))
@@ -1077,12 +1106,18 @@ def declare(library: CDLL) -> None:
     library.hrt_authority_query_all.restype = c_int32
     library.hrt_authority_query_best.argtypes = (SessionHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query_best.restype = c_int32
+    library.hrt_target_assign.argtypes = (SessionHandle, POINTER(TargetHandle), c_uint32, POINTER(TargetHandle), c_uint32, c_uint32, c_uint32, POINTER(Authority))
+    library.hrt_target_assign.restype = c_int32
     library.hrt_reach_config_default.argtypes = (POINTER(ReachConfig), c_uint32)
     library.hrt_reach_config_default.restype = c_int32
     library.hrt_reach_begin.argtypes = (SessionHandle, POINTER(ReachConfig))
     library.hrt_reach_begin.restype = c_int32
     library.hrt_reach_update.argtypes = (SessionHandle, POINTER(Sample), POINTER(Command))
     library.hrt_reach_update.restype = c_int32
+    library.hrt_reach_retarget.argtypes = (SessionHandle, TargetHandle, TargetHandle)
+    library.hrt_reach_retarget.restype = c_int32
+    library.hrt_reach_cancel.argtypes = (SessionHandle,)
+    library.hrt_reach_cancel.restype = c_int32
     library.hrt_reach_end.argtypes = (SessionHandle, POINTER(ReachSummary))
     library.hrt_reach_end.restype = c_int32
     library.hrt_calibration_config_default.argtypes = (POINTER(CalibrationConfig), c_uint32)
@@ -1107,10 +1142,6 @@ def declare(library: CDLL) -> None:
     library.hrt_set_allocator.restype = c_int32
     library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
     library.hrt_set_log_callback.restype = c_int32
-    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
-    library.hrt_profile_save.restype = c_int32
-    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
-    library.hrt_profile_load.restype = c_int32
     library.hrt_recording_start.argtypes = (SessionHandle, c_char_p)
     library.hrt_recording_start.restype = c_int32
     library.hrt_recording_get_status.argtypes = (SessionHandle, POINTER(RecordingStatus))
@@ -1133,3 +1164,7 @@ def declare(library: CDLL) -> None:
     library.hrt_scene_get_target.restype = c_int32
     library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint64, POINTER(TargetHandle))
     library.hrt_scene_register.restype = c_int32
+    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
+    library.hrt_profile_save.restype = c_int32
+    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
+    library.hrt_profile_load.restype = c_int32

@@ -6,6 +6,7 @@ import ctypes
 import time
 from collections.abc import Sequence
 from ctypes import byref
+from typing import Protocol
 
 from . import _abi
 from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
@@ -36,22 +37,31 @@ class Pace:
             time.sleep(0.001)
 
 
+class HasHandle(Protocol):
+    """A Target."""
+
+    handle: _abi.TargetHandle
+
+
 class Reach:
     """A running reach, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
 
     def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
-                 plate_orientation_deg: float | None, pace: Pace | None) -> None:
+                 plate_orientation_deg: float | None, start_at_finger: bool, pace: Pace | None) -> None:
         config = ReachConfig()
         check(library().hrt_reach_config_default(byref(config), ctypes.sizeof(config)))
         config.real_target = real
         config.virtual_target = virtual
         if plate_orientation_deg is not None:
-            config.flags = ReachFlag.PLATE_ORIENTATION
+            config.flags |= ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
+        if start_at_finger:
+            config.flags |= ReachFlag.START_AT_FINGER
         check(library().hrt_reach_begin(session, byref(config)))
         self._session = session
         self._pace = pace
         self._command = Command()
+        self._cancelled = False
         self.summary: ReachSummary | None = None
         """What became of the reach, once it has ended."""
 
@@ -112,6 +122,15 @@ class Reach:
                 text = library().hrt_last_error().decode(errors="replace")
                 raise Error(result, f"samples[{row}]: {text}")
 
+    def retarget(self, real: HasHandle, virtual: HasHandle) -> None:
+        """Leads the reach to other targets from now on, or to the same ones after they were moved."""
+        check(library().hrt_reach_retarget(self._session, real.handle, virtual.handle))
+
+    def cancel(self) -> None:
+        """Ends the reach without a summary; nothing is learnt from it."""
+        check(library().hrt_reach_cancel(self._session))
+        self._cancelled = True
+
     def end(self) -> ReachSummary:
         """Ends the reach and returns its summary."""
         summary = ReachSummary()
@@ -123,7 +142,7 @@ class Reach:
         return self
 
     def __exit__(self, kind: object, *_: object) -> None:
-        if self.summary is None:
+        if self.summary is None and not self._cancelled:
             try:
                 self.end()
             except Error:

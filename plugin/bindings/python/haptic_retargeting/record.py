@@ -26,6 +26,7 @@ class ReachRecord:
 
     config: SessionConfig
     real_direction_deg: float
+    """This and the next three as the reach began."""
     virtual_direction_deg: float
     real_distance_m: float
     start_position_m: Numbers
@@ -122,6 +123,7 @@ _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
 _TEXTS = ("call", "refused_argument")
+_CALLS = ("begin", "update", "retarget", "cancel", "end")
 
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
 
@@ -252,8 +254,8 @@ def _number(name: str, cell: str) -> float | None:
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
         raise ValueError("a row before the configuration")
-    if row["call"] not in ("begin", "update", "end"):
-        raise ValueError(f"the row's call is {row['call']!r}; allowed: begin, update, end")
+    if row["call"] not in _CALLS:
+        raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")
     if row["call"] == "begin" and row["result"] == _abi.OK:
         for column in _BEGIN_COLUMNS:
             if row[column] is None:
@@ -261,6 +263,8 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
         reaches.append(_Rows(config, row))
     elif row["call"] == "update" and not row["refused_argument"] and reaches and not reaches[-1].ended:
         reaches[-1].updates.append(row)
+    elif row["call"] == "cancel" and row["result"] == _abi.OK and reaches:
+        reaches[-1].ended = True
     elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
         reaches[-1].ended = True
         direction_deg = row.get("finger_direction_deg")

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _abi
-from ._abi import Authority, CalibrationResult, Place, RecordingStatus, Role, SessionConfig, TargetConfig
+from ._abi import Authority, CalibrationResult, Place, RecordingStatus, Role, SessionConfig, StateFlag, TargetConfig
 from ._library import Error, check, library
 from .reach import Pace, Reach
 from .record import ReachRecord, target_place
@@ -52,7 +52,8 @@ class Target:
         return Role(self.config.role)
 
     def configure(self, **fields: Any) -> None:
-        """Sets fields of TargetConfig; the others stay. A running reach keeps the former target."""
+        """Sets fields of TargetConfig; the others stay. A running reach keeps the former target until
+        Reach.retarget()."""
         config = self.config
         for name, value in fields.items():
             setattr(config, name, value)
@@ -205,15 +206,23 @@ class Session:
 
     # Reaches
 
-    def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None) -> Reach:
+    @property
+    def state(self) -> StateFlag:
+        """What the session is about now; 0: idle."""
+        state = ctypes.c_uint32()
+        check(library().hrt_session_get_state(self.handle, byref(state)))
+        return StateFlag(state.value)
+
+    def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
+              start_at_finger: bool = False) -> Reach:
         """Begins a reach. `plate_orientation_deg` is where the plate stands; without it, where the session's last
-        command left it.
+        command left it. With `start_at_finger` directions are measured from the first position.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
             print(reach.summary.bearing_error_deg)
         """
-        return Reach(self.handle, real.handle, virtual.handle, plate_orientation_deg, self._pace)
+        return Reach(self.handle, real.handle, virtual.handle, plate_orientation_deg, start_at_finger, self._pace)
 
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
                   plate_orientation_deg: float | None = None) -> ReachRecord:

@@ -136,6 +136,25 @@ namespace Hrt
                        IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
         }
 
+        /// <summary>Leads the reach to other targets from now on, or to the same ones, to where their Transforms are
+        /// now: each frame, if they move.</summary>
+        public void RetargetReach(Transform realTarget, Transform virtualTarget)
+        {
+            HapticRetargetingSession session = EnabledSession();
+            TargetId real = IdOf(realTarget, realIds, nameof(realTarget));
+            TargetId seen = IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
+            session.SetTarget(real, OnPlate(realTarget, TargetRole.Real));
+            session.SetTarget(seen, OnPlate(virtualTarget, TargetRole.Virtual));
+            session.RetargetReach(real, seen);
+        }
+
+        /// <summary>Ends the reach without a summary; nothing is learnt from it.</summary>
+        public void CancelReach()
+        {
+            EnabledSession().CancelReach();
+            IsReaching = false;
+        }
+
         public ReachSummary EndReach()
         {
             ReachSummary summary = EnabledSession().EndReach();
@@ -298,6 +317,17 @@ namespace Hrt
             if (start != null)
                 config.startPositionM =
                     Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (start.position - plate.position));
+            return config;
+        }
+
+        // Where a target is on the plate, which may have moved since the reach began.
+        TargetConfig OnPlate(Transform target, TargetRole role)
+        {
+            TargetConfig config = TargetConfig.Default;
+            config.role = role;
+            config.place = Place.PlatePosition;
+            config.positionM =
+                Axes.FromUnity(Quaternion.Inverse(plate.rotation) * (target.position - plate.position));
             return config;
         }
 

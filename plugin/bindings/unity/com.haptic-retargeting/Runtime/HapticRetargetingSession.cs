@@ -44,6 +44,16 @@ namespace Hrt
             }
         }
 
+        /// <summary>What the session is about now; None: idle.</summary>
+        public StateFlags State
+        {
+            get
+            {
+                Check(Native.hrt_session_get_state(Handle, out uint state));
+                return (StateFlags)state;
+            }
+        }
+
         public TargetId AddTarget(TargetConfig config)
         {
             config.structSize = SizeOf<TargetConfig>.Value;
@@ -62,7 +72,8 @@ namespace Hrt
             return AddTarget(config);
         }
 
-        /// <summary>Changes a target; its id stays. A running reach keeps the former target.</summary>
+        /// <summary>Changes a target; its id stays. A running reach keeps the former target until
+        /// <see cref="RetargetReach"/>.</summary>
         public void SetTarget(TargetId target, TargetConfig config)
         {
             config.structSize = SizeOf<TargetConfig>.Value;
@@ -169,6 +180,19 @@ namespace Hrt
         public bool TryUpdate(Sample sample, out Command command)
         {
             return Exchange(ref sample, out command) == Result.Ok;
+        }
+
+        /// <summary>Leads the reach to other targets from now on, or to the same ones after
+        /// <see cref="SetTarget"/> has moved them.</summary>
+        public void RetargetReach(TargetId realTarget, TargetId virtualTarget)
+        {
+            Check(Native.hrt_reach_retarget(Handle, realTarget, virtualTarget));
+        }
+
+        /// <summary>Ends the reach without a summary; nothing is learnt from it.</summary>
+        public void CancelReach()
+        {
+            Check(Native.hrt_reach_cancel(Handle));
         }
 
         public ReachSummary EndReach()

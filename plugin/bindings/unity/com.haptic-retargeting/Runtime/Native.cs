@@ -6,6 +6,11 @@ namespace Hrt
 {
     public static class Constants
     {
+        /// <summary>A real target serves one virtual target at most. Otherwise it may serve any
+        /// number.</summary>
+        public const int AssignExclusive = 1;
+        /// <summary>Maximum number of virtual targets, and of real ones, in hrt_target_assign().</summary>
+        public const int AssignTargetsMax = 1000;
         /// <summary>Version of these headers. hrt_get_version() returns the library's.</summary>
         public const int VersionMajor = 0;
         public const int VersionMinor = 3;
@@ -145,6 +150,22 @@ namespace Hrt
         PlateWaits = 1,
     }
 
+    /// <summary>What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can
+    /// begin.</summary>
+    [Flags]
+    public enum StateFlags : uint
+    {
+        None = 0,
+        /// <summary>a real and a virtual target are there, and no reach is under way</summary>
+        Ready = 1,
+        /// <summary>a reach is under way</summary>
+        Reaching = 2,
+        /// <summary>A trial of a calibration that was created from this session is under way.</summary>
+        Calibrating = 4,
+        /// <summary>the calls of the session are recorded</summary>
+        Recording = 8,
+    }
+
     /// <summary>Role of a target.</summary>
     public enum TargetRole : uint
     {
@@ -173,6 +194,11 @@ namespace Hrt
         /// <summary><c>plateOrientationDeg</c> is given. Otherwise the plate is at the session's last
         /// command, at first 0.</summary>
         PlateOrientation = 1,
+        /// <summary>The reach starts where the finger is first seen, instead of at
+        /// SessionConfig.startPositionM: directions and distances are measured from there. The plate stands
+        /// ready for the configured start until then, and samples before it are not counted. In a reach of
+        /// directions alone this has no effect. Since version 0.3.</summary>
+        StartAtFinger = 2,
     }
 
     /// <summary>Sample.flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
@@ -730,7 +756,8 @@ namespace Hrt
         public uint structSize;
         /// <summary>TargetRole.</summary>
         public TargetRole role;
-        /// <summary>Index of the real target that serves this virtual one; -1 for a real target.</summary>
+        /// <summary>Index of the real target that serves this virtual one: the one that the file names, or
+        /// else the nearest in direction, the first among equals; -1 for a real target.</summary>
         public int servedBy;
         public uint reserved;
         /// <summary>In plate coordinates; y is the height above the plate.</summary>
@@ -783,6 +810,12 @@ namespace Hrt
             ref SessionConfig config, out SessionHandle outSession);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern uint hrt_session_is_valid(SessionHandle session);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_session_get_state(SessionHandle session, out uint outState);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_session_destroy(SessionHandle session);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -832,6 +865,12 @@ namespace Hrt
             SessionHandle session, TargetId virtualTarget, ref Authority outAuthority);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_target_assign(
+            SessionHandle session, [In] TargetId[] virtualTargets, uint virtualCount,
+            [In] TargetId[] realTargets, uint realCount, uint flags, uint capacity,
+            [In, Out] Authority[] outAuthorities);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_reach_config_default(ref ReachConfig outConfig, uint structSize);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -840,6 +879,13 @@ namespace Hrt
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_reach_update(
             SessionHandle session, ref Sample sample, ref Command outCommand);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_reach_retarget(
+            SessionHandle session, TargetId realTarget, TargetId virtualTarget);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_reach_cancel(SessionHandle session);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_reach_end(SessionHandle session, ref ReachSummary outSummary);
@@ -884,13 +930,6 @@ namespace Hrt
         internal static extern Result hrt_set_log_callback(LogCallback callback, IntPtr context);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_profile_save(
-            SessionHandle session, ulong capacity, [In, Out] byte[] outText, out ulong outLength);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        internal static extern Result hrt_profile_load(SessionHandle session, [In] byte[] text, ulong length);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_recording_start(SessionHandle session, [In] byte[] path);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
@@ -928,5 +967,12 @@ namespace Hrt
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_scene_register(
             SceneHandle scene, SessionHandle session, ulong capacity, [In, Out] TargetId[] outTargets);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_profile_save(
+            SessionHandle session, ulong capacity, [In, Out] byte[] outText, out ulong outLength);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        internal static extern Result hrt_profile_load(SessionHandle session, [In] byte[] text, ulong length);
     }
 }

@@ -84,6 +84,19 @@ bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FStr
 	return Add(Config, OutTarget);
 }
 
+bool UHapticRetargetingComponent::MoveTarget(const FHapticTarget& Target, const FVector& Location)
+{
+	hrt_target_config Config{};
+	Config.struct_size = sizeof Config;
+	if (!Configure() || !Succeeded(hrt_target_get(Session, ToTarget(Target), &Config)))
+	{
+		return false;
+	}
+	Config.place = HRT_PLACE_WORLD_POSITION;
+	ToMetres(Location, Config.position_m);
+	return Succeeded(hrt_target_set(Session, ToTarget(Target), &Config));
+}
+
 bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
 {
 	return Succeeded(hrt_target_remove(Session, ToTarget(Target)));
@@ -174,6 +187,21 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 	{
 		OnPlateCommanded.Broadcast(Turned(Decided.plate_orientation_deg));
 	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
+{
+	return Succeeded(hrt_reach_retarget(Session, ToTarget(Real), ToTarget(Virtual)));
+}
+
+bool UHapticRetargetingComponent::CancelReach()
+{
+	if (!Succeeded(hrt_reach_cancel(Session)))
+	{
+		return false;
+	}
+	bReaching = false;
 	return true;
 }
 

@@ -46,6 +46,10 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location, FHapticTarget& OutTarget);
 
+	/** Moves a target; a running reach follows with RetargetReach. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool MoveTarget(const FHapticTarget& Target, const FVector& Location);
+
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RemoveTarget(const FHapticTarget& Target);
 
@@ -67,6 +71,14 @@ public:
 	/** The tracker does not see the finger. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateLost(double Time);
+
+	/** Leads the reach to other targets from now on, or to the same ones after they were moved. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
+
+	/** Ends the reach without a summary; nothing is learnt from it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool CancelReach();
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool EndReach(FHapticSummary& OutSummary);

@@ -1,0 +1,7 @@
+/* A module of an engine that has the library inside. */
+#include <haptic_retargeting/haptic_retargeting.h>
+
+hrt_result engine_start(hrt_session* out_session) {
+  const hrt_session_config config = hrt_session_config_init();
+  return hrt_session_create(&config, out_session);
+}

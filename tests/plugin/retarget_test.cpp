@@ -1,0 +1,296 @@
+// Reaches that change their mind: other targets, a start where the finger is, no end.
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <vector>
+
+#include "core/plate_frame.h"
+#include "core/simulation/people.h"
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+class RetargetTest : public SessionTest {
+ protected:
+  hrt_target add_at(std::uint32_t role, double right_m, double forward_m) {
+    hrt_target target{};
+    const hrt_target_config config = placed(role, right_m, forward_m);
+    EXPECT_OK(hrt_target_add(session, &config, &target));
+    return target;
+  }
+
+  static hrt_target_config placed(std::uint32_t role, double right_m, double forward_m) {
+    hrt_target_config config = target_config(role, 0.0);
+    config.place = HRT_PLACE_PLATE_POSITION;
+    config.position_m[0] = right_m;
+    config.position_m[2] = -forward_m;
+    return config;
+  }
+
+  hrt_result begin_at_finger(hrt_target real_target, hrt_target virtual_target) {
+    hrt_reach_config config;
+    EXPECT_OK(hrt_reach_config_default(&config, sizeof config));
+    config.flags = HRT_REACH_START_AT_FINGER;
+    config.real_target = real_target;
+    config.virtual_target = virtual_target;
+    return hrt_reach_begin(session, &config);
+  }
+
+  /// A finger that slides straight ahead from the start, 10 cm in 1.5 s.
+  hrt_command slide(std::int64_t from_ms, std::int64_t until_ms) {
+    hrt_command command{};
+    for (std::int64_t t = from_ms; t < until_ms; t += 10) {
+      const double u = std::clamp(static_cast<double>(t - 300) / 1500.0, 0.0, 1.0);
+      command =
+          update(position_sample(t * ms, 0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))));
+    }
+    return command;
+  }
+
+  void expect_state(std::uint32_t expected) const {
+    std::uint32_t state = 99;
+    EXPECT_OK(hrt_session_get_state(session, &state));
+    EXPECT_EQ(state, expected);
+  }
+};
+
+TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
+  expect_state(0);
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0);
+  expect_state(0);
+  const hrt_target cup = add(HRT_TARGET_VIRTUAL, 5.0);
+  expect_state(HRT_STATE_READY);
+  const hrt_target_config another_role = target_config(HRT_TARGET_REAL, 5.0);
+  ASSERT_OK(hrt_target_set(session, cup, &another_role));
+  expect_state(0);
+  const hrt_target_config former_role = target_config(HRT_TARGET_VIRTUAL, 5.0);
+  ASSERT_OK(hrt_target_set(session, cup, &former_role));
+  ASSERT_OK(hrt_recording_start(session, null_device));
+  expect_state(HRT_STATE_READY | HRT_STATE_RECORDING);
+  ASSERT_OK(begin(real, cup));
+  expect_state(HRT_STATE_REACHING | HRT_STATE_RECORDING);
+  ASSERT_OK(hrt_target_remove(session, cup));
+  expect_state(HRT_STATE_REACHING | HRT_STATE_RECORDING);
+  end();
+  auto status = output<hrt_recording_status>();
+  ASSERT_OK(hrt_recording_stop(session, &status));
+  expect_state(0);
+  expect_error(hrt_session_get_state(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_state");
+  std::uint32_t state = 0;
+  expect_error(hrt_session_get_state({7}, &state), HRT_ERROR_INVALID_HANDLE, "session 7");
+}
+
+TEST_F(RetargetTest, StateSaysThatATrialIsUnderWay) {
+  hrt_calibration_config config;
+  ASSERT_OK(hrt_calibration_config_default(&config, sizeof config));
+  hrt_calibration first{}, second{};
+  ASSERT_OK(hrt_calibration_create(session, &config, &first));
+  ASSERT_OK(hrt_calibration_create(session, &config, &second));
+  expect_state(0);
+  ASSERT_OK(hrt_calibration_begin_trial(first, 30.0));
+  expect_state(HRT_STATE_CALIBRATING);
+  ASSERT_OK(hrt_calibration_begin_trial(second, 30.0));
+  ASSERT_OK(hrt_calibration_end_trial(first));
+  expect_state(HRT_STATE_CALIBRATING);
+  ASSERT_OK(hrt_calibration_cancel_trial(second));
+  expect_state(0);
+  ASSERT_OK(hrt_calibration_begin_trial(second, 30.0));
+  ASSERT_OK(hrt_calibration_destroy(second));
+  expect_state(0);
+  ASSERT_OK(hrt_calibration_begin_trial(first, 30.0));
+  ASSERT_OK(hrt_session_destroy(session));
+  session.value = 0;
+  ASSERT_OK(hrt_calibration_destroy(first));
+}
+
+TEST_F(RetargetTest, IsValidWhileTheSessionExists) {
+  EXPECT_EQ(hrt_session_is_valid({0}), 0u);
+  EXPECT_EQ(hrt_session_is_valid({42}), 0u);
+  EXPECT_EQ(hrt_session_is_valid({~0ull}), 0u);
+  EXPECT_EQ(hrt_session_is_valid(session), 1u);
+  const hrt_session former = session;
+  ASSERT_OK(hrt_session_destroy(session));
+  EXPECT_EQ(hrt_session_is_valid(former), 0u);
+  const hrt_session_config config = session_config();
+  ASSERT_OK(hrt_session_create(&config, &session));
+  EXPECT_EQ(hrt_session_is_valid(former), 0u);
+  EXPECT_EQ(hrt_session_is_valid(session), 1u);
+}
+
+TEST_F(RetargetTest, ACancelledReachTeachesNothing) {
+  expect_error(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  const hrt_session_config before = config_of(session);
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0);
+  ASSERT_OK(begin(real, cup));
+  slide(0, 2200);
+  ASSERT_OK(hrt_reach_cancel(session));
+  const hrt_session_config after = config_of(session);
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
+  auto summary = output<hrt_reach_summary>();
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  ASSERT_OK(begin(real, cup)) << "another one may begin";
+  slide(0, 2200);
+  end();
+  const hrt_session_config learnt = config_of(session);
+  EXPECT_NE(std::memcmp(&before, &learnt, sizeof before), 0) << "a reach that ends teaches";
+}
+
+TEST_F(RetargetTest, ThePlateIsWhereACancelledReachLeftIt) {
+  create(paper_config());
+  ASSERT_OK(begin(add(HRT_TARGET_REAL, -5.0), add(HRT_TARGET_VIRTUAL, 5.0)));
+  const double left_deg = update(direction_sample(0, 1.0)).plate_orientation_deg;
+  ASSERT_NE(left_deg, 0.0);
+  ASSERT_OK(hrt_reach_cancel(session));
+  hrt_reach_config config;
+  ASSERT_OK(hrt_reach_config_default(&config, sizeof config));
+  config.real_target = add(HRT_TARGET_REAL, 0.0);
+  config.virtual_target = add(HRT_TARGET_VIRTUAL, 0.0);
+  ASSERT_OK(hrt_reach_begin(session, &config));
+  auto lost = output<hrt_sample>();
+  EXPECT_EQ(update(lost).plate_orientation_deg, left_deg);
+}
+
+TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
+  const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, 5.0),
+                   behind = add(HRT_TARGET_REAL, 170.0);
+  expect_error(hrt_reach_retarget(session, real, cup), HRT_ERROR_WRONG_STATE, "no reach is under way");
+  expect_error(hrt_reach_retarget({0}, real, cup), HRT_ERROR_INVALID_HANDLE, "session 0");
+  ASSERT_OK(begin(real, cup));
+  slide(0, 900);
+  expect_error(hrt_reach_retarget(session, {0}, cup), HRT_ERROR_INVALID_HANDLE, "real_target");
+  expect_error(hrt_reach_retarget(session, real, {12}), HRT_ERROR_INVALID_HANDLE, "virtual_target");
+  expect_error(hrt_reach_retarget(session, cup, cup), HRT_ERROR_OUT_OF_RANGE, "a real one is needed");
+  expect_error(hrt_reach_retarget(session, real, real), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
+  expect_error(hrt_reach_retarget(session, behind, cup), HRT_ERROR_OUT_OF_RANGE, "90 degrees apart");
+  const double to_go_m = slide(900, 910).distance_to_go_m;
+  EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach goes on as before";
+}
+
+// Another target, or the same one elsewhere: the distance to go is that to its new place.
+TEST_F(RetargetTest, LeadsToTheNewPlaces) {
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
+    hrt_session_config config = session_config();
+    config.guidance = guidance;
+    create(config);
+    const hrt_target real = add_at(HRT_TARGET_REAL, 0.009, 0.05),
+                     cup = add_at(HRT_TARGET_VIRTUAL, -0.009, 0.05);
+    ASSERT_OK(begin(real, cup));
+    const double before_m = slide(0, 900).distance_to_go_m;
+    const hrt_target_config real_moved = placed(HRT_TARGET_REAL, -0.02, 0.05),
+                            cup_moved = placed(HRT_TARGET_VIRTUAL, -0.035, 0.05);
+    ASSERT_OK(hrt_target_set(session, real, &real_moved));
+    ASSERT_OK(hrt_target_set(session, cup, &cup_moved));
+    EXPECT_NEAR(slide(900, 910).distance_to_go_m, before_m, 0.002) << "not before it is said";
+    ASSERT_OK(hrt_reach_retarget(session, real, cup));
+    const hrt_command command = slide(910, 920);
+    const double u = 610.0 / 1500.0;
+    const PlatePoint finger{0.0, -0.05 + 0.1 * u * u * u * (10.0 + u * (-15.0 + 6.0 * u))};
+    EXPECT_NEAR(command.distance_to_go_m, distance_m(finger, {-0.02, 0.05}), 0.003);
+    EXPECT_NEAR(command.aimed_direction_deg, bearing_deg(finger, {-0.02, 0.05}), 3.0) << guidance;
+    slide(920, 2200);
+    const hrt_reach_summary summary = end();
+    EXPECT_NEAR(summary.distance_to_target_m, 0.02, 0.002);
+  }
+}
+
+TEST_F(RetargetTest, StartsWhereTheFingerIsFirstSeen) {
+  const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
+    hrt_session_config config = config_of(session);
+    config.guidance = guidance;
+    ASSERT_OK(hrt_session_set_config(session, &config));
+    ASSERT_OK(begin_at_finger(real, cup));
+    auto lost = output<hrt_sample>();
+    update(lost);
+    const hrt_command first = update(position_sample(10 * ms, 0.02, -0.02));
+    EXPECT_NEAR(first.distance_to_go_m, distance_m({0.02, -0.02}, {0.03, 0.04}), 1e-9);
+    EXPECT_NEAR(first.aimed_direction_deg, bearing_deg({0.02, -0.02}, {0.03, 0.04}), 1e-9);
+    end();
+  }
+}
+
+TEST_F(RetargetTest, GivesTheCommandsOfASessionThatIsConfiguredForThatStart) {
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
+    std::vector<hrt_command> commands[2];
+    for (const bool at_finger : {false, true}) {
+      hrt_session_config config = session_config();
+      config.guidance = guidance;
+      if (!at_finger) config.start_position_m[0] = 0.02;
+      create(config);
+      const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.05),
+                       cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.05);
+      ASSERT_OK(at_finger ? begin_at_finger(real, cup) : begin(real, cup));
+      for (int i = 0; i < 150; ++i)
+        commands[at_finger].push_back(
+            update(position_sample(i * 11 * ms, 0.02, -0.05 + std::max(0, i - 30) * 0.0008)));
+    }
+    for (std::size_t i = 0; i < commands[0].size(); ++i)
+      ASSERT_EQ(std::memcmp(&commands[0][i], &commands[1][i], sizeof(hrt_command)), 0) << i;
+  }
+}
+
+TEST_F(RetargetTest, AFingerOnItsTargetStartsNothing) {
+  const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
+  ASSERT_OK(begin_at_finger(real, cup));
+  auto command = output<hrt_command>();
+  hrt_sample sample = position_sample(0, 0.03, 0.04);
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "real_target is 0 m");
+  sample = position_sample(0, 0.02, 0.04);
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "virtual_target is 0 m");
+  sample = position_sample(0, 0.025, 0.04);
+  expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, "90 degrees apart");
+  update(position_sample(0, 0.0, -0.05));
+  update(position_sample(1, 0.03, 0.04));
+  end();
+}
+
+TEST_F(RetargetTest, RemovedTargetsStillStartAtTheFinger) {
+  const hrt_target real = add_at(HRT_TARGET_REAL, 0.03, 0.04), cup = add_at(HRT_TARGET_VIRTUAL, 0.02, 0.04);
+  ASSERT_OK(begin_at_finger(real, cup));
+  ASSERT_OK(hrt_target_remove(session, real));
+  ASSERT_OK(hrt_target_remove(session, cup));
+  EXPECT_NEAR(update(position_sample(0, 0.02, -0.02)).distance_to_go_m, std::hypot(0.01, 0.06), 1e-9);
+}
+
+// A person whose targets move by 3 cm to the left in the midst of the motion, through the C ABI.
+TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 400.0;
+  create(config);
+  const PlatePoint start{0.0, -0.05};
+  const PlatePoint real_place = point_ahead(start, -5.0, 0.1), seen_place = point_ahead(start, 5.0, 0.1);
+  const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_m, real_place.away_m),
+                   cup = add_at(HRT_TARGET_VIRTUAL, seen_place.right_m, seen_place.away_m);
+  SlidingPerson person({.illusion = {.tactile_weight = 0.25}, .noise_deg2_per_s = 0.0, .duration_s = 2.0},
+                       start, 5.0, 0.1, {1, 0, 0, 0});
+  ASSERT_OK(begin(real, cup));
+  double plate_deg = 0.0;
+  for (std::int64_t t = 0; !person.done(); ++t) {
+    if (t > 500) person.advance(plate_deg);
+    if (t == 500 + 900) {
+      const hrt_target_config real_moved =
+                                  placed(HRT_TARGET_REAL, real_place.right_m - 0.03, real_place.away_m),
+                              cup_moved =
+                                  placed(HRT_TARGET_VIRTUAL, seen_place.right_m - 0.03, seen_place.away_m);
+      ASSERT_OK(hrt_target_set(session, real, &real_moved));
+      ASSERT_OK(hrt_target_set(session, cup, &cup_moved));
+      ASSERT_OK(hrt_reach_retarget(session, real, cup));
+      person.retarget({seen_place.right_m - 0.03, seen_place.away_m});
+    }
+    if (t % 10 == 0)
+      plate_deg = update(position_sample(t * ms, person.position().right_m, person.position().away_m))
+                      .plate_orientation_deg;
+  }
+  const PlatePoint moved{real_place.right_m - 0.03, real_place.away_m};
+  EXPECT_NEAR(bearing_deg(start, person.position()), bearing_deg(start, moved), 1.5);
+  const hrt_reach_summary summary = end();
+  EXPECT_EQ(summary.flags, 0u);
+  EXPECT_NEAR(summary.bearing_error_deg, bearing_deg(start, person.position()) - bearing_deg(start, moved),
+              0.2);
+}
+
+}  // namespace
+}  // namespace hrt::test
