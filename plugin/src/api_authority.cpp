@@ -45,7 +45,7 @@ hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_t
 
 // Of the ids given, none twice.
 hrt_result find_targets(const Targets& targets, const char* argument, const hrt_target* given,
-                        std::uint32_t count, std::uint32_t role,
+                        std::uint64_t count, std::uint32_t role,
                         std::vector<const hrt_target_config*>* out_configs) {
   if (count == 0 || count > HRT_ASSIGN_TARGETS_MAX)
     return fail(HRT_ERROR_OUT_OF_RANGE, "the count of ", argument, " is ", count, "; allowed: 1 to ",
@@ -53,7 +53,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
   if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, argument, " is null");
   std::vector<std::uint64_t> ids;
   out_configs->resize(count);
-  for (std::uint32_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i) {
     Text<40> element;
     element << argument << "[" << i << "]";
     HRT_RETURN_IF_FAILED(find_target(targets, element.c_str(), given[i], role, &(*out_configs)[i]));
@@ -140,9 +140,9 @@ hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_targ
   });
 }
 
-hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets, uint32_t virtual_count,
-                             const hrt_target* real_targets, uint32_t real_count, uint32_t flags,
-                             uint32_t capacity, hrt_authority* out_authorities) noexcept {
+hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
+                             const hrt_target* real_targets, uint64_t real_count, uint32_t flags,
+                             uint64_t capacity, hrt_authority* out_authorities) noexcept {
   return with_session("hrt_target_assign", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_flags(flags, HRT_ASSIGN_EXCLUSIVE));
     const Targets& targets = s.session().targets;

@@ -81,7 +81,7 @@ class RealTimeTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
-    hrt_reach_config_default(&reach, sizeof reach);
+    reach = hrt_reach_config_init();
     reach.real_target = add(HRT_TARGET_REAL, -5.0);
     reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   }

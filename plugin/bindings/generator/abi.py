@@ -126,7 +126,7 @@ def read(include: Path) -> Abi:
         raise HeaderError(f"no headers in {include}/haptic_retargeting")
     texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
     macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
-    macros = [name for name in macros if name not in ("HRT_API", "HRT_NOEXCEPT")]
+    macros = [name for name in macros if name not in ("HRT_API", "HRT_NODISCARD", "HRT_NOEXCEPT")]
     try:
         tree = c_parser.CParser().parse(_preprocess(include, macros))
     except c_parser.ParseError as error:

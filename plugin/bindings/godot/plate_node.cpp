@@ -147,8 +147,7 @@ std::array<double, 4> to_quaternion(const Pose& pose) {
 
 /** A name that does not fit has no zero at its end, which the plugin refuses. */
 hrt_target_config target_config(uint32_t role, const std::string& name) {
-  hrt_target_config config;
-  hrt_target_config_default(&config, sizeof config);
+  hrt_target_config config = hrt_target_config_init();
   config.role = role;
   name.copy(config.name, sizeof config.name);
   return config;
@@ -213,9 +212,7 @@ int64_t to_godot_error(hrt_result result) {
   }
 }
 
-PlateNode::PlateNode(Engine& engine) : engine_(engine) {
-  hrt_session_config_default(&config_, sizeof config_);
-}
+PlateNode::PlateNode(Engine& engine) : engine_(engine), config_(hrt_session_config_init()) {}
 
 PlateNode::~PlateNode() {
   if (calibration_.value) hrt_calibration_destroy(calibration_);
@@ -328,16 +325,14 @@ Value PlateNode::remove_target(const Value* arguments) {
 }
 
 Value PlateNode::begin(const Value* arguments) {
-  hrt_reach_config config;
-  hrt_reach_config_default(&config, sizeof config);
+  hrt_reach_config config = hrt_reach_config_init();
   config.real_target = to_target(arguments[0]);
   config.virtual_target = to_target(arguments[1]);
   return begin_reach(config);
 }
 
 Value PlateNode::begin_with_plate_at(const Value* arguments) {
-  hrt_reach_config config;
-  hrt_reach_config_default(&config, sizeof config);
+  hrt_reach_config config = hrt_reach_config_init();
   config.flags = HRT_REACH_PLATE_ORIENTATION;
   config.real_target = to_target(arguments[0]);
   config.virtual_target = to_target(arguments[1]);
@@ -462,8 +457,7 @@ Value PlateNode::get_best_authority(const Value* arguments) {
 }
 
 Value PlateNode::begin_calibration(const Value* arguments) {
-  hrt_calibration_config config;
-  hrt_calibration_config_default(&config, sizeof config);
+  hrt_calibration_config config = hrt_calibration_config_init();
   config.goal_direction_deg = to_real(arguments[0]);
   hrt_calibration calibration{};
   if (!configure() || !ok(hrt_calibration_create(session_, &config, &calibration)))
@@ -521,7 +515,7 @@ Value PlateNode::end_calibration(const Value*) {
  * into the properties; others may have been set and wait. */
 void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
-  hrt_session_get_config(session_, &configured_);
+  if (!ok(hrt_session_get_config(session_, &configured_))) return;
   for (const Field& field : config_fields())
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));

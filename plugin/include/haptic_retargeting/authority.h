@@ -38,19 +38,21 @@ typedef struct hrt_authority {
 } hrt_authority;
 
 /** Computes the authority over a pair. [one-thread] */
-HRT_API hrt_result hrt_authority_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
-                                       hrt_authority* out_authority) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_authority_query(hrt_session session, hrt_target real_target,
+                                                     hrt_target virtual_target,
+                                                     hrt_authority* out_authority) HRT_NOEXCEPT;
 
 /** Computes the authority over every pair, by virtual target and then by real one, in the order of
  *  addition. `out_authorities[0].struct_size` is the size of every element. With `capacity` 0 the call
  *  only counts the pairs, and `out_authorities` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
-HRT_API hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacity,
-                                           hrt_authority* out_authorities, uint64_t* out_count) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacity,
+                                                         hrt_authority* out_authorities,
+                                                         uint64_t* out_count) HRT_NOEXCEPT;
 
 /** Finds the real target with the greatest margin for a virtual one; the first added among equals. The
  *  margin may be negative. Errors: NOT_FOUND without a real target. [one-thread] */
-HRT_API hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_target,
-                                            hrt_authority* out_authority) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_target,
+                                                          hrt_authority* out_authority) HRT_NOEXCEPT;
 
 /** Flags of hrt_target_assign(). */
 /** A real target serves one virtual target at most. Otherwise it may serve any number. */
@@ -69,10 +71,10 @@ HRT_API hrt_result hrt_authority_query_best(hrt_session session, hrt_target virt
  * `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument and the index of an id that is not of
  * its role or is there twice, also for a count of 0 or above HRT_ASSIGN_TARGETS_MAX; OUT_OF_MEMORY. Since
  * version 0.3. [one-thread] */
-HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
-                                     uint32_t virtual_count, const hrt_target* real_targets,
-                                     uint32_t real_count, uint32_t flags, uint32_t capacity,
-                                     hrt_authority* out_authorities) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
+                                                   uint64_t virtual_count, const hrt_target* real_targets,
+                                                   uint64_t real_count, uint32_t flags, uint64_t capacity,
+                                                   hrt_authority* out_authorities) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -65,6 +65,15 @@
 #define HRT_API
 #endif
 
+/* Of results that must not be ignored: of every call but those that destroy. */
+#if defined(__cplusplus) && __cplusplus >= 201703L
+#define HRT_NODISCARD [[nodiscard]]
+#elif defined(__GNUC__)
+#define HRT_NODISCARD __attribute__((warn_unused_result))
+#else
+#define HRT_NODISCARD
+#endif
+
 #if defined(__cplusplus)
 #define HRT_NOEXCEPT noexcept
 extern "C" {

@@ -70,14 +70,15 @@ typedef struct hrt_calibration_result {
 } hrt_calibration_result;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_API hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config,
-                                                  uint32_t struct_size) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config,
+                                                                uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Creates a calibration without trials. It copies the plate's pose, the lift height and the step period
  *  from the session. Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY. [one-thread] for
  *  the session */
-HRT_API hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_config* config,
-                                          hrt_calibration* out_calibration) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_create(hrt_session session,
+                                                        const hrt_calibration_config* config,
+                                                        hrt_calibration* out_calibration) HRT_NOEXCEPT;
 
 /** Destroys the calibration and its trials. Errors of this and the calls below: INVALID_HANDLE, and BUSY
  *  if another thread is in a call on this calibration. [one-thread] */
@@ -85,38 +86,38 @@ HRT_API hrt_result hrt_calibration_destroy(hrt_calibration calibration) HRT_NOEX
 
 /** Begins a trial, during which the plate stays at `plate_orientation_deg` (base.h), -3600 to 3600.
  *  Errors: OUT_OF_RANGE, WRONG_STATE during a trial, LIMIT_REACHED. [real-time] */
-HRT_API hrt_result hrt_calibration_begin_trial(hrt_calibration calibration,
-                                               double plate_orientation_deg) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_begin_trial(hrt_calibration calibration,
+                                                             double plate_orientation_deg) HRT_NOEXCEPT;
 
 /** Adds one sample: of the finger at rest, then of its slide. Dropouts, lifted fingers and repeated times
  *  are ignored without an error; so is HRT_SAMPLE_PLATE_ORIENTATION. Errors: WRONG_STATE without a trial,
  *  OUT_OF_RANGE naming the field, or flags with HRT_SAMPLE_DIRECTION: positions are needed; TIME_REVERSED
  *  within a trial, LIMIT_REACHED after max_samples. [real-time] */
-HRT_API hrt_result hrt_calibration_add_sample(hrt_calibration calibration,
-                                              const hrt_sample* sample) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_add_sample(hrt_calibration calibration,
+                                                            const hrt_sample* sample) HRT_NOEXCEPT;
 
 /** Ends the trial and keeps it. Errors: WRONG_STATE without a trial. [real-time] */
-HRT_API hrt_result hrt_calibration_end_trial(hrt_calibration calibration) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_end_trial(hrt_calibration calibration) HRT_NOEXCEPT;
 
 /** Ends the trial and discards it, for example after a slip. Errors: WRONG_STATE without a trial.
  *  [real-time] */
-HRT_API hrt_result hrt_calibration_cancel_trial(hrt_calibration calibration) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_cancel_trial(hrt_calibration calibration) HRT_NOEXCEPT;
 
 /** Fits the user's parameters to the trials. The trials stay: more can be added, and the fit repeated.
  *  Takes about 25 microseconds a sample, half a second for 20000: too long for a thread that draws frames.
  *  Errors: INSUFFICIENT_DATA naming what is missing: at least 10 slides of 30 mm, three plate orientations
  *  that span 40 degrees, an interval of the tactile weight within 0.02 to 0.48; WRONG_STATE during a
  *  trial, OUT_OF_MEMORY. [one-thread] */
-HRT_API hrt_result hrt_calibration_solve(hrt_calibration calibration,
-                                         hrt_calibration_result* out_result) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_solve(hrt_calibration calibration,
+                                                       hrt_calibration_result* out_result) HRT_NOEXCEPT;
 
 /** Copies the known values into the session's configuration, and so into its profile; unknown ones are
  *  unchanged. The deviations of tactile_weight and motor_variance_deg2 come from their intervals, with the
  *  minimum of HRT_ADAPTATION_CARRIED. A known weight or bias replaces what reaches have learnt of the person
  *  (person_mean, person_covariance). Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach.
  *  [one-thread] */
-HRT_API hrt_result hrt_calibration_apply(hrt_session session,
-                                         const hrt_calibration_result* result) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_apply(hrt_session session,
+                                                       const hrt_calibration_result* result) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -43,9 +43,9 @@ typedef hrt_result (*PFN_hrt_authority_query_all)(hrt_session session, uint64_t 
                                                   out_authorities, uint64_t* out_count);
 typedef hrt_result (*PFN_hrt_authority_query_best)(hrt_session session, hrt_target virtual_target,
                                                    hrt_authority* out_authority);
-typedef hrt_result (*PFN_hrt_target_assign)(hrt_session session, const hrt_target* virtual_targets, uint32_t
-                                            virtual_count, const hrt_target* real_targets, uint32_t
-                                            real_count, uint32_t flags, uint32_t capacity, hrt_authority*
+typedef hrt_result (*PFN_hrt_target_assign)(hrt_session session, const hrt_target* virtual_targets, uint64_t
+                                            virtual_count, const hrt_target* real_targets, uint64_t
+                                            real_count, uint32_t flags, uint64_t capacity, hrt_authority*
                                             out_authorities);
 typedef hrt_result (*PFN_hrt_reach_config_default)(hrt_reach_config* out_config, uint32_t struct_size);
 typedef hrt_result (*PFN_hrt_reach_begin)(hrt_session session, const hrt_reach_config* config);

@@ -27,7 +27,7 @@ typedef struct hrt_allocator {
 /** Sets the allocator. Null: the C library's, the default. The struct is copied. Errors: WRONG_STATE while
  *  a session, calibration or scene exists. [any-thread], while no other thread is in a call of this
  *  library. */
-HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocator) HRT_NOEXCEPT;
 
 /** Level of a log message. */
 #define HRT_LOG_WARNING 1
@@ -40,7 +40,7 @@ typedef void (*hrt_log_callback)(void* context, uint32_t level, const char* text
 
 /** Sets the log callback. Null: no log, the default. The former callback is not called any more once this
  *  returns; the call waits for it to end. [any-thread] */
-HRT_API hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

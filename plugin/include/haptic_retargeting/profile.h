@@ -21,13 +21,14 @@ extern "C" {
 /** Writes the session's profile as UTF-8 with a terminating zero, and its length without the zero. With
  *  `capacity` 0 the call only returns the length, and `out_text` may be null. Errors: BUFFER_TOO_SMALL
  *  unless `capacity` exceeds the length. [one-thread] */
-HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
-                                    uint64_t* out_length) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
+                                                  uint64_t* out_length) HRT_NOEXCEPT;
 
 /** Copies a profile of `length` bytes into the session's configuration. Fields missing in the profile keep
  *  their values; unknown fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field,
  *  WRONG_STATE during a reach. [one-thread] */
-HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text,
+                                                  uint64_t length) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -184,12 +184,14 @@ typedef struct hrt_reach_summary {
 } hrt_reach_summary;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struct_size) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config,
+                                                          uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Begins a reach. The targets are copied. Its directions are measured from
  *  hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
  *  Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
-HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session,
+                                                 const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the
  *  command once in a step period, a position at every sample: each one refines the estimate. Under
@@ -197,8 +199,8 @@ HRT_API hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* 
  *  without samples are predicted, at most 64 in a call. Errors: WRONG_STATE without a reach,
  *  OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER finds it within 1 mm of the
  *  finger or the pair 90 degrees apart; TIME_REVERSED. [real-time] */
-HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
-                                    hrt_command* out_command) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
+                                                  hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Leads the reach to other targets from now on, or to the same ones after hrt_target_set() has moved them:
  *  every frame, if they move. The plan goes on from where the finger is, with all that was learnt. Directions
@@ -208,15 +210,16 @@ HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sampl
  * short. Distances, predicted_miss_deg and bearing_error_deg are those of the new real target. Errors, after
  * which the reach goes on as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if, seen from the
  * start, the pair is 90 degrees apart; WRONG_STATE without a reach. Since version 0.3. [real-time] */
-HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
-                                      hrt_target virtual_target) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
+                                                    hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Ends the reach without a summary and learns nothing from it. The plate is where the last command left it.
  *  Errors: WRONG_STATE without a reach. Since version 0.3. [real-time] */
-HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
 /** Ends the reach. Errors: WRONG_STATE without a reach. [real-time] */
-HRT_API hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session,
+                                               hrt_reach_summary* out_summary) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

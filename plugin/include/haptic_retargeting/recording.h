@@ -31,15 +31,16 @@ typedef struct hrt_recording_status {
  *  another; WRONG_STATE during a reach or while recording; OUT_OF_MEMORY. In the child of a fork, which has
  * the parent's sessions but not its recordings, calls of these sessions are not recorded, the two calls below
  *  return WRONG_STATE, and this one may start a recording of the child. [one-thread] */
-HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
 /** Returns the state of the recording. Errors: WRONG_STATE without a recording. [real-time] */
-HRT_API hrt_result hrt_recording_get_status(hrt_session session,
-                                            hrt_recording_status* out_status) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
+                                                          hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk.
  *  Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
-HRT_API hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session,
+                                                    hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** How a recording ends. */
 #define HRT_ENDING_COMPLETE 0  /**< with its end line, and nothing was altered or lost */
@@ -67,12 +68,13 @@ typedef struct hrt_replay_report {
 
 /** Repeats the recorded calls and compares results, commands and summaries. Errors: BAD_FORMAT naming the
  *  line, or the version if a library of 0.1 or 0.2 wrote the file. [any-thread] */
-HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
-                                   hrt_replay_report* out_report) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
+                                                 hrt_replay_report* out_report) HRT_NOEXCEPT;
 
 /** Replays a file of at most 1 GiB. Errors: as hrt_replay_text(), and SYSTEM if the file cannot be read.
  *  [any-thread] */
-HRT_API hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_replay_file(const char* path,
+                                                 hrt_replay_report* out_report) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -56,30 +56,30 @@ typedef struct hrt_scene_target {
 
 /** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property,
  *  LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
-HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** Loads a scene from memory, which is not used after the call. Error texts call the file `name`.
  *  [any-thread] */
-HRT_API hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char* name,
-                                         hrt_scene* out_scene) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char* name,
+                                                       hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** Destroys the scene. Registered targets stay. Errors of this and the calls below: INVALID_HANDLE, and
  *  BUSY if another thread is in a call on this scene. [one-thread] */
 HRT_API hrt_result hrt_scene_destroy(hrt_scene scene) HRT_NOEXCEPT;
 
 /** Returns the scene's plate. [one-thread] */
-HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_info* out_info) HRT_NOEXCEPT;
 
 /** Returns the target of an index below hrt_scene_info::target_count. Errors: OUT_OF_RANGE. [one-thread] */
-HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
-                                        hrt_scene_target* out_target) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
+                                                      hrt_scene_target* out_target) HRT_NOEXCEPT;
 
 /** Sets the session's plate, start and, if the file has it, servo speed; adds all targets by their
  *  position on the plate. Their ids go to `out_targets` in the scene's order; it may be null if `capacity`
  *  is 0. Errors, without any change: BUFFER_TOO_SMALL, NAME_TAKEN, WRONG_STATE during a reach.
  *  [one-thread] for both. */
-HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
-                                      hrt_target* out_targets) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
+                                                    hrt_target* out_targets) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -176,17 +176,17 @@ typedef struct hrt_session_config {
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
-                                              uint32_t struct_size) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
+                                                            uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Creates a session. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY.
  *  [any-thread] */
-HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
-                                      hrt_session* out_session) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
+                                                    hrt_session* out_session) HRT_NOEXCEPT;
 
 /** Returns 1 if the handle is that of a session that exists, also while a call is on it, else 0. Changes
  *  nothing, not hrt_last_error() either. [any-thread] [real-time] */
-HRT_API uint32_t hrt_session_is_valid(hrt_session session) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API uint32_t hrt_session_is_valid(hrt_session session) HRT_NOEXCEPT;
 
 /** What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin. */
 #define HRT_STATE_READY UINT32_C(1) /**< a real and a virtual target are there, and no reach is under way */
@@ -196,17 +196,19 @@ HRT_API uint32_t hrt_session_is_valid(hrt_session session) HRT_NOEXCEPT;
 #define HRT_STATE_RECORDING UINT32_C(8) /**< the calls of the session are recorded */
 
 /** Returns what the session is about: HRT_STATE_*. Later versions may set further bits. [real-time] */
-HRT_API hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) HRT_NOEXCEPT;
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
 
 /** Returns the configuration. Set `out_config->struct_size` before the call. [one-thread] */
-HRT_API hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_get_config(hrt_session session,
+                                                        hrt_session_config* out_config) HRT_NOEXCEPT;
 
 /** Replaces the configuration. Targets stay, and so do fields that an older caller's struct lacks. Errors:
  *  as hrt_session_create(), and WRONG_STATE during a reach. [one-thread] */
-HRT_API hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_session_set_config(hrt_session session,
+                                                        const hrt_session_config* config) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

@@ -49,34 +49,34 @@ typedef struct hrt_target_config {
 } hrt_target_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_API hrt_result hrt_target_config_default(hrt_target_config* out_config,
-                                             uint32_t struct_size) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_config_default(hrt_target_config* out_config,
+                                                           uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Adds a target. Errors: OUT_OF_RANGE naming the field, NAME_TAKEN, LIMIT_REACHED, OUT_OF_MEMORY.
  *  [one-thread] */
-HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
-                                  hrt_target* out_target) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
+                                                hrt_target* out_target) HRT_NOEXCEPT;
 
 /** Replaces a target and keeps its id. A running reach keeps the former target until hrt_reach_retarget().
  *  Allocates nothing if the name stays. Errors: as hrt_target_add(). [one-thread] */
-HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
-                                  const hrt_target_config* config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
+                                                const hrt_target_config* config) HRT_NOEXCEPT;
 
 /** Returns a target. Set `out_config->struct_size` before the call. [one-thread] */
-HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
-                                  hrt_target_config* out_config) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
+                                                hrt_target_config* out_config) HRT_NOEXCEPT;
 
 /** Removes a target. A running reach keeps it. [one-thread] */
-HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
 
 /** Finds a target by name. Errors: NOT_FOUND. [one-thread] */
-HRT_API hrt_result hrt_target_find(hrt_session session, const char* name,
-                                   hrt_target* out_target) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_find(hrt_session session, const char* name,
+                                                 hrt_target* out_target) HRT_NOEXCEPT;
 
 /** Lists the targets of a role (0: both) in the order of addition. With `capacity` 0 the call only counts
  *  them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
-HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
-                                   hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
+                                                 hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

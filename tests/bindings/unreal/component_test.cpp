@@ -97,8 +97,7 @@ TEST(UnrealAxes, ConvertPosesAsTheyConvertPoints) {
 }
 
 TEST(UnrealSettings, AreTheLibrarysDefaults) {
-  hrt_session_config defaults;
-  hrt_session_config_default(&defaults, sizeof defaults);
+  const hrt_session_config defaults = hrt_session_config_init();
   const hrt_session_config config = HapticConversions::ToConfig(FHapticSettings(), FTransform());
   EXPECT_EQ(std::memcmp(&config, &defaults, sizeof config), 0);
 }
@@ -145,8 +144,7 @@ TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
   EXPECT_EQ(config.fixed_plate_orientation_deg, -12);
   EXPECT_DOUBLE_EQ(config.start_position_m[2], 0.04);
 
-  hrt_session_config defaults;
-  hrt_session_config_default(&defaults, sizeof defaults);
+  const hrt_session_config defaults = hrt_session_config_init();
   const auto same = [&](size_t offset, size_t size) {
     return std::memcmp(reinterpret_cast<const char*>(&config) + offset,
                        reinterpret_cast<const char*>(&defaults) + offset, size) == 0;

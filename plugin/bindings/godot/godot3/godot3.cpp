@@ -296,8 +296,7 @@ extern "C" GDN_EXPORT void godot_nativescript_init(void* library) {
   for (const Method& method : methods())
     nativescript->register_method(library, kClassName, method.name, {0},
                                   {call, method_data(method), nullptr});
-  hrt_session_config defaults;
-  hrt_session_config_default(&defaults, sizeof defaults);
+  const hrt_session_config defaults = hrt_session_config_init();
   for (const Field& field : config_fields()) register_property(library, field, defaults);
   for (const Signal& signal : signals()) register_signal(library, signal);
 }

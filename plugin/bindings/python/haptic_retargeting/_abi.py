@@ -1106,7 +1106,7 @@ def declare(library: CDLL) -> None:
     library.hrt_authority_query_all.restype = c_int32
     library.hrt_authority_query_best.argtypes = (SessionHandle, TargetHandle, POINTER(Authority))
     library.hrt_authority_query_best.restype = c_int32
-    library.hrt_target_assign.argtypes = (SessionHandle, POINTER(TargetHandle), c_uint32, POINTER(TargetHandle), c_uint32, c_uint32, c_uint32, POINTER(Authority))
+    library.hrt_target_assign.argtypes = (SessionHandle, POINTER(TargetHandle), c_uint64, POINTER(TargetHandle), c_uint64, c_uint32, c_uint64, POINTER(Authority))
     library.hrt_target_assign.restype = c_int32
     library.hrt_reach_config_default.argtypes = (POINTER(ReachConfig), c_uint32)
     library.hrt_reach_config_default.restype = c_int32

@@ -866,8 +866,8 @@ namespace Hrt
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         internal static extern Result hrt_target_assign(
-            SessionHandle session, [In] TargetId[] virtualTargets, uint virtualCount,
-            [In] TargetId[] realTargets, uint realCount, uint flags, uint capacity,
+            SessionHandle session, [In] TargetId[] virtualTargets, ulong virtualCount,
+            [In] TargetId[] realTargets, ulong realCount, uint flags, ulong capacity,
             [In, Out] Authority[] outAuthorities);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]

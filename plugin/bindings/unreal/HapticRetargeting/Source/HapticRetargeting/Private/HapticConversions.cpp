@@ -56,8 +56,7 @@ namespace HapticConversions
 
 	hrt_session_config ToConfig(const FHapticSettings& Settings, const FTransform& Plate)
 	{
-		hrt_session_config Config;
-		hrt_session_config_default(&Config, sizeof Config);
+		hrt_session_config Config = hrt_session_config_init();
 		// A negative number becomes one that is out of range.
 		Config.horizon = static_cast<uint32_t>(Settings.Horizon);
 		Config.step_period_ns = ToNanoseconds(Settings.StepPeriod);
@@ -107,8 +106,7 @@ namespace HapticConversions
 
 	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name)
 	{
-		hrt_target_config Config;
-		hrt_target_config_default(&Config, sizeof Config);
+		hrt_target_config Config = hrt_target_config_init();
 		Config.role = Role == EHapticTargetRole::Real ? HRT_TARGET_REAL : HRT_TARGET_VIRTUAL;
 		// A name that does not fit has no zero at its end, which the plugin refuses.
 		std::string(TCHAR_TO_UTF8(*Name)).copy(Config.name, sizeof Config.name);

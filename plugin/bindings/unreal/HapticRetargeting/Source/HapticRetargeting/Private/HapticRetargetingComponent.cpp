@@ -129,8 +129,7 @@ bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual,
 
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
 {
-	hrt_reach_config Config;
-	hrt_reach_config_default(&Config, sizeof Config);
+	hrt_reach_config Config = hrt_reach_config_init();
 	Config.real_target = ToTarget(Real);
 	Config.virtual_target = ToTarget(Virtual);
 	if (!Configure() || !Succeeded(hrt_reach_begin(Session, &Config)))
@@ -230,8 +229,7 @@ FHapticCommand UHapticRetargetingComponent::GetCommand() const
 
 bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
 {
-	hrt_calibration_config Config;
-	hrt_calibration_config_default(&Config, sizeof Config);
+	hrt_calibration_config Config = hrt_calibration_config_init();
 	Config.goal_direction_deg = Turned(GoalYaw);
 	hrt_calibration Begun{};
 	if (!Configure() || !Succeeded(hrt_calibration_create(Session, &Config, &Begun)))
@@ -309,8 +307,10 @@ bool UHapticRetargetingComponent::EndCalibration()
 /** Takes what the plugin has learnt of the user into the settings. */
 void UHapticRetargetingComponent::TakeUserFromSession()
 {
-	hrt_session_get_config(Session, &Configured);
-	TakeUser(Configured, Settings);
+	if (Succeeded(hrt_session_get_config(Session, &Configured)))
+	{
+		TakeUser(Configured, Settings);
+	}
 }
 
 bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
