@@ -318,8 +318,8 @@ class AssignTest : public SessionTest {
   }
 
   template <class Element>
-  static std::uint32_t size(const std::vector<Element>& elements) {
-    return static_cast<std::uint32_t>(elements.size());
+  static std::uint64_t size(const std::vector<Element>& elements) {
+    return elements.size();
   }
 };
 
@@ -358,8 +358,8 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   const hrt_target reals[]{real, real}, cups[]{cup, cup}, none[]{{0}, {0}};
   hrt_authority out[2]{output<hrt_authority>(), output<hrt_authority>()};
   const hrt_authority before = out[0];
-  const auto assign = [&](const hrt_target* v, std::uint32_t vs, const hrt_target* r, std::uint32_t rs,
-                          std::uint32_t flags, std::uint32_t capacity, hrt_authority* to) {
+  const auto assign = [&](const hrt_target* v, std::uint64_t vs, const hrt_target* r, std::uint64_t rs,
+                          std::uint32_t flags, std::uint64_t capacity, hrt_authority* to) {
     return hrt_target_assign(session, v, vs, r, rs, flags, capacity, to);
   };
   expect_error(assign(cups, 0, reals, 1, 0, 2, out), HRT_ERROR_OUT_OF_RANGE,

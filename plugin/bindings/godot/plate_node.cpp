@@ -160,13 +160,16 @@ hrt_target_config polar_target(uint32_t role, const Value* arguments) {
   return config;
 }
 
+void place_at(const Vector3& world_position, hrt_target_config& config) {
+  config.place = HRT_PLACE_WORLD_POSITION;
+  config.position_m[0] = world_position.x;
+  config.position_m[1] = world_position.y;
+  config.position_m[2] = world_position.z;
+}
+
 hrt_target_config placed_target(uint32_t role, const Value* arguments) {
   hrt_target_config config = target_config(role, to_text(arguments[0]));
-  const Vector3& position = std::get<Vector3>(arguments[1]);
-  config.place = HRT_PLACE_WORLD_POSITION;
-  config.position_m[0] = position.x;
-  config.position_m[1] = position.y;
-  config.position_m[2] = position.z;
+  place_at(std::get<Vector3>(arguments[1]), config);
   return config;
 }
 
@@ -312,9 +315,7 @@ Value PlateNode::move_target_to(const Value* arguments) {
   config.struct_size = sizeof config;
   if (!configure() || !ok(hrt_target_get(session_, to_target(arguments[0]), &config)))
     return to_godot_error(result_);
-  const hrt_target_config moved = placed_target(config.role, arguments);
-  config.place = moved.place;
-  std::memcpy(config.position_m, moved.position_m, sizeof config.position_m);
+  place_at(std::get<Vector3>(arguments[1]), config);
   ok(hrt_target_set(session_, to_target(arguments[0]), &config));
   return to_godot_error(result_);
 }

@@ -63,6 +63,10 @@ export interface Session {
   /** The same for the real target that serves a virtual one best. */
   bestAuthority(virtualTarget: TargetId): Output<hrt_authority>;
 
+  /** The real target that serves each virtual one, so that the largest needed share of the authority is smallest; each
+   *  real one serves one at most if `exclusive`. What cannot be served has `reachable` 0 and no real target. */
+  assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_authority>[];
+
   /** Input of the next update(). Fields that `flags` does not name are not read. */
   readonly sample: View<hrt_sample>;
   /** Output of the last update(). */

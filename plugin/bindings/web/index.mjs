@@ -435,6 +435,18 @@ class Session {
       this.#memory.call("hrt_authority_query_best", this.#handle, virtualTarget, at));
   }
 
+  assign(virtualTargets, realTargets, exclusive = false) {
+    const memory = this.#memory, count = virtualTargets.length, { size } = abi.structs.hrt_authority;
+    const ids = [...virtualTargets, ...realTargets];
+    return memory.with(8 * ids.length + 1, (at) => memory.with(size * count + 4, (out) => {
+      ids.forEach((id, i) => memory.view.setBigUint64(at + 8 * i, id, true));
+      memory.view.setUint32(out, size, true);
+      memory.call("hrt_target_assign", this.#handle, at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
+        exclusive ? abi.HRT_ASSIGN_EXCLUSIVE : 0, BigInt(count), out);
+      return Array.from({ length: count }, (_, i) => memory.read("hrt_authority", out + size * i));
+    }));
+  }
+
   get state() {
     return this.#memory.with(4, (at) => {
       this.#memory.call("hrt_session_get_state", this.#handle, at);

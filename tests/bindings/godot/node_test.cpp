@@ -58,6 +58,21 @@ TEST(GodotNode, UpdatesWithoutTakingMemory) {
   EXPECT_GT(engine.signals, 200);
 }
 
+TEST(GodotNode, RetargetsAndCancels) {
+  StillEngine engine;
+  PlateNode node(engine);
+  const Value real = node.call(method("add_real_target"), std::array<Value, 3>{"cylinder", -5.0, 0.1});
+  const Value felt = node.call(method("add_virtual_target"), std::array<Value, 3>{"cup", 5.0, 0.1});
+  const auto done = [](const Value& error) { return std::get<int64_t>(error) == 0; };
+  EXPECT_TRUE(done(node.call(method("begin"), std::array{real, felt})));
+  EXPECT_TRUE(
+      done(node.call(method("move_target_to"), std::array<Value, 2>{felt, Vector3{-0.02, 0, -0.05}})));
+  EXPECT_TRUE(done(node.call(method("retarget"), std::array{real, felt})));
+  EXPECT_TRUE(done(node.call(method("cancel"), std::span<const Value>())));
+  EXPECT_FALSE(std::get<bool>(node.call(method("is_reaching"), std::span<const Value>())));
+  EXPECT_TRUE(done(node.call(method("begin"), std::array{real, felt})));
+}
+
 TEST(GodotNode, LooksAtOneArgumentMoreThanAnyMethodHas) {
   for (const Method& each : methods()) EXPECT_LT(each.arguments.size(), kArgumentsMax) << each.name;
 }

@@ -119,3 +119,27 @@ def test_dropout_holds_the_plate(session: hrt.Session) -> None:
         held = reach.update(50_000_000)
     assert held.flags & hrt.CommandFlag.HELD
     assert held.plate_orientation_deg == before.plate_orientation_deg
+
+
+def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.ndarray) -> None:
+    real, virtual = session.target("cylinder"), session.target("cup")
+    other = session.add_real("other", direction_deg=0, distance_m=0.08)
+    assert session.state == hrt.StateFlag.READY
+    with session.reach(real, virtual, start_at_finger=True) as reach:
+        assert session.state == hrt.StateFlag.REACHING
+        reach.run(straight[:100])
+        reach.retarget(other, virtual)
+        with pytest.raises(hrt.Error, match="real_target"):
+            reach.retarget(virtual, virtual)
+        reach.cancel()
+    assert reach.summary is None
+    assert session.state == hrt.StateFlag.READY
+
+
+def test_targets_are_assigned(session: hrt.Session) -> None:
+    reals = [session.add_real(direction_deg=direction) for direction in (0, 8)]
+    virtuals = [session.add_virtual(direction_deg=direction) for direction in (5, 9, 90)]
+    shared, exclusive = session.assign(virtuals, reals), session.assign(virtuals, reals, exclusive=True)
+    assert [a.real_target.value for a in shared] == [reals[1].id, reals[1].id, 0]
+    assert [a.real_target.value for a in exclusive] == [reals[0].id, reals[1].id, 0]
+    assert [a.reachable for a in exclusive] == [1, 1, 0]

@@ -23,7 +23,8 @@ namespace Hrt.HostTests
         {
             {"ERROR", "Result"}, {"LOG", "LogLevel"}, {"CONTROL", "Control"}, {"GUIDANCE", "Guidance"},
             {"ADAPTATION", "Adaptation"}, {"TARGET", "TargetRole"}, {"PLACE", "Place"}, {"REACH", "ReachFlags"},
-            {"SAMPLE", "SampleFlags"}, {"COMMAND", "CommandFlags"}, {"SESSION", "SessionFlags"}, {"ENDING", "Ending"}
+            {"SAMPLE", "SampleFlags"}, {"COMMAND", "CommandFlags"}, {"SESSION", "SessionFlags"},
+            {"ENDING", "Ending"}, {"STATE", "StateFlags"}
         };
 
         string[] lines;

@@ -175,6 +175,20 @@ TEST_F(Component, CallsRightPositive) {
   EXPECT_TRUE(authority.bReachable);
 }
 
+TEST_F(Component, RetargetsAndCancels) {
+  FHapticTarget real, felt;
+  ASSERT_TRUE(component_.AddTargetAt(kReal, TEXT("real"), FVector(5, 1, 0), real));
+  ASSERT_TRUE(component_.AddTargetAt(kVirtual, TEXT("felt"), FVector(5, 0, 0), felt));
+  EXPECT_FALSE(component_.RetargetReach(real, felt));
+  ASSERT_TRUE(component_.BeginReach(real, felt));
+  EXPECT_TRUE(component_.MoveTarget(felt, FVector(5, 0.5, 0)));
+  EXPECT_TRUE(component_.RetargetReach(real, felt));
+  EXPECT_TRUE(component_.CancelReach());
+  EXPECT_FALSE(component_.IsReaching());
+  EXPECT_FALSE(component_.CancelReach());
+  EXPECT_TRUE(component_.BeginReach(real, felt));
+}
+
 /** The command after a slide that goes 0.6 mm a frame to the right, on a plate that is where it is put. */
 FHapticCommand slide_on(const FTransform& plate) {
   UHapticRetargetingComponent component;

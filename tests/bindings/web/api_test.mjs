@@ -94,6 +94,21 @@ test("authority is computed before a reach", () => {
   session.destroy();
 });
 
+test("a reach is retargeted and cancelled, and targets are assigned", () => {
+  const { session, real, virtual } = newSession();
+  assert.equal(session.state, hrt.HRT_STATE_READY);
+  session.beginReach(real, virtual, undefined, true);
+  session.setTarget(virtual, { direction_deg: 7 });
+  session.retargetReach(real, virtual);
+  throws(() => session.retargetReach(virtual, virtual), "HRT_ERROR_OUT_OF_RANGE", "real_target");
+  assert.equal(session.state, hrt.HRT_STATE_REACHING);
+  session.cancelReach();
+  assert.equal(session.state, hrt.HRT_STATE_READY);
+  const [assigned] = session.assign([virtual], [real], true);
+  assert.deepEqual(assigned, session.authority(real, virtual));
+  session.destroy();
+});
+
 test("a reach turns the plate, is recorded, and replays to the same bits", () => {
   const { session, real, virtual } = newSession();
   session.startRecording();

@@ -17,7 +17,7 @@ The calls are those of the C library, which is found by the system's loader, or 
 from ._abi import (
     Adaptation, Authority, CalibrationConfig, CalibrationResult, Command, CommandFlag, Control, ErrorCode,
     Guidance, Interval, Place, ReachSummary, RecordingStatus, ReplayReport, Role, Sample, SampleFlag, SceneInfo,
-    SceneTarget, SessionConfig, TargetConfig,
+    SceneTarget, SessionConfig, StateFlag, TargetConfig,
 )
 from ._abi import VERSION as _VERSION
 from ._library import Error, library_version
@@ -35,6 +35,6 @@ __all__ = [
     "CommandFlag", "commands", "Control", "Error", "ErrorCode", "Guidance", "Interval", "library_version",
     "Place", "Reach", "ReachRecord", "ReachSummary", "read_recording", "Recording", "RecordingError",
     "RecordingStatus", "replay", "ReplayReport", "Role", "SAMPLE", "Sample", "SampleFlag", "samples", "Scene",
-    "SceneInfo", "SceneTarget", "Session", "SessionConfig", "Target", "target_place", "TargetConfig",
+    "SceneInfo", "SceneTarget", "Session", "SessionConfig", "StateFlag", "Target", "target_place", "TargetConfig",
     "world_to_plate",
 ]

@@ -6,7 +6,7 @@ import ctypes
 import json
 import os
 import weakref
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from ctypes import byref
 from typing import Any
@@ -75,6 +75,10 @@ class Target:
         except Error:
             return f"<Target {self.id}, removed>"
         return f"<Target {config.name.decode()!r}, {Role(config.role).name.lower()}>"
+
+
+def _handles(targets: Sequence[Target]) -> ctypes.Array[_abi.TargetHandle]:
+    return (_abi.TargetHandle * len(targets))(*(target.handle for target in targets))
 
 
 class Session:
@@ -203,6 +207,15 @@ class Session:
             first = ctypes.cast(out.ctypes.data, ctypes.POINTER(Authority))
             check(library().hrt_authority_query_all(self.handle, count, first, byref(count)))
         return out
+
+    def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Authority]:
+        """The real target that serves each virtual one, so that the largest needed share of the authority is smallest;
+        each real one serves one at most if `exclusive`. What cannot be served is not `reachable` and has no real target."""
+        out = (Authority * len(virtuals))(*(Authority() for _ in virtuals))
+        check(library().hrt_target_assign(
+            self.handle, _handles(virtuals), len(virtuals), _handles(reals), len(reals),
+            _abi.ASSIGN_EXCLUSIVE if exclusive else 0, len(out), out))
+        return list(out)
 
     # Reaches
 

@@ -157,6 +157,21 @@ namespace Hrt
             return authority;
         }
 
+        /// <summary>The real target that serves each virtual one, so that the largest needed share of the authority is
+        /// smallest; each real one serves one at most if exclusive. What cannot be served is not reachable and has
+        /// no real target.</summary>
+        public Authority[] AssignTargets(TargetId[] virtualTargets, TargetId[] realTargets, bool exclusive = false)
+        {
+            if (virtualTargets == null) throw new ArgumentNullException(nameof(virtualTargets));
+            if (realTargets == null) throw new ArgumentNullException(nameof(realTargets));
+            var authorities = new Authority[virtualTargets.Length];
+            if (authorities.Length > 0) authorities[0].structSize = SizeOf<Authority>.Value;
+            Check(Native.hrt_target_assign(Handle, virtualTargets, (ulong)virtualTargets.Length, realTargets,
+                                           (ulong)realTargets.Length, exclusive ? Constants.AssignExclusive : 0u,
+                                           (ulong)authorities.Length, authorities));
+            return authorities;
+        }
+
         public void BeginReach(TargetId realTarget, TargetId virtualTarget)
         {
             BeginReach(new ReachConfig { realTarget = realTarget, virtualTarget = virtualTarget });

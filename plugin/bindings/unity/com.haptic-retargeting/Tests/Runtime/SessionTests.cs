@@ -87,6 +87,34 @@ namespace Hrt.Tests
         }
 
         [Test]
+        public void ReachesAreRetargetedAndCancelled()
+        {
+            Assert.AreEqual(StateFlags.None, session.State);
+            TargetId real = session.AddTarget(TargetRole.Real, -5), other = session.AddTarget(TargetRole.Real, 0);
+            TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
+            Assert.AreEqual(StateFlags.Ready, session.State);
+            session.BeginReach(real, seen);
+            session.RetargetReach(other, seen);
+            var refusal = Assert.Throws<HapticRetargetingException>(() => session.RetargetReach(seen, seen));
+            Assert.AreEqual(Result.OutOfRange, refusal.Result);
+            Assert.AreEqual(StateFlags.Reaching, session.State);
+            session.CancelReach();
+            Assert.AreEqual(StateFlags.Ready, session.State);
+            Assert.Throws<HapticRetargetingException>(() => session.EndReach());
+        }
+
+        [Test]
+        public void TargetsAreAssigned()
+        {
+            var reals = new[] {session.AddTarget(TargetRole.Real, 0), session.AddTarget(TargetRole.Real, 8)};
+            var seen = new[] {session.AddTarget(TargetRole.Virtual, 5), session.AddTarget(TargetRole.Virtual, 9)};
+            Assert.AreEqual(reals[1], session.AssignTargets(seen, reals)[0].realTarget);
+            Authority[] exclusive = session.AssignTargets(seen, reals, true);
+            Assert.AreEqual(reals[0], exclusive[0].realTarget);
+            Assert.AreEqual(reals[1], exclusive[1].realTarget);
+        }
+
+        [Test]
         public void NamesEndWithin63Bytes()
         {
             string longest = new string('x', 63);
