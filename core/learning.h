@@ -18,8 +18,10 @@ inline constexpr double most_weight_sd = 0.49;
 /// unchanged.
 RetargeterConfig carried(const RetargeterConfig& config, const FingerEstimate& learnt);
 
-/// The belief for the next reach after one that ended with `learnt`: wider, since people change, yet never
-/// wider than `unknown`.
-PersonBelief carried(const PersonBelief& learnt, const PersonBelief& unknown);
+/// The belief for the next reach after one that began with `before`, ended with `learnt` and, if `missed`,
+/// did not reach its target: wider, since people change, yet never wider than `unknown`. After a miss with an
+/// illusion far below what was believed, the illusion is unknown again.
+PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, bool missed,
+                     const PersonBelief& unknown);
 
 }  // namespace hrt

@@ -43,9 +43,7 @@ class PaperReach {
 
   PlateCommand command() const { return command_; }
   /// Where the finger is; none before it moves, and with directions alone.
-  std::optional<PlatePoint> place() const {
-    return command_.step >= 0 ? estimator_.place() : std::nullopt;
-  }
+  std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
   ReachSummary summary() const;
 
  private:

@@ -44,7 +44,7 @@ constexpr double arrived_phase = 0.97;
 constexpr double fit_share = 0.05;
 // A stray position is no misfit: a single one counts for no more than this.
 constexpr double fit_cap = 9.0;
-constexpr double recovery_nis = 40.0;
+constexpr double recovery_nis = 20.0;
 constexpr double noise_floor_share = 0.5;
 
 double square(double x) {

@@ -230,8 +230,8 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
   const double felt_deg =
       x(F::direction) + felt_shift(illusion, plate_.orientation_deg() - x(F::direction)).shift_deg;
   const bool ends = begun && (!moving || x(F::phase) >= last_phase);
-  const double miss_deg =
-      ends ? bearing_deg(reach_.start, place) - reach_.real_direction_deg : decision_.predicted_miss_deg;
+  const double miss_deg = ends ? wrap_deg(bearing_deg(reach_.start, place) - reach_.real_direction_deg, 360.0)
+                               : decision_.predicted_miss_deg;
   const LinearIllusion linear = linear_illusion(filter.belief());
   return {
       .plate_orientation_deg = decision_.plate.orientation_deg,
@@ -288,7 +288,8 @@ ReachSummary PersonReach::summary() const {
   summary.perceived_direction_deg = command_.perceived_direction_deg;
   summary.perceived_error_deg = command_.perceived_direction_deg - reach_.virtual_direction_deg;
   summary.distance_to_target_m = distance_m(ended, target_);
-  summary.bearing_error_deg = begun ? bearing_deg(reach_.start, ended) - reach_.real_direction_deg : 0.0;
+  summary.bearing_error_deg =
+      begun ? wrap_deg(bearing_deg(reach_.start, ended) - reach_.real_direction_deg, 360.0) : 0.0;
   summary.rms_felt_error_deg =
       felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;
   summary.unreachable = command_.unreachable;

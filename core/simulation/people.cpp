@@ -282,7 +282,9 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
     outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
                                       static_cast<std::uint32_t>(i)));
     if (const auto learnt = retargeter.learnt()) {
-      config.person = carried(*learnt, unknown_person());
+      const ReachSummary& summary = outcomes.back().summary;
+      config.person =
+          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
       outcomes.back().learnt = config.person;
     }
   }

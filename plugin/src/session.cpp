@@ -284,7 +284,9 @@ void Session::carry(const FingerEstimate& estimate) {
     const auto learnt = retargeter_.learnt();
     if (!learnt) return;
     hrt_session_config next = config_;
-    write_person(carried(*learnt, unknown_person()), &next);
+    const ReachSummary summary = retargeter_.summary();
+    const bool missed = summary.unreachable || summary.off_target;
+    write_person(carried(to_core(config_).person, *learnt, missed, unknown_person()), &next);
     // The filter knows no bounds: after motions that nobody made it may believe what nobody can be.
     if (holds_belief(next)) config_ = next;
   } else {

@@ -46,7 +46,7 @@ TEST(Learning, APersonIsCarriedWiderThanLearntAndNeverWiderThanUnknown) {
   const PersonBelief unknown = unknown_person();
   for (const double scale : {1e-3, 0.1, 0.9, 1.0, 30.0}) {
     const PersonBelief learnt = scaled_person(scale);
-    const PersonBelief next = carried(learnt, unknown);
+    const PersonBelief next = carried(unknown, learnt, false, unknown);
     EXPECT_TRUE(is_valid(next)) << scale;
     EXPECT_LE(next.wander_sd_deg, unknown.wander_sd_deg);
     for (int i = 0; i < PersonTrait::count; ++i) {
@@ -62,7 +62,30 @@ TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
   PersonBelief learnt = scaled_person(0.5);
   learnt.covariance(PersonTrait::weight, PersonTrait::curve) *= 1.0 + 1e-13;
   EXPECT_FALSE(is_valid(learnt));
-  EXPECT_TRUE(is_valid(carried(learnt, unknown_person())));
+  EXPECT_TRUE(is_valid(carried(unknown_person(), learnt, true, unknown_person())));
+}
+
+// An illusion of 0.28 +- 0.02 that a miss shows to be 0.18 has fallen by 5 deviations: nothing is known of
+// it, and what else is known stays. A hit forgets nothing, nor does a miss by a person who was not known.
+TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
+  const PersonBelief unknown = unknown_person();
+  PersonBelief before = unknown;
+  before.mean(PersonTrait::weight) = 0.28;
+  before.mean(PersonTrait::curve) = 0.0;
+  before.covariance *= 0.16;
+  PersonBelief learnt = before;
+  learnt.mean(PersonTrait::weight) = 0.18;
+  learnt.mean(PersonTrait::bias) = 2.0;
+  const PersonBelief next = carried(before, learnt, true, unknown);
+  for (const int i : {PersonTrait::weight, PersonTrait::curve, PersonTrait::fading}) {
+    EXPECT_EQ(next.mean(i), unknown.mean(i));
+    EXPECT_EQ(next.covariance(i, PersonTrait::weight), unknown.covariance(i, PersonTrait::weight));
+    EXPECT_EQ(next.covariance(i, PersonTrait::bias), 0.0);
+  }
+  EXPECT_EQ(next.mean(PersonTrait::bias), 2.0);
+  EXPECT_TRUE(is_valid(next));
+  EXPECT_EQ(carried(before, learnt, false, unknown).mean(PersonTrait::weight), 0.18);
+  EXPECT_EQ(carried(unknown, learnt, true, unknown).mean(PersonTrait::weight), 0.18);
 }
 
 }  // namespace

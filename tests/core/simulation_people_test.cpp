@@ -256,5 +256,22 @@ TEST(SimulationPeople, FadingTouchIsLearnt) {
   EXPECT_GE(near, 7);
 }
 
+// People who weaken from 0.28 to 0.16, where 75 degrees of plate still hold the gap of 10: two reaches later
+// they arrive again.
+TEST(SimulationPeople, ThoseWhoWeakenAreLedAnew) {
+  const RetargeterConfig controller = people_controller();
+  int near = 0;
+  for (std::uint32_t i = 0; i < 10; ++i) {
+    PersonCondition condition = draw("linear", i);
+    condition.person.illusion.tactile_weight = 0.28;
+    RetargeterConfig later = controller;
+    later.person = *simulate_person(condition, &controller, 4, 1, i).back().learnt;
+    condition.person.illusion.tactile_weight = 0.16;
+    const auto outcomes = simulate_person(condition, &later, 3, 2, i);
+    near += std::abs(outcomes.back().bearing_error_deg) <= 1.5;
+  }
+  EXPECT_GE(near, 8);
+}
+
 }  // namespace
 }  // namespace hrt
