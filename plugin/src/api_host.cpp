@@ -60,7 +60,7 @@ struct Log {
   void* context;
 };
 constinit Log host_log{};
-constinit std::mutex log_mutex;  // of host_log, and held while its callback runs
+std::mutex log_mutex;  // of host_log, and held while its callback runs
 
 hrt_result check_nothing_held() {
   const std::int64_t held = blocks_held.load();
