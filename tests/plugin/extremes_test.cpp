@@ -209,8 +209,51 @@ class Extremes : public SessionTest {
     check_what_is_kept();
   }
 
+  /// A rest, then a slide of someone whose direction follows the plate by so much.
+  void slide(hrt_calibration calibration, double weight, double noise_m) {
+    const double orientation_deg = one_of({-60.0, -30.0, 0.0, 30.0, 60.0});
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, orientation_deg));
+    const double side = std::tan((weight * orientation_deg + uniform(-2.0, 2.0)) / 57.3);
+    for (int i = 0; i < 40; ++i) {
+      const double away_m = i < 10 ? 0.0 : 0.003 * (i - 10);
+      const hrt_sample sample =
+          position_sample(std::int64_t{i} * 33'000'000, side * away_m + noise_m * uniform(-1.0, 1.0),
+                          away_m - 0.05 + noise_m * uniform(-1.0, 1.0));
+      ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
+    }
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+
   std::mt19937_64 bits_{1};
 };
+
+TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
+  int solved = 0;
+  for (int i = 0; i < 60; ++i) {
+    SCOPED_TRACE("calibration " + std::to_string(i));
+    hrt_calibration_config config;
+    ASSERT_OK(hrt_calibration_config_default(&config, sizeof config));
+    config.goal_direction_deg = below(2) == 0 ? 0.0 : within(-180.0, 180.0);
+    hrt_calibration calibration{};
+    ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
+    const double noise_m = one_of({0.0, 1e-300, 1e-12, 1e-4, 0.01});
+    const double weight = uniform(-0.6, 0.6);
+    for (int n = 0; n < 15; ++n) slide(calibration, weight, noise_m);
+    auto result = output<hrt_calibration_result>();
+    if (hrt_calibration_solve(calibration, &result) == HRT_OK) {
+      ++solved;
+      for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.motor_variance_deg2,
+                                           result.sensory_variance_deg2, result.tracker_noise_m}) {
+        EXPECT_TRUE(std::isfinite(interval.value) && std::isfinite(interval.lower) &&
+                    std::isfinite(interval.upper));
+        EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);
+      }
+      if (hrt_calibration_apply(session, &result) == HRT_OK) check_what_is_kept();
+    }
+    EXPECT_OK(hrt_calibration_destroy(calibration));
+  }
+  EXPECT_GT(solved, 10);
+}
 
 TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {
   int reached = 0;

@@ -2,6 +2,10 @@
 #include <dlfcn.h>
 #include <haptic_retargeting/functions.h>
 #include <stdio.h>
+#include <string.h>
+#include <sys/types.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 /* A library that lacks two functions. */
 static void* find_most(void* library, const char* name) {
@@ -14,16 +18,26 @@ int main(int argc, char** argv) {
   hrt_session_config config;
   hrt_session session = {0};
   const char* missing;
-  void* library = argc == 2 ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : NULL;
+  pid_t child;
+  int status = 1;
+  void* library = argc == 3 ? dlopen(argv[1], RTLD_NOW | RTLD_LOCAL) : NULL;
   if (!library) return 1;
   missing = hrt_functions_load(find_most, library, &hrt);
   if (!missing || strcmp(missing, "hrt_reach_retarget") != 0 || hrt.reach_cancel || !hrt.reach_end) return 2;
   if (hrt_functions_load(dlsym, library, &hrt)) return 3;
   if (hrt.session_config_default(&config, sizeof config) != HRT_OK) return 4;
   if (hrt.session_create(&config, &session) != HRT_OK || !hrt.session_is_valid(session)) return 5;
-  if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE) return 6;
+  if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE)
+    return 6;
   if (strstr(hrt.last_error(), "hrt_session_destroy: session ") != hrt.last_error()) return 7;
-  if (dlclose(library) != 0) return 8;
+  /* Closing ends what is left open. Later children meet nothing of the library. */
+  if (hrt.session_create(&config, &session) != HRT_OK || hrt.recording_start(session, argv[2]) != HRT_OK)
+    return 8;
+  if (dlclose(library) != 0) return 9;
+  if (dlopen(argv[1], RTLD_NOW | RTLD_NOLOAD)) return 10;
+  child = fork();
+  if (child == 0) _exit(0);
+  if (waitpid(child, &status, 0) != child || status != 0) return 11;
   puts("opened, used and closed");
   return 0;
 }
