@@ -68,36 +68,45 @@ bool means_taken() {
 #else
 
 using Status = struct stat;
-// A pipe is not waited for, and a terminal does not become the process's.
-constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
-constexpr int to_read = O_RDONLY | everywhere;
-constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
-
 int open_descriptor(const char* path, int flags) {
   return ::open(path, flags, 0666);
-}
-int status_of(int descriptor, Status* out) {
-  return fstat(descriptor, out);
 }
 bool is_regular(const Status& status) {
   return S_ISREG(status.st_mode);
 }
-// Locks belong to what was opened, so they keep apart the recordings of one process too.
-bool lock([[maybe_unused]] int descriptor) {
-#if defined(__EMSCRIPTEN__)
-  return true;
-#else
-  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have none
-#endif
+#if defined(__EMSCRIPTEN__)  // one process with files of its own: nothing to wait for, to share or to inherit
+constexpr int to_read = O_RDONLY;
+constexpr int to_write = O_WRONLY | O_CREAT | O_TRUNC;
+int status_of(int, Status* out) {
+  out->st_mode = S_IFREG;
+  return 0;
 }
-void unlock([[maybe_unused]] int descriptor) {
-#if !defined(__EMSCRIPTEN__)
+bool lock(int) {
+  return true;
+}
+void unlock(int) {}
+int truncate(int) {
+  return 0;
+}
+#else
+// A pipe is not waited for, and a terminal does not become the process's.
+constexpr int everywhere = O_CLOEXEC | O_NONBLOCK | O_NOCTTY;
+constexpr int to_read = O_RDONLY | everywhere;
+constexpr int to_write = O_WRONLY | O_CREAT | everywhere;
+int status_of(int descriptor, Status* out) {
+  return fstat(descriptor, out);
+}
+// Locks belong to what was opened, so they keep apart the recordings of one process too.
+bool lock(int descriptor) {
+  return flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;  // some file systems have none
+}
+void unlock(int descriptor) {
   flock(descriptor, LOCK_UN);
-#endif
 }
 int truncate(int descriptor) {
   return ftruncate(descriptor, 0);
 }
+#endif
 std::ptrdiff_t read_some(int descriptor, char* out, std::size_t size) {
   return ::read(descriptor, out, size);
 }
