@@ -84,7 +84,7 @@ class Extremes : public SessionTest {
   /// Every field at random: all of them, or a few that differ from the defaults.
   hrt_session_config configuration() {
     hrt_session_config config = session_config();
-    const std::size_t share = one_of<std::size_t>({1, 2, 8});
+    const auto share = one_of<std::size_t>({1, 2, 8});
     const auto changes = [&] { return below(share) == 0; };
     for (const Range& range : ranges) {
       if (changes()) config.*range.field = within(range.low, range.high);
@@ -192,7 +192,7 @@ class Extremes : public SessionTest {
   }
 
   void reach() {
-    hrt_sample sample = output<hrt_sample>();
+    auto sample = output<hrt_sample>();
     sample.time_ns =
         one_of<std::int64_t>({0, -1, std::numeric_limits<std::int64_t>::min(), 1'700'000'000'000'000'000});
     std::memcpy(sample.finger_position_m, config_of(session).start_position_m,

@@ -74,8 +74,8 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 constexpr std::size_t most_of_session = 17'000;
 constexpr std::size_t most_of_target = 300;
 constexpr std::size_t most_of_recording = 6'100'000;
-constexpr std::size_t most_real_time_stack = 24'000;
-constexpr std::size_t most_stack = 56'000;
+constexpr std::size_t most_real_time_stack = 32'000;
+constexpr std::size_t most_stack = 64'000;
 
 /// An allocator that counts bytes.
 class ByteCounter {
@@ -144,7 +144,7 @@ std::size_t stack_of(void* (*body)(void*), void* argument) {
   EXPECT_EQ(pthread_create(&thread, &attributes, body, argument), 0);
   EXPECT_EQ(pthread_join(thread, nullptr), 0);
   pthread_attr_destroy(&attributes);
-  const std::size_t untouched = static_cast<std::size_t>(
+  const auto untouched = static_cast<std::size_t>(
       std::find_if(stack, stack + stack_size, [](auto b) { return b != paint; }) - stack);
   munmap(stack, stack_size);
   return stack_size - untouched;

@@ -332,7 +332,7 @@ TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
 // A caller of version 0.2 has a shorter report.
 TEST_F(RecordingTest, ReportOfFormerVersionsIsFilled) {
   const std::string text = recording();
-  hrt_replay_report report = output<hrt_replay_report>();
+  auto report = output<hrt_replay_report>();
   report.struct_size = 32;
   report.ending = 77;
   ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
