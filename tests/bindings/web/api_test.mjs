@@ -63,7 +63,7 @@ test("a configuration has its defaults, and changes", () => {
   const { session } = newSession({ plate_latency_ns: 30 * ms, start_position_m: [0, 0, 0.06] });
   assert.equal(session.config.plate_latency_ns, 30_000_000n);
   assert.equal(session.config.tactile_weight, 0.2);
-  assert.equal(session.config.person_covariance.length, 36);
+  assert.equal(session.config.person_covariance.length, 45);
   session.configure({ tactile_weight: 0.25 });
   assert.equal(session.config.tactile_weight, 0.25);
   assert.deepEqual(session.config.start_position_m, [0, 0, 0.06]);
@@ -115,7 +115,7 @@ test("a reach turns the plate, is recorded, and replays to the same bits", () =>
   session.beginReach(real, virtual, 10);
   slide(session, 270);
   assert.ok(session.command.plate_orientation_deg > 10);
-  assert.equal(session.command.step, 29);
+  assert.equal(session.command.step, 27);
   const summary = session.endReach();
   assert.equal(summary.samples, 270n);
   const recording = session.stopRecording();
