@@ -1,7 +1,9 @@
 // Reaches that change their mind: other targets, a start where the finger is, no end.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <string>
 #include <vector>
 
 #include "core/plate_frame.h"
@@ -68,7 +70,8 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
   expect_state(0);
   const hrt_target_config former_role = target_config(HRT_TARGET_VIRTUAL, 5.0);
   ASSERT_OK(hrt_target_set(session, cup, &former_role));
-  ASSERT_OK(hrt_recording_start(session, null_device));
+  const std::string path = testing::TempDir() + "hrt_state.csv";
+  ASSERT_OK(hrt_recording_start(session, path.c_str()));
   expect_state(HRT_STATE_READY | HRT_STATE_RECORDING);
   ASSERT_OK(begin(real, cup));
   expect_state(HRT_STATE_REACHING | HRT_STATE_RECORDING);
@@ -77,6 +80,7 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
   end();
   auto status = output<hrt_recording_status>();
   ASSERT_OK(hrt_recording_stop(session, &status));
+  std::remove(path.c_str());
   expect_state(0);
   expect_error(hrt_session_get_state(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_state");
   std::uint32_t state = 0;
