@@ -49,7 +49,7 @@ class Retargeter {
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
   PlateCommand update(const FingerSample& sample);
 
-  /// The targets of the reach are elsewhere from now on, at these places; the reach goes on from where the
+  /// The targets of the reach are elsewhere from now on, at these places; the reach continues from where the
   /// finger is, and what is known of finger and person stays. Returns the reach as it is seen from there, the
   /// virtual target from where the person will feel that the finger is once they answer. Requires begin().
   /// Before the finger moves, and with directions alone, everything is seen from the start.

@@ -170,7 +170,7 @@ TEST_F(RetargetTest, RefusesWhatBeginRefuses) {
   expect_error(hrt_reach_retarget(session, real, real), HRT_ERROR_OUT_OF_RANGE, "a virtual one is needed");
   expect_error(hrt_reach_retarget(session, behind, cup), HRT_ERROR_OUT_OF_RANGE, "90 degrees apart");
   const double to_go_m = slide(900, 910).distance_to_go_m;
-  EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach goes on as before";
+  EXPECT_NEAR(to_go_m, slide(910, 920).distance_to_go_m, 0.003) << "the reach continues as before";
 }
 
 // Another target, or the same one elsewhere: the distance to go is that to its new place.

@@ -203,13 +203,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Leads the reach to other targets from now on, or to the same ones after hrt_target_set() has moved them:
- *  every frame, if they move. The plan goes on from where the finger is, with all that was learnt. Directions
- * are then seen from the finger, that of the virtual target from where the person feels that the finger is;
- * in a reach of directions alone, from the start. The command follows with the next sample, and its flags say
- *  UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is left is too
- * short. Distances, predicted_miss_deg and bearing_error_deg are those of the new real target. Errors, after
- * which the reach goes on as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if, seen from the
- * start, the pair is 90 degrees apart; WRONG_STATE without a reach. Since version 0.3. [real-time] */
+ *  every frame, if they move. The plan continues from where the finger is, with all that was learnt.
+ * Directions are then seen from the finger, that of the virtual target from where the person feels that the
+ * finger is; in a reach of directions alone, from the start. The command follows with the next sample, and
+ * its flags say UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is
+ * left is too short. Distances, predicted_miss_deg and bearing_error_deg are those of the new real target.
+ * Errors, after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if,
+ * seen from the start, the pair is 90 degrees apart; WRONG_STATE without a reach. Since version 0.3.
+ * [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
