@@ -11,16 +11,13 @@ using T = PersonTrait;
 // Deviations by which a person may have changed since the last reach.
 constexpr double change[T::count] = {0.008, 0.03, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1, 0.02};
 
-// An illusion counts as known below this share of the unknown person's deviation.
-constexpr double known_share = 0.7;
 constexpr double fall_deviations = 1.2;
 
 // A fall looks like a curve that peaks early, and the plate then stays within the peak, where no motion can
 // show that there is none.
-bool has_fallen(const PersonBelief& before, const PersonBelief& learnt, const PersonBelief& unknown) {
+bool has_fallen(const PersonBelief& before, const PersonBelief& learnt) {
   const LinearIllusion was = linear_illusion(before);
-  return was.weight_sd < known_share * linear_illusion(unknown).weight_sd &&
-         was.weight - linear_illusion(learnt).weight > fall_deviations * was.weight_sd;
+  return was.weight - linear_illusion(learnt).weight > fall_deviations * was.weight_sd;
 }
 
 void forget_illusion(const PersonBelief& unknown, PersonBelief* belief) {
@@ -65,7 +62,7 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
     next.covariance.row(i) /= std::sqrt(excess);
     next.covariance.col(i) /= std::sqrt(excess);
   }
-  if (missed && has_fallen(before, learnt, unknown)) forget_illusion(unknown, &next);
+  if (missed && has_fallen(before, learnt)) forget_illusion(unknown, &next);
   next.wander_sd_deg = std::min(later_wander_sd_deg, unknown.wander_sd_deg);
   return next;
 }

@@ -66,7 +66,7 @@ TEST(Learning, WhatRoundingLeftUnequalIsCarriedSymmetric) {
 }
 
 // An illusion of 0.28 +- 0.02 that a miss shows to be 0.18 has fallen by 5 deviations: nothing is known of
-// it, and what else is known stays. A hit forgets nothing, nor does a miss by a person who was not known.
+// it, and what else is known stays. A hit forgets nothing, nor does a fall within 1.2 deviations.
 TEST(Learning, AnIllusionThatHasFallenIsUnknownAgain) {
   const PersonBelief unknown = unknown_person();
   PersonBelief before = unknown;
