@@ -9,8 +9,8 @@
 //   motion      phi' = -k (phi + g(T(now - 60 ms) - phi) - G),   x' = -v sin phi,   z' = v cos phi
 //   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s, dr within 0.3 s
 //
-// Unknown besides place x, z, direction phi and phase u: w and b of the illusion, the gain k, the bias d, the
-// habit c of curving, the evenness a of the pace, rho, and the share of the goal's direction in which the
+// Unknown besides place x, z, direction phi and phase u: w, b and f of the illusion, the gain k, the bias d,
+// the habit c of curving, the evenness a of the pace, rho, and the share of the goal's direction in which the
 // person sets out. core/README.md has the derivatives and the source of every number.
 #pragma once
 

@@ -67,7 +67,7 @@ constexpr PeopleFamily all_families[] = {
        c.person.steering = Steering::heavy_arm;
        c.person.delay_s = 0.08;
      }},
-    {"crossings", "ridges felt only as they are crossed", false,
+    {"crossings", "ridges felt only as they are crossed", true,
      [](PersonCondition& c, Draws&) { c.person.steering = Steering::crossings; }},
     {"drift", "w_T drifts by ±0.05 within a reach", true,
      [](PersonCondition& c, Draws& d) { c.person.weight_drift = either_side(0.05, d); }},

@@ -131,8 +131,8 @@ HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
  *  Never null; valid until this thread's next failed call. [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
-/** Returns the library's version. A major version only grows by additions. Null pointers are skipped.
- *  [any-thread] */
+/** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog
+ *  names what a minor version changes. Null pointers are skipped. [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
