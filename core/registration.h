@@ -1,0 +1,77 @@
+// Where the plate is: from touches of known marks on it to its pose in the tracker's frame.
+//
+//   touched_i = s R mark_i + p + noise,   least squares over R, p and, on request, s
+//
+// The closed form is Umeyama's (IEEE T-PAMI 13, 1991). A frame that is turned by 1 degree turns every reach
+// by as much, and nothing in a reach shows it. What the tracker calls the fingertip need not be the skin: a
+// constant offset becomes part of the pose, as it should, while the hand keeps its orientation;
+// fit_fingertip() finds the offset of one that does not.
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+#include <span>
+
+namespace hrt {
+
+/// A touch of one mark, metres.
+struct MarkTouch {
+  Eigen::Vector3d mark_m;     ///< in plate coordinates
+  Eigen::Vector3d touched_m;  ///< where the tracker saw the fingertip
+};
+
+struct RegistrationConfig {
+  /// Of a touch, each coordinate, standard deviation as assumed; the residuals correct it. Finite, > 0.
+  double touch_sd_m = 0.003;
+  /// The tracker's unit of length may be off.
+  bool fit_scale = false;
+};
+
+enum class RegistrationVerdict {
+  holds,
+  too_few,       ///< fewer than 3 touches, or none left over to leave out a bad one
+  degenerate,    ///< marks within 1 cm of a line: the plate could turn about it
+  inconsistent,  ///< no pose explains the touches, nor all but one of them
+};
+
+/// The fields below the verdict mean something only if it holds.
+struct Registration {
+  RegistrationVerdict verdict = RegistrationVerdict::too_few;
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();    ///< of the plate's centre
+  double scale = 1.0;                                      ///< 1 unless fitted
+  /// Of the rotation about the plate's axes (radians), the position (metres) and the scale; 0 for a scale
+  /// that was not fitted.
+  Eigen::Matrix<double, 7, 7> covariance = Eigen::Matrix<double, 7, 7>::Zero();
+  double touch_sd_m = 0.0;      ///< assumed and seen, in proportion to their weight
+  double residual_m = 0.0;      ///< root mean square distance of touches from their marks
+  std::optional<int> left_out;  ///< the one touch that does not fit the others
+};
+
+/// Fits the pose to `touches`, all finite. With 5 touches or more one bad one is found and left out.
+Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches);
+
+/// Whether a later touch of a mark agrees with a registration that holds.
+struct RegistrationCheck {
+  double distance_m;  ///< of the touch from where the mark should be
+  double allowed_m;   ///< 99.9 % of touches are nearer while the registration is true
+  bool holds;
+};
+RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch);
+
+/// A touch of one and the same mark with the tracked joint turned differently each time.
+struct TurnedTouch {
+  Eigen::Matrix3d joint_rotation;
+  Eigen::Vector3d joint_m;
+};
+
+/// From the joint to the skin that touches, in the joint's axes: joint + R offset is the same for all
+/// touches.
+struct FingertipOffset {
+  Eigen::Vector3d offset_m;
+  Eigen::Vector3d sd_m;
+  bool known;  ///< each standard deviation is below 5 mm: the joint was turned enough
+};
+FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches);
+
+}  // namespace hrt
