@@ -140,7 +140,7 @@ Shares shares(double duration_s, const std::optional<TargetMove>& move, int reac
   const RetargeterConfig controller = people_controller();
   Shares shares;
   int able = 0;
-  for (std::uint32_t i = 0; i < 100; ++i) {
+  for (std::uint32_t i = 0; i < 40; ++i) {
     PersonCondition condition = draw_person(people_families()[0], duration_s, 1, i);
     if (!can_hold(condition)) continue;
     ++able;
@@ -159,7 +159,7 @@ TEST(Retarget, AMovedTargetIsReachedNearlyAsWellAsAFreshOne) {
     const Shares fresh = shares(3.0, {}, reaches);
     EXPECT_GE(fresh.hits, 0.97);
     for (const double size_m : {0.02, 0.04}) {
-      for (const double direction_deg : {0.0, 90.0, -90.0}) {
+      for (const double direction_deg : {0.0, 90.0}) {
         SCOPED_TRACE(testing::Message() << reaches << " reaches, " << size_m << " m at " << direction_deg);
         const Shares led = shares(3.0, TargetMove{0.3, point_ahead({}, direction_deg, size_m)}, reaches);
         EXPECT_GE(led.hits, fresh.hits - (reaches == 1 ? 0.12 : 0.08));

@@ -175,7 +175,8 @@ class Extremes : public SessionTest {
     constexpr std::int64_t steps_ns[] = {0,          1,           11'000'000,    11'000'000,
                                          11'000'000, 100'000'000, 20'000'000'000};
     const std::int64_t step_ns = below(50) == 0 ? std::int64_t{1} << 60 : one_of(steps_ns);
-    sample->time_ns += std::min(step_ns, std::numeric_limits<std::int64_t>::max() - sample->time_ns);
+    constexpr std::int64_t last_ns = std::numeric_limits<std::int64_t>::max();
+    sample->time_ns = sample->time_ns > last_ns - step_ns ? last_ns : sample->time_ns + step_ns;
   }
 
   /// What the session knows after a reach is finite, can be configured, and is a profile.
