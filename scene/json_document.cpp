@@ -13,6 +13,20 @@ namespace hrt {
 
 using nlohmann::json;
 
+namespace {
+
+// The parser's reason, without its name for the error, and without what it read last: that may be all of the
+// file.
+std::string reason(std::string_view what) {
+  const std::size_t name_end = what.find("] ");
+  if (name_end != what.npos) {
+    what.remove_prefix(name_end + 2);
+  }
+  return printable(what.substr(0, what.find("; last read")));
+}
+
+}  // namespace
+
 /// Fills a document, value by value.
 class JsonReader : public nlohmann::json_sax<json> {
  public:
@@ -56,7 +70,7 @@ class JsonReader : public nlohmann::json_sax<json> {
   bool start_array(std::size_t) override { return open(Kind::array); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
-    throw SceneError(file_ + ": not a glTF file: " + error.what());
+    throw SceneError(file_ + ": not a glTF file: " + reason(error.what()));
   }
 
  private:

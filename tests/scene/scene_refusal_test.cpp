@@ -367,5 +367,12 @@ TEST(SceneRefusal, MessagesHoldNoControlCharacters) {
   EXPECT_NE(message.find("\"a?b?[31m?\""), std::string::npos) << message;
 }
 
+// The parser quotes what it read last: here, all of the file.
+TEST(SceneRefusal, AnErrorAfterManyLinesIsOneShortLine) {
+  const std::string message = refusal(std::string(5000, '\n') + "'");
+  EXPECT_LT(message.size(), 200u) << message;
+  EXPECT_NE(message.find("line 5001"), message.npos) << message;
+}
+
 }  // namespace
 }  // namespace hrt
