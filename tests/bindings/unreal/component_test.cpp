@@ -345,7 +345,8 @@ TEST_F(Component, CalibratesAUser) {
 }
 
 TEST_F(Component, Records) {
-  const std::string path = testing::TempDir() + "/unreal_recording.csv";
+  // Two programs of this file may run at a time.
+  const std::string path = testing::TempDir() + "/unreal_recording_" + std::to_string(PLATFORM_WINDOWS) + ".csv";
   ASSERT_TRUE(component_.StartRecording(Stub::ToUtf16(path).c_str()));
   begin();
   ASSERT_TRUE(component_.StopRecording()) << last_log();
