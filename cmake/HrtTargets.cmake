@@ -15,6 +15,10 @@ if(CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
     $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>
     $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual -Wold-style-cast>)
 endif()
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND HRT_SANITIZE STREQUAL "thread")
+  # gcc 12 sees a use after free in Eigen's matrices where there is none.
+  target_compile_options(hrt_flags INTERFACE -Wno-use-after-free)
+endif()
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for the same and more
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong
     $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
@@ -46,5 +50,42 @@ function(hrt_add_executable name)
     # For node: its files, its exit code. The loader is not optimised (-O1); what the compiler made is.
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
                         -sALLOW_MEMORY_GROWTH=1)
+  endif()
+endfunction()
+
+# hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names, has
+# the C++ runtime inside, needs glibc 2.31 at most. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
+# the DLL, and the .def from which others are made.
+function(hrt_make_loadable name map)
+  set_target_properties(${name} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  if(WIN32)
+    set_target_properties(${name} PROPERTIES PREFIX "" ARCHIVE_OUTPUT_DIRECTORY ${CMAKE_RUNTIME_OUTPUT_DIRECTORY})
+    set(beside ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/${name})
+    target_link_options(${name} PRIVATE LINKER:--output-def=${beside}.def
+      LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
+    find_program(HRT_LLVM_DLLTOOL llvm-dlltool)
+    if(NOT HRT_LLVM_DLLTOOL)
+      message(FATAL_ERROR "llvm-dlltool is missing: cmake/install_packages mingw64 installs it")
+    endif()
+    add_custom_command(TARGET ${name} POST_BUILD BYPRODUCTS ${beside}.lib
+      COMMAND sed -i "1i LIBRARY ${name}.dll" ${beside}.def
+      COMMAND ${HRT_LLVM_DLLTOOL} -m i386:x86-64 -d ${beside}.def -l ${beside}.lib VERBATIM)
+    install(FILES ${beside}.def ${beside}.lib TYPE LIB COMPONENT development)
+  elseif(ANDROID)
+    target_link_options(${name} PRIVATE LINKER:--gc-sections LINKER:-z,max-page-size=16384
+      LINKER:--version-script=${map})
+  elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+    # A dlopened library's thread-local variables are otherwise allocated when a thread first touches them.
+    target_compile_options(${name} PRIVATE -ftls-model=initial-exec)
+    target_link_options(${name} PRIVATE LINKER:--version-script=${map}
+      # The host may bring another C++ runtime; ours is inside, and hidden.
+      -static-libstdc++ LINKER:--gc-sections)
+    set_target_properties(${name} PROPERTIES LINK_DEPENDS ${map})
+    if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
+      target_link_options(${name} PRIVATE LINKER:-z,defs)
+      target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
+      target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0
+                          LINKER:--pop-state)
+    endif()
   endif()
 endfunction()

@@ -1,5 +1,6 @@
-// Who is this participant? w_T, bias, variances and the tracker's noise from slides over a plate that stands
-// still (paper section V, "calibration"; the method is ours, derived in core/README.md).
+// Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
+// plate that stands still (paper section V, "calibration"; the method is ours, derived in core/README.md),
+// and whether that account fits the slides at all.
 //
 // Off-line work: it allocates and takes as long as it needs. Any thread.
 #pragma once
@@ -9,53 +10,66 @@
 #include <variant>
 #include <vector>
 
-#include "core/plate_frame.h"
+#include "core/person_fit.h"
+#include "core/slide_track.h"
+#include "core/tracker_noise.h"
 
 namespace hrt {
 
-/// One slide towards the target with the plate at rest. Positions from before the motion show the
-/// tracker's noise.
-struct CalibrationTrial {
-  double plate_orientation_deg = 0.0;  ///< finite
-  std::vector<TimedPoint> samples;     ///< times increase; positions finite
-};
-
 struct CalibrationConfig {
   double goal_direction_deg = 0.0;  ///< direction of the target that the participant goes for, finite
-  std::int64_t step_period_ns = 100'000'000;  ///< of the model, 1 ms to 10 s
+  std::int64_t step_period_ns = 100'000'000;  ///< of the paper's model, 1 ms to 10 s
+  bool variances = true;  ///< whether to look for sigma_u^2 and sigma_h^2, which takes most of the time
 };
 
-/// An estimate with its 95 % interval. If the data cannot determine the value, `known` is false, the interval
-/// is the searched range, and the value its most likely point.
-struct Interval {
-  double value = 0.0;
-  double lower = 0.0;
-  double upper = 0.0;
-  bool known = true;
+/// One slide of the data.
+struct CalibratedSlide {
+  std::size_t trial;          ///< its place in the data, from 0
+  double plate_deg;           ///< of the ridge normal, relative to the goal direction
+  SlideDirections parts_deg;  ///< directions of its parts, relative to the goal direction
+  SlideDirections fitted_deg;
+  SlideVerdict verdict;
 };
 
-/// The normal quantile of 0.975.
-inline constexpr double normal_975 = 1.959963984540054;
-
-/// The standard deviation of which a 95 % interval from `lower` to `upper` is that of a normal estimate.
-inline double deviation_of_interval(double lower, double upper) {
-  return (upper - lower) / (2.0 * normal_975);
-}
-
-/// The second half of one slide: its direction, and the fitted one.
-struct Chord {
-  double plate_orientation_deg;
-  double direction_deg;
-  double fitted_deg;
+/// A point of the illusion's curve with the ends of its 95 % interval.
+struct CurvePoint {
+  double offset_deg;
+  Interval shift_deg;
 };
 
+/// How a family of curves fares.
+struct FamilyScore {
+  CurveFamily family;
+  double probability;
+  double weight;
+};
+
+/// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
 struct Calibration {
-  Interval tactile_weight;
-  Interval bias_deg;               ///< the participant's own, left positive, at the target
-  Interval motor_variance_deg2;    ///< sigma_u^2
-  Interval sensory_variance_deg2;  ///< sigma_h^2
-  Interval tracker_noise_m;
-  std::vector<Chord> chords;  ///< one a trial that was used
+  Interval tactile_weight;   ///< felt shift over offset at 60 degrees, mean of both sides
+  Interval bias_deg;         ///< goal at the middle of the path less target direction, left positive
+  Interval habit_deg;        ///< how far the goal turns over the path, halved
+  Interval largest_gap_deg;  ///< largest felt shift within 75 degrees, on the weaker side
+  double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it
+  Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
+  Interval curve;                            ///< b of it
+  double slope_curve_correlation = 0.0;
+  Interval motor_variance_deg2{0.5, 0.05, 5.0, false};    ///< sigma_u^2; never known
+  Interval sensory_variance_deg2{0.1, 0.01, 3.0, false};  ///< sigma_h^2; never known
+  RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
+
+  IllusionCurve illusion;             ///< of the likeliest family
+  std::vector<FamilyScore> families;  ///< compared, the likeliest first; linear alone with few angles
+  std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
+  LackOfFit lack_of_fit;
+  std::vector<CalibratedSlide> slides;  ///< every trial with a slide
+  double largest_plate_deg = 0.0;       ///< of the slides used; published human data cover 60
+
+  /// No pattern is left in the residuals.
+  bool fits() const;
+  std::size_t count(SlideVerdict verdict) const;
+  /// What to do next, a sentence each: empty if all is well.
+  std::vector<std::string> advice() const;
 };
 
 /// Why there is no calibration: one sentence with the mistake and the requirement.
@@ -63,13 +77,13 @@ struct CalibrationRefusal {
   std::string reason;
 };
 
-/// Needs at least `least_trials` slides of at least 30 mm, at three plate angles or more that span
-/// 40 degrees: one angle alone cannot separate w_T from a bias. Refuses a w_T whose interval is not within
-/// the usable range (0.02, 0.48).
+/// Needs at least `least_trials` slides of at least 30 mm that count, at three plate angles or more that span
+/// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `least_curve_angles`; with
+/// fewer the illusion is taken for linear. Refuses a w_T whose interval is not within the usable range (0.02,
+/// 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         const CalibrationConfig& config = {});
 
 inline constexpr int least_trials = 10;
-inline constexpr double least_slide_m = 0.03;
 
 }  // namespace hrt

@@ -38,7 +38,8 @@ double seconds(std::int64_t from_ns, std::int64_t to_ns) {
 bool is_valid(const EstimatorConfig& config) {
   return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 &&
          config.motor_variance_sd_deg2 > 0.0 && config.motor_variance_sd_deg2 <= 10.0 &&
-         config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1;
+         config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1 && config.correlated_noise_m >= 0.0 &&
+         config.correlated_noise_m <= 0.1 && config.correlation_s >= 0.01 && config.correlation_s <= 2.0;
 }
 
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,

@@ -24,6 +24,11 @@ struct EstimatorConfig {
   double motor_variance_sd_deg2 = 0.5;
   /// White noise of a tracked coordinate, metres in [0, 0.1]; 0: learn it from the samples.
   double tracker_noise_m = 0.0;
+  /// For the controller for people: noise that decays to 1/e in `correlation_s`, beside the white one. Metres
+  /// in [0, 0.1]; 0: nothing is known of it, and tracker_noise_m is all noise, of either kind.
+  double correlated_noise_m = 0.0;
+  /// 0.01 to 2.
+  double correlation_s = 0.1;
 };
 
 /// True if every field is in its range.

@@ -55,13 +55,6 @@ double square_distance(const PlaceMm& a, const PlaceMm& b) {
   return square(a.right_mm - b.right_mm) + square(a.away_mm - b.away_mm);
 }
 
-// Two thirds and three quarters of it, whose squares add up to it.
-TrackerNoise noise_of(double noise_mm) {
-  if (noise_mm <= 0.0) return {};
-  const double known_mm = std::max(noise_mm, 0.01);
-  return {.white_mm = 0.66 * known_mm, .correlated_mm = 0.75 * known_mm};
-}
-
 // The pace that fits a motion from rest, and when it began.
 struct MotionFit {
   double log_rate;
@@ -72,12 +65,12 @@ struct MotionFit {
 }  // namespace
 
 PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
-                                 const PlaceMm& start, double noise_mm)
+                                 const PlaceMm& start, const std::optional<TrackerNoise>& noise)
     : belief_(belief),
       virtual_direction_deg_(virtual_direction_deg),
       path_mm_(path_mm),
-      noise_(noise_of(noise_mm)),
-      noise_known_(noise_mm > 0.0),
+      noise_(noise.value_or(TrackerNoise{})),
+      noise_known_(noise.has_value()),
       filter_(belief, virtual_direction_deg, path_mm, noise_),
       origin_(start) {}
 

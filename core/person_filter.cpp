@@ -11,7 +11,6 @@ namespace hrt {
 namespace {
 
 constexpr double rad_per_deg = 0.017453292519943295;
-constexpr double noise_s = 0.1;
 
 // Random walks, per second.
 constexpr double direction_density_deg2_s = 14.0;
@@ -119,7 +118,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const double cosine = cos_deg(state_(direction) + 0.5 * turn_deg);
 
   const double wander_kept = exponential(-seconds / wander_s);
-  const double noise_kept = exponential(-seconds / noise_s);
+  const double noise_kept = exponential(-seconds / noise_.correlation_s);
   const double travel_scale = arrived ? 0.0 : path_mm_ * rate * seconds;
   const double travel_by_phase = travel_scale * begun.acceleration;
   const double travel_by_evenness = travel_scale * begun.by_evenness;
@@ -172,7 +171,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
 }
 
 void PersonFilter::rest(double seconds) {
-  const double kept = exponential(-seconds / noise_s);
+  const double kept = exponential(-seconds / noise_.correlation_s);
   for (const Index noise : {noise_right, noise_away}) {
     state_(noise) *= kept;
     covariance_.row(noise) *= kept;

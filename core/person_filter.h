@@ -7,7 +7,9 @@
 //   progress    v = L r s'(u),   u' = r = exp(rho)
 //   goal        G = V + d + dr + c (1 - 2 s(u))
 //   motion      phi' = -k (phi + g(T(now - 60 ms) - phi) - G),   x' = -v sin phi,   z' = v cos phi
-//   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s, dr within 0.3 s
+//   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s if nothing else is
+//   known, dr
+//               within 0.3 s
 //
 // Unknown besides place x, z, direction phi and phase u: w, b and f of the illusion, the gain k, the bias d,
 // the habit c of curving, the evenness a of the pace, rho, and the share of the goal's direction in which the
@@ -21,10 +23,11 @@
 
 namespace hrt {
 
-/// White noise and noise correlated over 0.1 s of a tracked coordinate, standard deviations, > 0.
+/// White and correlated noise of a tracked coordinate, standard deviations, > 0.
 struct TrackerNoise {
   double white_mm = 0.8;
   double correlated_mm = 0.9;
+  double correlation_s = 0.1;  ///< the correlated part decays to 1/e in this, > 0
 
   double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
 };

@@ -69,8 +69,9 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach)
       reach_(reach),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
       aimed_direction_deg_(reach.real_direction_deg),
+      frame_sd_deg_(frame_bearing_sd_deg(config.frame, reach.start, target_)),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
-                 to_mm(reach.start), mm_per_m * config.tracker_noise_m),
+                 to_mm(reach.start), config.noise),
       plate_(config.plate, within_stops(config, reach)),
       limits_(limits_of(config, reach, within_stops(config, reach))) {
   decision_.plate.orientation_deg = plate_.orientation_deg();
@@ -98,6 +99,7 @@ void PersonReach::retarget(const PlatePoint& real, const Reach& now) {
       now.real_direction_deg + wrap_deg(bearing_deg(reach_.start, real) - now.real_direction_deg, 360.0);
   reach_.real_distance_m = distance_m(reach_.start, real);
   target_ = real;
+  frame_sd_deg_ = frame_bearing_sd_deg(config_.frame, reach_.start, target_);
   aimed_from_ = now.start;
   aimed_direction_deg_ = now.real_direction_deg;
   miss_share_ = cos_deg(now.real_direction_deg - reach_.real_direction_deg);
@@ -199,7 +201,7 @@ double PersonReach::seconds(std::int64_t time_ns) const {
   return 1e-9 * static_cast<double>(elapsed_ns(origin_ns_, time_ns));
 }
 
-// The largest gap less the one that is to be held, to first order in w, b and d.
+// The largest gap less the one that is to be held, to first order in w, b, d and the frame's error.
 bool PersonReach::can_be_held() const {
   using F = PersonFilter;
   const F& filter = estimator_.filter();
@@ -209,11 +211,25 @@ bool PersonReach::can_be_held() const {
   const FeltShift g = felt_shift(illusion, largest.offset_deg);
   const double slopes[] = {g.by_weight, g.by_curve, g.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
   const F::Index unknowns[] = {F::weight, F::curve, F::fading, F::bias};
-  double variance = 0.0;
+  double variance = frame_sd_deg_ * frame_sd_deg_;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       variance += slopes[i] * slopes[j] * filter.covariance()(unknowns[i], unknowns[j]);
   return largest.shift_deg - std::abs(gap_deg) > least_margin_deg - margin_deviations * deviation(variance);
+}
+
+// Of the finger across the line to the target: as the filter knows its place, and as the frame is known.
+double PersonReach::bearing_error_sd_deg() const {
+  using F = PersonFilter;
+  if (estimator_.motion() == FingerMotion::resting) return frame_sd_deg_;
+  const F::Covariance& covariance = estimator_.filter().covariance();
+  const double across_right = -cos_deg(reach_.real_direction_deg);
+  const double across_away = -sin_deg(reach_.real_direction_deg);
+  const double variance_mm2 = across_right * across_right * covariance(F::right, F::right) +
+                              across_away * across_away * covariance(F::away, F::away) +
+                              2.0 * across_right * across_away * covariance(F::right, F::away);
+  const double place_sd_deg = atan2_deg(deviation(variance_mm2), mm_per_m * reach_.real_distance_m);
+  return std::sqrt(frame_sd_deg_ * frame_sd_deg_ + place_sd_deg * place_sd_deg);
 }
 
 PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool decided) {
@@ -245,6 +261,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .time_to_go_s = ends ? 0.0 : decision_.time_to_go_s,
       .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
       .predicted_miss_deg = miss_deg,
+      .bearing_error_sd_deg = bearing_error_sd_deg(),
       .nis = estimator_.fit().nis,
       .step = begun ? static_cast<std::int64_t>(std::min(1e9 * (now_s - estimator_.onset_s()), most_ns)) /
                           config_.step_period_ns
@@ -290,6 +307,7 @@ ReachSummary PersonReach::summary() const {
   summary.distance_to_target_m = distance_m(ended, target_);
   summary.bearing_error_deg =
       begun ? wrap_deg(bearing_deg(reach_.start, ended) - reach_.real_direction_deg, 360.0) : 0.0;
+  summary.bearing_error_sd_deg = command_.bearing_error_sd_deg;
   summary.rms_felt_error_deg =
       felt_samples_ > 0 ? std::sqrt(square_felt_sum_deg2_ / static_cast<double>(felt_samples_)) : 0.0;
   summary.unreachable = command_.unreachable;

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/finger_sample.h"
+#include "core/frame_error.h"
 #include "core/person_estimator.h"
 #include "core/plate_limits.h"
 #include "core/plate_model.h"
@@ -19,10 +20,11 @@ struct PersonReachConfig {
   PersonBelief person;  ///< is_valid(person)
   ReachControlConfig control;
   PlateDynamics plate;
-  double tracker_noise_m = 0.0;  ///< of a coordinate, standard deviation; 0: learn it while the finger rests
+  std::optional<TrackerNoise> noise;    ///< of the tracker; none: learn it while the finger rests
   std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
   std::int64_t step_period_ns = 100'000'000;
   bool plate_waits = false;  ///< the plate stays where it stands until the finger moves
+  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
 };
 
 /// No heap, no lock, no exception. One thread at a time.
@@ -64,6 +66,7 @@ class PersonReach {
   ReachAim aim() const;
   double seconds(std::int64_t time_ns) const;
   bool can_be_held() const;
+  double bearing_error_sd_deg() const;
 
   PersonReachConfig config_;
   Reach reach_;
@@ -73,6 +76,7 @@ class PersonReach {
   std::optional<PlatePoint> aimed_from_;  // none before retarget()
   double aimed_direction_deg_;
   double miss_share_ = 1.0;
+  double frame_sd_deg_;  // of the target's bearing from the start, by the frame's uncertainty
   PersonEstimator estimator_;
   PlateModel plate_;
   PlateTrace trace_;

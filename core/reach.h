@@ -36,8 +36,11 @@ struct PlateCommand {
   double time_to_go_s = 0.0;       ///< until the motion ends; 0 if no positions are streamed
   double felt_error_deg = 0.0;     ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
-  double nis = 0.0;                 ///< normalised innovation squared of recent positions; 2 is expected
-  std::int64_t step = -1;           ///< model step; -1 before the finger moves
+  /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
+  /// start: by the filter and by the registration of the plate; 0 if no positions are streamed.
+  double bearing_error_sd_deg = 0.0;
+  double nis = 0.0;        ///< normalised innovation squared of recent positions; 2 is expected
+  std::int64_t step = -1;  ///< model step; -1 before the finger moves
   ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
   bool held = true;                        ///< no new decision was taken in this call
   bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
@@ -77,8 +80,9 @@ struct ReachSummary {
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
   double perceived_error_deg = 0.0;      ///< perceived_direction_deg - theta_V
   double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
-  double bearing_error_deg = 0.0;    ///< of the last position from the start, less P_R; 0 without positions
-  double peak_felt_error_deg = 0.0;  ///< largest size of PlateCommand::felt_error_deg
+  double bearing_error_deg = 0.0;     ///< of the last position from the start, less P_R; 0 without positions
+  double bearing_error_sd_deg = 0.0;  ///< as in the last PlateCommand
+  double peak_felt_error_deg = 0.0;   ///< largest size of PlateCommand::felt_error_deg
   double rms_felt_error_deg = 0.0;
   double nis = 0.0;                      ///< as in PlateCommand, largest
   bool unreachable = false;              ///< as in the last PlateCommand

@@ -1,21 +1,28 @@
 #include "core/registration.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <Eigen/SVD>
+#include <algorithm>
 #include <cmath>
-#include <vector>
+#include <cstdint>
 
 namespace hrt {
 namespace {
 
-using Touches = std::vector<MarkTouch>;
 using Jacobian = Eigen::Matrix<double, 3, 7>;
+using Information = Eigen::Matrix<double, 7, 7>;
 
 constexpr double least_spread_m = 0.01;
 // Of the touch's deviation: so many squares is the assumed one worth.
 constexpr double assumed_squares = 6.0;
 constexpr double most_offset_sd_m = 0.005;
+constexpr double least_cosine_up = 0.5;
+// A tracker's unit of length is off by less.
+constexpr double least_scale = 0.5;
+constexpr double most_scale = 2.0;
+constexpr int touches_to_leave_one_out = 5;
 // Standard normal quantile of 99.9 %.
 constexpr double sure = 3.0902;
 
@@ -30,21 +37,55 @@ double variance_of(double assumed_sd_m, double square_sum_m2, double freedom) {
   return (assumed_squares * assumed_sd_m * assumed_sd_m + square_sum_m2) / (assumed_squares + freedom);
 }
 
-Touches without(const Touches& touches, int left_out) {
-  Touches rest = touches;
-  rest.erase(rest.begin() + left_out);
-  return rest;
+// Touches with at most one of them left out.
+class Touches {
+ public:
+  explicit Touches(std::span<const MarkTouch> all) : all_(all) {}
+  Touches without(std::size_t left_out) const {
+    Touches rest = *this;
+    rest.left_out_ = left_out;
+    return rest;
+  }
+
+  double count() const { return static_cast<double>(all_.size() - (left_out_ < all_.size() ? 1 : 0)); }
+  template <class Body>
+  void for_each(Body&& body) const {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (i != left_out_) body(all_[i]);
+  }
+
+ private:
+  std::span<const MarkTouch> all_;
+  std::size_t left_out_ = SIZE_MAX;
+};
+
+// Means, and sums of products of the deviations from them.
+struct Moments {
+  Eigen::Vector3d mark_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d touched_m = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d marks_m2 = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d touched_by_mark_m2 = Eigen::Matrix3d::Zero();
+};
+
+Moments moments_of(const Touches& touches) {
+  Moments result;
+  touches.for_each([&](const MarkTouch& touch) {
+    result.mark_m += touch.mark_m / touches.count();
+    result.touched_m += touch.touched_m / touches.count();
+  });
+  touches.for_each([&](const MarkTouch& touch) {
+    const Eigen::Vector3d mark_m = touch.mark_m - result.mark_m;
+    result.marks_m2 += mark_m * mark_m.transpose();
+    result.touched_by_mark_m2 += (touch.touched_m - result.touched_m) * mark_m.transpose();
+  });
+  return result;
 }
 
 // The second largest deviation of the marks from their mean: 0 on a line.
 bool is_degenerate(const Touches& touches) {
-  Eigen::Matrix3Xd marks(3, touches.size());
-  for (std::size_t i = 0; i < touches.size(); ++i)
-    marks.col(static_cast<Eigen::Index>(i)) = touches[i].mark_m;
-  const Eigen::Matrix3Xd centred = marks.colwise() - marks.rowwise().mean();
-  const Eigen::Vector3d spread =
-      centred.jacobiSvd().singularValues() / std::sqrt(static_cast<double>(touches.size()));
-  return !(spread(1) >= least_spread_m);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_of(touches).marks_m2,
+                                                              Eigen::EigenvaluesOnly);
+  return !(std::sqrt(std::max(0.0, solver.eigenvalues()(1)) / touches.count()) >= least_spread_m);
 }
 
 Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_m) {
@@ -68,23 +109,22 @@ struct Fit {
   double freedom;
 };
 
+// Umeyama, equations 39 to 42.
 Fit fit(const RegistrationConfig& config, const Touches& touches) {
-  const auto count = static_cast<Eigen::Index>(touches.size());
-  Eigen::Matrix3Xd marks(3, count);
-  Eigen::Matrix3Xd touched(3, count);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    marks.col(i) = touches[static_cast<std::size_t>(i)].mark_m;
-    touched.col(i) = touches[static_cast<std::size_t>(i)].touched_m;
-  }
-  const Eigen::Matrix4d transform = Eigen::umeyama(marks, touched, config.fit_scale);
+  const Moments moments = moments_of(touches);
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments.touched_by_mark_m2,
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs(2) = -1.0;
   Fit result{};
   Registration& found = result.registration;
-  found.scale = config.fit_scale ? transform.block<3, 1>(0, 0).norm() : 1.0;
-  found.rotation = transform.topLeftCorner<3, 3>() / found.scale;
-  found.position_m = transform.topRightCorner<3, 1>();
-  for (const MarkTouch& touch : touches)
-    result.square_sum_m2 += (touch.touched_m - predicted(found, touch.mark_m)).squaredNorm();
-  result.freedom = 3.0 * static_cast<double>(count) - (config.fit_scale ? 7.0 : 6.0);
+  found.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
+  const double scale = svd.singularValues().dot(signs) / moments.marks_m2.trace();
+  if (config.fit_scale && scale >= least_scale && scale <= most_scale) found.scale = scale;
+  found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
+  touches.for_each(
+      [&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
+  result.freedom = 3.0 * touches.count() - (config.fit_scale ? 7.0 : 6.0);
   return result;
 }
 
@@ -96,24 +136,28 @@ Registration finished(const RegistrationConfig& config, const Fit& fit, const To
   Registration result = fit.registration;
   result.verdict = RegistrationVerdict::holds;
   const double variance_m2 = variance_of(config.touch_sd_m, fit.square_sum_m2, fit.freedom);
-  const int unknowns = config.fit_scale ? 7 : 6;
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(unknowns, unknowns);
-  for (const MarkTouch& touch : touches) {
-    const Eigen::MatrixXd j = jacobian(result, touch.mark_m).leftCols(unknowns);
+  Information information = Information::Zero();
+  touches.for_each([&](const MarkTouch& touch) {
+    Jacobian j = jacobian(result, touch.mark_m);
+    if (!config.fit_scale) j.col(6).setZero();
     information += j.transpose() * j / variance_m2;
-  }
-  result.covariance.topLeftCorner(unknowns, unknowns) =
-      information.ldlt().solve(Eigen::MatrixXd::Identity(unknowns, unknowns));
+  });
+  if (!config.fit_scale) information(6, 6) = 1.0;
+  result.covariance = information.ldlt().solve(Information::Identity());
+  if (!config.fit_scale) result.covariance(6, 6) = 0.0;
   result.touch_sd_m = std::sqrt(variance_m2);
-  result.residual_m = std::sqrt(fit.square_sum_m2 / static_cast<double>(touches.size()));
+  result.residual_m = std::sqrt(fit.square_sum_m2 / touches.count());
   return result;
 }
 
-}  // namespace
+bool is_upside_down(const RegistrationConfig& config, const Registration& found) {
+  const double length = config.up.norm();
+  return length > 0.0 && found.rotation.col(1).dot(config.up) < least_cosine_up * length;
+}
 
-Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> given) {
-  const Touches touches(given.begin(), given.end());
-  if (touches.size() < 3) return {};
+Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch> given) {
+  if (given.size() < 3) return {};
+  const Touches touches(given);
   Registration refused;
   refused.verdict = RegistrationVerdict::degenerate;
   if (is_degenerate(touches)) return refused;
@@ -121,20 +165,34 @@ Registration fit_registration(const RegistrationConfig& config, std::span<const 
   if (is_consistent(config, all)) return finished(config, all, touches);
 
   // One bad touch spoils the fit of all, and of every four-fifths that contain it.
+  refused = finished(config, all, touches);
   refused.verdict = RegistrationVerdict::inconsistent;
-  if (touches.size() < 5) return refused;
+  if (given.size() < touches_to_leave_one_out) return refused;
   int fitting = 0;
   Registration found;
-  for (int i = 0; i < static_cast<int>(touches.size()); ++i) {
-    const Touches rest = without(touches, i);
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Touches rest = touches.without(i);
     if (is_degenerate(rest)) continue;
     const Fit of_rest = fit(config, rest);
     if (!is_consistent(config, of_rest)) continue;
     ++fitting;
     found = finished(config, of_rest, rest);
-    found.left_out = i;
+    found.left_out = static_cast<int>(i);
   }
   return fitting == 1 ? found : refused;
+}
+
+}  // namespace
+
+Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches) {
+  Registration found = fit_any(config, touches);
+  if (found.verdict == RegistrationVerdict::holds && is_upside_down(config, found))
+    found.verdict = RegistrationVerdict::upside_down;
+  return found;
+}
+
+double residual_m(const Registration& registration, const MarkTouch& touch) {
+  return (touch.touched_m - predicted(registration, touch.mark_m)).norm();
 }
 
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch) {

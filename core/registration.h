@@ -2,9 +2,9 @@
 //
 //   touched_i = s R mark_i + p + noise,   least squares over R, p and, on request, s
 //
-// The closed form is Umeyama's (IEEE T-PAMI 13, 1991). A frame that is turned by 1 degree turns every reach
-// by as much, and nothing in a reach shows it. What the tracker calls the fingertip need not be the skin: a
-// constant offset becomes part of the pose, as it should, while the hand keeps its orientation;
+// The closed form is Umeyama's (IEEE T-PAMI 13, 1991). No heap. A frame that is turned by 1 degree turns
+// every reach by as much, and nothing in a reach shows it. What the tracker calls the fingertip need not be
+// the skin: a constant offset becomes part of the pose, as it should, while the hand keeps its orientation;
 // fit_fingertip() finds the offset of one that does not.
 #pragma once
 
@@ -23,8 +23,11 @@ struct MarkTouch {
 struct RegistrationConfig {
   /// Of a touch, each coordinate, standard deviation as assumed; the residuals correct it. Finite, > 0.
   double touch_sd_m = 0.003;
-  /// The tracker's unit of length may be off.
+  /// The tracker's unit of length may be off, by a factor of 0.5 to 2.
   bool fit_scale = false;
+  /// Up in the tracker's frame, of any length: the plate's face must look that way within 60 degrees. Zero:
+  /// not checked, and a plate whose left and right marks were confused passes for one that lies upside down.
+  Eigen::Vector3d up = Eigen::Vector3d::Zero();
 };
 
 enum class RegistrationVerdict {
@@ -32,9 +35,11 @@ enum class RegistrationVerdict {
   too_few,       ///< fewer than 3 touches, or none left over to leave out a bad one
   degenerate,    ///< marks within 1 cm of a line: the plate could turn about it
   inconsistent,  ///< no pose explains the touches, nor all but one of them
+  upside_down,   ///< the face looks away from `up`: marks on opposite sides were confused
 };
 
-/// The fields below the verdict mean something only if it holds.
+/// The fields below the verdict mean something if it holds. Of inconsistent touches and of a plate upside
+/// down they are those of the fit to all, for its residuals.
 struct Registration {
   RegistrationVerdict verdict = RegistrationVerdict::too_few;
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();  ///< from plate coordinates to the tracker's
@@ -50,6 +55,9 @@ struct Registration {
 
 /// Fits the pose to `touches`, all finite. With 5 touches or more one bad one is found and left out.
 Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches);
+
+/// Distance of a touch from where the registration has its mark.
+double residual_m(const Registration& registration, const MarkTouch& touch);
 
 /// Whether a later touch of a mark agrees with a registration that holds.
 struct RegistrationCheck {

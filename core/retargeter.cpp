@@ -14,6 +14,8 @@ constexpr double least_leg_m = 0.01;
 // As the finger passes the real target its direction turns to anywhere.
 constexpr double largest_seen_gap_deg = 89.0;
 constexpr double least_seen_distance_m = 0.001;
+// No part of a tracker's noise is known to be less: without any a filter takes every trace for the person.
+constexpr double least_known_noise_mm = 0.02;
 
 PaperReachConfig paper_config(const RetargeterConfig& config) {
   PaperReachConfig paper{.participant = config.participant,
@@ -27,14 +29,28 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
   return paper;
 }
 
+// Of a tracker of whose noise only the size is known, two thirds and three quarters of it, whose squares add
+// up to it: correlated noise that is absent costs little, and unmodelled noise becomes a motion.
+std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
+  constexpr double mm_per_m = 1000.0;
+  if (config.correlated_noise_m > 0.0)
+    return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, least_known_noise_mm),
+                        .correlated_mm = std::max(mm_per_m * config.correlated_noise_m, least_known_noise_mm),
+                        .correlation_s = config.correlation_s};
+  if (config.tracker_noise_m <= 0.0) return std::nullopt;
+  const double known_mm = std::max(mm_per_m * config.tracker_noise_m, 0.01);
+  return TrackerNoise{.white_mm = 0.66 * known_mm, .correlated_mm = 0.75 * known_mm};
+}
+
 PersonReachConfig person_config(const RetargeterConfig& config) {
   return {.person = config.person,
           .control = config.reach,
           .plate = config.plate,
-          .tracker_noise_m = config.estimator.tracker_noise_m,
+          .noise = noise_of(config.estimator),
           .tracker_latency_ns = config.tracker_latency_ns,
           .step_period_ns = config.step_period_ns,
-          .plate_waits = config.plate_waits};
+          .plate_waits = config.plate_waits,
+          .frame = config.frame};
 }
 
 }  // namespace
@@ -47,7 +63,7 @@ bool is_valid(const RetargeterConfig& config) {
          config.plate.latency_ns <= max_lead * config.step_period_ns && is_valid(config.person) &&
          config.reach.bound_deg > 0.0 && config.reach.bound_deg < 90.0 &&
          config.reach.max_felt_error_deg > 0.0 && config.tracker_latency_ns >= 0 &&
-         config.tracker_latency_ns <= 500'000'000;
+         config.tracker_latency_ns <= 500'000'000 && is_frame_covariance(config.frame);
 }
 
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}

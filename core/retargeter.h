@@ -31,6 +31,7 @@ struct RetargeterConfig {
   /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
   std::int64_t tracker_latency_ns = 0;
   bool plate_waits = false;  ///< do not turn the plate before the finger moves; of ControlMode::reach
+  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
 };
 
 /// True if every field is in its range.

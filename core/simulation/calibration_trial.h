@@ -3,6 +3,7 @@
 
 #include "core/calibration.h"
 #include "core/perception.h"
+#include "core/simulation/people.h"
 #include "core/simulation/trial.h"
 
 namespace hrt {
@@ -22,5 +23,11 @@ struct CalibrationCondition {
 /// One slide with the plate at `plate_orientation_deg`. Any thread.
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
                                             double plate_orientation_deg, const TrialId& id);
+
+/// One slide of a person of people.h, straight ahead, with the plate at rest at `plate_orientation_deg`; the
+/// gap of the condition does not count. `slide` is its number in the session; each sets out within 2 degrees
+/// (standard deviation) of the person's start direction. Any thread.
+CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg,
+                                std::uint64_t seed, std::uint32_t person, std::uint32_t slide);
 
 }  // namespace hrt

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <deque>
 
 #include "core/exponential.h"
 #include "core/learning.h"
+#include "core/simulation/tracker.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
@@ -15,6 +15,7 @@ namespace {
 constexpr double bound_deg = 75.0;
 constexpr std::int64_t tick_ns = 1'000'000;
 constexpr double tail_s = 0.3;  // tracked at rest after the motion
+constexpr double tan_of_2_deg = 0.03492076949174773;
 
 // Streams of Draws.
 enum Stream : std::uint32_t { drawing, steering, tracking };
@@ -30,7 +31,8 @@ void illusion(PersonCondition& condition, double scale_deg) {
 }
 
 constexpr PeopleFamily all_families[] = {
-    {"linear", "linear illusion, continuous steering", true, [](PersonCondition&, Draws&) {}},
+    {"linear", "linear illusion up to 90°, where its sign flips; continuous steering", true,
+     [](PersonCondition&, Draws&) {}},
     {"steps", "the paper's person, steering every 100 ms", true,
      [](PersonCondition& c, Draws&) {
        c.person.steering = Steering::steps;
@@ -106,6 +108,12 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws&) { c.plate.max_speed_deg_s = 250.0; }},
     {"late-plate", "plate 30 ms later than believed", false,
      [](PersonCondition& c, Draws&) { c.plate.latency_ns = 60'000'000; }},
+    {"late-samples", "samples up to 8 ms late, each anew", false,
+     [](PersonCondition& c, Draws&) { c.tracker.late_s = 0.008; }},
+    {"latency-100", "tracker 100 ms late, and declared so", false,
+     [](PersonCondition& c, Draws&) { c.tracker.latency_s = c.tracker.declared_latency_s = 0.1; }},
+    {"latency-45", "tracker 45 ms late, not declared", false,
+     [](PersonCondition& c, Draws&) { c.tracker.latency_s = 0.045; }},
     {"mixture", "clip-60, bias 2°, habit 3°, noise half correlated", true,
      [](PersonCondition& c, Draws& d) {
        illusion<IllusionFamily::saturating>(c, 60.0);
@@ -114,59 +122,28 @@ constexpr PeopleFamily all_families[] = {
        c.tracker.white_m = 0.0006;
        c.tracker.correlated_m = 0.00104;
      }},
-};
-
-// A tracker in use.
-class Tracker {
- public:
-  Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws)
-      : model_(model), about_(about), draws_(draws) {
-    right_m_ = model.correlated_m * draws_.normal();
-    away_m_ = model.correlated_m * draws_.normal();
-  }
-
-  /// Sees the finger if a sample is due at `time_s`.
-  void look(double time_s, const PlatePoint& finger) {
-    if (time_s < next_s_) return;
-    const double period_s = 1.0 / model_.rate_hz;
-    next_s_ += period_s * (1.0 + model_.jitter_share * (2.0 * draws_.uniform() - 1.0));
-    const double kept = exponential(-period_s / model_.correlation_s);
-    const double fresh_m = model_.correlated_m * std::sqrt(1.0 - kept * kept);
-    right_m_ = kept * right_m_ + fresh_m * draws_.normal();
-    away_m_ = kept * away_m_ + fresh_m * draws_.normal();
-    const double right_m = model_.scale * (finger.right_m - about_.right_m);
-    const double away_m = model_.scale * (finger.away_m - about_.away_m);
-    const double sine = sin_deg(model_.turned_deg);
-    const double cosine = cos_deg(model_.turned_deg);
-    PlatePoint seen{
-        about_.right_m + cosine * right_m - sine * away_m + right_m_ + model_.white_m * draws_.normal(),
-        about_.away_m + sine * right_m + cosine * away_m + away_m_ + model_.white_m * draws_.normal()};
-    if (draws_.uniform() < model_.outlier_share) {
-      seen.right_m += 0.03 * draws_.normal();
-      seen.away_m += 0.03 * draws_.normal();
-    }
-    lost_ = lost_ ? draws_.uniform() >= 0.1 : draws_.uniform() < model_.dropout_share;
-    under_way_.push_back({.time_ns = std::llround((time_s + model_.latency_s) * 1e9),
-                          .observation = lost_ ? Observation::none : Observation::position,
-                          .position = seen});
-  }
-
-  /// The next sample that has come by `time_ns`; none if there is none.
-  std::optional<FingerSample> arrived(std::int64_t time_ns) {
-    if (under_way_.empty() || under_way_.front().time_ns > time_ns) return std::nullopt;
-    const FingerSample sample = under_way_.front();
-    under_way_.pop_front();
-    return sample;
-  }
-
- private:
-  TrackerModel model_;
-  PlatePoint about_;
-  Draws draws_;
-  double next_s_ = 0.0;
-  double right_m_, away_m_;  // correlated noise
-  bool lost_ = false;
-  std::deque<FingerSample> under_way_;
+    {"turned-1", "tracker frame turned by ±1°", false,
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(1.0, d); }, true},
+    {"turned-2", "tracker frame turned by ±2°", false,
+     [](PersonCondition& c, Draws& d) { c.tracker.turned_deg = either_side(2.0, d); }, true},
+    {"scaled-5", "tracker frame 5 % too large or too small", false,
+     [](PersonCondition& c, Draws& d) { c.tracker.scale = 1.0 + either_side(0.05, d); }, true},
+    {"sheared-2", "mid-line of the tracker frame off by ±2°, its right is not", false,
+     [](PersonCondition& c, Draws& d) { c.tracker.shear = either_side(tan_of_2_deg, d); }, true},
+    {"headset", "72 Hz, 45 ms late, error that grows to 11 mm over the path", false,
+     [](PersonCondition& c, Draws& d) {
+       c.tracker.rate_hz = 72.0;
+       c.tracker.latency_s = 0.045;
+       // Of the target's place, in any direction.
+       const double towards_deg = 360.0 * d.uniform();
+       const double along = 1.0 + 0.011 / c.distance_m * cos_deg(towards_deg);
+       const double across = 0.011 / c.distance_m * sin_deg(towards_deg);
+       c.tracker.turned_deg = atan2_deg(across, along);
+       c.tracker.scale = std::sqrt(along * along + across * across);
+     },
+     true},
+    {"plate-off-5", "ridges ±5° from where the plate is believed to stand", false,
+     [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},
 };
 
 PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
@@ -196,7 +173,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
     const double now_s = 1e-9 * static_cast<double>(now_ns);
     plate.advance(now_ns);
     if (now_s > rest_s && !person.done()) {
-      person.advance(plate.orientation_deg());
+      person.advance(plate.orientation_deg() + condition.plate_offset_deg);
       if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
         peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
     }
@@ -209,7 +186,8 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (controller) controller->retarget(real_place, virtual_now);
     }
     if (person.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s) break;
+    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s + condition.tracker.late_s)
+      break;
     tracker.look(now_s, person.position());
     while (const auto sample = tracker.arrived(now_ns)) {
       if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
@@ -298,6 +276,12 @@ RetargeterConfig people_controller() {
   return config;
 }
 
+RetargeterConfig people_controller(const PersonCondition& condition) {
+  RetargeterConfig config = people_controller();
+  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.declared_latency_s);
+  return config;
+}
+
 RetargeterConfig informed_controller(const PersonCondition& condition) {
   using T = PersonTrait;
   RetargeterConfig config = people_controller();
@@ -308,7 +292,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   const auto know = [&belief](int trait, double mean, double sd) {
     belief.covariance.row(trait).setZero();
     belief.covariance.col(trait).setZero();
-    belief.mean(trait) = mean;
+    belief.mean(trait) = std::clamp(mean, trait_range[trait].least, trait_range[trait].most);
     belief.covariance(trait, trait) = sd * sd;
   };
   // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
@@ -324,7 +308,8 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   know(T::habit, person.habit_deg, 0.5);
   know(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
   know(T::log_rate, -logarithm(person.duration_s), 0.05);
-  know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
+  if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
+    know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
   belief.wander_sd_deg = later_wander_sd_deg;
   return config;
 }

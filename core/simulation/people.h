@@ -18,12 +18,15 @@ struct TrackerModel {
   double white_m = 0.0012;    ///< noise of a coordinate, standard deviation, anew at each sample
   double correlated_m = 0.0;  ///< and decaying within correlation_s
   double correlation_s = 0.1;
-  double latency_s = 0.0;      ///< from a motion to its sample
+  double latency_s = 0.0;           ///< from a motion to its sample
+  double declared_latency_s = 0.0;  ///< of it, what the controller is given
+  double late_s = 0.0;         ///< samples come up to this later still, each anew; less than between samples
   double outlier_share = 0.0;  ///< of samples that are off by 30 mm, standard deviation
   double dropout_share = 0.0;  ///< of samples at which tracking is lost, for some ten samples
   double jitter_share = 0.0;   ///< of the time between samples
   double turned_deg = 0.0;     ///< of its frame about the start
   double scale = 1.0;          ///< of its frame about the start
+  double shear = 0.0;          ///< seen to the right by this for each metre away from the start
 };
 
 /// Both targets are elsewhere from some moment of a reach on.
@@ -37,6 +40,7 @@ struct PersonCondition {
   Person person;
   TrackerModel tracker;
   PlateDynamics plate{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};  ///< as it is
+  double plate_offset_deg = 0.0;  ///< of the ridges from where the controller believes that they stand
   double real_direction_deg = -5.0;
   double virtual_direction_deg = 5.0;
   double distance_m = 0.1;
@@ -44,12 +48,15 @@ struct PersonCondition {
 };
 
 /// A kind of people or apparatus.
+// NOLINTNEXTLINE(clang-analyzer-optin.performance.Padding): in the order in which the table reads best
 struct PeopleFamily {
   const char* name;
   const char* says;  ///< what sets them apart, for tables
   bool tuned;  ///< the controller's numbers were searched with it; with others only its last settings were
                ///< compared
   void (*set)(PersonCondition& condition, Draws& draws);
+  /// The tracker's frame or the plate's zero is off: no controller sees that in a reach.
+  bool misplaced = false;
 };
 
 /// All families; the first is people whose illusion is linear.
@@ -82,10 +89,13 @@ std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
                                            const RetargeterConfig* controller, int reaches,
                                            std::uint64_t seed, std::uint32_t index);
 
-/// A controller for people that knows what the plate and the tracker can do, and nothing of the person.
+/// A controller for people that knows what the usual plate and tracker can do, and nothing of the person.
 RetargeterConfig people_controller();
 
-/// The same, with the person known too, as far as its model has words for them.
+/// The same, with the tracker's declared latency.
+RetargeterConfig people_controller(const PersonCondition& condition);
+
+/// A controller for people with plate, tracker and person known, as far as its model has words for them.
 RetargeterConfig informed_controller(const PersonCondition& condition);
 
 /// The paper's, with w_T assumed 0.15.

@@ -95,6 +95,8 @@ class SlidingPerson {
 
   bool done() const { return done_ && answers_in_ms_ == 0; }
   const PlatePoint& position() const { return position_; }
+  /// Where they feel that the finger is: the start, and every motion since in the direction that was felt.
+  const PlatePoint& felt_position() const { return felt_position_; }
   double speed_m_s() const { return speed_m_s_; }
   double direction_deg() const { return direction_deg_; }
   /// Felt direction less the virtual target's.

@@ -52,7 +52,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
                 HRT_ASSIGN_TARGETS_MAX);
   if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, argument, " is null");
   std::vector<std::uint64_t> ids;
-  out_configs->resize(count);
+  out_configs->resize(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < count; ++i) {
     Text<40> element;
     element << argument << "[" << i << "]";
@@ -159,7 +159,7 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
       return authority_of(s.session(), real_targets[j], virtual_targets[i], *reals[j], *virtuals[i]);
     };
     std::vector<double> shares;
-    std::vector<std::size_t> nearest(virtual_count, 0), serves(virtual_count, unserved);
+    std::vector<std::size_t> nearest(virtuals.size(), 0), serves(virtuals.size(), unserved);
     for (std::size_t i = 0; i < virtual_count; ++i) {
       double least_gap_deg = std::numeric_limits<double>::infinity();
       for (std::size_t j = 0; j < real_count; ++j) {
@@ -171,7 +171,7 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
         if (pair.reachable) serves[i] = j;
       }
     }
-    if (flags & HRT_ASSIGN_EXCLUSIVE) serves = assign_exclusively(shares, real_count);
+    if (flags & HRT_ASSIGN_EXCLUSIVE) serves = assign_exclusively(shares, reals.size());
 
     const std::uint32_t element_size = out_authorities->struct_size;
     auto* out = reinterpret_cast<unsigned char*>(out_authorities);

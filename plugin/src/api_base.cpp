@@ -1,21 +1,6 @@
 #include "haptic_retargeting/base.h"
 #include "plugin/src/abi/error.h"
 
-namespace hrt::plugin {
-
-thread_local constinit ThreadError thread_error;
-
-// Not inline: nothing is computed ahead of it.
-void NearestRounding::set(Mode mode) {
-#if defined(__SSE2__)
-  _mm_setcsr((_mm_getcsr() & ~static_cast<Mode>(_MM_ROUND_MASK)) | mode);
-#else
-  std::fesetround(mode);
-#endif
-}
-
-}  // namespace hrt::plugin
-
 const char* hrt_result_string(hrt_result result) noexcept {
 #define HRT_CASE(code) \
   case code:           \

@@ -60,7 +60,7 @@ struct Log {
   void* context;
 };
 constinit Log host_log{};
-std::mutex log_mutex;  // of host_log, and held while its callback runs
+std::mutex log_mutex;  // of all logs, and held while a callback runs
 
 hrt_result check_nothing_held() {
   const std::int64_t held = blocks_held.load();
@@ -73,9 +73,16 @@ constexpr std::size_t plain = alignof(std::max_align_t);
 
 }  // namespace
 
-void log(std::uint32_t level, const char* text) {
+void SessionLog::set(hrt_log_callback callback, void* context) {
   const std::lock_guard lock(log_mutex);
-  if (host_log.callback) host_log.callback(host_log.context, level, text);
+  callback_ = callback;
+  context_ = context;
+}
+
+void SessionLog::write(std::uint32_t level, const char* text) const {
+  const std::lock_guard lock(log_mutex);
+  const Log log = callback_ ? Log{callback_, context_} : host_log;
+  if (log.callback) log.callback(log.context, level, text);
 }
 
 void unlock_log_of_parent() {

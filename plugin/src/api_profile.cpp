@@ -2,17 +2,38 @@
 
 #include <cstring>
 
+#include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/json.h"
 #include "plugin/src/sessions.h"
 
 using namespace hrt::plugin;
+
+hrt_result hrt_profile_set_conditions(hrt_session session, const hrt_conditions* conditions) noexcept {
+  return with_session("hrt_profile_set_conditions", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    hrt_conditions known{};
+    HRT_RETURN_IF_FAILED(read_struct("conditions", conditions, &known));
+    HRT_RETURN_IF_FAILED(check_conditions(&known));
+    s.conditions.set_now(known);
+    s.log_conditions(session.value);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_profile_get_conditions(hrt_session session, hrt_conditions* out_conditions) noexcept {
+  return with_session("hrt_profile_get_conditions", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_conditions", out_conditions));
+    write_struct(s.conditions.measured(), out_conditions);
+    return HRT_OK;
+  });
+}
 
 hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                             uint64_t* out_length) noexcept {
   return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
     JsonText text;
-    write_profile(s.session().config(), text);
+    write_profile(s.session().config(), s.conditions.measured(), text);
     if (capacity > 0) {
       if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
       if (capacity <= text.view().size())
@@ -30,7 +51,11 @@ hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t leng
     HRT_RETURN_IF_FAILED(s.session().check_no_reach());
     if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
     hrt_session_config config = s.session().config();
-    HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config));
-    return s.set_config(config);
+    hrt_conditions measured{};
+    HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config, &measured));
+    HRT_RETURN_IF_FAILED(s.set_config(config));
+    s.conditions.set_measured(measured);
+    s.log_conditions(session.value);
+    return HRT_OK;
   });
 }

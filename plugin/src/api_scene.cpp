@@ -65,6 +65,15 @@ hrt_session_config with_plate_of(const Scene& scene, hrt_session_config config) 
   return config;
 }
 
+// The scene's pose takes the place of a registered one.
+hrt_session_config unregistered(hrt_session_config config) {
+  config.flags &= ~HRT_SESSION_REGISTERED;
+  config.plate_scale = 1.0;
+  write_frame_covariance(FrameCovariance::Zero(), &config);
+  config.registration_time_ns = 0;
+  return config;
+}
+
 hrt_target_config config_of(const SceneTarget& target) {
   hrt_target_config config{};
   config.struct_size = sizeof config;
@@ -82,7 +91,7 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
   if (out_targets && capacity < scene.targets.size())
     return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the scene has ",
                 scene.targets.size(), " targets");
-  const hrt_session_config config = with_plate_of(scene, session.session().config());
+  const hrt_session_config config = unregistered(with_plate_of(scene, session.session().config()));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   std::vector<hrt_target_config> targets;
   for (const SceneTarget& target : scene.targets) {

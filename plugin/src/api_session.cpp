@@ -45,7 +45,20 @@ hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) noexc
 }
 
 hrt_result hrt_session_destroy(hrt_session session) noexcept {
-  return destroy("hrt_session_destroy", "session", sessions, session.value);
+  const char* call = "hrt_session_destroy";
+  HRT_RETURN_IF_FAILED(with_session(call, session, [&](RecordedSession& s) {
+    s.log_findings(session.value);
+    return HRT_OK;
+  }));
+  return destroy(call, "session", sessions, session.value);
+}
+
+hrt_result hrt_session_set_log_callback(hrt_session session, hrt_log_callback callback,
+                                        void* context) noexcept {
+  return with_session("hrt_session_set_log_callback", session, [&](RecordedSession& s) {
+    s.set_log(callback, context);
+    return HRT_OK;
+  });
 }
 
 hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) noexcept {
@@ -59,6 +72,7 @@ hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_c
 hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) noexcept {
   return with_session("hrt_session_set_config", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    s.log_findings(session.value);
     hrt_session_config checked = s.session().config();
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     return s.set_config(checked);

@@ -16,7 +16,10 @@ FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample)
                          ? to_pose(sample.plate_position_m, sample.plate_rotation)
                          : plate_pose_of(config);
   FingerOnPlate finger{};
-  locate_finger(surface_of(config), plate, {p[0], p[1], p[2]}, finger);
+  const Vec3 tip_m{p[0], p[1], p[2]};
+  const bool in_plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
+  locate_finger(surface_of(config), plate, in_plate ? tip_m : unscaled(config, plate.position_m, tip_m),
+                finger);
   return finger;
 }
 

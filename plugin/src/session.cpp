@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/frame_error.h"
+#include "core/time.h"
 #include "core/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
@@ -21,6 +23,16 @@ bool make_finite(Struct& values, double Struct::*const (&fields)[count]) {
   return finite;
 }
 
+// Whether there is no registration where one is asked for, or one that turns the real target by too much.
+bool is_registration_poor(const hrt_session_config& config, const Reach& reach) {
+  const bool checked = config.max_registration_age_ns > 0 || config.max_registration_sd_deg > 0.0;
+  if (checked && (config.flags & HRT_SESSION_REGISTERED) == 0) return true;
+  if (config.max_registration_sd_deg == 0.0) return false;
+  const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
+  return frame_bearing_sd_deg(frame_covariance_of(config), reach.start, target) >
+         config.max_registration_sd_deg;
+}
+
 bool make_finite(hrt_command& command, double held_orientation_deg) {
   using C = hrt_command;
   const bool plate_finite = std::isfinite(command.plate_orientation_deg);
@@ -28,7 +40,8 @@ bool make_finite(hrt_command& command, double held_orientation_deg) {
   const bool finite =
       make_finite(command, {&C::finger_direction_deg, &C::perceived_direction_deg, &C::aimed_direction_deg,
                             &C::distance_to_go_m, &C::tactile_weight, &C::tactile_weight_sd, &C::time_to_go_s,
-                            &C::felt_error_deg, &C::predicted_miss_deg, &C::normalised_innovation});
+                            &C::felt_error_deg, &C::predicted_miss_deg, &C::normalised_innovation,
+                            &C::bearing_error_sd_deg});
   if (finite && plate_finite) return true;
   command.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
   return false;
@@ -58,7 +71,8 @@ bool make_finite(hrt_reach_summary& summary) {
                                             &S::bias_sd_deg,
                                             &S::habit_deg,
                                             &S::habit_sd_deg,
-                                            &S::duration_s});
+                                            &S::duration_s,
+                                            &S::bearing_error_sd_deg});
   if (!finite) summary.flags |= HRT_COMMAND_FAULT;
   return finite;
 }
@@ -79,6 +93,7 @@ hrt_result Session::check_reach() const {
 hrt_result Session::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
   config_ = checked_config;
+  registration_doubted_ = false;
   retargeter_ = Retargeter(to_core(checked_config));
   return HRT_OK;
 }
@@ -138,7 +153,8 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   reach_ = reach;
   reaching_ = true;
   awaits_finger_ = (config.flags & HRT_REACH_START_AT_FINGER) != 0;
-  sampled_ = faulty_ = false;
+  sampled_ = faulty_ = registration_flagged_ = false;
+  registration_poor_ = is_registration_poor(config_, reach_);
   return HRT_OK;
 }
 
@@ -150,6 +166,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
   retargeter_.begin(reach);
   start_ = finger;
   reach_ = reach;
+  registration_poor_ = is_registration_poor(config_, reach_);
   awaits_finger_ = false;
   return HRT_OK;
 }
@@ -188,10 +205,20 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   retargeter_.update(finger);
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
+  if (is_registration_doubtful(sample.time_ns)) {
+    flags |= HRT_COMMAND_REGISTRATION;
+    registration_flagged_ = registration_doubted_ = true;
+  }
   *out_command = command(flags);
-  if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = true;
+  if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = failed_ = true;
   plate_orientation_deg_ = out_command->plate_orientation_deg;
   return HRT_OK;
+}
+
+bool Session::is_registration_doubtful(std::int64_t time_ns) const {
+  if (registration_poor_) return true;
+  const std::int64_t most_ns = config_.max_registration_age_ns;
+  return most_ns > 0 && time_ns > later_ns(config_.registration_time_ns, most_ns);
 }
 
 hrt_command Session::command(std::uint32_t flags) const {
@@ -222,6 +249,7 @@ hrt_command Session::command(std::uint32_t flags) const {
       .felt_error_deg = command.felt_error_deg,
       .predicted_miss_deg = command.predicted_miss_deg,
       .normalised_innovation = command.nis,
+      .bearing_error_sd_deg = command.bearing_error_sd_deg,
   };
 }
 
@@ -230,7 +258,7 @@ hrt_result Session::end(hrt_reach_summary* out_summary) {
   reaching_ = false;
   const ReachSummary summary = retargeter_.summary();
   *out_summary = to_c(summary);
-  faulty_ = !make_finite(*out_summary) || faulty_;
+  if (!make_finite(*out_summary)) faulty_ = failed_ = true;
   if (faulty_) return HRT_OK;  // it teaches nothing
   if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(summary.estimate);
   return HRT_OK;
@@ -244,6 +272,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
   if (summary.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
   if (summary.misfit) flags |= HRT_COMMAND_MISFIT;
   if (summary.off_target) flags |= HRT_COMMAND_OFF_TARGET;
+  if (registration_flagged_) flags |= HRT_COMMAND_REGISTRATION;
   return {
       .struct_size = sizeof(hrt_reach_summary),
       .flags = flags,
@@ -276,6 +305,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
       .habit_deg = person.habit_deg,
       .habit_sd_deg = person.habit_sd_deg,
       .duration_s = person.duration_s,
+      .bearing_error_sd_deg = summary.bearing_error_sd_deg,
   };
 }
 

@@ -32,6 +32,10 @@ class Session {
   hrt_result check_no_reach() const;
   hrt_result check_reach() const;
   bool reaching() const { return reaching_; }
+  /// A value of some command or summary was not finite (HRT_COMMAND_FAULT).
+  bool has_failed() const { return failed_; }
+  /// A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
+  bool has_doubted_registration() const { return registration_doubted_; }
   /// What the last begin() or retarget() made of its targets.
   const Reach& reach() const { return reach_; }
 
@@ -46,6 +50,7 @@ class Session {
   hrt_result find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const;
   hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
   hrt_result start_at(const PlatePoint& finger);
+  bool is_registration_doubtful(std::int64_t time_ns) const;
   hrt_command command(std::uint32_t finger_flags) const;
   hrt_reach_summary to_c(const ReachSummary& summary) const;
   void carry(const FingerEstimate& estimate);
@@ -56,9 +61,13 @@ class Session {
   PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;
-  bool awaits_finger_ = false;  // the reach starts where the finger is first seen
-  bool sampled_ = false;        // the reach has had a sample
-  bool faulty_ = false;         // a value of the reach was not finite
+  bool awaits_finger_ = false;         // the reach starts where the finger is first seen
+  bool sampled_ = false;               // the reach has had a sample
+  bool registration_poor_ = false;     // as far as it can be known before a sample
+  bool registration_flagged_ = false;  // by any command of the reach
+  bool registration_doubted_ = false;  // of any reach under this configuration
+  bool faulty_ = false;                // a value of the reach was not finite
+  bool failed_ = false;                // nor was one of any reach
   std::int64_t last_time_ns_ = 0;
   double plate_orientation_deg_ = 0.0;
 };

@@ -34,6 +34,10 @@ constexpr NumberField all_number_fields[] = {
     {"lift_height_m", &C::lift_height_m, 1e-4, largest_coordinate_m, false},
     {"max_felt_error_deg", &C::max_felt_error_deg, 0.1, 45.0, false},
     {"motion_bound_deg", &C::motion_bound_deg, 1.0, 89.0, false},
+    {"plate_scale", &C::plate_scale, least_plate_scale, most_plate_scale, false},
+    {"max_registration_sd_deg", &C::max_registration_sd_deg, 0.0, 180.0, false},
+    {"tracker_correlated_noise_m", &C::tracker_correlated_noise_m, 0.0, 0.1, true},
+    {"tracker_correlation_s", &C::tracker_correlation_s, 0.01, 2.0, true},
 };
 
 constexpr VectorField all_vector_fields[] = {
@@ -42,6 +46,7 @@ constexpr VectorField all_vector_fields[] = {
     {"plate_rotation", offsetof(C, plate_rotation), 4, false},
     {"person_mean", offsetof(C, person_mean), HRT_PERSON_TRAITS, true},
     {"person_covariance", offsetof(C, person_covariance), HRT_PERSON_COVARIANCES, true},
+    {"plate_covariance", offsetof(C, plate_covariance), std::size(C{}.plate_covariance), false},
 };
 
 bool turns_freely(const C& config) {
@@ -98,7 +103,35 @@ hrt_result check_person(const hrt_session_config& config) {
       "definite matrix, or all 0");
 }
 
+hrt_result check_plate_covariance(const hrt_session_config& config) {
+  for (const double covariance : config.plate_covariance)
+    HRT_RETURN_IF_FAILED(check_range("plate_covariance", covariance, -1.0, 1.0));
+  if (is_frame_covariance(frame_covariance_of(config))) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE,
+              "plate_covariance is not positive semidefinite; allowed: the lower triangle, row by row, of a "
+              "positive semidefinite matrix, or all 0");
+}
+
 }  // namespace
+
+FrameCovariance frame_covariance_of(const hrt_session_config& config) {
+  FrameCovariance result;
+  const double* covariance = config.plate_covariance;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = *covariance++;
+  return result;
+}
+
+void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config) {
+  double* out = config->plate_covariance;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j) *out++ = covariance(i, j);
+}
+
+Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m) {
+  if (config.plate_scale == 1.0) return world_position_m;
+  return plate_position_m + (world_position_m - plate_position_m) * (1.0 / config.plate_scale);
+}
 
 bool knows_person(const hrt_session_config& config) {
   return std::any_of(std::begin(config.person_covariance), std::end(config.person_covariance),
@@ -158,6 +191,13 @@ hrt_session_config default_session_config() {
       .tracker_latency_ns = 0,
       .person_mean = {},
       .person_covariance = {},
+      .plate_scale = 1.0,
+      .plate_covariance = {},
+      .registration_time_ns = 0,
+      .max_registration_age_ns = 0,
+      .max_registration_sd_deg = 0.0,
+      .tracker_correlated_noise_m = core.estimator.correlated_noise_m,
+      .tracker_correlation_s = core.estimator.correlation_s,
   };
 }
 
@@ -171,18 +211,21 @@ hrt_result check_session_config(const hrt_session_config& config) {
       check_range<unsigned>("guidance", config.guidance, HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL));
   HRT_RETURN_IF_FAILED(
       check_range<unsigned>("adaptation", config.adaptation, HRT_ADAPTATION_OFF, HRT_ADAPTATION_CARRIED));
-  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_SESSION_PLATE_WAITS));
+  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_SESSION_PLATE_WAITS | HRT_SESSION_REGISTERED));
   HRT_RETURN_IF_FAILED(
       check_range<std::int64_t>("tracker_latency_ns", config.tracker_latency_ns, 0, 500'000'000));
   HRT_RETURN_IF_FAILED(
       check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0,
                                 std::min<std::int64_t>(max_lead * config.step_period_ns, 1'000'000'000)));
+  HRT_RETURN_IF_FAILED(check_range<std::int64_t>("max_registration_age_ns", config.max_registration_age_ns, 0,
+                                                 std::numeric_limits<std::int64_t>::max()));
   for (const NumberField& field : all_number_fields)
     HRT_RETURN_IF_FAILED(check_range(field.name, config.*field.value, field.low, field.high));
   if (!turns_freely(config) && config.plate_upper_stop_deg - config.plate_lower_stop_deg < 180.0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "plate_upper_stop_deg is ", config.plate_upper_stop_deg,
                 "; allowed: at least 180 above plate_lower_stop_deg, ", config.plate_lower_stop_deg);
   HRT_RETURN_IF_FAILED(check_person(config));
+  HRT_RETURN_IF_FAILED(check_plate_covariance(config));
   HRT_RETURN_IF_FAILED(check_position("start_position_m", config.start_position_m));
   return check_plate_pose(config.plate_position_m, config.plate_rotation);
 }
@@ -212,7 +255,9 @@ RetargeterConfig to_core(const hrt_session_config& config) {
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
                     .tracker_noise_m = config.tracker_noise_m > 0.0
                                            ? std::max(config.tracker_noise_m, least_tracker_noise_m)
-                                           : 0.0},
+                                           : 0.0,
+                    .correlated_noise_m = config.tracker_correlated_noise_m,
+                    .correlation_s = config.tracker_correlation_s},
       .plate = {.max_speed_deg_s = limit_or_none(config.plate_max_speed_deg_s),
                 .max_acceleration_deg_s2 = limit_or_none(config.plate_max_acceleration_deg_s2),
                 .latency_ns = config.plate_latency_ns,
@@ -224,6 +269,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
       .reach = {.bound_deg = config.motion_bound_deg, .max_felt_error_deg = config.max_felt_error_deg},
       .tracker_latency_ns = config.tracker_latency_ns,
       .plate_waits = (config.flags & HRT_SESSION_PLATE_WAITS) != 0,
+      .frame = frame_covariance_of(config),
   };
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/frame_error.h"
 #include "core/learning.h"
 #include "core/plate_frame.h"
 #include "core/retargeter.h"
@@ -56,6 +57,16 @@ void write_person(const PersonBelief& belief, hrt_session_config* config);
 /// What is believed of the person's illusion on a path of that length: linear unless person_covariance holds
 /// something.
 Illusion illusion_of(const hrt_session_config& config, double distance_m);
+
+inline constexpr double least_plate_scale = 0.5;
+inline constexpr double most_plate_scale = 2.0;
+
+/// Between plate_covariance and the core's matrix.
+FrameCovariance frame_covariance_of(const hrt_session_config& config);
+void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config);
+
+/// A place in the engine's world as if plate_scale were 1, seen from a plate at `plate_position_m`.
+Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m);
 
 /// Of a checked configuration.
 RetargeterConfig to_core(const hrt_session_config& checked_config);

@@ -21,19 +21,6 @@ hrt_result no_such_target(std::uint64_t id) {
   return fail(HRT_ERROR_INVALID_HANDLE, "target ", id, " is not one of this session's");
 }
 
-hrt_result check_name(char (&name)[HRT_NAME_SIZE]) {
-  const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
-  if (!end) return fail(HRT_ERROR_OUT_OF_RANGE, "name is not ended by a zero within ", sizeof name, " bytes");
-  const auto length = static_cast<std::size_t>(end - name);
-  std::memset(name + length, 0, sizeof name - length);
-  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, "name is not UTF-8");
-  for (std::size_t i = 0; i < length; ++i) {
-    if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "name has a control character at byte ", i);
-  }
-  return HRT_OK;
-}
-
 }  // namespace
 
 hrt_result check_target_fields(hrt_target_config* config) {
@@ -48,7 +35,7 @@ hrt_result check_target_fields(hrt_target_config* config) {
   } else {
     HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
   }
-  return check_name(config->name);
+  return check_name("name", config->name);
 }
 
 hrt_result check_target_config(const hrt_session_config& session_config, hrt_target_config* config) {
@@ -122,9 +109,12 @@ Bearing view_from(const PlatePoint& start, const hrt_session_config& config,
   if (target.place == HRT_PLACE_DIRECTION)
     return {.direction_deg = target.direction_deg, .distance_m = target.distance_m, .at_start = false};
   const auto& p = target.position_m;
+  const bool in_world = target.place == HRT_PLACE_WORLD_POSITION;
+  const Pose plate = in_world ? plate_pose_of(config) : Pose{};
+  const Vec3 given_m{p[0], p[1], p[2]};
   FingerOnPlate place{};
-  locate_finger(surface_of(config), target.place == HRT_PLACE_WORLD_POSITION ? plate_pose_of(config) : Pose{},
-                {p[0], p[1], p[2]}, place);
+  locate_finger(surface_of(config), plate, in_world ? unscaled(config, plate.position_m, given_m) : given_m,
+                place);
   return bearing_from({start.right_m, 0.0, -start.away_m}, place.position_m);
 }
 

@@ -11,10 +11,16 @@ namespace hrt::mock {
 
 enum class Extension {
   core,
+  version_1_1,  ///< enabled by an application for OpenXR 1.1
   headless,
   hand_tracking,
   timespec,
   automation,
+  motion_range,
+  data_source,
+  user_presence,
+  local_floor,
+  locate_spaces,
   ridged_plate,
   mock_control,
   count
@@ -27,13 +33,20 @@ struct ExtensionInfo {
   std::uint32_t version;
 };
 
-/// By Extension; core is no extension.
+/// By Extension; those before first_extension are none.
+inline constexpr std::size_t first_extension = 2;
 inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::count)> extensions{{
+    {nullptr, 0},
     {nullptr, 0},
     {XR_MND_HEADLESS_EXTENSION_NAME, XR_MND_headless_SPEC_VERSION},
     {XR_EXT_HAND_TRACKING_EXTENSION_NAME, XR_EXT_hand_tracking_SPEC_VERSION},
     {XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME, XR_KHR_convert_timespec_time_SPEC_VERSION},
     {XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_EXT_conformance_automation_SPEC_VERSION},
+    {XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME, XR_EXT_hand_joints_motion_range_SPEC_VERSION},
+    {XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME, XR_EXT_hand_tracking_data_source_SPEC_VERSION},
+    {XR_EXT_USER_PRESENCE_EXTENSION_NAME, XR_EXT_user_presence_SPEC_VERSION},
+    {XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_EXT_local_floor_SPEC_VERSION},
+    {XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_KHR_locate_spaces_SPEC_VERSION},
     {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
     {XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_HRTX_mock_control_SPEC_VERSION},
 }};

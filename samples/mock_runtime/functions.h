@@ -1,5 +1,5 @@
-// Every function of the runtime, once: OpenXR name, implementation, extension (core: none). Declarations,
-// dispatch table, call log and fault injection derive from this list.
+// Every function of the runtime, once: OpenXR name, implementation, extension or version that it needs (core:
+// none). Declarations, dispatch table, call log and fault injection derive from this list.
 #pragma once
 
 #include <ctime>
@@ -9,6 +9,7 @@
 
 #include <type_traits>
 
+#include "samples/mock_runtime/openxr_1_1.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
@@ -38,6 +39,8 @@
   X(xrCreateReferenceSpace,                 create_reference_space,                  core)               \
   X(xrGetReferenceSpaceBoundsRect,          get_reference_space_bounds_rect,         core)               \
   X(xrLocateSpace,                          locate_space,                            core)               \
+  X(xrLocateSpaces,                         locate_spaces,                           version_1_1)        \
+  X(xrLocateSpacesKHR,                      locate_spaces_khr,                       locate_spaces)      \
   X(xrDestroySpace,                         destroy_space,                           core)               \
   X(xrWaitFrame,                            wait_frame,                              core)               \
   X(xrBeginFrame,                           begin_frame,                             core)               \

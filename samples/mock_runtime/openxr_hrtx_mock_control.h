@@ -18,11 +18,12 @@ extern "C" {
 #endif
 
 #define XR_HRTX_mock_control 1
-#define XR_HRTX_mock_control_SPEC_VERSION 1
+#define XR_HRTX_mock_control_SPEC_VERSION 2
 #define XR_HRTX_MOCK_CONTROL_EXTENSION_NAME "XR_HRTX_mock_control"
 
 #define XR_MAX_CALL_NAME_SIZE_HRTX 64
 #define XR_MAX_CALL_REASON_SIZE_HRTX 256
+#define XR_MAX_CALL_ARGUMENTS_SIZE_HRTX 512
 
 #ifdef __cplusplus
 #define XR_TYPE_CALL_RECORD_HRTX static_cast<XrStructureType>(1009991000)
@@ -36,11 +37,14 @@ typedef struct XrCallRecordHRTX {
   void* XR_MAY_ALIAS next;
   XrTime time; /* of the runtime's clock when the call returned; 0 without an instance */
   XrResult result;
-  char function[XR_MAX_CALL_NAME_SIZE_HRTX]; /* "xrCreateSession" */
-  char reason[XR_MAX_CALL_REASON_SIZE_HRTX]; /* why it was refused; empty otherwise */
+  char function[XR_MAX_CALL_NAME_SIZE_HRTX];       /* "xrCreateSession" */
+  char reason[XR_MAX_CALL_REASON_SIZE_HRTX];       /* why it was refused; empty otherwise */
+  char arguments[XR_MAX_CALL_ARGUMENTS_SIZE_HRTX]; /* "(0x4852545800000002, {time=5})", cut at this size */
+  uint32_t thread; /* that called, numbered from 1 in order of their first calls */
 } XrCallRecordHRTX;
 
-/* Replaces the script, from the next session on; calls are counted anew from here.
+/* Replaces the script, from the next session on; calls, sessions and instances are
+** counted anew from here (this instance is the first).
 ** XR_ERROR_CALL_ORDER_INVALID while there is a session. XR_ERROR_VALIDATION_FAILURE for a script that is
 ** not valid: the call log says what is wrong in it and what is allowed; the script before stays. */
 typedef XrResult(XRAPI_PTR* PFN_xrApplyScriptHRTX)(XrInstance instance, const char* json);

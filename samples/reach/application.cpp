@@ -1,29 +1,33 @@
 #include "samples/reach/application.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <utility>
 
-#include "samples/reach/followed_plate.h"
+#include "samples/reach/calibrate.h"
+#include "samples/reach/conditions.h"
+#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
+#include "samples/reach/make_plate.h"
+#include "samples/reach/output/calibration_text.h"
+#include "samples/reach/output/run_files.h"
 #include "samples/reach/output/status_line.h"
-#include "samples/reach/output/svg_plot.h"
 #include "samples/reach/output/table.h"
+#include "samples/reach/person/attendant.h"
+#include "samples/reach/profile_file.h"
 #include "samples/reach/reach.h"
-#include "samples/reach/runtime_plate.h"
-#include "samples/reach/serial_plate.h"
-#include "samples/reach/simulated_servo.h"
+#include "samples/reach/registration_file.h"
+#include "samples/reach/scene_place.h"
 
 namespace hrt::reach {
 namespace {
 
-constexpr int losses_allowed = 3;  // of the session or the instance, in a row
+constexpr int losses_allowed = 3;      // of the session or the instance, in a row
+constexpr int unfinished_allowed = 3;  // reaches in a row
 
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
   hrt_session_config config;
@@ -54,22 +58,6 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
   return all;
 }
 
-std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
-                                  const XrHeadlessSession& session, const std::string& runtime_name) {
-  switch (choice.kind) {
-    case PlateChoice::Kind::servo:
-      return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
-    case PlateChoice::Kind::serial:
-      return std::make_unique<SerialPlate>(choice.serial_device);
-    case PlateChoice::Kind::runtime:
-      break;
-  }
-  if (simulation == nullptr)
-    throw Failure(ExitCode::plate,
-                  "the OpenXR runtime " + runtime_name + " has no plate to turn; --plate names another one");
-  return std::make_unique<RuntimePlate>(*simulation, session);
-}
-
 // The reaches of one run, across as many sessions and instances as the runtime makes necessary.
 class Run {
  public:
@@ -79,85 +67,105 @@ class Run {
         targets_(load_targets(plugin_, options)),
         pairs_(choose(targets_, options)),
         table_(pairs_),
-        status_(options.verbose) {
-    open_plot();
-    start_recording();
+        marks_(options.marks.empty() ? marks_of(targets_) : read_marks(options.marks)),
+        status_(options.verbose),
+        prompt_(options.speak_with, [this] { status_.clear(); }) {
+    if (!options.registered.empty()) registered_ = read_registration(options.registered);
+    if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
+    files_.emplace(plugin_, targets_, options.record, options.plot);
+    if (!options.calibrate.empty()) {
+      const auto limit_ns = static_cast<XrDuration>(options.calibration_limit_s * 1e9);
+      calibration_.emplace(plugin_, targets_, limit_ns, options.seed);
+    }
   }
 
-  ~Run() { plugin_.hrt_session_destroy(targets_.session); }
+  ~Run() {
+    calibration_.reset();
+    plugin_.hrt_session_destroy(targets_.session);
+  }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   // However the run ends, the files keep the reaches made until then.
   ExitCode run() {
     ExitCode code = ExitCode::success;
+    const LastWill last_will([this] { put_in_order(); });
     try {
-      make_reaches();
+      run_in_sessions();
     } catch (const Interrupted&) {
-      status_.clear();
-      std::cerr << "hrt-reach: interrupted; the unfinished reach does not count\n";
+      put_in_order_now();
+      prompt_.say(calibration_ ? "hrt-reach: interrupted; no profile was written"
+                               : "hrt-reach: interrupted; the unfinished reach does not count");
       code = ExitCode::interrupted;
-    } catch (...) {
+    } catch (const std::exception& error) {
+      put_in_order_now();
       status_.clear();
       keep_files_as_they_are();
+      prompt_.speak(error.what());  // main() prints it
+      prompt_.finish();
       throw;
     }
-    table_.print_legend(std::cout);
-    print_summary(std::cout, tally_);
-    check_output();
-    stop_recording();
-    write_plot();
-    if (code == ExitCode::success && tally_.holdable_reached < tally_.holdable)
-      code = ExitCode::target_missed;
+    put_in_order_now();
+    code = calibration_ ? finish_calibration(code) : finish_reaches(code);
+    prompt_.finish();
     return code;
   }
 
  private:
-  void make_reaches() {
+  // The plate that put_in_order() stops.
+  struct Turning {
+    Turning(Run& of, Plate& plate) : run(of) { run.turning_ = &plate; }
+    ~Turning() { run.turning_ = nullptr; }
+    Turning(const Turning&) = delete;
+    Turning& operator=(const Turning&) = delete;
+    Turning(Turning&&) = delete;
+    Turning& operator=(Turning&&) = delete;
+    Run& run;
+  };
+
+  bool is_done() const { return calibration_ ? calibrated_.has_value() : next_ == pairs_.size(); }
+  std::size_t slides_made() const { return calibration_ ? calibration_->slides() : next_; }
+
+  void run_in_sessions() {
     int losses = 0;
-    while (next_ < pairs_.size()) {
-      const std::size_t before = next_;
+    while (!is_done()) {
+      const std::size_t before = slides_made();
       try {
         run_in_one_session();
       } catch (const XrLost& lost) {
-        status_.clear();
-        losses = next_ == before ? losses + 1 : 1;
+        losses = slides_made() == before ? losses + 1 : 1;
         if (losses > losses_allowed)
           throw Failure(ExitCode::runtime_failed,
                         std::string("the OpenXR runtime was lost repeatedly: ") + lost.what());
+        status_.clear();
         std::cerr << "hrt-reach: " << lost.what() << "; starting anew\n";
+        prompt_.speak("The headset's runtime was lost; starting anew.");
       }
     }
   }
 
-  // During a failure, which a second one must not hide.
-  void keep_files_as_they_are() {
-    try {
-      stop_recording();
-      write_plot();
-    } catch (const Failure& failure) {
-      std::cerr << "hrt-reach: " << failure.what() << "\n";
-    }
-  }
-
-  // Makes instance and session, then the remaining reaches.
+  // Makes instance and session, then the slides that are left.
   void run_in_one_session() {
-    XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME});
-    XrHeadlessSession session(runtime, targets_.plate_pose, options_.runtime_limit);
+    XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
+    XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
     if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
       simulation.emplace(runtime, session);
-      simulation->place_plate(targets_.plate_pose, targets_.plate_radius_m);
+      session.place_plate(session.floor_space(), targets_.plate_pose);
+      simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
       // A new session has the same person.
       simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
+    } else {
+      prompt_.listen();
+      // Before a device is opened, which must be served from then on.
+      if (!is_registered() && !scene_place_)
+        scene_place_ = place_of(targets_, session, options_.eye_height_m, prompt_);
     }
-    std::unique_ptr<Plate> plate =
+    const std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
-    if (simulation && options_.plate.kind != PlateChoice::Kind::runtime)
-      plate = std::make_unique<FollowedPlate>(std::move(plate), *simulation);
-    if (const std::optional<PlateLimits> limits = plate->limits()) plan_with(*limits);
+    const Turning turning(*this, *plate);
     is_simulated_ = simulation.has_value();
-    print_header_once(runtime);
+    print_header_once(runtime, *plate);
 
     Stage stage{.plugin = plugin_,
                 .targets = targets_,
@@ -167,16 +175,122 @@ class Run {
                 .hands = options_.hands,
                 .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
                 .on_frame = [this](const TargetPair& pair, const Moment& m) { status_.show(pair, m); },
-                .tell_user = [](const std::string& what) { std::cerr << what << "\n"; }};
-    for (; next_ < pairs_.size(); ++next_) {
-      const ReachResult result = run_reach(stage, pairs_[next_]);
-      status_.clear();
-      table_.print_row(std::cout, pairs_[next_], result);
-      check_output();
-      tally_.add(pairs_[next_], result);
-      if (plot_.is_open() && plotted_.size() <= most_plotted) plotted_.push_back({pairs_[next_], result});
-    }
+                .tell_user = [this](const std::string& what) { prompt_.ask(what); },
+                .hint = [this](const std::string& what) { prompt_.hint(what); },
+                .attend = {}};
+    Attendant attendant(prompt_, stage);
+    stage.attend = [&](XrTime time) { attendant.attend(time); };
+    if (is_registered())
+      find_plate(stage);
+    else if (!simulation)
+      place_by_scene(session);
+    attendant.plate_is_placed();
+    if (calibration_) calibrated_ = calibration_->run(stage, std::cout);
+    attendant.reaches_begin();
+    checked_ = true;  // by find_plate()
+    while (!is_done()) make_next_reach(stage);
     session.end();
+  }
+
+  bool is_registered() const { return registered_ || !options_.register_to.empty(); }
+
+  void place_by_scene(XrHeadlessSession& session) {
+    prompt_.say(scene_place_->words);
+    session.place_plate(scene_place_->space, scene_place_->pose);
+  }
+
+  // Where touches say, or said in another run, rather than where the scene has it.
+  void find_plate(Stage& stage) {
+    if (stage.simulation != nullptr)
+      throw Failure(
+          ExitCode::usage,
+          "a simulated user touches no marks: --register and --registered need --person, or a runtime "
+          "without one");
+    if (registered_) return check_plate(stage, *registered_);
+    registered_ = register_plate(stage, marks_);
+    write_registration(options_.register_to, *registered_);
+  }
+
+  // A reach without an end is reported, and the others are made all the same.
+  void make_next_reach(Stage& stage) {
+    const TargetPair& pair = pairs_[next_];
+    try {
+      if (options_.check_each && registered_ && !std::exchange(checked_, false))
+        check_plate(stage, *registered_);
+      if (const std::optional<PlateLimits> limits = stage.plate.limits()) plan_with(*limits);
+      const ReachResult result = run_reach(stage, pair);
+      status_.clear();
+      table_.print_row(std::cout, pair, result);
+      tally_.add(pair, result);
+      files_->add(pair, result);
+      unfinished_in_a_row_ = 0;
+      if (stage.simulation == nullptr) prompt_.speak("Done.");
+    } catch (const OtherReach& wish) {
+      status_.clear();
+      if (wish.is_previous) {
+        if (next_ > 0) --next_;
+        return;
+      }
+      table_.print_row(std::cout, pair, "skipped");
+      ++tally_.skipped;
+    } catch (const Failure& failure) {
+      if (failure.code() != ExitCode::no_hand) throw;
+      status_.clear();
+      table_.print_row(std::cout, pair, "not made");
+      prompt_.say(std::string("hrt-reach: ") + failure.what());
+      ++tally_.unfinished;
+      if (++unfinished_in_a_row_ == unfinished_allowed && next_ + 1 < pairs_.size())
+        throw Failure(ExitCode::no_hand, format("%d reaches in a row were not made", unfinished_allowed));
+    }
+    check_output();
+    ++next_;
+  }
+
+  ExitCode finish_reaches(ExitCode code) {
+    std::ostringstream summary;
+    print_summary(summary, tally_);
+    table_.print_legend(std::cout);
+    std::cout << summary.str();
+    check_output();
+    files_->finish(origin());
+    if (!is_simulated_) prompt_.speak(summary.str());
+    if (code != ExitCode::success) return code;
+    if (tally_.unfinished > 0) return ExitCode::no_hand;
+    return tally_.holdable_reached < tally_.holdable ? ExitCode::target_missed : ExitCode::success;
+  }
+
+  ExitCode finish_calibration(ExitCode code) {
+    if (!calibrated_) return code;
+    print_calibration(std::cout, *calibrated_);
+    plugin_.check(plugin_.hrt_calibration_apply(targets_.session, &calibrated_->result));
+    save_profile(plugin_, targets_.session, options_.calibrate);
+    files_->finish(origin());
+    check_output();
+    prompt_.speak("The calibration is complete.");
+    return calibrated_->enough ? ExitCode::success : ExitCode::target_missed;
+  }
+
+  // During a failure, which a second one must not hide.
+  void keep_files_as_they_are() {
+    try {
+      files_->finish(origin());
+    } catch (const Failure& failure) {
+      std::cerr << "hrt-reach: " << failure.what() << "\n";
+    }
+  }
+
+  // In place of the thread that makes the reaches, which is blocked in the runtime.
+  void put_in_order() {
+    if (turning_ != nullptr) {
+      try {
+        turning_->stop(0);
+      } catch (const Failure& failure) {
+        std::cerr << "hrt-reach: " << failure.what() << "\n";
+      }
+    }
+    status_.clear();
+    prompt_.close();
+    keep_files_as_they_are();
   }
 
   // The device's own limits replace the scene's.
@@ -184,12 +298,20 @@ class Run {
     constexpr double least_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
     hrt_session_config config{.struct_size = sizeof config};
     plugin_.check(plugin_.hrt_session_get_config(targets_.session, &config));
+    const hrt_session_config before = config;
     config.plate_max_speed_deg_s = limits.speed_deg_s;
+    constexpr std::int64_t most_steps = 8;  // of latency, that the plugin can plan with
+    if (limits.latency_ns > 0)
+      config.plate_latency_ns = std::min<std::int64_t>(limits.latency_ns, most_steps * config.step_period_ns);
     if (limits.most_deg - limits.least_deg >= least_turn_deg) {
       config.plate_lower_stop_deg = limits.least_deg;
       config.plate_upper_stop_deg = limits.most_deg;
     }
-    plugin_.check(plugin_.hrt_session_set_config(targets_.session, &config));
+    const bool same = config.plate_max_speed_deg_s == before.plate_max_speed_deg_s &&
+                      config.plate_latency_ns == before.plate_latency_ns &&
+                      config.plate_lower_stop_deg == before.plate_lower_stop_deg &&
+                      config.plate_upper_stop_deg == before.plate_upper_stop_deg;
+    if (!same) plugin_.check(plugin_.hrt_session_set_config(targets_.session, &config));
   }
 
   // Whose numbers these are.
@@ -198,47 +320,18 @@ class Run {
     return "SIMULATION, seed " + std::to_string(options_.seed) + ": no person took part.";
   }
 
-  void start_recording() {
-    if (options_.record.empty()) return;
-    if (plugin_.hrt_recording_start(targets_.session, options_.record.c_str()) != HRT_OK)
-      throw Failure(ExitCode::output, plugin_.hrt_last_error());
-  }
-
-  void stop_recording() {
-    if (options_.record.empty()) return;
-    hrt_recording_status status{.struct_size = sizeof status};
-    plugin_.check(plugin_.hrt_recording_stop(targets_.session, &status));
-    if (status.rows_lost > 0 || status.system_error != 0)
-      throw Failure(ExitCode::output, options_.record.string() + " is not complete: " +
-                                          std::to_string(status.rows_lost) + " rows could not be written");
-  }
-
   // The reader of the rows may have closed the pipe.
   static void check_output() {
     if (!std::cout.flush()) throw Failure(ExitCode::output, "the standard output cannot be written");
   }
 
-  void open_plot() {
-    if (options_.plot.empty()) return;
-    plot_.open(options_.plot);
-    if (!plot_) fail_to_plot();
-  }
-
-  void write_plot() {
-    if (!plot_.is_open()) return;
-    plot_ << svg_of(plotted_, targets_, origin()) << std::flush;
-    if (!plot_) fail_to_plot();
-  }
-
-  [[noreturn]] void fail_to_plot() const {
-    throw Failure(ExitCode::output, options_.plot.string() + " cannot be written: " + std::strerror(errno));
-  }
-
-  void print_header_once(const XrRuntime& runtime) {
+  void print_header_once(const XrRuntime& runtime, const Plate& plate) {
     if (std::exchange(header_printed_, true)) return;
     std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
-    table_.print_header(std::cout);
+    if (const std::string device = plate.description(); !device.empty()) std::cout << device << "\n";
+    if (!calibration_) table_.print_header(std::cout);
     check_output();
+    name_conditions(plugin_, targets_.session, options_.plate, runtime.name());
   }
 
   const Options& options_;
@@ -246,13 +339,22 @@ class Run {
   TargetSet targets_;
   std::vector<TargetPair> pairs_;
   Table table_;
+  std::vector<Mark> marks_;
+  std::optional<RegisteredPlate> registered_;
+  std::optional<ScenePlace> scene_place_;
+  SpaceMotion spaces_;
   StatusLine status_;
+  Prompt prompt_;
+  std::optional<RunFiles> files_;
   std::size_t next_ = 0;
+  int unfinished_in_a_row_ = 0;
+  bool checked_ = false;  // the registration, before the next reach
+  Plate* turning_ = nullptr;
   bool header_printed_ = false;
   bool is_simulated_ = false;
-  std::ofstream plot_;
-  std::vector<PlottedReach> plotted_;
   Tally tally_;
+  std::optional<GuidedCalibration> calibration_;  // in place of reaches
+  std::optional<CalibrationOutcome> calibrated_;
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "samples/reach/plate.h"
@@ -15,6 +16,7 @@ class FollowedPlate : public Plate {
   FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
       : plate_(std::move(plate)), simulation_(simulation) {}
 
+  std::string description() const override { return plate_->description(); }
   std::optional<PlateLimits> limits() const override { return plate_->limits(); }
   void service(XrTime time) override {
     plate_->service(time);

@@ -19,6 +19,10 @@ void note_interrupts() {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
 }
 
+bool is_interrupted() {
+  return noted;
+}
+
 void throw_if_interrupted() {
   if (noted) throw Interrupted();
 }

@@ -14,6 +14,9 @@ class Interrupted : public std::runtime_error {
 /// From now on SIGINT, SIGTERM and SIGHUP are noted; the second one ends the program at once.
 void note_interrupts();
 
+/// One has been noted.
+bool is_interrupted();
+
 /// Throws Interrupted if one has been noted.
 void throw_if_interrupted();
 

@@ -8,29 +8,36 @@
 #include "samples/reach/options.h"
 #include "samples/reach/xr/check.h"
 
-int main(int argc, char** argv) {
-  using hrt::reach::ExitCode;
-  hrt::reach::Options options;
-  hrt::reach::note_interrupts();
-  std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
-  // Set this variable to keep the loader's own report of a failure.
-  setenv("XR_LOADER_DEBUG", "none", 0);
+namespace hrt::reach {
+namespace {
+
+int run_from(int argc, char** argv) {
+  Options options;
   try {
-    if (const std::optional<int> code = hrt::reach::parse_command_line(argc, argv, options)) return *code;
-    return static_cast<int>(hrt::reach::run(options));
-  } catch (const hrt::reach::Failure& failure) {
+    if (const std::optional<int> code = parse_command_line(argc, argv, options)) return *code;
+    watch_runtime(options.runtime_limit);
+    return static_cast<int>(run(options));
+  } catch (const Failure& failure) {
     std::cerr << "hrt-reach: " << failure.what() << "\n";
-    // A thread is inside the runtime, whose library must not be closed under it.
-    if (failure.code() == ExitCode::runtime_blocked) {
-      std::cout.flush();
-      std::_Exit(static_cast<int>(failure.code()));
-    }
     return static_cast<int>(failure.code());
-  } catch (const hrt::reach::XrFailure& failure) {
+  } catch (const XrFailure& failure) {
     std::cerr << "hrt-reach: the OpenXR runtime failed: " << failure.what() << "\n";
     return static_cast<int>(ExitCode::runtime_failed);
   } catch (const std::exception& error) {
     std::cerr << "hrt-reach: " << error.what() << "\n";
     return static_cast<int>(ExitCode::internal);
   }
+}
+
+}  // namespace
+}  // namespace hrt::reach
+
+int main(int argc, char** argv) {
+  hrt::reach::note_interrupts();
+  std::signal(SIGPIPE, SIG_IGN);  // a closed output is noticed where it is written
+  // Set this variable to keep the loader's own report of a failure.
+  setenv("XR_LOADER_DEBUG", "none", 0);
+  const int code = hrt::reach::run_from(argc, argv);
+  hrt::reach::expect_exit(code);
+  return code;
 }

@@ -4,18 +4,20 @@
 #include <openxr/openxr.h>
 
 #include <optional>
+#include <string>
+
+#include "samples/plate/driver/same_feel.h"
 
 namespace hrt::reach {
 
-/// Of the orientations in [least_deg, most_deg] that feel like `orientation_deg` (ridges repeat every 180
-/// degrees), the nearest to `from_deg`; if there is none, the limit nearest to one.
-double orientation_within(double least_deg, double most_deg, double orientation_deg, double from_deg);
+using plate::orientation_within;
 
 /// Limits that a device reports.
 struct PlateLimits {
   double speed_deg_s;  ///< maximum
   double least_deg;    ///< stops; both 0: it turns freely
   double most_deg;
+  XrDuration latency_ns;  ///< from a command to the motion; 0: unknown
 };
 
 /// Orientations are in degrees from the mid-line; ridges repeat every 180. One thread. Every call returns
@@ -24,7 +26,10 @@ class Plate {
  public:
   virtual ~Plate() = default;
 
-  /// Nothing if the device reports none.
+  /// What the device is, in one line; empty if it is no device.
+  virtual std::string description() const { return {}; }
+
+  /// Nothing if the device reports none. They may change as the device is seen to move.
   virtual std::optional<PlateLimits> limits() const { return std::nullopt; }
 
   /// Call once a frame, also between reaches: exchanges messages with the device.

@@ -8,31 +8,19 @@
 
 #include "samples/reach/exit_code.h"
 #include "samples/reach/format.h"
+#include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {
 namespace {
 
-using Point = std::array<double, 3>;
-
-constexpr double tip_height_m = 0.008;     // of the joint, which is inside the finger, above the plate
-constexpr double lifted_height_m = 0.025;  // a fingertip higher than this does not touch the plate
-constexpr double start_radius_m = 0.015;   // a finger this near the start is there
-constexpr XrDuration settle_ns = 300'000'000;
-constexpr double rest_m = 0.004;  // a finger that has moved less in settle_ns is at rest
-
-std::string within_s(XrDuration limit_ns) {
-  return format("within %g s", static_cast<double>(limit_ns) * 1e-9);
-}
-
-double distance_along_plate_m(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[2] - b[2]);
-}
+constexpr XrDuration rest_ns = 1'500'000'000;  // of a person; simulated ones pause for 0.6 s on the way
+constexpr XrDuration lift_ns = 500'000'000;    // longer than it takes the other hand to take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;
 }
 
-// Ends the plugin's reach, and after a failure stops the plate.
+// Ends the plugin's reach; after a failure nothing is learnt from it, and the plate stops.
 class ActiveReach {
  public:
   ActiveReach(Stage& stage, const TargetPair& pair, XrTime now) : stage_(stage), time_(now) {
@@ -49,8 +37,7 @@ class ActiveReach {
 
   ~ActiveReach() {
     if (ended_) return;
-    hrt_reach_summary summary{.struct_size = sizeof summary};
-    stage_.plugin.hrt_reach_end(stage_.targets.session, &summary);
+    stage_.plugin.hrt_reach_cancel(stage_.targets.session);
     try {
       stage_.plate.stop(time_);
     } catch (const std::exception&) {
@@ -89,13 +76,6 @@ class ActiveReach {
   XrTime time_;
   bool ended_ = false;
 };
-
-// The next frame, with the plate served.
-XrTime next_frame(Stage& stage) {
-  const XrTime time = stage.session.next_frame();
-  stage.plate.service(time);
-  return time;
-}
 
 bool is_on_plate(const Stage& stage, const Fingertip& tip) {
   return tip.tracked && tip.position_m[1] <= lifted_height_m &&
@@ -136,54 +116,53 @@ class FingerInUse {
   bool changed_ = false;
 };
 
-// Waits until one of the hands rests its fingertip at the start; returns that hand.
-Hand await_finger_at_start(Stage& stage, const TargetPair& pair) {
-  stage.tell_user("Put your index finger to the start, then slide it to \"" + pair.virtual_name + "\".");
-  const XrTime began = next_frame(stage);
-  std::array<XrTime, 2> there_since{};
-  for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
-    for (const Hand hand : stage.hands) {
-      const Fingertip tip = stage.session.locate(hand, time);
-      const bool there = tip.tracked && tip.position_m[1] <= lifted_height_m &&
-                         distance_along_plate_m(tip.position_m, stage.targets.start_m) <= start_radius_m;
-      XrTime& since = there_since[static_cast<std::size_t>(hand)];
-      if (!there) {
-        since = 0;
-      } else if (since == 0) {
-        since = time;
-      } else if (time - since >= settle_ns) {
-        return hand;
-      }
-    }
-  }
-  throw Failure(ExitCode::no_hand, "no index finger came to the start " + within_s(stage.time_limit_ns));
+// When the finger was lifted for good, after it had slid: the index of the first moment above the plate; else
+// the number of moments.
+std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
+  std::size_t first = moments.size();
+  while (first > 0 && moments[first - 1].tracked && moments[first - 1].position_m[1] > lifted_height_m)
+    --first;
+  if (first == 0 || first == moments.size() || moments.back().time - moments[first].time < lift_ns)
+    return moments.size();
+  const bool has_slid =
+      distance_along_plate_m(moments[first - 1].position_m, stage.targets.start_m) > start_radius_m;
+  return has_slid ? first : moments.size();
 }
 
-// True if this finger, past half the way, has stayed in place for settle_ns.
-bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m,
-                double distance_m) {
-  const Moment& last = moments.back();
-  if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < distance_m / 2.0) return false;
-  for (auto moment = moments.rbegin(); moment != moments.rend() && moment->time >= finger_came; ++moment) {
-    if (!moment->tracked) continue;
-    if (distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;
-    if (last.time - moment->time >= settle_ns) return true;
-  }
-  return false;
-}
-
-// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target or rests.
+// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target, rests or
+// is lifted. People pause on the way, so a rest is a long one.
 bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
-                 const std::vector<Moment>& moments, std::optional<XrTime>& done_since) {
+                 std::vector<Moment>& moments, std::optional<XrTime>& done_since) {
   if (stage.simulation != nullptr) {
     if (!stage.simulation->truth(finger.hand()).done) return false;
     if (!done_since) done_since = moments.back().time;
     return moments.back().time - *done_since >= settle_ns;
   }
+  if (const std::size_t lifted = lifted_at(stage, moments); lifted < moments.size()) {
+    moments.resize(lifted);  // the reach ended where the finger left the plate
+    return true;
+  }
   const Moment& last = moments.back();
   return (last.tracked &&
           distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m) ||
-         is_at_rest(moments, finger.came(), stage.targets.start_m, pair.real_distance_m);
+         is_at_rest(moments, finger.came(), stage.targets.start_m, start_radius_m, rest_ns);
+}
+
+// What the plugin is given: a lifted finger does not slide.
+Fingertip sliding(const Stage& stage, const Fingertip& tip) {
+  const bool is_lifted = stage.simulation == nullptr && tip.position_m[1] > lifted_height_m;
+  return is_lifted ? Fingertip{} : tip;
+}
+
+std::string request_for(const Stage& stage, const TargetPair& pair) {
+  const double direction_deg = std::round(pair.virtual_direction_deg);
+  std::string way = "straight ahead";
+  if (direction_deg != 0.0)
+    way = format("%.0f degrees to the %s of straight ahead", std::abs(direction_deg),
+                 direction_deg > 0.0 ? "left" : "right");
+  return "Put your index finger on the start. Then slide it to \"" + pair.virtual_name + "\", " +
+         format("%.0f mm, ", 1e3 * distance_along_plate_m(pair.virtual_position_m, stage.targets.start_m)) +
+         way + ", and rest there.";
 }
 
 ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, const hrt_reach_summary& summary,
@@ -222,7 +201,11 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
 }  // namespace
 
 ReachResult run_reach(Stage& stage, const TargetPair& pair) {
-  const Hand first = stage.simulation != nullptr ? stage.hands.front() : await_finger_at_start(stage, pair);
+  Hand first = stage.hands.front();
+  if (stage.simulation == nullptr) {
+    stage.tell_user(request_for(stage, pair));
+    first = await_finger_at_start(stage);
+  }
   const XrTime began = next_frame(stage);
   FingerInUse finger(stage, first, began);
   ActiveReach reach(stage, pair, began);
@@ -234,14 +217,17 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
 
   std::vector<Moment> moments;
   std::optional<XrTime> done_since;
+  Sightings sightings(stage.targets.start_m);
   for (XrTime time = began; moments.empty() || !has_arrived(stage, pair, finger, moments, done_since);
        time = next_frame(stage)) {
     if (time - began > stage.time_limit_ns)
       throw Failure(ExitCode::no_hand, "the reach to \"" + pair.virtual_name + "\" did not end " +
-                                           within_s(stage.time_limit_ns));
+                                           within_s(stage.time_limit_ns) + ". " +
+                                           sightings.why_not_ended(stage, pair));
     const Fingertip tip = finger.locate(time);
+    sightings.see(finger.hand(), tip);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
-    const hrt_command command = reach.update(time, tip, measured_deg);
+    const hrt_command command = reach.update(time, sliding(stage, tip), measured_deg);
     stage.plate.command(time, command.plate_orientation_deg);
 
     Moment moment{.time = time,

@@ -2,29 +2,11 @@
 // orientation, and the plate turns to it.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <vector>
 
-#include "samples/reach/plate.h"
-#include "samples/reach/targets.h"
-#include "samples/reach/xr/session.h"
-#include "samples/reach/xr/simulation.h"
+#include "samples/reach/stage.h"
 
 namespace hrt::reach {
-
-/// The state after one frame. Positions in plate coordinates.
-struct Moment {
-  XrTime time;
-  bool tracked;                      ///< without it, `position_m` is of the last frame that was
-  std::array<double, 3> position_m;  ///< of the fingertip, as tracked
-  double finger_direction_deg;       ///< in the last step, observed or predicted
-  double felt_direction_deg;         ///< the simulation's truth, or else the plugin's estimate
-  double plate_orientation_deg;      ///< measured, or else commanded
-  double distance_to_go_m;
-  bool saturated;
-  bool can_be_held;  ///< the real direction, by the controller's estimate of the user
-};
 
 struct ReachResult {
   double final_direction_deg;  ///< P at the end: the simulation's truth, or else as observed
@@ -45,20 +27,8 @@ struct ReachResult {
   std::vector<Moment> moments;
 };
 
-/// Everything that a reach goes through.
-struct Stage {
-  const Plugin& plugin;
-  const TargetSet& targets;
-  XrHeadlessSession& session;
-  Simulation* simulation;  ///< null: a person, instructed on the terminal
-  Plate& plate;
-  std::vector<Hand> hands;   ///< any of which may reach
-  XrDuration time_limit_ns;  ///< for coming to the start, and for the reach
-  std::function<void(const TargetPair&, const Moment&)> on_frame;
-  std::function<void(const std::string&)> tell_user;
-};
-
-/// Throws Failure, XrFailure; XrLost if the session was lost and the reach must be repeated. Every failure
+/// Throws Failure, XrFailure; XrLost if the session was lost and the reach must be repeated. Failure with
+/// ExitCode::no_hand: no finger came to the start, or the reach did not end, in time, and why. Every failure
 /// stops the plate.
 ReachResult run_reach(Stage& stage, const TargetPair& pair);
 

@@ -8,8 +8,7 @@ namespace hrt::reach {
 
 class RuntimePlate : public Plate {
  public:
-  RuntimePlate(Simulation& simulation, const XrHeadlessSession& session)
-      : simulation_(simulation), session_(session) {}
+  explicit RuntimePlate(Simulation& simulation) : simulation_(simulation) {}
 
   void command(XrTime time, double orientation_deg) override {
     const double from_deg = simulation_.plate_orientation_deg(time);
@@ -19,13 +18,12 @@ class RuntimePlate : public Plate {
     return simulation_.plate_orientation_deg(time);
   }
   void stop(XrTime time) override {
-    if (session_.is_blocked()) return;  // a call to it might not come back either
+    if (is_runtime_blocked()) return;
     simulation_.set_plate_orientation(simulation_.plate_orientation_deg(time));
   }
 
  private:
   Simulation& simulation_;
-  const XrHeadlessSession& session_;
 };
 
 }  // namespace hrt::reach

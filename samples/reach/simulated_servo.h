@@ -11,7 +11,7 @@ class SimulatedServo : public Plate {
   /// Starts at 0; reports its orientation modulo 180, within 90 degrees; turns at `speed_deg_per_s` > 0.
   explicit SimulatedServo(double speed_deg_per_s) : speed_deg_per_s_(speed_deg_per_s) {}
 
-  std::optional<PlateLimits> limits() const override { return PlateLimits{speed_deg_per_s_, 0.0, 0.0}; }
+  std::optional<PlateLimits> limits() const override { return PlateLimits{speed_deg_per_s_, 0.0, 0.0, 0}; }
   void service(XrTime time) override { turn_until(time); }
   void command(XrTime time, double orientation_deg) override;
   std::optional<double> orientation_deg(XrTime time) override;

@@ -29,7 +29,7 @@ struct TargetPair {
 
 /// A scene whose targets are registered in a session of the plugin.
 struct TargetSet {
-  XrPosef plate_pose;  ///< in the world of the scene, which is the runtime's LOCAL space
+  XrPosef plate_pose;  ///< in the world of the scene, whose floor is at y = 0
   double plate_radius_m;
   std::array<double, 3> start_m;  ///< in plate coordinates
   hrt_session session;

@@ -9,6 +9,7 @@
 #include <optional>
 #include <thread>
 
+#include "core/simulation/people.h"
 #include "samples/study/output.h"
 
 namespace hrt::study {
@@ -204,6 +205,22 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed) {
 
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help) {
   return add_integer(app, "--trials", trials, 1, 100'000'000, help);
+}
+
+CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families,
+                          const std::string& standard, const std::string& help) {
+  return add_value(app, "--family", "different families, separated by commas (robustness --help shows them)",
+                   standard, help, [families](const std::string& names) {
+                     std::vector<const PeopleFamily*> taken;
+                     for (const std::string_view name : split(names, ',')) {
+                       const PeopleFamily* family = people_family(std::string(name).c_str());
+                       if (!family || std::find(taken.begin(), taken.end(), family) != taken.end())
+                         return false;
+                       taken.push_back(family);
+                     }
+                     *families = taken;
+                     return true;
+                   });
 }
 
 std::string not_allowed(const std::string& name, std::string_view text, const std::string& what) {

@@ -16,6 +16,10 @@ class App;
 class Option;
 }  // namespace CLI
 
+namespace hrt {
+struct PeopleFamily;
+}
+
 namespace hrt::study {
 
 /// A mistake of the caller's: one line that names the argument and its allowed values. Exit code 2.
@@ -88,6 +92,10 @@ CLI::Option* add_seed(CLI::App& app, std::uint64_t* seed);
 
 /// Adds --trials.
 CLI::Option* add_trials(CLI::App& app, std::uint64_t* trials, const std::string& help);
+
+/// Adds --family, names of people_families(), each once; `standard` is what the help shows as the default.
+CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* families,
+                          const std::string& standard, const std::string& help);
 
 /// The parts of `text` between separators, empty ones too; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);

@@ -39,6 +39,20 @@ std::string fixed(double value, int decimals) {
   return {text.data(), end};
 }
 
+std::string wrapped(const std::string& words) {
+  std::string page;
+  std::string line;
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    if (line.size() + word.size() > 109) {
+      page += line + '\n';
+      line.clear();
+    }
+    line += (line.empty() ? "" : " ") + word;
+  }
+  return page + line + '\n';
+}
+
 std::string read_file(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;

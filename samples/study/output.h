@@ -17,6 +17,9 @@ std::string number(double value);
 /// `value` with `decimals` digits after the point.
 std::string fixed(double value, int decimals);
 
+/// Words in lines of at most 110 characters.
+std::string wrapped(const std::string& words);
+
 /// The content of a file; empty if it can't be read.
 std::string read_file(const std::filesystem::path& path);
 

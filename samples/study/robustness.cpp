@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <thread>
 
-#include "core/calibration.h"
+#include "core/interval.h"
 
 namespace hrt::study {
 namespace {
 
 constexpr int reaches = 5;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 using PersonResults = std::array<ReachResult, leadings.size()>;
 
@@ -42,14 +40,12 @@ ReachResult result(const PersonCondition& condition, const PersonOutcome& outcom
           .weight_covered = std::abs(weight_error) <= normal_975 * weight_sd};
 }
 
-PersonResults simulate(const PeopleFamily& family, double duration_s, std::uint64_t seed,
-                       std::uint32_t index) {
-  const PersonCondition condition = draw_person(family, duration_s, seed, index);
+PersonResults simulate(const PersonCondition& condition, std::uint64_t seed, std::uint32_t index) {
   const auto lead = [&](const RetargeterConfig* controller, int count) {
     return simulate_person(condition, controller, count, seed, index);
   };
   const RetargeterConfig paper = paper_controller();
-  const RetargeterConfig ours = people_controller();
+  const RetargeterConfig ours = people_controller(condition);
   const RetargeterConfig informed = informed_controller(condition);
   const std::vector<PersonOutcome> carried = lead(&ours, reaches);
   ReachResult fifth = result(condition, carried.back());
@@ -79,51 +75,74 @@ bool ReachResult::silent() const {
   return !near() && !unreachable && !misfit && !off_target;
 }
 
-RobustnessCell summarise(std::span<const ReachResult> results) {
-  RobustnessCell cell{};
+bool ReachResult::false_alarm() const {
+  return near() && (unreachable || off_target);
+}
+
+namespace {
+
+ReachGroup summarise(std::span<const ReachResult> results, bool can_hold) {
+  ReachGroup group{};
   std::vector<double> misses_mm;
   std::vector<double> peaks_deg;
   for (const ReachResult& reach : results) {
-    if (reach.can_hold) {
-      cell.near.count(reach.near());
-      cell.unreachable_false.count(reach.unreachable);
-      cell.silent.count(reach.silent());
-      misses_mm.push_back(reach.miss_mm);
-      peaks_deg.push_back(reach.peak_felt_error_deg);
-    } else {
-      cell.unreachable_found.count(reach.found);
-      cell.silent_cannot_hold.count(reach.silent());
-    }
+    if (reach.can_hold != can_hold) continue;
+    group.near.count(reach.near());
+    group.unreachable.count(reach.unreachable);
+    group.found.count(reach.found);
+    group.silent.count(reach.silent());
+    group.false_alarm.count(reach.false_alarm());
+    misses_mm.push_back(reach.miss_mm);
+    peaks_deg.push_back(reach.peak_felt_error_deg);
+  }
+  group.miss_median_mm = quantile_of(misses_mm, 0.5);
+  group.miss_95_mm = quantile_of(misses_mm, 0.95);
+  group.peak_felt_error_median_deg = quantile_of(peaks_deg, 0.5);
+  group.peak_felt_error_95_deg = quantile_of(peaks_deg, 0.95);
+  return group;
+}
+
+}  // namespace
+
+RobustnessCell summarise(std::span<const ReachResult> results) {
+  RobustnessCell cell{.can_hold = summarise(results, true), .cannot_hold = summarise(results, false)};
+  for (const ReachResult& reach : results) {
     cell.misfit.count(reach.misfit);
     cell.off_target.count(reach.off_target);
     if (reach.weight_estimated) cell.weight_covered.count(reach.weight_covered);
   }
-  const bool any = !misses_mm.empty();
-  cell.miss_median_mm = any ? median(misses_mm) : nan;
-  cell.miss_95_mm = any ? quantile(misses_mm, 0.95) : nan;
-  cell.peak_felt_error_median_deg = any ? median(peaks_deg) : nan;
   return cell;
 }
 
+SimulatedPeople people_of(const PeopleFamily& family) {
+  return {.name = family.name,
+          .says = family.says,
+          .tuned = family.tuned,
+          .misplaced = family.misplaced,
+          .draw = [&family](double duration_s, std::uint64_t seed, std::uint32_t index) {
+            return draw_person(family, duration_s, seed, index);
+          }};
+}
+
 std::vector<RobustnessRow> simulate_robustness(
-    std::span<const PeopleFamily* const> families, const RobustnessOptions& options,
+    std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress) {
   std::vector<RobustnessRow> rows;
-  for (const PeopleFamily* family : families)
+  for (const SimulatedPeople& sort : people)
     for (const double duration_s : options.durations_s)
-      rows.push_back({.family = family, .duration_s = duration_s, .cells = {}});
+      rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
 
   // A person is one thread's work, and has a place of their own: no result depends on the order.
-  std::vector<PersonResults> people(rows.size() * options.people);
+  std::vector<PersonResults> reached(rows.size() * options.people);
   std::atomic<std::uint64_t> next = 0;
   std::atomic<std::uint64_t> done = 0;
   const auto work = [&](bool reports) {
-    for (std::uint64_t i = next++; i < people.size(); i = next++) {
+    for (std::uint64_t i = next++; i < reached.size(); i = next++) {
       const RobustnessRow& row = rows[i / options.people];
-      people[i] =
-          simulate(*row.family, row.duration_s, options.seed, static_cast<std::uint32_t>(i % options.people));
+      const auto index = static_cast<std::uint32_t>(i % options.people);
+      reached[i] = simulate(row.people.draw(row.duration_s, options.seed, index), options.seed, index);
       ++done;
-      if (reports && progress) progress(done, people.size());
+      if (reports && progress) progress(done, reached.size());
     }
   };
   std::vector<std::jthread> others;
@@ -134,7 +153,7 @@ std::vector<RobustnessRow> simulate_robustness(
   std::vector<ReachResult> results(options.people);
   for (std::size_t row = 0; row < rows.size(); ++row)
     for (std::size_t column = 0; column < leadings.size(); ++column) {
-      for (std::size_t i = 0; i < results.size(); ++i) results[i] = people[row * options.people + i][column];
+      for (std::size_t i = 0; i < results.size(); ++i) results[i] = reached[row * options.people + i][column];
       rows[row].cells[column] = summarise(results);
     }
   return rows;
@@ -151,7 +170,7 @@ double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
   double sum = 0.0;
   double count = 0.0;
   for (const RobustnessRow& row : rows) {
-    const Share& near = row.cell(leading).near;
+    const Share& near = row.cell(leading).can_hold.near;
     if (near.of == 0) continue;
     sum += near.percent();
     count += 1.0;
@@ -159,10 +178,22 @@ double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading) {
   return sum / count;
 }
 
-Share pooled(std::span<const RobustnessRow> rows, Leading leading, Share RobustnessCell::*share) {
+Share pooled(std::span<const RobustnessRow> rows, Leading leading,
+             const std::function<Share(const RobustnessCell&)>& share) {
   Share total;
-  for (const RobustnessRow& row : rows) total.add(row.cell(leading).*share);
+  for (const RobustnessRow& row : rows) total.add(share(row.cell(leading)));
   return total;
+}
+
+double widest_near_interval(std::span<const RobustnessRow> rows) {
+  double widest = 0.0;
+  for (const RobustnessRow& row : rows)
+    for (const RobustnessCell& cell : row.cells) {
+      if (cell.can_hold.near.of == 0) continue;
+      const PercentInterval interval = cell.can_hold.near.interval();
+      widest = std::max(widest, 0.5 * (interval.high - interval.low));
+    }
+  return widest;
 }
 
 }  // namespace hrt::study

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/simulation/people.h"
@@ -40,22 +41,27 @@ struct ReachResult {
   bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
   bool weight_covered = false;    ///< the person's w_T is in the estimate's 95 % interval
 
-  bool near() const;    ///< ends within near_deg of the real target's bearing
-  bool silent() const;  ///< misses, and no flag is raised
+  bool near() const;         ///< ends within near_deg of the real target's bearing
+  bool silent() const;       ///< misses, and no flag is raised
+  bool false_alarm() const;  ///< is near, and flagged unreachable or off target
 };
 
-/// Many people's reaches.
-struct RobustnessCell {
-  // Of those who can hold the gap; NaN if there are none.
+/// Many reaches. Intervals are 95 %.
+struct ReachGroup {
   Share near;
-  double miss_median_mm;
-  double miss_95_mm;  ///< 95 % of reaches miss by no more
-  double peak_felt_error_median_deg;
-  Share unreachable_false;
-  Share silent;
-  // Of those who cannot.
-  Share unreachable_found;  ///< in this reach or one before
-  Share silent_cannot_hold;
+  Quantile miss_median_mm;
+  Quantile miss_95_mm;  ///< 95 % of reaches miss by no more
+  Quantile peak_felt_error_median_deg;
+  Quantile peak_felt_error_95_deg;
+  Share unreachable;  ///< in this reach
+  Share found;        ///< unreachable in this reach or one before
+  Share silent;       ///< a miss without a flag
+  Share false_alarm;  ///< near, and flagged unreachable or off target
+};
+
+struct RobustnessCell {
+  ReachGroup can_hold;     ///< of people who can hold the gap
+  ReachGroup cannot_hold;  ///< of those who cannot
   // Of all.
   Share misfit;
   Share off_target;
@@ -64,9 +70,20 @@ struct RobustnessCell {
 
 RobustnessCell summarise(std::span<const ReachResult> results);
 
-/// One family at one pace.
+/// Where people of a row come from.
+struct SimulatedPeople {
+  std::string name;
+  std::string says;
+  bool tuned = false;      ///< as PeopleFamily
+  bool misplaced = false;  ///< as PeopleFamily
+  std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
+};
+
+SimulatedPeople people_of(const PeopleFamily& family);
+
+/// One sort of people at one pace.
 struct RobustnessRow {
-  const PeopleFamily* family;
+  SimulatedPeople people;
   double duration_s;
   std::array<RobustnessCell, leadings.size()> cells;  ///< in the order of `leadings`
 
@@ -74,26 +91,30 @@ struct RobustnessRow {
 };
 
 struct RobustnessOptions {
-  std::uint64_t people = 100;  ///< of each family at each duration
+  std::uint64_t people = 100;  ///< of each sort at each duration
   std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
   std::uint64_t seed = 1;
   std::uint64_t threads = 1;
 };
 
-/// Every family at every duration, the durations of a family one after another. Person i of a family and
-/// duration is the same with every controller. The same for any number of threads. `progress` is called on
-/// this thread.
+/// All people at every duration, the durations of one sort one after another. Person i of a sort and duration
+/// is the same with every controller. The same for any number of threads. `progress` is called on this
+/// thread.
 std::vector<RobustnessRow> simulate_robustness(
-    std::span<const PeopleFamily* const> families, const RobustnessOptions& options,
+    std::span<const SimulatedPeople> people, const RobustnessOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
 
 /// The rows of one duration, in their order.
 std::vector<RobustnessRow> at_duration(std::span<const RobustnessRow> rows, double duration_s);
 
-/// Mean over rows of the percentage within near_deg, each family the same; NaN without any who can hold.
+/// Mean over rows of the percentage within near_deg, each row the same; NaN without any who can hold.
 double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading);
 
 /// One share, of all rows together.
-Share pooled(std::span<const RobustnessRow> rows, Leading leading, Share RobustnessCell::*share);
+Share pooled(std::span<const RobustnessRow> rows, Leading leading,
+             const std::function<Share(const RobustnessCell&)>& share);
+
+/// Half the width of the widest interval of a share within near_deg, in percentage points; 0 without any.
+double widest_near_interval(std::span<const RobustnessRow> rows);
 
 }  // namespace hrt::study

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "core/calibration.h"
+#include "core/interval.h"
 
 namespace hrt::study {
 
@@ -74,6 +75,63 @@ double quantile(std::vector<double> values, double share) {
   if (below + 1 == values.end()) return *below;
   const double above = *std::min_element(below + 1, values.end());
   return *below + (place - std::floor(place)) * (above - *below);
+}
+
+QuantileRanks quantile_ranks(std::uint64_t count, double share) {
+  // The number of values at or below the quantile is binomial: of 1 to count ranks, low is the last with
+  // P(number < low) <= 1 / 40, high the first with P(number >= high) <= 1 / 40.
+  const auto n = static_cast<double>(count);
+  const double log_odds = std::log(share / (1.0 - share));
+  double log_term = n * std::log1p(-share);
+  double at_most = 0.0;
+  QuantileRanks ranks{.low = 0, .high = count + 1};
+  for (std::uint64_t k = 0; k <= count; ++k) {
+    at_most += std::exp(log_term);
+    const auto number = static_cast<double>(k);
+    if (at_most <= 0.025) ranks.low = k + 1;
+    if (at_most >= 0.975) {
+      ranks.high = k + 1;
+      break;
+    }
+    log_term += std::log((n - number) / (number + 1.0)) + log_odds;
+  }
+  return ranks;
+}
+
+Quantile quantile_of(std::vector<double> values, double share) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  if (values.empty()) return {nan, nan, nan};
+  std::sort(values.begin(), values.end());
+  const auto [low, high] = quantile_ranks(values.size(), share);
+  return {.value = quantile(values, share),
+          .low = low >= 1 ? values[low - 1] : nan,
+          .high = high <= values.size() ? values[high - 1] : nan};
+}
+
+double student_within(double t, std::uint64_t degrees_of_freedom) {
+  // Abramowitz and Stegun 26.7.3 and 26.7.4: finite sums.
+  const auto degrees = static_cast<double>(degrees_of_freedom);
+  const double angle = std::atan(t / std::sqrt(degrees));
+  const double sine = std::sin(angle);
+  const double cosine = std::cos(angle);
+  const bool odd = degrees_of_freedom % 2 == 1;
+  double term = odd ? cosine : 1.0;
+  double sum = 0.0;
+  for (std::uint64_t i = odd ? 3 : 2; i <= degrees_of_freedom; i += 2) {
+    sum += term;
+    term *= cosine * cosine * static_cast<double>(i - 1) / static_cast<double>(i);
+  }
+  return odd ? 2.0 / std::numbers::pi * (angle + sine * sum) : sine * sum;
+}
+
+double student_critical(std::uint64_t degrees_of_freedom) {
+  double low = 0.0;
+  double high = 20.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (student_within(middle, degrees_of_freedom) < 0.95 ? low : high) = middle;
+  }
+  return high;
 }
 
 }  // namespace hrt::study

@@ -44,4 +44,28 @@ double median(std::vector<double> values);
 /// `values` not empty.
 double quantile(std::vector<double> values, double share);
 
+/// A quantile of a population as seen in a sample, with its 95 % interval.
+struct Quantile {
+  double value;  ///< NaN of no values
+  double low;    ///< NaN if too few values bound it from below
+  double high;   ///< NaN if too few values bound it from above
+};
+
+/// The ranks, from 1, of the values of a sample of `count` that bound a quantile: each bound is beyond it in
+/// at most one sample of 40, whatever the distribution. 0 and count + 1: no value of the sample does.
+struct QuantileRanks {
+  std::uint64_t low;
+  std::uint64_t high;
+};
+QuantileRanks quantile_ranks(std::uint64_t count, double share);
+
+/// quantile() with the interval between two values of the sample; `share` in (0, 1).
+Quantile quantile_of(std::vector<double> values, double share);
+
+/// The probability that Student's t with `degrees_of_freedom` >= 1 lies within +-`t`; t >= 0.
+double student_within(double t, std::uint64_t degrees_of_freedom);
+
+/// The t of which that probability is 0.95.
+double student_critical(std::uint64_t degrees_of_freedom);
+
 }  // namespace hrt::study

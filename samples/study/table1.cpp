@@ -15,6 +15,10 @@ namespace {
 // Two proportions that differ by chance alone exceed this in one case of twenty.
 constexpr double significant = 3.841458820694124;
 
+// Section III-A: 10 deg "was chosen because is the one that gives an higher percentage". Of these all can be
+// held.
+constexpr double amplitudes_deg[] = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0};
+
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                     double virtual_direction_deg, std::uint64_t horizon) {
   Condition condition = make_condition(default_values(), real_direction_deg, virtual_direction_deg);
@@ -76,6 +80,16 @@ std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
     claims.push_back(
         six_pairs("horizon_" + std::to_string(steps), "Horizon " + std::to_string(steps), 0.5, 0.15, steps));
   claims[claims.size() - 3].paper_percent = paper_table1[0].mean_percent;
+
+  for (const double gap_deg : amplitudes_deg) {
+    claims.push_back(six_pairs("amplitude_" + number(gap_deg), "Six pairs " + number(gap_deg) + " deg apart",
+                               0.5, 0.15, horizon));
+    for (Cell& cell : claims.back().cells) {
+      cell.condition.real_direction_deg *= gap_deg / 10.0;
+      cell.condition.virtual_direction_deg *= gap_deg / 10.0;
+    }
+    if (gap_deg == 10.0) claims.back().paper_percent = paper_table1[0].mean_percent;
+  }
   return claims;
 }
 
@@ -88,8 +102,31 @@ void judge(CellGroup& group, const std::string& reason = {}) {
                                    : reason;
 }
 
+// The paper's 10 deg is the best amplitude if every other one is worse by more than chance.
+void judge_amplitudes(const std::vector<CellGroup*>& amplitudes) {
+  const CellGroup& ten = **std::find_if(amplitudes.begin(), amplitudes.end(), [](const CellGroup* group) {
+    return group->paper_percent.has_value();
+  });
+  const auto trials = static_cast<double>(ten.cells.size() * ten.cells.front().result.trials);
+  for (CellGroup* group : amplitudes) {
+    if (group == &ten) {
+      judge(*group);
+      continue;
+    }
+    const double gain_percent = group->mean_percent() - ten.mean_percent();
+    const bool by_chance =
+        squared_difference(group->mean_percent(), trials, ten.mean_percent(), trials) < significant;
+    group->reproduced = gain_percent < 0.0 && !by_chance;
+    group->verdict = std::string(group->reproduced ? "reproduced" : "NOT reproduced") + ": " +
+                     fixed(std::abs(gain_percent), 1) + " percentage points " +
+                     (gain_percent < 0.0 ? "below" : "above") + " 10 deg" +
+                     (by_chance ? ", within chance" : "") + "; the paper calls 10 deg the best";
+  }
+}
+
 void judge_claims(std::vector<CellGroup>& claims) {
   std::vector<CellGroup*> horizons;
+  std::vector<CellGroup*> amplitudes;
   for (CellGroup& claim : claims) {
     const Condition& first = claim.cells.front().condition;
     if (claim.name == "tactile_weight_0.05") {
@@ -124,10 +161,13 @@ void judge_claims(std::vector<CellGroup>& claims) {
                       number(first.virtual_direction_deg);
     } else if (claim.name.starts_with("horizon_")) {
       horizons.push_back(&claim);
+    } else if (claim.name.starts_with("amplitude_")) {
+      amplitudes.push_back(&claim);
     } else {
       judge(claim);
     }
   }
+  judge_amplitudes(amplitudes);
 
   const CellGroup& three = *horizons[2];
   const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);

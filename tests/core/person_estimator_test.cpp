@@ -45,7 +45,7 @@ class PersonEstimatorTest : public ::testing::Test {
   double noise_mm_ = 0.0;
   Draws draws_{3, 0, 0, 0};
   PlateTrace plate_;
-  PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, 0.0};
+  PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
 };
 
 // With a precise tracker; where noise hides the first millimetres, the likely duration of 2 s decides.
@@ -55,7 +55,7 @@ TEST_F(PersonEstimatorTest, DatesTheOnsetWithinThirtyMilliseconds) {
   for (const double rate_hz : {60.0, 90.0, 240.0, 1000.0}) {
     for (const double duration_s : {1.0, 2.0, 3.0}) {
       rate_hz_ = rate_hz;
-      estimator_ = PersonEstimator(belief, 0.0, 100.0, {0.0, 0.0}, 0.1);
+      estimator_ = PersonEstimator(belief, 0.0, 100.0, {0.0, 0.0}, TrackerNoise{0.066, 0.075});
       watch({.onset_s = 0.5, .duration_s = duration_s}, 0.0, 0.5 + 0.6 * duration_s);
       EXPECT_EQ(estimator_.motion(), FingerMotion::moving);
       EXPECT_TRUE(estimator_.caught_up());
@@ -82,7 +82,7 @@ TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
 
 TEST_F(PersonEstimatorTest, LearnsTheNoiseOfARestingFinger) {
   for (const double noise_mm : {0.2, 1.2, 2.0}) {
-    estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, 0.0);
+    estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
     noise_mm_ = noise_mm;
     watch({.onset_s = 4.0}, 0.0, 4.6);
     ASSERT_EQ(estimator_.motion(), FingerMotion::moving);

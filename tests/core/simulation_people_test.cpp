@@ -110,6 +110,14 @@ TEST(SimulationPeople, FamiliesHaveTheTraitThatTheyAreNamedAfter) {
   EXPECT_EQ(draw("even").person.pace, Pace::even);
   EXPECT_EQ(draw("reversal").person.pace, Pace::reversal);
   EXPECT_EQ(draw("late-plate").plate.latency_ns, 60'000'000);
+  EXPECT_EQ(values("turned-2", [](C c) { return c.tracker.turned_deg; }), (Values{-2.0, 2.0}));
+  EXPECT_EQ(values("scaled-5", [](C c) { return c.tracker.scale; }), (Values{0.95, 1.05}));
+  EXPECT_EQ(values("plate-off-5", [](C c) { return c.plate_offset_deg; }), (Values{-5.0, 5.0}));
+  EXPECT_EQ(values("sheared-2", [](C c) { return c.tracker.shear; }).size(), 2U);
+  EXPECT_EQ(draw("latency-45").tracker.latency_s, 0.045);
+  EXPECT_EQ(people_controller(draw("latency-45")).tracker_latency_ns, 0);
+  EXPECT_EQ(people_controller(draw("latency-100")).tracker_latency_ns, 100'000'000);
+  EXPECT_EQ(draw("late-samples").tracker.late_s, 0.008);
 }
 
 // The gap of 10 can be held beyond w = 10 / 75, 10 / 60, 10 / 45 (saturating and sine), 10 / 65; to the right
@@ -220,6 +228,60 @@ TEST(SimulationPeople, ControllersAreValidAndKnowWhatTheyAreToKnow) {
   EXPECT_NEAR(linear.mean(T::log_rate), -std::log(1.5), 1e-9);
   EXPECT_EQ(informed_controller(draw("habit-5")).person.mean(T::habit), draw("habit-5").person.habit_deg);
   EXPECT_GT(informed_controller(draw("clip-45")).person.mean(T::curve), 0.02);
+}
+
+// A tracker without noise whose frame is turned, scaled, sheared: the end of 100 mm straight ahead is seen at
+// (-100 sin a, 100 cos a), 105, and 100 tan a to the right of where it is. The headset's is 11 mm from there.
+TEST(SimulationPeople, FramesAreOffAsTheirNamesSay) {
+  const auto seen = [](PersonCondition condition) {
+    condition.person.illusion = {
+        .family = IllusionFamily::dead_band, .tactile_weight = 0.2, .scale_deg = 90.0};
+    condition.person.noise_deg2_per_s = condition.person.start_direction_deg = 0.0;
+    condition.virtual_direction_deg = 0.0;
+    condition.real_direction_deg = 5.0;
+    condition.tracker.white_m = 0.0;
+    const RetargeterConfig controller = people_controller();
+    const ReachSummary summary = simulate_person(condition, &controller, 1, 1, 0).front().summary;
+    return summary;
+  };
+  const ReachSummary turned = seen(draw("turned-2"));
+  const double turned_deg = draw("turned-2").tracker.turned_deg;
+  EXPECT_NEAR(turned.bearing_error_deg, turned_deg - 5.0, 0.05);
+  const ReachSummary sheared = seen(draw("sheared-2"));
+  EXPECT_NEAR(std::abs(sheared.bearing_error_deg + 5.0), 2.0, 0.05);
+  // Of 100 mm and 105 mm, 5 degrees apart.
+  const double scale = draw("scaled-5").tracker.scale;
+  const double across_mm = 100.0 * std::sin(5.0 * 3.14159265358979 / 180.0);
+  const double along_mm = 100.0 * std::cos(5.0 * 3.14159265358979 / 180.0) - 100.0 * scale;
+  EXPECT_NEAR(1e3 * seen(draw("scaled-5")).distance_to_target_m, std::hypot(across_mm, along_mm), 0.3);
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    const TrackerModel tracker = draw("headset", i).tracker;
+    const double turn = tracker.turned_deg * 3.14159265358979 / 180.0;
+    EXPECT_NEAR(
+        std::hypot(100.0 * tracker.scale * std::cos(turn) - 100.0, 100.0 * tracker.scale * std::sin(turn)),
+        11.0, 1e-9);
+  }
+}
+
+// The plate stands 5 degrees from where it is believed: of a felt shift w t, 5 w.
+TEST(SimulationPeople, AFixedPlateThatIsOffBendsThePathByItsShare) {
+  PersonCondition condition = draw("linear");
+  condition.person.noise_deg2_per_s = 0.0;
+  condition.plate_offset_deg = 10.0;
+  const double weight = condition.person.illusion.tactile_weight;
+  const double goal_deg = condition.virtual_direction_deg;
+  condition.person.start_direction_deg = (goal_deg - weight * 10.0) / (1.0 - weight);
+  const double end_deg =
+      simulate_person(condition, nullptr, 1, 1, 0).front().bearing_error_deg + condition.real_direction_deg;
+  EXPECT_NEAR(end_deg, condition.person.start_direction_deg, 0.3);
+}
+
+// Samples that come late by up to 8 ms are in order, and their stamps are when they come.
+TEST(SimulationPeople, LateSamplesAreLedAll) {
+  const RetargeterConfig controller = people_controller();
+  const ReachSummary usual = simulate_person(draw("linear"), &controller, 1, 1, 0).front().summary;
+  const ReachSummary late = simulate_person(draw("late-samples"), &controller, 1, 1, 0).front().summary;
+  EXPECT_NEAR(static_cast<double>(late.samples), static_cast<double>(usual.samples), 30.0);
 }
 
 // Not an aim, a floor: most of those whom the controller is made for arrive, and nobody without it.

@@ -89,6 +89,12 @@ class Caller {
         return state();
       case 24:
         return assign();
+      case 20:
+        return register_plate();
+      case 25:
+        return check_registration();
+      case 26:
+        return bytes_.ConsumeBool() ? fingertip() : latency();
       default:
         return update();
     }
@@ -273,6 +279,106 @@ class Caller {
     check(hrt_calibration_apply(session(), &result));
   }
 
+  // Touches of marks on a plate somewhere, most of them good.
+  void register_plate() {
+    constexpr double marks_m[6][2] = {{0.0, 0.0},    {0.0, 0.05},   {0.075, 0.0},
+                                      {-0.075, 0.0}, {0.0, -0.075}, {0.0, 0.05}};
+    hrt_registration_config config = hrt_registration_config_init();
+    config.flags = bytes_.ConsumeIntegralInRange(0u, 4u);
+    if (bytes_.ConsumeBool()) disturb(config);
+    const double x_m = bytes_.ConsumeFloatingPointInRange(-3.0, 3.0);
+    hrt_mark_touch touches[6]{};
+    for (size_t i = 0; i < 6; ++i) {
+      touches[i].mark_m[0] = marks_m[i][0];
+      touches[i].mark_m[2] = marks_m[i][1];
+      touches[i].touched_m[0] = x_m - marks_m[i][1];
+      touches[i].touched_m[2] = marks_m[i][0] + bytes_.ConsumeFloatingPointInRange(-0.004, 0.004);
+      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(touches[i]);
+    }
+    const uint64_t count = bytes_.ConsumeIntegralInRange<uint64_t>(0, 6);
+    double residuals_m[6]{};
+    hrt_registration found = hrt_registration_init();
+    found.touches = 77;
+    const hrt_result result =
+        hrt_registration_fit(bytes_.ConsumeBool() ? &config : nullptr, touches, count,
+                             bytes_.ConsumeIntegralInRange<uint64_t>(0, 6), residuals_m, &found);
+    check(result);
+    if (result != HRT_OK) {
+      require(found.touches == 77);
+      return;
+    }
+    require_finite(residuals_m, 0);
+    require_finite(found, offsetof(hrt_registration, plate_position_m));
+    registration_ = found;
+  }
+
+  void check_registration() {
+    hrt_registration used = registration_;
+    if (bytes_.ConsumeBool()) disturb(used);
+    hrt_mark_touch touch{{0.0, 0.0, 0.05}, {0.0, 0.0, bytes_.ConsumeFloatingPointInRange(-2.0, 2.0)}};
+    if (bytes_.ConsumeBool()) disturb(touch);
+    hrt_touch_check out = hrt_touch_check_init();
+    const hrt_result checked = hrt_registration_check(&used, &touch, &out);
+    check(checked);
+    if (checked == HRT_OK) require_finite(out, offsetof(hrt_touch_check, distance_m));
+    const hrt_session into = session();
+    const hrt_result applied = hrt_registration_apply(into, &used, bytes_.ConsumeIntegral<int64_t>());
+    check(applied);
+    if (applied != HRT_OK) return;
+    out.holds = 77;
+    const hrt_result confirmed =
+        hrt_registration_confirm(into, &used, &touch, bytes_.ConsumeIntegral<int64_t>(), &out);
+    check(confirmed);
+    require(confirmed == HRT_OK ? out.holds <= 1 : out.holds == 77);
+    hrt_session_config config = hrt_session_config_init();
+    require(hrt_session_get_config(into, &config) == HRT_OK);
+    require_finite(config.plate_covariance, 0);
+    require(hrt_session_set_config(into, &config) == HRT_OK);
+  }
+
+  void fingertip() {
+    hrt_joint_touch touches[4]{};
+    for (hrt_joint_touch& touch : touches) {
+      touch.position_m[1] = bytes_.ConsumeFloatingPointInRange(-0.02, 0.02);
+      const int axis = bytes_.ConsumeIntegralInRange(0, 3);
+      touch.rotation[axis] = 0.6;
+      touch.rotation[(axis + 1) % 4] = 0.8;
+      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(touch);
+    }
+    hrt_fingertip out = hrt_fingertip_init();
+    const hrt_result result =
+        hrt_fingertip_fit(nullptr, touches, bytes_.ConsumeIntegralInRange<uint64_t>(0, 4), &out);
+    check(result);
+    if (result == HRT_OK) require_finite(out, offsetof(hrt_fingertip, offset_m));
+    if (bytes_.ConsumeBool()) disturb(out);
+    hrt_sample placed = hrt_sample_init();
+    const hrt_result put = hrt_fingertip_place(&out, &touches[0], &placed);
+    check(put);
+    if (put == HRT_OK) require_finite(placed.finger_position_m, 0);
+  }
+
+  // A finger on the rim of a plate that turns somehow.
+  void latency() {
+    hrt_sample samples[64]{};
+    double orientation_deg = 0.0;
+    for (int i = 0; i < 64; ++i) {
+      orientation_deg += bytes_.ConsumeFloatingPointInRange(-20.0, 20.0);
+      samples[i].struct_size = sizeof samples[i];
+      samples[i].flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
+      samples[i].time_ns = i * 50'000'000ll;
+      samples[i].plate_orientation_deg = orientation_deg;
+      samples[i].finger_position_m[0] = 0.07 * std::cos(orientation_deg / 57.3);
+      samples[i].finger_position_m[2] = -0.07 * std::sin(orientation_deg / 57.3);
+      if (bytes_.ConsumeIntegralInRange(0, 63) == 0) disturb(samples[i]);
+    }
+    hrt_latency out = hrt_latency_init();
+    const hrt_result result = hrt_latency_fit(samples, bytes_.ConsumeIntegralInRange<uint64_t>(0, 64), &out);
+    check(result);
+    if (result != HRT_OK) return;
+    require_finite(out, offsetof(hrt_latency, residual_m));
+    require(out.latency_ns >= 0 && out.lower_ns <= out.latency_ns);
+  }
+
   void update() {
     hrt_sample sample{};
     sample.struct_size = sizeof sample;
@@ -317,6 +423,7 @@ class Caller {
   std::array<hrt_session, 2> sessions_{};
   std::array<hrt_target, 4> targets_{};
   hrt_calibration calibration_{};
+  hrt_registration registration_ = hrt_registration_init();
   int64_t time_ns_ = 0;
 };
 

@@ -94,12 +94,18 @@ void expect_same(const hrt_calibration_result& streamed, const std::vector<Calib
                  const CalibrationConfig& config) {
   const auto whole = std::get<Calibration>(calibrate(trials, config));
   EXPECT_EQ(streamed.trials, trials.size());
-  EXPECT_EQ(streamed.trials_used, whole.chords.size());
+  EXPECT_EQ(streamed.trials_used, whole.slides.size());
   expect_same(streamed.tactile_weight, whole.tactile_weight);
   expect_same(streamed.bias_deg, whole.bias_deg);
   expect_same(streamed.motor_variance_deg2, whole.motor_variance_deg2);
   expect_same(streamed.sensory_variance_deg2, whole.sensory_variance_deg2);
-  expect_same(streamed.tracker_noise_m, whole.tracker_noise_m);
+  expect_same(streamed.tracker_noise_m, whole.noise.white_m);
+  expect_same(streamed.habit_deg, whole.habit_deg);
+  expect_same(streamed.largest_gap_deg, whole.largest_gap_deg);
+  expect_same(streamed.person_weight, whole.slope);
+  expect_same(streamed.person_curve, whole.curve);
+  EXPECT_EQ(streamed.angle_p, whole.lack_of_fit.angle_p);
+  EXPECT_EQ(streamed.slides_outlying, whole.count(SlideVerdict::outlying));
 }
 
 TEST_F(CalibrationTest, StreamedTrialsGiveWhatWholeOnesGive) {
@@ -117,7 +123,7 @@ TEST_F(CalibrationTest, StreamedTrialsGiveWhatWholeOnesGive) {
   expect_same(result, trials, {.goal_direction_deg = 4.0, .step_period_ns = 90'000'000});
   EXPECT_NEAR(result.tactile_weight.value, 0.2, 0.03);
   EXPECT_NEAR(result.bias_deg.value, 2.0, 1.0);
-  EXPECT_NEAR(result.tracker_noise_m.value, 0.0012, 0.0001);
+  EXPECT_NEAR(result.tracker_noise_m.value, 0.0012, 0.0003);
 }
 
 TEST_F(CalibrationTest, TrialsMayBeAddedAndTheFitRepeated) {
@@ -263,6 +269,9 @@ TEST_F(CalibrationTest, ConfigIsChecked) {
   refused([](auto& c) { c.reserved = 1; }, "reserved");
   refused([](auto& c) { c.goal_direction_deg = 181.0; }, "goal_direction_deg");
   refused([](auto& c) { c.goal_direction_deg = std::nan(""); }, "goal_direction_deg");
+  refused([](auto& c) { c.lower_plate_deg = -90.0; }, "lower_plate_deg is -90; allowed: -89 to 89");
+  refused([](auto& c) { c.upper_plate_deg = -40.0; }, "at least 40 above lower_plate_deg, -75");
+  refused([](auto& c) { c.enough_weight_width = 0.0; }, "enough_weight_width");
   const hrt_calibration_config config = calibration_config();
   hrt_calibration out{};
   expect_error(hrt_calibration_create(session, nullptr, &out), HRT_ERROR_NULL_ARGUMENT, "config is null");
@@ -329,6 +338,100 @@ hrt_calibration_result all_known() {
   result.sensory_variance_deg2 = {0.3, 0.2, 0.4, 1, 0};
   result.tracker_noise_m = {0.001, 0.0009, 0.0011, 1, 0};
   return result;
+}
+
+TEST_F(CalibrationTest, CorrelatedNoiseGoesIntoTheSessionWithItsTime) {
+  hrt_calibration_result result = all_known();
+  result.correlated_noise_m = {0.0012, 0.001, 0.0014, 1, 0};
+  result.noise_correlation_s = {0.3, 0.2, 0.45, 1, 0};
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().tracker_noise_m, 0.001);
+  EXPECT_EQ(config().tracker_correlated_noise_m, 0.0012);
+  EXPECT_EQ(config().tracker_correlation_s, 0.3);
+  // Without its time, or if there may be none, the whole noise is all that is known.
+  result.noise_correlation_s.known = 0;
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_DOUBLE_EQ(config().tracker_noise_m, std::hypot(0.001, 0.0012));
+  EXPECT_EQ(config().tracker_correlated_noise_m, 0.0);
+  result.noise_correlation_s.known = 1;
+  result.correlated_noise_m = {0.0002, 0.0, 0.0004, 1, 0};
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_DOUBLE_EQ(config().tracker_noise_m, std::hypot(0.001, 0.0002));
+  EXPECT_EQ(config().tracker_correlated_noise_m, 0.0);
+  result.correlated_noise_m.upper = 0.0001;
+  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "correlated_noise_m");
+}
+
+TEST_F(CalibrationTest, SlidesAreNamedAfterASolution) {
+  auto slide = output<hrt_calibration_slide>();
+  expect_error(hrt_calibration_get_residual(calibration, 0, &slide), HRT_ERROR_WRONG_STATE, "no solution");
+  auto trials = simulate({}, 3);
+  for (TimedPoint& sample : trials[4].samples) sample.position.right_m += 0.7 * sample.position.away_m;
+  stream(trials);
+  EXPECT_EQ(solve().slides_outlying, 1u);
+  ASSERT_OK(hrt_calibration_get_residual(calibration, 4, &slide));
+  EXPECT_EQ(slide.verdict, HRT_SLIDE_OUTLYING);
+  EXPECT_EQ(slide.trial, 4u);
+  EXPECT_EQ(slide.plate_deg, -30.0);
+  EXPECT_NEAR(slide.residual_deg, slide.direction_deg - slide.fitted_deg, 1e-12);
+  EXPECT_LT(slide.residual_deg, -15.0);
+  expect_error(hrt_calibration_get_residual(calibration, 15, &slide), HRT_ERROR_OUT_OF_RANGE,
+               "slide is 15; allowed: 0 to 14");
+  expect_error(hrt_calibration_get_residual(calibration, 0, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_slide");
+}
+
+TEST_F(CalibrationTest, TheNextAngleIsWithinTheRange) {
+  hrt_calibration_config setup = calibration_config();
+  setup.goal_direction_deg = 10.0;
+  setup.lower_plate_deg = -50.0;
+  setup.upper_plate_deg = 40.0;
+  make(setup);
+  const auto trials = simulate({.goal_direction_deg = 10.0}, 3);
+  for (const CalibrationTrial& trial : trials) {
+    double angle_deg = std::nan("");
+    uint32_t enough = 7;
+    ASSERT_OK(hrt_calibration_next_angle(calibration, &angle_deg, &enough));
+    EXPECT_GE(angle_deg, -40.0);
+    EXPECT_LE(angle_deg, 50.0);
+    EXPECT_EQ(enough, 0u);
+    stream(trial);
+  }
+  double angle_deg = 7.0;
+  uint32_t enough = 7;
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
+  expect_error(hrt_calibration_next_angle(calibration, &angle_deg, &enough), HRT_ERROR_WRONG_STATE,
+               "under way");
+  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  expect_error(hrt_calibration_next_angle(calibration, nullptr, &enough), HRT_ERROR_NULL_ARGUMENT,
+               "out_plate");
+  expect_error(hrt_calibration_next_angle(calibration, &angle_deg, nullptr), HRT_ERROR_NULL_ARGUMENT,
+               "out_enough");
+  EXPECT_EQ(angle_deg, 7.0);
+  EXPECT_EQ(enough, 7u);
+}
+
+// A known curve, bias and habit become the person whom reaches begin with, and the peak their motion bound.
+TEST_F(CalibrationTest, AKnownCurveBecomesThePerson) {
+  hrt_calibration_result result = all_known();
+  result.person_weight = {0.25, 0.2108, 0.2892, 1, 0};
+  result.person_curve = {0.05, 0.0108, 0.0892, 1, 0};
+  result.weight_curve_correlation = 0.5;
+  result.habit_deg = {4.0, 2.0, 6.0, 1, 0};
+  result.peak_offset_deg = 62.0;
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().person_mean[HRT_PERSON_WEIGHT], 0.25);
+  EXPECT_EQ(config().person_mean[HRT_PERSON_CURVE], 0.05);
+  EXPECT_EQ(config().person_mean[HRT_PERSON_BIAS], -3.0);
+  EXPECT_EQ(config().person_mean[HRT_PERSON_HABIT], 4.0);
+  EXPECT_NEAR(config().person_covariance[0], 0.02 * 0.02, 1e-7);
+  EXPECT_NEAR(config().person_covariance[1], 0.5 * 0.02 * 0.02, 1e-7);
+  EXPECT_EQ(config().motion_bound_deg, 62.0);
+  EXPECT_EQ(config().tactile_weight, 0.2);
+  const hrt_session_config before = config();
+  result.peak_offset_deg = 0.0;
+  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "peak_offset_deg is 0");
+  const hrt_session_config after = config();
+  EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
 // The intervals are 2 times 1.96 times 0.02 and 0.1 wide.
@@ -402,6 +505,62 @@ TEST_F(CalibrationTest, IsWhatTheProfileThenSays) {
   EXPECT_EQ(config().bias_deg, -3.0);
   EXPECT_EQ(config().tracker_noise_m, 0.001);
   EXPECT_EQ(config().motor_variance_deg2, 1.0);
+}
+
+constexpr hrt_interval known(double value, double width) {
+  return {value, value - width / 2.0, value + width / 2.0, 1, 0};
+}
+
+hrt_calibration_result result_of(double tactile_weight) {
+  auto result = output<hrt_calibration_result>();
+  result.tactile_weight = known(tactile_weight, 0.02);
+  result.largest_gap_deg = known(10.0, 1.0);
+  result.bias_deg = known(1.0, 0.5);
+  result.tracker_noise_m = known(0.001, 0.0001);
+  return result;
+}
+
+// The interval of a difference of equally known values is wider by the root of two.
+TEST(CalibrationComparison, NamesWhatDiffers) {
+  auto comparison = output<hrt_calibration_comparison>();
+  const hrt_calibration_result first = result_of(0.2), second = result_of(0.25);
+  ASSERT_OK(hrt_calibration_compare(&first, &second, &comparison));
+  EXPECT_EQ(comparison.differing, HRT_DIFFERS_TACTILE_WEIGHT);
+  EXPECT_EQ(comparison.tactile_weight.known, 1u);
+  EXPECT_NEAR(comparison.tactile_weight.value, 0.05, 1e-12);
+  EXPECT_NEAR(comparison.tactile_weight.lower, 0.05 - 0.01 * std::sqrt(2.0), 1e-12);
+  EXPECT_NEAR(comparison.tactile_weight.upper, 0.05 + 0.01 * std::sqrt(2.0), 1e-12);
+  EXPECT_EQ(comparison.largest_gap_deg.value, 0.0);
+  EXPECT_EQ(comparison.habit_deg.known, 0u) << "known to neither";
+  ASSERT_OK(hrt_calibration_compare(&first, &first, &comparison));
+  EXPECT_EQ(comparison.differing, 0u);
+}
+
+TEST(CalibrationComparison, BadResultsAreRefusedByField) {
+  auto comparison = output<hrt_calibration_comparison>();
+  comparison.differing = 77;
+  const hrt_calibration_result good = result_of(0.2);
+  hrt_calibration_result bad = good;
+  bad.bias_deg = {2.0, 0.0, 1.0, 1, 0};
+  expect_error(hrt_calibration_compare(&good, &bad, &comparison), HRT_ERROR_OUT_OF_RANGE, "bias_deg is 2");
+  bad.bias_deg = {0.0, -std::numeric_limits<double>::infinity(), 1.0, 1, 0};
+  expect_error(hrt_calibration_compare(&bad, &good, &comparison), HRT_ERROR_OUT_OF_RANGE, "bias_deg is -Inf");
+  bad.bias_deg = {std::nan(""), 0.0, 1.0, 1, 0};
+  expect_error(hrt_calibration_compare(&bad, &good, &comparison), HRT_ERROR_OUT_OF_RANGE, "bias_deg is NaN");
+  bad.bias_deg.known = 2;
+  expect_error(hrt_calibration_compare(&bad, &good, &comparison), HRT_ERROR_OUT_OF_RANGE,
+               "bias_deg.known is 2");
+  expect_error(hrt_calibration_compare(nullptr, &good, &comparison), HRT_ERROR_NULL_ARGUMENT,
+               "first is null");
+  expect_error(hrt_calibration_compare(&good, &good, nullptr), HRT_ERROR_NULL_ARGUMENT,
+               "out_comparison is null");
+  EXPECT_EQ(comparison.differing, 77u);
+  // A result of version 0.2 has no largest gap and no habit.
+  hrt_calibration_result former = good;
+  former.struct_size = 176;
+  ASSERT_OK(hrt_calibration_compare(&former, &good, &comparison));
+  EXPECT_EQ(comparison.largest_gap_deg.known, 0u);
+  EXPECT_EQ(comparison.tactile_weight.known, 1u);
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ constexpr Range ranges[] = {
     {&C::sensory_variance_deg2, 1e-9, 1e4},
     {&C::initial_variance_deg2, 0.0, 1e4},
     {&C::tracker_noise_m, 0.0, 0.1},
+    {&C::tracker_correlated_noise_m, 0.0, 0.1},
+    {&C::tracker_correlation_s, 0.01, 2.0},
     {&C::plate_radius_m, 0.001, 1000.0},
     {&C::lift_height_m, 0.0001, 1000.0},
     {&C::bias_deg, -45.0, 45.0},
@@ -230,7 +232,7 @@ class Extremes : public SessionTest {
 
 TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
   int solved = 0;
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < 90; ++i) {
     SCOPED_TRACE("calibration " + std::to_string(i));
     hrt_calibration_config config;
     ASSERT_OK(hrt_calibration_config_default(&config, sizeof config));
@@ -243,8 +245,10 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
     auto result = output<hrt_calibration_result>();
     if (hrt_calibration_solve(calibration, &result) == HRT_OK) {
       ++solved;
-      for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.motor_variance_deg2,
-                                           result.sensory_variance_deg2, result.tracker_noise_m}) {
+      for (const hrt_interval& interval :
+           {result.tactile_weight, result.bias_deg, result.motor_variance_deg2, result.sensory_variance_deg2,
+            result.tracker_noise_m, result.person_weight, result.person_curve, result.largest_gap_deg,
+            result.habit_deg, result.correlated_noise_m, result.noise_correlation_s}) {
         EXPECT_TRUE(std::isfinite(interval.value) && std::isfinite(interval.lower) &&
                     std::isfinite(interval.upper));
         EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);

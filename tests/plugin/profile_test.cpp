@@ -1,4 +1,6 @@
 // Profiles: JSON out, and in again.
+#include <algorithm>
+#include <iterator>
 #include <string>
 
 #include "fixture.h"
@@ -100,6 +102,118 @@ TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
   begin_reach();
   expect_error(load(session, before), HRT_ERROR_WRONG_STATE, "under way");
   EXPECT_EQ(save(session), before);
+}
+
+hrt_conditions conditions(const char* plate, const char* tracker, std::int64_t time_s = 0) {
+  auto now = output<hrt_conditions>();
+  now.time_s = time_s;
+  std::snprintf(now.plate, sizeof now.plate, "%s", plate);
+  std::snprintf(now.tracker, sizeof now.tracker, "%s", tracker);
+  return now;
+}
+
+class ConditionsTest : public ProfileTest {
+ protected:
+  void SetUp() override {
+    ProfileTest::SetUp();
+    ASSERT_OK(hrt_session_set_log_callback(
+        session,
+        [](void* lines, std::uint32_t level, const char* text) {
+          *static_cast<std::string*>(lines) += std::to_string(level) + " " + text + "\n";
+        },
+        &log));
+  }
+
+  void set(const hrt_conditions& now) { ASSERT_OK(hrt_profile_set_conditions(session, &now)); }
+  hrt_conditions measured() {
+    auto out = output<hrt_conditions>();
+    EXPECT_OK(hrt_profile_get_conditions(session, &out));
+    return out;
+  }
+  /// Measures nothing, under the conditions of now.
+  void calibrate() {
+    const auto result = output<hrt_calibration_result>();
+    ASSERT_OK(hrt_calibration_apply(session, &result));
+  }
+
+  std::string log;
+};
+
+TEST_F(ConditionsTest, AreThoseOfTheCalibrationAndComeBackWithTheProfile) {
+  set(conditions("desk \"1\" \\ \u00fc", "Ultraleap", 1'767'225'600));
+  EXPECT_STREQ(measured().plate, "") << "nothing was measured yet";
+  calibrate();
+  set(conditions("another", "another", 1));
+  const std::string text = save(session);
+  EXPECT_NE(text.find(R"("measured_at_s":1767225600,"plate":"desk \"1\" \\ ü","tracker":"Ultraleap"})"),
+            std::string::npos)
+      << text;
+  create(session_config());
+  ASSERT_OK(load(session, text));
+  const hrt_conditions back = measured();
+  EXPECT_EQ(back.time_s, 1'767'225'600);
+  EXPECT_STREQ(back.plate, "desk \"1\" \\ \u00fc");
+  EXPECT_STREQ(back.tracker, "Ultraleap");
+  EXPECT_EQ(back.differing, 0u) << "what is now is unknown";
+  EXPECT_EQ(save(session), text);
+}
+
+TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
+  set(conditions("desk 1", "Ultraleap"));
+  calibrate();
+  const std::string text = save(session);
+  EXPECT_EQ(log, "");
+  set(conditions("desk 2", "Ultraleap"));
+  EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE);
+  EXPECT_NE(log.find("measured with another plate, \"desk 1\";"), std::string::npos) << log;
+  log.clear();
+  set(conditions("desk 1", "Quest"));
+  ASSERT_OK(load(session, text));
+  EXPECT_EQ(measured().differing, HRT_CONDITION_TRACKER);
+  EXPECT_NE(log.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log;
+  set(conditions("desk 2", "Quest"));
+  EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER);
+  EXPECT_NE(log.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos) << log;
+  log.clear();
+  set(conditions("", ""));
+  EXPECT_EQ(measured().differing, 0u) << "unknown is not another";
+  ASSERT_OK(load(session, R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})"));
+  set(conditions("desk 2", "Quest"));
+  EXPECT_EQ(measured().differing, 0u) << "a profile without conditions";
+  EXPECT_EQ(log, "");
+  calibrate();
+  EXPECT_STREQ(measured().plate, "desk 2");
+}
+
+TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
+  set(conditions("desk 1", "Ultraleap", 5));
+  calibrate();
+  const auto refused = [&](const hrt_conditions& bad, hrt_result code, const char* part) {
+    expect_error(hrt_profile_set_conditions(session, &bad), code, part);
+  };
+  refused(conditions("a\nb", ""), HRT_ERROR_OUT_OF_RANGE, "plate has a control character at byte 1");
+  refused(conditions("", "\xff"), HRT_ERROR_OUT_OF_RANGE, "tracker is not UTF-8");
+  refused(conditions("", "", -1), HRT_ERROR_OUT_OF_RANGE, "time_s is -1; allowed: 0 to 253402300799");
+  hrt_conditions endless = conditions("", "");
+  std::fill(std::begin(endless.tracker), std::end(endless.tracker), 'x');
+  refused(endless, HRT_ERROR_OUT_OF_RANGE, "tracker is not ended by a zero within 64 bytes");
+  expect_error(hrt_profile_set_conditions(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "conditions is null");
+  expect_error(hrt_profile_get_conditions(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_conditions");
+  const auto profile = [](const std::string& fields) {
+    return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
+  };
+  expect_error(load(session, profile(R"(,"plate":7)")), HRT_ERROR_BAD_FORMAT, "plate is not a text");
+  expect_error(load(session, profile(R"(,"plate":")" + std::string(64, 'x') + '"')), HRT_ERROR_BAD_FORMAT,
+               "plate is not a text of up to 63 bytes");
+  expect_error(load(session, profile(R"(,"tracker":"a\tb")")), HRT_ERROR_OUT_OF_RANGE,
+               "tracker has a control character");
+  expect_error(load(session, profile(R"(,"measured_at_s":1.5)")), HRT_ERROR_BAD_FORMAT,
+               "measured_at_s is not a whole number");
+  expect_error(load(session, profile(R"(,"measured_at_s":-1)")), HRT_ERROR_OUT_OF_RANGE, "time_s is -1");
+  EXPECT_STREQ(measured().plate, "desk 1");
+  EXPECT_EQ(measured().time_s, 5);
+  begin_reach();
+  refused(conditions("desk 2", ""), HRT_ERROR_WRONG_STATE, "under way");
 }
 
 }  // namespace

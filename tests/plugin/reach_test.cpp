@@ -330,7 +330,8 @@ TEST_F(ReachTest, BadSamplesAreRefusedAndChangeNothing) {
   const double infinity = std::numeric_limits<double>::infinity();
   for (const double bad : {std::nan(""), infinity, -infinity, 180.1, -1e300}) {
     refused(direction_sample(1, bad), HRT_ERROR_OUT_OF_RANGE, "finger_direction_deg");
-    refused(position_sample(1, bad * 10.0, 0.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m");
+    refused(position_sample(1, bad * 10.0, 0.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m[0] is");
+    refused(position_sample(1, 0.0, bad * 10.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m[2] is");
     hrt_sample measured = direction_sample(1, 0.0);
     measured.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     measured.plate_orientation_deg = bad * 20.0;

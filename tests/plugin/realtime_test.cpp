@@ -1,5 +1,6 @@
-// The calls tagged [real-time] allocate nothing, take no lock and make no system call, on their error paths
-// too. Memory and lock functions are replaced by ones that count; system calls are forbidden by the kernel.
+// The calls of both libraries that are tagged [real-time] allocate nothing, take no lock and make no system
+// call, on their error paths too. Memory and lock functions are replaced by ones that count; system calls are
+// forbidden by the kernel.
 #include <dlfcn.h>
 #include <linux/filter.h>
 #include <linux/seccomp.h>
@@ -18,15 +19,17 @@
 #include <thread>
 
 #include "fixture.h"
+#include "haptic_retargeting/plate.h"
+#include "tests/samples/reach/pty_plate.h"
 
 namespace {
 
-constinit std::atomic<bool> watching{false};
+constinit thread_local bool watching = false;  // this thread
 constinit std::atomic<long> allocations{0};
 constinit std::atomic<long> locks{0};
 
 void count(std::atomic<long>& counter) {
-  if (watching.load(std::memory_order_relaxed)) counter.fetch_add(1, std::memory_order_relaxed);
+  if (watching) counter.fetch_add(1, std::memory_order_relaxed);
 }
 
 }  // namespace
@@ -119,6 +122,15 @@ class RealTimeTest : public SessionTest {
     expect(hrt_reach_update(session, &hour_late, &command), HRT_OK);
     expect(hrt_reach_end(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
     expect(hrt_reach_end(session, &summary), HRT_OK);
+
+    auto fingertip = output<hrt_fingertip>();
+    fingertip.known = 1;
+    const hrt_joint_touch joint{{0.0, 0.0, 0.05}, {0.0, 0.0, 0.0, 1.0}};
+    hrt_sample placed = direction_sample(0, 0.0);
+    expect(hrt_fingertip_place(&fingertip, &joint, &placed), HRT_OK);
+    expect(hrt_fingertip_place(&fingertip, nullptr, &placed), HRT_ERROR_NULL_ARGUMENT);
+    fingertip.known = 0;
+    expect(hrt_fingertip_place(&fingertip, &joint, &placed), HRT_ERROR_OUT_OF_RANGE);
 
     std::uint32_t state = 0;
     expect(hrt_session_get_state(session, &state), HRT_OK);
@@ -273,6 +285,60 @@ TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
         return wrong;
       });
   std::filesystem::remove(path);
+  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+// A plate at the other end of a pseudo-terminal, and hrt_plate_open()'s.
+struct OpenPlate {
+  OpenPlate() {
+    if (hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &plate) != HRT_OK) return;
+    reach::eventually([&] {
+      auto report = output<hrt_plate_report>();
+      return hrt_plate_get(plate, &report) == HRT_OK && report.state == HRT_PLATE_STATE_READY;
+    });
+  }
+  ~OpenPlate() { EXPECT_OK(hrt_plate_close(plate)); }
+  OpenPlate(const OpenPlate&) = delete;
+  OpenPlate& operator=(const OpenPlate&) = delete;
+
+  int call_everything() const {
+    int wrong = 0;
+    const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
+    auto report = output<hrt_plate_report>();
+    for (int i = 0; i < 1000; ++i) {
+      expect(hrt_plate_set(plate, 0.1 * i), HRT_OK);
+      expect(hrt_plate_get(plate, &report), HRT_OK);
+      expect(hrt_plate_stop(plate), HRT_OK);
+      expect(hrt_plate_set(plate, std::nan("")), HRT_ERROR_OUT_OF_RANGE);
+      expect(hrt_plate_get(plate, nullptr), HRT_ERROR_NULL_ARGUMENT);
+      expect(hrt_plate_stop({42}), HRT_ERROR_INVALID_HANDLE);
+    }
+    return wrong + (report.state != HRT_PLATE_STATE_READY);
+  }
+
+  reach::PtyPlate device;
+  hrt_plate plate{};
+};
+
+TEST(PlateRealTime, AllocatesNothingAndTakesNoLock) {
+  const OpenPlate open;
+  int wrong = -1;
+  std::thread([&] {
+    allocations = locks = 0;
+    watching = true;
+    wrong = open.call_everything();
+    watching = false;
+  }).join();
+  EXPECT_EQ(wrong, 0);
+  EXPECT_EQ(allocations, 0);
+  EXPECT_EQ(locks, 0);
+}
+
+TEST(PlateRealTime, MakesNoSystemCall) {
+  const OpenPlate* open = nullptr;
+  const int status =
+      status_without_system_calls([&] { open = new OpenPlate; }, [&] { return open->call_everything(); });
   ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
   EXPECT_EQ(WEXITSTATUS(status), 0);
 }

@@ -129,7 +129,7 @@ TEST(SessionConfig, WholeNumbersAreChecked) {
   refused([](hrt_session_config& c) { c.control = 2; }, "control");
   refused([](hrt_session_config& c) { c.guidance = 2; }, "guidance");
   refused([](hrt_session_config& c) { c.adaptation = 3; }, "adaptation");
-  refused([](hrt_session_config& c) { c.flags = 2; }, "flags is 2");
+  refused([](hrt_session_config& c) { c.flags = 4; }, "flags is 4");
   refused([](hrt_session_config& c) { c.plate_latency_ns = -1; }, "plate_latency_ns");
   refused([](hrt_session_config& c) { c.plate_latency_ns = 800'000'001; }, "plate_latency_ns");
   refused([](hrt_session_config& c) { c.plate_upper_stop_deg = 179.0; }, "at least 180 above");

@@ -35,12 +35,16 @@ TemporaryFolder::~TemporaryFolder() {
   std::filesystem::remove_all(path, ignored);
 }
 
-Process::Process(std::vector<std::string> words, std::vector<std::string> environment, int err) {
+Process::Process(std::vector<std::string> words, std::vector<std::string> environment, int err, int in) {
   const std::string out_file = folder_ / "out", err_file = folder_ / "err";
   constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC;
   posix_spawn_file_actions_t files;
   posix_spawn_file_actions_init(&files);
   posix_spawn_file_actions_addopen(&files, STDOUT_FILENO, out_file.c_str(), flags, 0600);
+  if (in >= 0)
+    posix_spawn_file_actions_adddup2(&files, in, STDIN_FILENO);
+  else
+    posix_spawn_file_actions_addopen(&files, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   if (err >= 0)
     posix_spawn_file_actions_adddup2(&files, err, STDERR_FILENO);
   else

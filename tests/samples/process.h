@@ -29,9 +29,9 @@ class TemporaryFolder {
 /// A child process. The caller waits for it.
 class Process {
  public:
-  /// Starts the program words[0] with `environment`, "NAME=value" each; its error output goes to `err`, if
-  /// that is a file's descriptor.
-  Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1);
+  /// Starts the program words[0] with `environment`, "NAME=value" each; its error output goes to `err` and
+  /// its input comes from `in`, if these are files' descriptors; else it has no input.
+  Process(std::vector<std::string> words, std::vector<std::string> environment, int err = -1, int in = -1);
 
   void send_signal(int signal) const;
   /// Its output so far.

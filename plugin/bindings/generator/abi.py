@@ -14,6 +14,8 @@ from pathlib import Path
 
 from pycparser import c_ast, c_parser
 
+import comments
+
 SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
 
 
@@ -45,11 +47,55 @@ class Constant:
 
 
 @dataclass(frozen=True)
+class Enumeration:
+    """Constants of which a field, parameter or result has one, or several as flags: HRT_CONTROL_*."""
+
+    prefix: str  # with "_"
+    members: tuple[Constant, ...]
+    doc: str
+
+    @property
+    def flags(self) -> bool:
+        """Of single bits, written as unsigned."""
+        return all(m.unsigned and m.value.bit_count() == 1 for m in self.members)
+
+    @property
+    def distinct(self) -> list[Constant]:
+        """Without further names of one value."""
+        return [m for i, m in enumerate(self.members) if m.value not in [o.value for o in self.members[:i]]]
+
+    def short(self, constant: Constant) -> str:
+        return constant.name.removeprefix(self.prefix)
+
+
+@dataclass(frozen=True)
 class Field:
     name: str
     type: Type
     length: int  # of a fixed array; 0: a single value
     doc: str
+    shared_doc: str  # its own, or that of the field before, which describes both
+    place: int  # among those with this comment
+
+    @property
+    def enumeration(self) -> str:
+        """The prefix of the constants that it takes, or nothing."""
+        named = re.search(r"\b(HRT_[A-Z_]+_)\*", self.doc)
+        return named[1] if named and self.type == Type("uint32_t") else ""
+
+    @property
+    def boolean(self) -> bool:
+        return self.type == Type("uint32_t") and re.match(r"1 if |1; or 0", self.doc) is not None
+
+    @property
+    def unit(self) -> str:
+        """What its name ends with: deg, m, ns ..., or nothing."""
+        found = re.search(r"_(deg_s2|deg_s|deg2|deg|per_s|ns|s|m)$", self.name)
+        return found[1] if found else ""
+
+    @property
+    def numbers(self) -> comments.Numbers:
+        return comments.numbers(self.shared_doc, self.unit, self.place)
 
 
 @dataclass(frozen=True)
@@ -95,6 +141,41 @@ class Abi:
     structs: list[Struct] = field(default_factory=list)
     callbacks: list[Function] = field(default_factory=list)
     functions: list[Function] = field(default_factory=list)
+    result_doc: str = ""
+    headers: list[str] = field(default_factory=list)  # each includes what it needs
+
+    def struct(self, name: str) -> Struct:
+        found = [s for s in self.structs if s.name == name]
+        if not found:
+            raise HeaderError(f"no struct {name}, which a host shows")
+        return found[0]
+
+    @property
+    def enumerations(self) -> list[Enumeration]:
+        """Those of the errors, and all that a comment names as HRT_NAME_*."""
+        texts = [f.doc for f in self.functions + self.callbacks]
+        prefixes = {"HRT_ERROR_"} | {f.enumeration for s in self.structs for f in s.fields if f.enumeration}
+        prefixes |= {prefix for text in texts for prefix in re.findall(r"\b(HRT_[A-Z_]+_)\*", text)}
+        # Of prefixes that begin alike, a constant has the longest.
+        of = {c.name: max((p for p in prefixes if c.name.startswith(p)), key=len, default="") for c in self.constants}
+        found = []
+        for prefix in dict.fromkeys(of[c.name] for c in self.constants if of[c.name]):
+            members = tuple(c for c in self.constants if of[c.name] == prefix and not c.name.endswith("_MAX"))
+            doc = next((c.group for c in members if c.group), "")
+            found.append(Enumeration(prefix, members, self.result_doc if prefix == "HRT_ERROR_" else doc))
+        return found
+
+    def enumeration_names(self, special: dict[str, str], flags: str) -> dict[str, str]:
+        """A type's name for each prefix: Guidance, SessionFlags with `flags` "Flags". One that is also a struct's gets
+        its field's name too: RegistrationVerdict."""
+        taken = {s.name.removeprefix("hrt_").upper() + "_" for s in self.structs if not s.is_handle}
+        names = {}
+        for e in self.enumerations:
+            name = pascal(e.prefix.removeprefix("HRT_"))
+            if not e.flags and e.prefix.removeprefix("HRT_") in taken:
+                name += pascal(next(f.name for s in self.structs for f in s.fields if f.enumeration == e.prefix))
+            names[e.prefix] = special.get(e.prefix) or name + (flags if e.flags else "")
+        return names
 
     def layout(self, struct: Struct, pointer_size: int) -> tuple[list[Place], int]:
         """Where each field is, and the size of all."""
@@ -119,20 +200,30 @@ class Abi:
         return self.layout(inner, pointer_size)[1], self._alignment(inner, pointer_size)
 
 
-def read(include: Path) -> Abi:
-    """The interface that `include`/haptic_retargeting/*.h declare."""
+def prefix_of(constant: str) -> str:
+    return "_".join(constant.split("_")[:2]) + "_"
+
+
+def pascal(name: str) -> str:
+    return "".join(part[:1].upper() + part[1:].lower() for part in name.split("_"))
+
+
+def read(include: Path, base: Path | None = None) -> Abi:
+    """The interface that `include`/haptic_retargeting/*.h declare; `base` has headers that they include."""
     headers = sorted(p for p in (include / "haptic_retargeting").glob("*.h") if p.name not in WRITTEN)
     if not headers:
         raise HeaderError(f"no headers in {include}/haptic_retargeting")
+    # The header of all includes what is written from the model.
+    names = [path.name for path in headers if path.name != "haptic_retargeting.h"]
     texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
     macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
     macros = [name for name in macros if name not in ("HRT_API", "HRT_NODISCARD", "HRT_NOEXCEPT")]
     try:
-        tree = c_parser.CParser().parse(_preprocess(include, macros))
+        tree = c_parser.CParser().parse(_preprocess([include, base or include], names, macros))
     except c_parser.ParseError as error:
         raise HeaderError(f"{error}: not C that pycparser reads") from error
 
-    abi = Abi()
+    abi = Abi(headers=names)
     for node in tree.ext:
         if str(node.coord.file) in texts:
             _take(node, texts[str(node.coord.file)], abi)
@@ -156,15 +247,14 @@ typedef long long int64_t; typedef unsigned long long uint64_t;
 _STDDEF = "typedef unsigned long size_t;\n#define NULL 0\n"
 
 
-def _preprocess(include: Path, macros: list[str]) -> str:
+def _preprocess(folders: list[Path], headers: list[str], macros: list[str]) -> str:
     """All headers, and an enumerator NAME_value for each macro, so that the parser sees what it stands for."""
     with tempfile.TemporaryDirectory() as folder:
         (Path(folder) / "stdint.h").write_text(_STDINT)
         (Path(folder) / "stddef.h").write_text(_STDDEF)
-        source = "".join(f"#include <{p.parent.name}/{p.name}>\n" for p in sorted(include.glob("*/*.h"))
-                         if p.name not in WRITTEN)
+        source = "".join(f"#include <haptic_retargeting/{name}>\n" for name in headers)
         source += "enum { " + ", ".join(f"{name}_value = {name}" for name in macros) + " };\n"
-        command = ["cpp", "-nostdinc", "-D__attribute__(x)=", "-I", folder, "-I", str(include), "-"]
+        command = ["cpp", "-nostdinc", "-D__attribute__(x)=", "-I", folder, *(f"-I{f}" for f in folders), "-"]
         done = subprocess.run(command, input=source, text=True, capture_output=True, check=False)
     if done.returncode != 0:
         raise HeaderError(done.stderr)
@@ -195,13 +285,15 @@ def _take(node: c_ast.Node, text: str, abi: Abi) -> None:
         abi.callbacks.append(_function(node.name, node.type.type, doc))
     elif isinstance(node.type, c_ast.TypeDecl) and isinstance(node.type.type, c_ast.Struct):
         abi.structs.append(_struct(node.name, node.type.type, text, doc, abi))
-    elif node.name != "hrt_result":
+    elif node.name == "hrt_result":
+        abi.result_doc = doc
+    else:
         raise HeaderError(f"{node.coord}: {node.name} is neither a struct nor a callback")
 
 
 def _struct(name: str, node: c_ast.Struct, text: str, doc: str, abi: Abi) -> Struct:
     body = text[text.index(f"typedef struct {name} {{") :]
-    fields = []
+    fields: list[Field] = []
     for decl in node.decls:
         field_doc = _doc(body, rf"\b{decl.name}\b[^;]*;")
         type_, length = decl.type, 0
@@ -209,9 +301,12 @@ def _struct(name: str, node: c_ast.Struct, text: str, doc: str, abi: Abi) -> Str
             type_, length = type_.type, _evaluate(type_.dim)[0]
         if isinstance(type_, c_ast.PtrDecl) and isinstance(type_.type, c_ast.FuncDecl):
             abi.callbacks.append(_function(f"{name}_{decl.name}", type_.type, field_doc))
-            fields.append(Field(decl.name, Type(f"{name}_{decl.name}", callback=True), 0, field_doc))
+            kind = Type(f"{name}_{decl.name}", callback=True)
         else:
-            fields.append(Field(decl.name, _type(type_), length, field_doc))
+            kind = _type(type_)
+        before = fields[-1] if fields and not field_doc and fields[-1].type == kind and not length else None
+        fields.append(Field(decl.name, kind, length, field_doc, before.shared_doc if before else field_doc,
+                            before.place + 1 if before else 0))
     return Struct(name, tuple(fields), doc)
 
 
@@ -243,7 +338,7 @@ def _type(node: c_ast.Node) -> Type:
 _COMMENT = re.compile(r"/\*.*?\*/", re.S)
 _DIRECTIVE = re.compile(r"^#(?:\\\n|.)*$", re.M)
 _COMMENT_BEFORE = re.compile(r"/\*\*(?!<)((?:[^*]|\*(?!/))*)\*/\s*$")
-_BARE_DEFINE = re.compile(r"#define HRT_\w+ [^\n*]*\n")
+_DEFINE = re.compile(r"#define (HRT_\w+) ")
 _COMMENT_BEHIND = re.compile(r"[^\n]*?(?:\\\n[^\n]*?)?/\*\*<((?:[^*]|\*(?!/))*)\*/")
 
 
@@ -269,7 +364,10 @@ def _constant_doc(text: str, at: int) -> tuple[str, str]:
         return _plain(behind.group(1)), _plain(before.group(1)) if before else ""
     if not before:
         return "", ""
-    if _BARE_DEFINE.match(text[text.index("\n", at) + 1 :]):  # the next has no comment: this one is of all
+    prefix = prefix_of(_DEFINE.match(text[at:]).group(1))
+    next_one = _DEFINE.match(text[text.index("\n", at) + 1 :])
+    is_first = prefix not in {prefix_of(name) for name in _DEFINE.findall(text[:at])}
+    if is_first and next_one and prefix_of(next_one[1]) == prefix:  # no comment stands between: this one is of all
         return "", _plain(before.group(1))
     earlier = _COMMENT_BEFORE.search(text[: before.start()])
     return _plain(before.group(1)), _plain(earlier.group(1)) if earlier else ""

@@ -17,7 +17,7 @@ def render_init(abi: Abi, notice: str) -> str:
             " * Each struct by value, ready for use: with its defaults, or zero with its size.\n"
             " *\n *   hrt_session_config config = hrt_session_config_init();\n */\n"
             "/* clang-format off */\n#ifndef HAPTIC_RETARGETING_INIT_H\n#define HAPTIC_RETARGETING_INIT_H\n\n"
-            + "".join(f'#include "{name}.h"\n' for name in ("authority", "calibration", "host", "recording", "scene"))
+            + "".join(f'#include "{name}"\n' for name in abi.headers)
             + "\n#if defined(__cplusplus)\n#define HRT_EMPTY {}\n#else\n#define HRT_EMPTY {0}\n#endif\n\n"
             + "\n".join(_init(s, f"{s.name}_default" in functions) for s in structs)
             + "\n#undef HRT_EMPTY\n\n#endif\n")

@@ -6,19 +6,25 @@ from __future__ import annotations
 import re
 import textwrap
 
-from abi import Abi, Constant, Field, Function, Struct, Type
+from abi import Abi, Enumeration, Field, Function, Struct, Type, pascal
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
-_ENUMERATIONS = {"ERROR": "ErrorCode", "CONTROL": "Control", "GUIDANCE": "Guidance", "ADAPTATION": "Adaptation",
-                 "TARGET": "Role", "PLACE": "Place", "LOG": "LogLevel", "REACH": "ReachFlag", "SAMPLE": "SampleFlag",
-                 "COMMAND": "CommandFlag", "SESSION": "SessionFlag", "ENDING": "Ending",
-                 "STATE": "StateFlag"}
+# Whose names in Python are not those of the headers.
+_ENUMERATIONS = {"HRT_ERROR_": "ErrorCode", "HRT_LOG_": "LogLevel", "HRT_TARGET_": "Role"}
+# Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
+# it hands them to.
+_KEYWORDS = {
+    "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
+    "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),
+    "CalibrationKeywords": ("hrt_calibration_config", (("__init__", "session: Session, ", "_create"),)),
+}
 
 
 def render(abi: Abi, notice: str) -> str:
-    names = _class_names(abi)
-    enumerations, constants = _sorted_constants(abi)
+    names = _Names(abi)
+    members = {m.name for e in abi.enumerations for m in e.members}
+    constants = [c for c in abi.constants if c.name not in members]
     version = ", ".join(str(c.value) for c in constants if c.name.startswith("HRT_VERSION_"))
     parts = [
         f"# {notice}\n"
@@ -28,69 +34,86 @@ def render(abi: Abi, notice: str) -> str:
         "from ctypes import (\n"
         "    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,\n"
         ")\n"
-        "from enum import IntEnum, IntFlag\n"
         "from typing import TYPE_CHECKING\n\n"
-        "from ._struct import Struct\n",
-        f'VERSION = ({version})\n"""Of the headers that this was written from."""\n'
+        "from ._struct import Choice, Flags, Struct, enumerated\n\n"
+        "if TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n",
+        (f'VERSION = ({version})\n"""Of the headers that this was written from."""\n' if version else "")
         + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "", names)
                   for c in constants if not c.name.startswith("HRT_VERSION_")),
     ]
-    parts.extend(_enumeration(name, prefix, members, names) for prefix, (name, members) in enumerations.items())
+    parts.extend(_enumeration(e, names) for e in abi.enumerations)
     parts.append("".join(_callback(f, names) for f in abi.callbacks))
     parts.extend(_struct(s, names) for s in abi.structs)
+    public = sorted([*names.enums.values(), *(names.structs[s.name] for s in abi.structs if not s.is_handle)])
+    parts.insert(2, "__all__ = [\n" + textwrap.fill(", ".join(f'"{n}"' for n in public), 112, initial_indent="    ",
+                                                      subsequent_indent="    ") + ",\n]\n")
     parts.append(
         "def declare(library: CDLL) -> None:\n"
         '    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""\n'
         + "".join(f"    library.{f.name}.argtypes = ({_list([_type(p.type, names) for p in f.parameters])})\n"
                   f"    library.{f.name}.restype = {_type(f.result, names)}\n" for f in abi.functions))
-    return "\n\n".join(part.rstrip("\n") + "\n" for part in parts)
+    return "\n\n".join(part.rstrip("\n") + "\n" for part in parts if part)
 
 
-def _class_names(abi: Abi) -> dict[str, str]:
-    def name(c_name: str) -> str:
-        return "".join(part.capitalize() for part in c_name.removeprefix("hrt_").split("_"))
-    return ({s.name: name(s.name) + ("Handle" if s.is_handle else "") for s in abi.structs}
-            | {f.name: name(f.name) for f in abi.callbacks})
+def render_keywords(abi: Abi, notice: str) -> str:
+    names = _Names(abi)
+    used = sorted({names.enums[f.enumeration] for struct, _ in _KEYWORDS.values()
+                   for f in abi.struct(struct).fields if f.enumeration})
+    text = (f"# {notice}\n"
+            '"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""\n\n'
+            "from __future__ import annotations\n\nfrom typing import TYPE_CHECKING, Any\n\n"
+            f"from ._abi import {', '.join(used)}\nfrom ._struct import Numbers\n\n"
+            "if TYPE_CHECKING:\n    from .session import Session\n\n\n"
+            "def _given(arguments: dict[str, Any]) -> dict[str, Any]:\n"
+            "    return {name: value for name, value in arguments.items()\n"
+            '            if value is not None and name not in ("self", "session")}\n')
+    for name, (struct, methods) in _KEYWORDS.items():
+        text += f'\n\nclass {name}:\n    """The fields of {names.structs[struct]}, by keyword."""\n'
+        for method, before, to in methods:
+            keywords = [f"{f.name}: {_given_hint(f, names)} | None = None"
+                        for f in abi.struct(struct).fields if f.name not in ("struct_size", "reserved")]
+            text += f"\n    def {method}(\n" + _wrapped([f"self, {before}*", *keywords], 12) + "\n    ) -> None:\n"
+            text += f"        self.{to}({before.partition(':')[0] + ', ' if before else ''}_given(locals()))\n"
+            text += (f"\n    def {to}(self, {before}fields: dict[str, Any]) -> None:\n"
+                     "        raise NotImplementedError\n")
+    return text
 
 
-def _sorted_constants(abi: Abi) -> tuple[dict[str, tuple[str, list[Constant]]], list[Constant]]:
-    enumerations: dict[str, tuple[str, list[Constant]]] = {p: (name, []) for p, name in _ENUMERATIONS.items()}
-    others = []
-    for constant in abi.constants:
-        prefix = constant.name.split("_")[1]
-        if prefix in enumerations:
-            enumerations[prefix][1].append(constant)
-        else:
-            others.append(constant)
-    return enumerations, others
+class _Names:
+    """What structs, callbacks and enumerations are called here."""
+
+    def __init__(self, abi: Abi) -> None:
+        self.structs = {s.name: pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
+        self.structs |= {f.name: pascal(f.name.removeprefix("hrt_")) for f in abi.callbacks}
+        self.enums = abi.enumeration_names(_ENUMERATIONS, "Flag")
 
 
-def _enumeration(name: str, prefix: str, members: list[Constant], names: dict[str, str]) -> str:
-    kind = "IntFlag" if members[0].unsigned else "IntEnum"
-    lines = textwrap.wrap(_renamed(members[0].group, names) or f"The C headers' HRT_{prefix}_*.", 104) + [""]
+def _enumeration(enumeration: Enumeration, names: _Names) -> str:
+    lines = textwrap.wrap(_renamed(enumeration.doc, names), 104) + [""]
     values = ""
-    for member in members:
-        short = member.name.removeprefix(f"HRT_{prefix}_")
+    for member in enumeration.members:
+        short = enumeration.short(member)
         values += f"    {short} = {member.value}\n"
         lines += textwrap.wrap(f"{short}: {_renamed(member.doc, names)}" if member.doc else short, 104,
                                subsequent_indent="    ")
     doc = "\n    ".join(lines).replace("\n    \n", "\n\n")
-    return f'class {name}({kind}):\n    """{doc}\n    """\n\n{values}'
+    kind = "Flags" if enumeration.flags else "Choice"
+    return f'class {names.enums[enumeration.prefix]}({kind}):\n    """{doc}\n    """\n\n{values}'
 
 
-def _docstring(text: str, indent: str, names: dict[str, str]) -> str:
+def _docstring(text: str, indent: str, names: _Names) -> str:
     if not text:
         return ""
     lines = textwrap.wrap(_renamed(text, names).replace("\\", "\\\\"), 110 - len(indent) - 6)
     return indent + '"""' + f"\n{indent}".join(lines) + '"""\n'
 
 
-def _callback(function: Function, names: dict[str, str]) -> str:
+def _callback(function: Function, names: _Names) -> str:
     types = [_type(function.result, names)] + [_type(p.type, names) for p in function.parameters]
-    return f"{names[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "", names)
+    return f"{names.structs[function.name]} = CFUNCTYPE({', '.join(types)})\n" + _docstring(function.doc, "", names)
 
 
-def _struct(struct: Struct, names: dict[str, str]) -> str:
+def _struct(struct: Struct, names: _Names) -> str:
     # What help() shows has the fields too; they stand where a type checker sees them.
     lines = textwrap.wrap(_renamed(struct.doc, names), 104) + [""]
     hints, fields = "", ""
@@ -101,24 +124,29 @@ def _struct(struct: Struct, names: dict[str, str]) -> str:
             lines += textwrap.wrap(f"{f.name}: {_renamed(f.doc, names)}", 104, subsequent_indent="    ")
         elif f.name not in ("struct_size", "reserved"):
             lines.append(f.name)
+    keywords = [f"{f.name}: {_given_hint(f, names, 'ArrayLike')} = ..." for f in struct.fields
+                if f.name not in ("struct_size", "reserved")]
+    hints += "\n        def __init__(\n" + _wrapped(["self, *", *keywords], 12) + "\n        ) -> None: ...\n"
+    named = ", ".join(f"{f.name}={names.enums[f.enumeration]}" for f in struct.fields if f.enumeration)
+    head = f"@enumerated({named})\n" if named else ""
     doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
     doc = f'    """{doc}\n    """\n' if "\n" in doc else f'    """{doc}"""\n'
-    return (f"class {names[struct.name]}(Struct):\n{doc}\n    if TYPE_CHECKING:\n{hints}\n"
+    return (head + f"class {names.structs[struct.name]}(Struct):\n{doc}\n    if TYPE_CHECKING:\n{hints}\n"
             f"    _fields_ = (\n{fields}    )\n")
 
 
-def _renamed(doc: str, names: dict[str, str]) -> str:
+def _renamed(doc: str, names: _Names) -> str:
     """The headers' text with the names of this module."""
-    for prefix, name in _ENUMERATIONS.items():
-        doc = doc.replace(f"HRT_{prefix}_*", name).replace(f"HRT_{prefix}_", f"{name}.")
-    doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.get(found[1], found[1]) + ".", doc)
-    doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.get(found[0], found[0]), doc)
-    doc = doc.replace("HRT_PERSON_", "PERSON_")
+    for prefix, name in names.enums.items():
+        doc = doc.replace(f"{prefix}*", name).replace(prefix, f"{name}.")
+    doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.structs.get(found[1], found[1]) + ".", doc)
+    doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.structs.get(found[0], found[0]), doc)
+    doc = re.sub(r"\bHRT_(?=[A-Z])", "", doc)
     return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_default\(\) fills every field)\.", "", doc)
 
 
-def _type(type_: Type, names: dict[str, str]) -> str:
-    name = _CTYPES.get(type_.name) or names.get(type_.name)
+def _type(type_: Type, names: _Names) -> str:
+    name = _CTYPES.get(type_.name) or names.structs.get(type_.name)
     if not type_.pointer:
         return name or "None"
     if type_.name == "void":
@@ -128,7 +156,9 @@ def _type(type_: Type, names: dict[str, str]) -> str:
     return f"POINTER({name})"
 
 
-def _hint(field: Field, names: dict[str, str]) -> str:
+def _hint(field: Field, names: _Names) -> str:
+    if field.enumeration:
+        return names.enums[field.enumeration]
     if field.length:
         return "bytes" if field.type.name == "char" else f"ctypes.Array[{_CTYPES[field.type.name]}]"
     if field.type.callback:
@@ -137,7 +167,21 @@ def _hint(field: Field, names: dict[str, str]) -> str:
         return "int | None"
     if field.type.name == "double":
         return "float"
-    return names.get(field.type.name, "int")
+    return names.structs.get(field.type.name, "int")
+
+
+def _given_hint(field: Field, names: _Names, numbers: str = "Numbers") -> str:
+    """As _hint(), of what may be given."""
+    if field.length:
+        return "str | bytes" if field.type.name == "char" else numbers
+    return "bool | int" if field.boolean else _hint(field, names)
+
+
+def _wrapped(parameters: list[str], indent: int) -> str:
+    """Lines that break between parameters only."""
+    text = ", ".join(parameter.replace(" ", "\N{NO-BREAK SPACE}") for parameter in parameters) + ","
+    lines = textwrap.wrap(text, 118 - indent, break_long_words=False, break_on_hyphens=False)
+    return textwrap.indent("\n".join(lines), " " * indent).replace("\N{NO-BREAK SPACE}", " ")
 
 
 def _list(items: list[str]) -> str:

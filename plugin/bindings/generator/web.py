@@ -25,6 +25,47 @@ def render_script(abi: Abi, notice: str) -> str:
     return text + "]);\n"
 
 
+def render_frames(abi: Abi, notice: str) -> str:
+    """The structs that go to and from memory in each frame, as objects of numbers: unrolled, so that no frame makes
+    objects and no name is looked up."""
+    text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
+    for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
+        places = {f: p for f, p in _places(abi, abi.struct(name)).items() if f not in ("struct_size", "reserved")}
+        arrays = [f for f, place in places.items() if "length" in place]
+        text += f"\nexport class {title} {{\n"
+        text += "".join(f"  {f} = {_initial(place)};\n" for f, place in places.items())
+        text += "  constructor() { Object.preventExtensions(this); }\n"
+        if arrays:
+            parts = ", ".join(f"{f}: [...this.{f}]" for f in arrays)
+            text += f"  toJSON() {{ return {{ ...this, {parts} }}; }}\n"
+        text += "}\n"
+        text += (f"\nexport function write{title}(view, at, {{ {', '.join(places)} }}) {{\n"
+                 + "".join(f"  {_write(f, place)}\n" for f, place in places.items()) + "}\n" if title == "Sample" else
+                 f"\nexport function read{title}(view, at, into) {{\n"
+                 + "".join(f"  into.{f} = {_read(place)};\n" for f, place in places.items()) + "}\n")
+    return text
+
+
+def _initial(place: dict[str, object]) -> str:
+    return f"new Float64Array({place['length']})" if "length" in place else "0"
+
+
+def _write(field: str, place: dict[str, object]) -> str:
+    at = f"at + {place['offset']}"
+    if "length" in place:
+        return f'writeF64s(view, {at}, "{field}", {field}, {place["length"]});'
+    if place["type"] == "f64":
+        return f"view.setFloat64({at}, {field}, true);"
+    return f'write{str(place["type"]).upper()}(view, {at}, "{field}", {field});'
+
+
+def _read(place: dict[str, object]) -> str:
+    at = f"at + {place['offset']}"
+    if place["type"] == "i64":
+        return f"readI64(view, {at})"
+    return f"view.{ {'f64': 'getFloat64', 'u32': 'getUint32'}[str(place['type'])] }({at}, true)"
+
+
 def render_types(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n"
     for constant in abi.constants:

@@ -1,12 +1,46 @@
-# The numbers of properties and flags; see session.h and reach.h of the plugin.
+# Written by plugin/bindings/generate from the C headers.
+# The numbers of properties and flags; session.h and reach.h of the plugin say what they mean.
 #
 #   const HRT = preload("res://addons/haptic_retargeting/constants.gd")
 #   if flags & HRT.COMMAND_SATURATED: ...
+
+const ASSIGN_EXCLUSIVE = 1
+
+const ILLUSION_LINEAR = 0
+const ILLUSION_SATURATING = 1
+const ILLUSION_SINE = 2
+const ILLUSION_TANH = 3
+const ILLUSION_DEAD_BAND = 4
+const ILLUSION_UNEQUAL = 5
+const ILLUSION_CUBIC = 6
+const ILLUSION_NONE = 7
+
+const LACK_OF_FIT_ANGLE = 1
+const LACK_OF_FIT_ORDER = 2
+const LACK_OF_FIT_PATH = 4
+
+const SLIDE_USED = 0
+const SLIDE_OUTLYING = 1
+const SLIDE_ALONG_RIDGES = 2
+
+const DIFFERS_TACTILE_WEIGHT = 1
+const DIFFERS_LARGEST_GAP = 2
+const DIFFERS_BIAS = 4
+const DIFFERS_HABIT = 8
+const DIFFERS_TRACKER_NOISE = 16
+
+const CONDITION_PLATE = 1
+const CONDITION_TRACKER = 2
+
+const REACH_PLATE_ORIENTATION = 1
+const REACH_START_AT_FINGER = 2
 
 const SAMPLE_DIRECTION = 1
 const SAMPLE_PLATE_POSITION = 2
 const SAMPLE_PLATE_ORIENTATION = 4
 const SAMPLE_LIFTED = 8
+const SAMPLE_WORLD_POSITION = 16
+const SAMPLE_PLATE_POSE = 32
 
 const COMMAND_HELD = 1
 const COMMAND_PREDICTED = 2
@@ -20,14 +54,44 @@ const COMMAND_OFF_TARGET = 256
 const COMMAND_RESTING = 512
 const COMMAND_APPROXIMATE = 1024
 const COMMAND_FAULT = 2048
+const COMMAND_REGISTRATION = 4096
 
-const SESSION_PLATE_WAITS = 1
+const ENDING_COMPLETE = 0
+const ENDING_CUT = 1
+const ENDING_LOST_ROWS = 2
+const ENDING_ALTERED = 3
+
+const REGISTER_SCALE = 1
+const REGISTER_UP = 2
+
+const REGISTRATION_HOLDS = 1
+const REGISTRATION_TOO_FEW = 2
+const REGISTRATION_DEGENERATE = 3
+const REGISTRATION_INCONSISTENT = 4
+const REGISTRATION_UPSIDE_DOWN = 5
 
 const CONTROL_MPC = 0
 const CONTROL_FIXED_PLATE = 1
+
 const GUIDANCE_FIXED_DIRECTION = 0
 const GUIDANCE_ARRIVAL = 1
 const GUIDANCE_LINE_OF_SIGHT = 1
+
 const ADAPTATION_OFF = 0
 const ADAPTATION_REACH = 1
 const ADAPTATION_CARRIED = 2
+
+const SESSION_PLATE_WAITS = 1
+const SESSION_REGISTERED = 2
+
+const STATE_READY = 1
+const STATE_REACHING = 2
+const STATE_CALIBRATING = 4
+const STATE_RECORDING = 8
+
+const TARGET_REAL = 1
+const TARGET_VIRTUAL = 2
+
+const PLACE_DIRECTION = 1
+const PLACE_PLATE_POSITION = 2
+const PLACE_WORLD_POSITION = 3

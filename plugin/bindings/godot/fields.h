@@ -1,5 +1,5 @@
-// The fields of the plugin's structs as Godot sees them: properties of the node, keys of Dictionaries. Taken
-// from the C headers by the compiler, which also refuses to build if a table lacks a field.
+// The fields of the plugin's structs as Godot sees them: properties of the node, keys of Dictionaries. Their
+// tables are generated from the C headers (tables.cpp).
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
@@ -7,13 +7,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <type_traits>
 
 #include "value.h"
 
 namespace hrt_godot {
 
-enum class FieldKind { kUint32, kInt64, kDouble, kTarget, kVector3 };
+enum class FieldKind { kInt32, kUint32, kInt64, kDouble, kVector3 };
 
 struct Field {
   const char* name;
@@ -30,13 +29,27 @@ bool set_field(void* object, const Field& field, const Value& value);
 bool is_different(const void* object, const void* other, const Field& field);
 Record to_record(const void* object, std::span<const Field> fields);
 
-/** The properties: hrt_session_config without the plate's pose, which is the node's own, and without what is
- *  believed of the person, which profiles hold. */
+/** The properties: hrt_session_config without the plate's pose, which is the node's own, and without its
+ * fixed arrays, such as what is believed of the person, which profiles hold. */
 std::span<const Field> config_fields();
 std::span<const Field> command_fields();
 std::span<const Field> summary_fields();
 std::span<const Field> authority_fields();
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
 std::span<const Field> calibration_fields();
+std::span<const Field> slide_fields();
+std::span<const Field> recording_fields();
+
+struct Constant {
+  const char* enumeration;
+  const char* name;
+  int64_t value;
+  bool is_flag;
+};
+/** Of properties and flags: COMMAND_SATURATED and its like. */
+std::span<const Constant> constants();
+
+/** Copies the fixed arrays, which no property shows. */
+void copy_hidden(const hrt_session_config& from, hrt_session_config& to);
 
 }  // namespace hrt_godot

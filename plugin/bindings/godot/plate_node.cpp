@@ -27,6 +27,8 @@ constexpr Argument kPair[] = {{"real_target", Type::kInt}, {"virtual_target", Ty
 constexpr Argument kVirtualTarget[] = {{"virtual_target", Type::kInt}};
 constexpr Argument kPairAndPlate[] = {
     {"real_target", Type::kInt}, {"virtual_target", Type::kInt}, {"plate_orientation_deg", Type::kReal}};
+constexpr Argument kPairAndDuration[] = {
+    {"real_target", Type::kInt}, {"virtual_target", Type::kInt}, {"duration_s", Type::kReal}};
 constexpr Argument kFinger[] = {{"world_position", Type::kVector3}, {"time_ns", Type::kInt}};
 constexpr Argument kTime[] = {{"time_ns", Type::kInt}};
 constexpr Argument kSample[] = {{"flags", Type::kInt},
@@ -37,11 +39,25 @@ constexpr Argument kSample[] = {{"flags", Type::kInt},
                                 {"finger_z_m", Type::kReal},
                                 {"plate_orientation_deg", Type::kReal}};
 constexpr Argument kGoal[] = {{"goal_direction_deg", Type::kReal}};
+constexpr Argument kGoalAndRange[] = {{"goal_direction_deg", Type::kReal},
+                                      {"lower_plate_deg", Type::kReal},
+                                      {"upper_plate_deg", Type::kReal},
+                                      {"enough_weight_width", Type::kReal}};
+constexpr Argument kSlide[] = {{"slide", Type::kInt}};
+constexpr Argument kConditions[] = {
+    {"plate", Type::kString}, {"tracker", Type::kString}, {"time_s", Type::kInt}};
 constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
 constexpr Argument kJson[] = {{"json", Type::kString}};
 constexpr Argument kPath[] = {{"path", Type::kString}};
 
 constexpr int64_t kErrInvalidParameter = 31;
+/** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
+constexpr size_t kFlagsReason = 126, kPoseReason = 127;
+constexpr size_t reason_of(hrt_result error) {
+  return static_cast<size_t>(-error) % kFlagsReason;
+}
+constexpr const char* kNotRigid =
+    "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
 const Value kError = kErrInvalidParameter;
 const Value kNoTarget = int64_t{0};
 
@@ -54,6 +70,7 @@ const Method kMethods[] = {
     {"remove_target", Type::kInt, kError, kTarget, &PlateNode::remove_target},
     {"begin", Type::kInt, kError, kPair, &PlateNode::begin},
     {"begin_with_plate_at", Type::kInt, kError, kPairAndPlate, &PlateNode::begin_with_plate_at},
+    {"begin_for", Type::kInt, kError, kPairAndDuration, &PlateNode::begin_for},
     {"update", Type::kInt, kError, kFinger, &PlateNode::update},
     {"update_lost", Type::kInt, kError, kTime, &PlateNode::update_lost},
     {"update_sample", Type::kInt, kError, kSample, &PlateNode::update_sample},
@@ -66,16 +83,22 @@ const Method kMethods[] = {
     {"get_authority", Type::kRecord, Record{}, kPair, &PlateNode::get_authority},
     {"get_best_authority", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_best_authority},
     {"begin_calibration", Type::kInt, kError, kGoal, &PlateNode::begin_calibration},
+    {"begin_calibration_within", Type::kInt, kError, kGoalAndRange, &PlateNode::begin_calibration_within},
+    {"get_next_angle", Type::kRecord, Record{}, {}, &PlateNode::get_next_angle},
     {"begin_trial", Type::kInt, kError, kPlate, &PlateNode::begin_trial},
     {"add_trial_sample", Type::kInt, kError, kFinger, &PlateNode::add_trial_sample},
     {"end_trial", Type::kInt, kError, {}, &PlateNode::end_trial},
     {"cancel_trial", Type::kInt, kError, {}, &PlateNode::cancel_trial},
     {"solve_calibration", Type::kRecord, Record{}, {}, &PlateNode::solve_calibration},
+    {"get_slide", Type::kRecord, Record{}, kSlide, &PlateNode::get_slide},
     {"apply_calibration", Type::kInt, kError, {}, &PlateNode::apply_calibration},
     {"end_calibration", Type::kInt, kError, {}, &PlateNode::end_calibration},
     {"load_profile", Type::kInt, kError, kJson, &PlateNode::load_profile},
     {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
+    {"set_conditions", Type::kInt, kError, kConditions, &PlateNode::set_conditions},
+    {"get_conditions", Type::kRecord, Record{}, {}, &PlateNode::get_conditions},
     {"start_recording", Type::kInt, kError, kPath, &PlateNode::start_recording},
+    {"get_recording_status", Type::kRecord, Record{}, {}, &PlateNode::get_recording_status},
     {"stop_recording", Type::kInt, kError, {}, &PlateNode::stop_recording},
     {"get_version", Type::kString, std::string(), {}, &PlateNode::get_version},
 };
@@ -262,7 +285,10 @@ bool PlateNode::ok(hrt_result result) {
  *  when a scene loads for example, and are valid or not only together: this is where they are checked. */
 bool PlateNode::configure() {
   if (reaching_) return true;
-  if (!read_pose(config_.plate_position_m, config_.plate_rotation)) return false;
+  if (!read_pose(config_.plate_position_m, config_.plate_rotation)) {
+    engine_.push_error(kNotRigid);
+    return false;
+  }
   if (!session_.value) {
     if (!ok(hrt_session_create(&config_, &session_))) return false;
   } else if (std::memcmp(&config_, &configured_, sizeof config_) != 0) {
@@ -272,12 +298,16 @@ bool PlateNode::configure() {
   return true;
 }
 
+/** Shows why a sample was refused, once in a reach or trial for each reason: samples come in every frame. */
+void PlateNode::report_sample(size_t reason, const char* text) {
+  if (!refused_.test(reason)) engine_.push_error(text);
+  refused_.set(reason);
+}
+
 bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   const Pose pose = engine_.node_pose();
   if (!is_rigid(pose)) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
-    engine_.push_error(
-        "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate");
     return false;
   }
   position_m[0] = pose.origin.x;
@@ -341,10 +371,19 @@ Value PlateNode::begin_with_plate_at(const Value* arguments) {
   return begin_reach(config);
 }
 
+Value PlateNode::begin_for(const Value* arguments) {
+  hrt_reach_config config = hrt_reach_config_init();
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  config.duration_s = to_real(arguments[2]);
+  return begin_reach(config);
+}
+
 Value PlateNode::begin_reach(const hrt_reach_config& config) {
   if (configure() && ok(hrt_reach_begin(session_, &config))) {
     reaching_ = true;
     command_ = {};
+    refused_.reset();
   }
   return to_godot_error(result_);
 }
@@ -359,7 +398,9 @@ bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
   out_sample.finger_position_m[0] = position.x;
   out_sample.finger_position_m[1] = position.y;
   out_sample.finger_position_m[2] = position.z;
-  return read_pose(out_sample.plate_position_m, out_sample.plate_rotation);
+  if (read_pose(out_sample.plate_position_m, out_sample.plate_rotation)) return true;
+  report_sample(kPoseReason, kNotRigid);
+  return false;
 }
 
 Value PlateNode::update(const Value* arguments) {
@@ -378,10 +419,10 @@ Value PlateNode::update_sample(const Value* arguments) {
   constexpr int64_t kTaken =
       HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
   if (flags & ~kTaken) {
-    engine_.push_error(
-        ("flags " + std::to_string(flags) +
-         "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
-            .c_str());
+    report_sample(kFlagsReason,
+                  ("flags " + std::to_string(flags) +
+                   "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
+                      .c_str());
     return kError;
   }
   hrt_sample sample{};
@@ -398,7 +439,11 @@ Value PlateNode::send(const hrt_sample& filled) {
   sample.struct_size = sizeof sample;
   hrt_command command{};
   command.struct_size = sizeof command;
-  if (!ok(hrt_reach_update(session_, &sample, &command))) return to_godot_error(result_);
+  result_ = hrt_reach_update(session_, &sample, &command);
+  if (result_ != HRT_OK) {
+    report_sample(reason_of(result_), hrt_last_error());
+    return to_godot_error(result_);
+  }
   const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
   command_ = command;
   // Handlers may call this node again, so nothing is read from it after the first signal.
@@ -460,6 +505,19 @@ Value PlateNode::get_best_authority(const Value* arguments) {
 Value PlateNode::begin_calibration(const Value* arguments) {
   hrt_calibration_config config = hrt_calibration_config_init();
   config.goal_direction_deg = to_real(arguments[0]);
+  return create_calibration(config);
+}
+
+Value PlateNode::begin_calibration_within(const Value* arguments) {
+  hrt_calibration_config config = hrt_calibration_config_init();
+  config.goal_direction_deg = to_real(arguments[0]);
+  config.lower_plate_deg = to_real(arguments[1]);
+  config.upper_plate_deg = to_real(arguments[2]);
+  config.enough_weight_width = to_real(arguments[3]);
+  return create_calibration(config);
+}
+
+Value PlateNode::create_calibration(const hrt_calibration_config& config) {
   hrt_calibration calibration{};
   if (!configure() || !ok(hrt_calibration_create(session_, &config, &calibration)))
     return to_godot_error(result_);
@@ -469,14 +527,25 @@ Value PlateNode::begin_calibration(const Value* arguments) {
   return int64_t{0};
 }
 
+Value PlateNode::get_next_angle(const Value*) {
+  double orientation_deg = 0.0;
+  uint32_t enough = 0;
+  if (!ok(hrt_calibration_next_angle(calibration_, &orientation_deg, &enough))) return Record{};
+  return Record{{"plate_orientation_deg", orientation_deg}, {"enough", int64_t{enough}}};
+}
+
 Value PlateNode::begin_trial(const Value* arguments) {
+  refused_.reset();
   ok(hrt_calibration_begin_trial(calibration_, to_real(arguments[0])));
   return to_godot_error(result_);
 }
 
 Value PlateNode::add_trial_sample(const Value* arguments) {
   hrt_sample sample;
-  if (finger_sample(arguments, sample)) ok(hrt_calibration_add_sample(calibration_, &sample));
+  if (finger_sample(arguments, sample)) {
+    result_ = hrt_calibration_add_sample(calibration_, &sample);
+    if (result_ != HRT_OK) report_sample(reason_of(result_), hrt_last_error());
+  }
   return to_godot_error(result_);
 }
 
@@ -496,6 +565,15 @@ Value PlateNode::solve_calibration(const Value*) {
   if (!ok(hrt_calibration_solve(calibration_, &user))) return Record{};
   user_ = user;
   return to_record(&user_, calibration_fields());
+}
+
+Value PlateNode::get_slide(const Value* arguments) {
+  hrt_calibration_slide slide{};
+  slide.struct_size = sizeof slide;
+  const int64_t number = to_int(arguments[0]);
+  const uint32_t wanted = number >= 0 && number < UINT32_MAX ? static_cast<uint32_t>(number) : UINT32_MAX;
+  if (!ok(hrt_calibration_get_residual(calibration_, wanted, &slide))) return Record{};
+  return to_record(&slide, slide_fields());
 }
 
 Value PlateNode::apply_calibration(const Value*) {
@@ -520,8 +598,7 @@ void PlateNode::take_changes() {
   for (const Field& field : config_fields())
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));
-  std::memcpy(config_.person_mean, configured_.person_mean, sizeof config_.person_mean);
-  std::memcpy(config_.person_covariance, configured_.person_covariance, sizeof config_.person_covariance);
+  copy_hidden(configured_, config_);
 }
 
 Value PlateNode::load_profile(const Value* arguments) {
@@ -539,9 +616,34 @@ Value PlateNode::save_profile(const Value*) {
   return json;
 }
 
+Value PlateNode::set_conditions(const Value* arguments) {
+  hrt_conditions now{};
+  now.struct_size = sizeof now;
+  // A name that is too long fills its field without a zero, which the plugin refuses.
+  to_text(arguments[0]).copy(now.plate, sizeof now.plate);
+  to_text(arguments[1]).copy(now.tracker, sizeof now.tracker);
+  now.time_s = to_int(arguments[2]);
+  if (configure()) ok(hrt_profile_set_conditions(session_, &now));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::get_conditions(const Value*) {
+  hrt_conditions measured{};
+  measured.struct_size = sizeof measured;
+  if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return Record{};
+  return Record{{"differing", int64_t{measured.differing}}, {"time_s", measured.time_s}};
+}
+
 Value PlateNode::start_recording(const Value* arguments) {
   if (configure()) ok(hrt_recording_start(session_, to_text(arguments[0]).c_str()));
   return to_godot_error(result_);
+}
+
+Value PlateNode::get_recording_status(const Value*) {
+  hrt_recording_status status{};
+  status.struct_size = sizeof status;
+  if (!ok(hrt_recording_get_status(session_, &status))) return Record{};
+  return to_record(&status, recording_fields());
 }
 
 Value PlateNode::stop_recording(const Value*) {

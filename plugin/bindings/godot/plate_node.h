@@ -4,6 +4,7 @@
 
 #include <haptic_retargeting/haptic_retargeting.h>
 
+#include <bitset>
 #include <span>
 #include <string>
 
@@ -76,6 +77,7 @@ class PlateNode {
   Value remove_target(const Value* arguments);
   Value begin(const Value* arguments);
   Value begin_with_plate_at(const Value* arguments);
+  Value begin_for(const Value* arguments);
   Value update(const Value* arguments);
   Value update_lost(const Value* arguments);
   Value update_sample(const Value* arguments);
@@ -88,16 +90,22 @@ class PlateNode {
   Value get_authority(const Value* arguments);
   Value get_best_authority(const Value* arguments);
   Value begin_calibration(const Value* arguments);
+  Value begin_calibration_within(const Value* arguments);
+  Value get_next_angle(const Value* arguments);
   Value begin_trial(const Value* arguments);
   Value add_trial_sample(const Value* arguments);
   Value end_trial(const Value* arguments);
   Value cancel_trial(const Value* arguments);
   Value solve_calibration(const Value* arguments);
+  Value get_slide(const Value* arguments);
   Value apply_calibration(const Value* arguments);
   Value end_calibration(const Value* arguments);
   Value load_profile(const Value* arguments);
   Value save_profile(const Value* arguments);
+  Value set_conditions(const Value* arguments);
+  Value get_conditions(const Value* arguments);
   Value start_recording(const Value* arguments);
+  Value get_recording_status(const Value* arguments);
   Value stop_recording(const Value* arguments);
   Value get_version(const Value* arguments);
 
@@ -107,8 +115,10 @@ class PlateNode {
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
   Value add_target(const hrt_target_config& config);
   Value begin_reach(const hrt_reach_config& config);
+  Value create_calibration(const hrt_calibration_config& config);
   bool finger_sample(const Value* arguments, hrt_sample& out_sample);
   Value send(const hrt_sample& sample);
+  void report_sample(size_t reason, const char* text);
   void take_changes();
 
   Engine& engine_;
@@ -121,6 +131,7 @@ class PlateNode {
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
   bool reaching_ = false;
+  std::bitset<128> refused_;  ///< samples of this reach or trial, by the reason
 };
 
 }  // namespace hrt_godot

@@ -46,9 +46,53 @@ export declare const HRT_ERROR_INTERNAL = -99;
 /** Maximum number of calibrations in a process. */
 export declare const HRT_CALIBRATIONS_MAX = 16;
 
+/** Families of illusion curves: the felt shift over the offset t from the motion to the ridge normal. */
+/** w t */
+export declare const HRT_ILLUSION_LINEAR = 0;
+/** w t within the scale, constant beyond */
+export declare const HRT_ILLUSION_SATURATING = 1;
+/** w 45 sin 2t */
+export declare const HRT_ILLUSION_SINE = 2;
+/** w scale tanh(t / scale) */
+export declare const HRT_ILLUSION_TANH = 3;
+/** nothing within the scale, w (|t| - scale) beyond */
+export declare const HRT_ILLUSION_DEAD_BAND = 4;
+/** different slopes to the left and to the right */
+export declare const HRT_ILLUSION_UNEQUAL = 5;
+/** w t - b t (t / 75)^2, the controller's model */
+export declare const HRT_ILLUSION_CUBIC = 6;
+/** no family fits the slides */
+export declare const HRT_ILLUSION_NONE = 7;
+
+/** Patterns in what the fit leaves unexplained: hrt_calibration_result::lack_of_fit. */
+/** Over the plate orientation: no curve fits. Check the plate's orientations and the goal direction. */
+export declare const HRT_LACK_OF_FIT_ANGLE = 1;
+/** Over the order of the slides: the user learns or tires. Let them practise or rest, and repeat. */
+export declare const HRT_LACK_OF_FIT_ORDER = 2;
+/** Along the paths: they bend as neither a habit nor the model's steering does. Ask for slower, longer and even slides, and repeat. */
+export declare const HRT_LACK_OF_FIT_PATH = 4;
+
+/** What became of a slide: hrt_calibration_slide::verdict. */
+export declare const HRT_SLIDE_USED = 0;
+/** unlike the others: left out */
+export declare const HRT_SLIDE_OUTLYING = 1;
+/** left out: the illusion flips along the ridges */
+export declare const HRT_SLIDE_ALONG_RIDGES = 2;
+
+/** Values of two calibrations that differ: hrt_calibration_comparison::differing. */
+export declare const HRT_DIFFERS_TACTILE_WEIGHT = 1;
+export declare const HRT_DIFFERS_LARGEST_GAP = 2;
+export declare const HRT_DIFFERS_BIAS = 4;
+export declare const HRT_DIFFERS_HABIT = 8;
+export declare const HRT_DIFFERS_TRACKER_NOISE = 16;
+
 /** Level of a log message. */
 export declare const HRT_LOG_WARNING = 1;
 export declare const HRT_LOG_ERROR = 2;
+
+/** How the conditions of the profile differ from those of now: hrt_conditions::differing. */
+export declare const HRT_CONDITION_PLATE = 1;
+export declare const HRT_CONDITION_TRACKER = 2;
 
 /** hrt_reach_config::flags. */
 /** `plate_orientation_deg` is given. Otherwise the plate is at the session's last command, at first 0. */
@@ -93,8 +137,10 @@ export declare const HRT_COMMAND_OFF_TARGET = 256;
 export declare const HRT_COMMAND_RESTING = 512;
 /** The solver's work was cut short; the command keeps its bounds. */
 export declare const HRT_COMMAND_APPROXIMATE = 1024;
-/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
+/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. The log says so once a session, when the session is next configured or destroyed. */
 export declare const HRT_COMMAND_FAULT = 2048;
+/** The plate's registration is older or worse than the configuration allows, or there is none: max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
+export declare const HRT_COMMAND_REGISTRATION = 4096;
 
 /** How a recording ends. */
 /** with its end line, and nothing was altered or lost */
@@ -105,6 +151,30 @@ export declare const HRT_ENDING_CUT = 1;
 export declare const HRT_ENDING_LOST_ROWS = 2;
 /** with an end line whose checksum is not that of the text before it */
 export declare const HRT_ENDING_ALTERED = 3;
+/** Maximum number of touches in one call. */
+export declare const HRT_TOUCHES_MAX = 1000;
+
+/** hrt_registration_config::flags. */
+/** The tracker's unit of length is fitted too: of use if it may be off by more than 1 in 100. */
+export declare const HRT_REGISTER_SCALE = 1;
+/** `up` is given. Without it, touches of which left and right were confused pass for those of a plate that lies upside down. */
+export declare const HRT_REGISTER_UP = 2;
+
+/** Verdict on a set of touches. hrt_registration_advice() has what to do. */
+/** a pose explains the touches, or all of them but one */
+export declare const HRT_REGISTRATION_HOLDS = 1;
+/** fewer than 3 touches */
+export declare const HRT_REGISTRATION_TOO_FEW = 2;
+/** the marks lie within 1 cm of a line: the plate could turn about it */
+export declare const HRT_REGISTRATION_DEGENERATE = 3;
+/** no pose explains the touches, nor all of them but one */
+export declare const HRT_REGISTRATION_INCONSISTENT = 4;
+/** the face looks away from `up`: marks were confused */
+export declare const HRT_REGISTRATION_UPSIDE_DOWN = 5;
+/** Numbers in the lower triangle of hrt_registration::covariance. */
+export declare const HRT_POSE_COVARIANCES = 28;
+/** Maximum number of samples in hrt_latency_fit(). */
+export declare const HRT_LATENCY_SAMPLES_MAX = 100000;
 /** Maximum number of scenes in a process. */
 export declare const HRT_SCENES_MAX = 64;
 /** Maximum number of sessions in a process. */
@@ -135,6 +205,8 @@ export declare const HRT_ADAPTATION_CARRIED = 2;
 /** hrt_session_config::flags. */
 /** The plate stays where it stands until the finger moves. Otherwise it turns to where the first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to the target. Set this if the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
 export declare const HRT_SESSION_PLATE_WAITS = 1;
+/** The plate's pose is from a registration made at registration_time_ns. hrt_registration_apply() sets this; hrt_scene_register(), which writes the scene's pose, clears it. */
+export declare const HRT_SESSION_REGISTERED = 2;
 
 /** Traits of a person, in this order, in hrt_session_config::person_mean. */
 /** w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t */
@@ -201,28 +273,50 @@ export interface StructLayout<Field extends string> {
 }
 
 export declare const structs: {
+  readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
   readonly hrt_session: StructLayout<"value">;
-  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "flags" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2" | "max_felt_error_deg" | "motion_bound_deg" | "tracker_latency_ns" | "person_mean" | "person_covariance">;
+  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "flags" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2" | "max_felt_error_deg" | "motion_bound_deg" | "tracker_latency_ns" | "person_mean" | "person_covariance" | "plate_scale" | "plate_covariance" | "registration_time_ns" | "max_registration_age_ns" | "max_registration_sd_deg" | "tracker_correlated_noise_m" | "tracker_correlation_s">;
   readonly hrt_target: StructLayout<"value">;
   readonly hrt_target_config: StructLayout<"struct_size" | "role" | "place" | "reserved" | "direction_deg" | "distance_m" | "position_m" | "name">;
   readonly hrt_authority: StructLayout<"struct_size" | "reachable" | "real_target" | "virtual_target" | "gap_deg" | "largest_gap_deg" | "margin_deg" | "plate_orientation_deg" | "settling_direction_deg" | "paper_largest_gap_deg">;
   readonly hrt_reach_config: StructLayout<"struct_size" | "flags" | "real_target" | "virtual_target" | "plate_orientation_deg" | "duration_s">;
   readonly hrt_sample: StructLayout<"struct_size" | "flags" | "time_ns" | "finger_direction_deg" | "finger_position_m" | "plate_orientation_deg" | "plate_position_m" | "plate_rotation">;
-  readonly hrt_command: StructLayout<"struct_size" | "flags" | "step" | "plate_orientation_deg" | "finger_direction_deg" | "perceived_direction_deg" | "aimed_direction_deg" | "distance_to_go_m" | "tactile_weight" | "tactile_weight_sd" | "time_to_go_s" | "felt_error_deg" | "predicted_miss_deg" | "normalised_innovation">;
-  readonly hrt_reach_summary: StructLayout<"struct_size" | "flags" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m" | "motor_variance_deg2" | "motor_variance_sd_deg2" | "bearing_error_deg" | "peak_felt_error_deg" | "rms_felt_error_deg" | "normalised_innovation" | "illusion_curve" | "illusion_curve_sd" | "gain_per_s" | "gain_sd_per_s" | "bias_deg" | "bias_sd_deg" | "habit_deg" | "habit_sd_deg" | "duration_s">;
+  readonly hrt_command: StructLayout<"struct_size" | "flags" | "step" | "plate_orientation_deg" | "finger_direction_deg" | "perceived_direction_deg" | "aimed_direction_deg" | "distance_to_go_m" | "tactile_weight" | "tactile_weight_sd" | "time_to_go_s" | "felt_error_deg" | "predicted_miss_deg" | "normalised_innovation" | "bearing_error_sd_deg">;
+  readonly hrt_reach_summary: StructLayout<"struct_size" | "flags" | "samples" | "dropped_samples" | "steps" | "predicted_steps" | "saturated_steps" | "rate_limited_steps" | "final_direction_deg" | "final_miss_deg" | "perceived_direction_deg" | "perceived_error_deg" | "distance_to_target_m" | "tactile_weight" | "tactile_weight_sd" | "tracker_noise_m" | "motor_variance_deg2" | "motor_variance_sd_deg2" | "bearing_error_deg" | "peak_felt_error_deg" | "rms_felt_error_deg" | "normalised_innovation" | "illusion_curve" | "illusion_curve_sd" | "gain_per_s" | "gain_sd_per_s" | "bias_deg" | "bias_sd_deg" | "habit_deg" | "habit_sd_deg" | "duration_s" | "bearing_error_sd_deg">;
   readonly hrt_calibration: StructLayout<"value">;
-  readonly hrt_calibration_config: StructLayout<"struct_size" | "max_trials" | "max_samples" | "reserved" | "goal_direction_deg">;
+  readonly hrt_calibration_config: StructLayout<"struct_size" | "max_trials" | "max_samples" | "reserved" | "goal_direction_deg" | "lower_plate_deg" | "upper_plate_deg" | "enough_weight_width">;
   readonly hrt_interval: StructLayout<"value" | "lower" | "upper" | "known" | "reserved">;
-  readonly hrt_calibration_result: StructLayout<"struct_size" | "reserved" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m">;
-  readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
+  readonly hrt_calibration_result: StructLayout<"struct_size" | "reserved" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m" | "illusion" | "lack_of_fit" | "slides_outlying" | "slides_along_ridges" | "illusion_scale_deg" | "peak_offset_deg" | "person_weight" | "person_curve" | "weight_curve_correlation" | "largest_gap_deg" | "habit_deg" | "correlated_noise_m" | "noise_correlation_s" | "angle_p" | "order_p" | "path_p">;
+  readonly hrt_calibration_slide: StructLayout<"struct_size" | "verdict" | "trial" | "reserved" | "plate_deg" | "direction_deg" | "fitted_deg" | "residual_deg">;
+  readonly hrt_calibration_comparison: StructLayout<"struct_size" | "differing" | "tactile_weight" | "largest_gap_deg" | "bias_deg" | "habit_deg" | "tracker_noise_m">;
+  readonly hrt_conditions: StructLayout<"struct_size" | "differing" | "time_s" | "plate" | "tracker">;
   readonly hrt_recording_status: StructLayout<"struct_size" | "system_error" | "rows_written" | "rows_lost">;
   readonly hrt_replay_report: StructLayout<"struct_size" | "complete" | "rows" | "first_different_line" | "hash" | "ending" | "reserved">;
+  readonly hrt_mark_touch: StructLayout<"mark_m" | "touched_m">;
+  readonly hrt_registration_config: StructLayout<"struct_size" | "flags" | "touch_sd_m" | "up">;
+  readonly hrt_registration: StructLayout<"struct_size" | "verdict" | "touches" | "left_out" | "plate_position_m" | "plate_rotation" | "plate_scale" | "covariance" | "touch_sd_m" | "residual_m" | "turn_sd_deg">;
+  readonly hrt_touch_check: StructLayout<"struct_size" | "holds" | "distance_m" | "allowed_m">;
+  readonly hrt_joint_touch: StructLayout<"position_m" | "rotation">;
+  readonly hrt_fingertip: StructLayout<"struct_size" | "known" | "offset_m" | "sd_m">;
+  readonly hrt_latency: StructLayout<"struct_size" | "known" | "latency_ns" | "lower_ns" | "upper_ns" | "residual_m" | "radius_m">;
   readonly hrt_scene: StructLayout<"value">;
   readonly hrt_scene_info: StructLayout<"struct_size" | "target_count" | "plate_position_m" | "plate_rotation" | "plate_radius_m" | "plate_max_speed_deg_s" | "start_position_m">;
   readonly hrt_scene_target: StructLayout<"struct_size" | "role" | "served_by" | "reserved" | "position_m" | "world_position_m" | "direction_deg" | "distance_m" | "radius_m" | "name">;
 };
 
 export declare const functions: readonly string[];
+
+/** Source of the library's memory. Both functions are called from any thread, concurrently. Neither may call this library or throw. */
+export interface hrt_allocator {
+  struct_size: number;
+  reserved: number;
+  /** Passed to both functions. The library does not read it. */
+  context: number;
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. */
+  allocate: number;
+  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it keeps it beside the memory. */
+  release: number;
+}
 
 /** A session's handle. Zero is never a session. Handles are never reused. */
 export interface hrt_session {
@@ -271,7 +365,7 @@ export interface hrt_session_config {
   sensory_variance_deg2: number;
   /** Variance of the user's felt direction before the first step. Raising it models a user who trusts touch more in the first steps. 0 to 1e4. Default 0. */
   initial_variance_deg2: number;
-  /** Standard deviation of white noise in each tracked coordinate. Raising it smooths positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. */
+  /** Standard deviation of white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise, unless tracker_correlated_noise_m says how much of it is correlated. Raising it smooths positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. */
   tracker_noise_m: number;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here. Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
   start_position_m: number[];
@@ -297,6 +391,20 @@ export interface hrt_session_config {
   person_mean: number[];
   /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since version 0.3. */
   person_covariance: number[];
+  /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. This and the following: since version 0.3. */
+  plate_scale: number;
+  /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle, row by row. Variances 0 to 1. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into UNREACHABLE and bearing_error_sd_deg; where the plate leads does not depend on it. Default 0. */
+  plate_covariance: number[];
+  /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Default 0. */
+  registration_time_ns: bigint;
+  /** Largest age of a registration at a sample. Older ones, and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0: not checked. Default 0. */
+  max_registration_age_ns: bigint;
+  /** Largest standard deviation that plate_covariance may give the bearing of the real target. Worse ones, and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not checked. Default 0. */
+  max_registration_sd_deg: number;
+  /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not known. Default 0. */
+  tracker_correlated_noise_m: number;
+  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. */
+  tracker_correlation_s: number;
 }
 
 /** A target's id within its session. Zero is never a target. Ids are never reused, in any session. */
@@ -405,12 +513,14 @@ export interface hrt_command {
   predicted_miss_deg: number;
   /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3. */
   normalised_innovation: number;
+  /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the start: by what the estimator knows of the place and by plate_covariance. At the end, of bearing_error_deg. 0 under FIXED_DIRECTION. Since version 0.3. */
+  bearing_error_sd_deg: number;
 }
 
 /** Result of a reach. Set `struct_size` before the call. */
 export interface hrt_reach_summary {
   struct_size: number;
-  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended, FAULT. Named `reserved` before version 0.3. */
+  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of where the finger ended, FAULT. Named `reserved` before version 0.3. */
   flags: number;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   samples: bigint;
@@ -438,7 +548,7 @@ export interface hrt_reach_summary {
   motor_variance_deg2: number;
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little data; 0: taken as known. Since version 0.2. */
   motor_variance_sd_deg2: number;
-  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions. This and the following: 0 under FIXED_DIRECTION, since version 0.3. */
+  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions, or if the finger never moved, which distance_to_target_m shows. This and the following: 0 under FIXED_DIRECTION, since version 0.3. */
   bearing_error_deg: number;
   /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
   peak_felt_error_deg: number;
@@ -456,6 +566,8 @@ export interface hrt_reach_summary {
   habit_sd_deg: number;
   /** Duration of the motion, as estimated. */
   duration_s: number;
+  /** The last hrt_command::bearing_error_sd_deg: standard deviation of bearing_error_deg. */
+  bearing_error_sd_deg: number;
 }
 
 /** A calibration's handle. Zero is never a calibration. Handles are never reused. */
@@ -473,6 +585,11 @@ export interface hrt_calibration_config {
   reserved: number;
   /** Direction of the user's target. -180 to 180. Default 0: straight ahead, where the motor variance is accurate. */
   goal_direction_deg: number;
+  /** Range of the plate orientations that hrt_calibration_next_angle() chooses from, relative to the goal direction. -89 to 89, the upper at least 40 above the lower. Default -75 and 75. Since version 0.3. */
+  lower_plate_deg: number;
+  upper_plate_deg: number;
+  /** Width of the 95 % interval of the tactile weight at which hrt_calibration_next_angle() reports enough slides. Lowering it asks for more. 0.001 to 0.5. Default 0.02. Since version 0.3. */
+  enough_weight_width: number;
 }
 
 /** An estimate with the ends of its 95 % interval. This struct never grows. */
@@ -489,31 +606,84 @@ export interface hrt_interval {
 export interface hrt_calibration_result {
   struct_size: number;
   reserved: number;
-  /** Ended trials, and those of them with a slide of at least 30 mm. Only the latter count. */
+  /** Ended trials, and those of them with a slide of at least 30 mm. */
   trials: number;
   trials_used: number;
-  /** Always known: otherwise hrt_calibration_solve() fails. */
+  /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of both sides. Known unless lack_of_fit is set or the interval is wider than 0.1. Of the share of touch that is felt at the slides' speed: people who feel ridges only as they cross them feel more at a higher one. */
   tactile_weight: hrt_interval;
-  /** Always known. */
+  /** Goal at the middle of the path minus target direction, left positive. Known unless lack_of_fit is set or the interval is wider than 10 degrees. */
   bias_deg: hrt_interval;
-  /** Known with an accurate tracker; rarely at 1.2 mm of noise. */
+  /** Never known since version 0.3: slides of people who steer continuously look as those of the paper's person with other variances. The value is the likeliest of the paper's person. */
   motor_variance_deg2: hrt_interval;
   /** As motor_variance_deg2. */
   sensory_variance_deg2: hrt_interval;
-  /** Always known. */
+  /** Of the white part of the tracker's noise. Known with enough samples of the finger at rest, unless the parts of the noise may decay within 1.5 samples, which cannot be separated. */
+  tracker_noise_m: hrt_interval;
+  /** HRT_ILLUSION_*, the likeliest family; LINEAR without a test with fewer than 7 plate orientations. Since version 0.3, as all fields below. */
+  illusion: number;
+  /** HRT_LACK_OF_FIT_*; 0: none was found, each at 1 % of people whom the model fits. */
+  lack_of_fit: number;
+  /** Slides that were left out: unlike the others, or with the motion within 5 to 12 degrees of along the ridges. hrt_calibration_get_residual() names them. */
+  slides_outlying: number;
+  slides_along_ridges: number;
+  /** Scale of the likeliest family, degrees; 0 if it has none. */
+  illusion_scale_deg: number;
+  /** Smallest offset at which the illusion is largest, 1 to 75: the motion bound for this user. */
+  peak_offset_deg: number;
+  /** w and b of the controller's curve (HRT_PERSON_WEIGHT, HRT_PERSON_CURVE), and their correlation. The curve is known with 7 plate orientations or more. */
+  person_weight: hrt_interval;
+  person_curve: hrt_interval;
+  weight_curve_correlation: number;
+  /** Largest gap between real and virtual direction that can be held, on the weaker side, with the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to both sides, and the interval is at most 10 degrees wide. */
+  largest_gap_deg: hrt_interval;
+  /** How far the user's goal turns over a path, halved (HRT_PERSON_HABIT). Known as bias_deg. */
+  habit_deg: hrt_interval;
+  /** Correlated part of the tracker's noise, and the time in which it decays to 1/e. */
+  correlated_noise_m: hrt_interval;
+  noise_correlation_s: hrt_interval;
+  /** Probabilities of residuals as patterned as these if the model fits: over the plate orientation, the order of the slides, the path. */
+  angle_p: number;
+  order_p: number;
+  path_p: number;
+}
+
+/** One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Set `struct_size` before the call. Since version 0.3. */
+export interface hrt_calibration_slide {
+  struct_size: number;
+  /** HRT_SLIDE_*. */
+  verdict: number;
+  /** Number of the trial, from 0; trials without a slide are left out. */
+  trial: number;
+  reserved: number;
+  plate_deg: number;
+  /** Of the second half of the path, seen and fitted, and their difference. */
+  direction_deg: number;
+  fitted_deg: number;
+  residual_deg: number;
+}
+
+/** Test and retest: two calibrations of a user, or of two users. Each field is the second value less the first, with the 95 % interval of the difference; known if both values are. Set `struct_size` before the call. Since version 0.3. */
+export interface hrt_calibration_comparison {
+  struct_size: number;
+  /** HRT_DIFFERS_*, by Holm's procedure over the known values: if nothing has changed, any of them is set in 5 % of comparisons. 0 is no proof that nothing has changed: see the intervals. */
+  differing: number;
+  tactile_weight: hrt_interval;
+  largest_gap_deg: hrt_interval;
+  bias_deg: hrt_interval;
+  habit_deg: hrt_interval;
   tracker_noise_m: hrt_interval;
 }
 
-/** Source of the library's memory. Both functions are called from any thread, concurrently. Neither may call this library or throw. */
-export interface hrt_allocator {
+/** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since version 0.3. */
+export interface hrt_conditions {
   struct_size: number;
-  reserved: number;
-  /** Passed to both functions. The library does not read it. */
-  context: number;
-  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure. */
-  allocate: number;
-  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it keeps it beside the memory. */
-  release: number;
+  /** Output: HRT_CONDITION_*, of what both the profile and the host name, and not alike. Input: not read. */
+  differing: number;
+  /** Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999. 0: unknown. */
+  time_s: bigint;
+  /** Names of plate and tracker: UTF-8 without control characters, ended by a zero. Empty: unknown. */
+  plate: string;
+  tracker: string;
 }
 
 /** State of a recording. Set `struct_size` before the call. */
@@ -541,6 +711,93 @@ export interface hrt_replay_report {
   /** HRT_ENDING_*. Since version 0.3. */
   ending: number;
   reserved: number;
+}
+
+/** A touch of a mark. This struct never grows. */
+export interface hrt_mark_touch {
+  /** The mark in plate coordinates. Each within 1000. */
+  mark_m: number[];
+  /** Where the tracker saw the fingertip, in the engine's world. Each within 1000. */
+  touched_m: number[];
+}
+
+/** Configuration of a registration. hrt_registration_config_default() fills every field. */
+export interface hrt_registration_config {
+  struct_size: number;
+  /** HRT_REGISTER_*. Default 0. */
+  flags: number;
+  /** Standard deviation of each coordinate of a touch, as expected; the residuals correct it. Raising it accepts worse touches. 1e-5 to 0.1. Default 0.003. */
+  touch_sd_m: number;
+  /** Up in the engine's world, of any length: the plate's face must look that way within 60 degrees. Each within 1000, and not all 0. Default (0, 1, 0). */
+  up: number[];
+}
+
+/** A registered pose. Set `struct_size` before the call. Its numbers mean something if it HOLDS; INCONSISTENT and UPSIDE_DOWN have those of the fit to all touches, to look at. */
+export interface hrt_registration {
+  struct_size: number;
+  /** HRT_REGISTRATION_*. */
+  verdict: number;
+  /** Touches that were given. */
+  touches: number;
+  /** Index of the one touch that does not fit the others and was left out; -1: none. */
+  left_out: number;
+  /** Pose and scale, as hrt_session_config has them. The scale is 1 unless fitted. */
+  plate_position_m: number[];
+  plate_rotation: number[];
+  plate_scale: number;
+  /** Covariance of the rotation about the plate's x, y and z (radians), the position in the world (metres) and the scale: the lower triangle, row by row. 0 for a scale that was not fitted. */
+  covariance: number[];
+  /** Standard deviation of a touch's coordinate: as expected and as seen, weighted. */
+  touch_sd_m: number;
+  /** Root mean square distance of the touches from their marks. */
+  residual_m: number;
+  /** Standard deviation of the plate's turn about its normal, which turns every reach. */
+  turn_sd_deg: number;
+}
+
+/** Result of hrt_registration_check(). Set `struct_size` before the call. */
+export interface hrt_touch_check {
+  struct_size: number;
+  /** 1 if the touch agrees with the registration; else 0: register again. */
+  holds: number;
+  /** Distance of the touch from where its mark should be. */
+  distance_m: number;
+  /** Distance within which 999 touches in 1000 are while the registration is true. A plate that has moved by less may pass. */
+  allowed_m: number;
+}
+
+/** A tracked joint, in touches while its fingertip is on a mark. This struct never grows. */
+export interface hrt_joint_touch {
+  /** Position of the joint in the engine's world. Each within 1000. */
+  position_m: number[];
+  /** Rotation of the joint: the unit quaternion x, y, z, w from its axes to the world's. Length 1 within 0.001. */
+  rotation: number[];
+}
+
+/** Where the skin that touches is, in the joint's axes: at position + rotation * offset_m in the world. Of one hand. Set `struct_size` before the call. */
+export interface hrt_fingertip {
+  struct_size: number;
+  /** 1 if every deviation is below 5 mm; else 0: the joint was not turned enough, and the numbers are 0. */
+  known: number;
+  offset_m: number[];
+  /** Its standard deviations. */
+  sd_m: number[];
+}
+
+/** Latency of a tracker. Set `struct_size` before the call. */
+export interface hrt_latency {
+  struct_size: number;
+  /** 1 if the 95 % interval is at most 40 ms wide; else 0, and the numbers are 0. */
+  known: number;
+  /** For hrt_session_config::tracker_latency_ns: the best fit, or 0 if that is negative. */
+  latency_ns: bigint;
+  /** Ends of the 95 % interval; the lower one may be negative. */
+  lower_ns: bigint;
+  upper_ns: bigint;
+  /** Standard deviation of a coordinate from the circle on which the finger was carried. */
+  residual_m: number;
+  /** Radius of that circle. */
+  radius_m: number;
 }
 
 /** A scene's handle. Zero is never a scene. Handles are never reused. */

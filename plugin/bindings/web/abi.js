@@ -22,8 +22,29 @@ export const HRT_ERROR_BAD_FORMAT = -14;
 export const HRT_ERROR_INSUFFICIENT_DATA = -15;
 export const HRT_ERROR_INTERNAL = -99;
 export const HRT_CALIBRATIONS_MAX = 16;
+export const HRT_ILLUSION_LINEAR = 0;
+export const HRT_ILLUSION_SATURATING = 1;
+export const HRT_ILLUSION_SINE = 2;
+export const HRT_ILLUSION_TANH = 3;
+export const HRT_ILLUSION_DEAD_BAND = 4;
+export const HRT_ILLUSION_UNEQUAL = 5;
+export const HRT_ILLUSION_CUBIC = 6;
+export const HRT_ILLUSION_NONE = 7;
+export const HRT_LACK_OF_FIT_ANGLE = 1;
+export const HRT_LACK_OF_FIT_ORDER = 2;
+export const HRT_LACK_OF_FIT_PATH = 4;
+export const HRT_SLIDE_USED = 0;
+export const HRT_SLIDE_OUTLYING = 1;
+export const HRT_SLIDE_ALONG_RIDGES = 2;
+export const HRT_DIFFERS_TACTILE_WEIGHT = 1;
+export const HRT_DIFFERS_LARGEST_GAP = 2;
+export const HRT_DIFFERS_BIAS = 4;
+export const HRT_DIFFERS_HABIT = 8;
+export const HRT_DIFFERS_TRACKER_NOISE = 16;
 export const HRT_LOG_WARNING = 1;
 export const HRT_LOG_ERROR = 2;
+export const HRT_CONDITION_PLATE = 1;
+export const HRT_CONDITION_TRACKER = 2;
 export const HRT_REACH_PLATE_ORIENTATION = 1;
 export const HRT_REACH_START_AT_FINGER = 2;
 export const HRT_SAMPLE_DIRECTION = 1;
@@ -44,10 +65,21 @@ export const HRT_COMMAND_OFF_TARGET = 256;
 export const HRT_COMMAND_RESTING = 512;
 export const HRT_COMMAND_APPROXIMATE = 1024;
 export const HRT_COMMAND_FAULT = 2048;
+export const HRT_COMMAND_REGISTRATION = 4096;
 export const HRT_ENDING_COMPLETE = 0;
 export const HRT_ENDING_CUT = 1;
 export const HRT_ENDING_LOST_ROWS = 2;
 export const HRT_ENDING_ALTERED = 3;
+export const HRT_TOUCHES_MAX = 1000;
+export const HRT_REGISTER_SCALE = 1;
+export const HRT_REGISTER_UP = 2;
+export const HRT_REGISTRATION_HOLDS = 1;
+export const HRT_REGISTRATION_TOO_FEW = 2;
+export const HRT_REGISTRATION_DEGENERATE = 3;
+export const HRT_REGISTRATION_INCONSISTENT = 4;
+export const HRT_REGISTRATION_UPSIDE_DOWN = 5;
+export const HRT_POSE_COVARIANCES = 28;
+export const HRT_LATENCY_SAMPLES_MAX = 100000;
 export const HRT_SCENES_MAX = 64;
 export const HRT_SESSIONS_MAX = 1024;
 export const HRT_CONTROL_MPC = 0;
@@ -59,6 +91,7 @@ export const HRT_ADAPTATION_OFF = 0;
 export const HRT_ADAPTATION_REACH = 1;
 export const HRT_ADAPTATION_CARRIED = 2;
 export const HRT_SESSION_PLATE_WAITS = 1;
+export const HRT_SESSION_REGISTERED = 2;
 export const HRT_PERSON_WEIGHT = 0;
 export const HRT_PERSON_CURVE = 1;
 export const HRT_PERSON_GAIN = 2;
@@ -84,10 +117,17 @@ export const HRT_PLACE_WORLD_POSITION = 3;
 
 // Where each field of a struct is, in bytes; `length` of a fixed array. i64 and u64 are BigInt.
 export const structs = Object.freeze({
+  hrt_allocator: { size: 20, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    reserved: {"offset": 4, "type": "u32"},
+    context: {"offset": 8, "type": "pointer"},
+    allocate: {"offset": 12, "type": "pointer"},
+    release: {"offset": 16, "type": "pointer"},
+  } },
   hrt_session: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_session_config: { size: 720, fields: {
+  hrt_session_config: { size: 816, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     horizon: {"offset": 4, "type": "u32"},
     step_period_ns: {"offset": 8, "type": "i64"},
@@ -122,6 +162,13 @@ export const structs = Object.freeze({
     tracker_latency_ns: {"offset": 280, "type": "i64"},
     person_mean: {"offset": 288, "type": "f64", "length": 9},
     person_covariance: {"offset": 360, "type": "f64", "length": 45},
+    plate_scale: {"offset": 720, "type": "f64"},
+    plate_covariance: {"offset": 728, "type": "f64", "length": 6},
+    registration_time_ns: {"offset": 776, "type": "i64"},
+    max_registration_age_ns: {"offset": 784, "type": "i64"},
+    max_registration_sd_deg: {"offset": 792, "type": "f64"},
+    tracker_correlated_noise_m: {"offset": 800, "type": "f64"},
+    tracker_correlation_s: {"offset": 808, "type": "f64"},
   } },
   hrt_target: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
@@ -166,7 +213,7 @@ export const structs = Object.freeze({
     plate_position_m: {"offset": 56, "type": "f64", "length": 3},
     plate_rotation: {"offset": 80, "type": "f64", "length": 4},
   } },
-  hrt_command: { size: 104, fields: {
+  hrt_command: { size: 112, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     flags: {"offset": 4, "type": "u32"},
     step: {"offset": 8, "type": "i64"},
@@ -181,8 +228,9 @@ export const structs = Object.freeze({
     felt_error_deg: {"offset": 80, "type": "f64"},
     predicted_miss_deg: {"offset": 88, "type": "f64"},
     normalised_innovation: {"offset": 96, "type": "f64"},
+    bearing_error_sd_deg: {"offset": 104, "type": "f64"},
   } },
-  hrt_reach_summary: { size: 240, fields: {
+  hrt_reach_summary: { size: 248, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     flags: {"offset": 4, "type": "u32"},
     samples: {"offset": 8, "type": "i64"},
@@ -214,16 +262,20 @@ export const structs = Object.freeze({
     habit_deg: {"offset": 216, "type": "f64"},
     habit_sd_deg: {"offset": 224, "type": "f64"},
     duration_s: {"offset": 232, "type": "f64"},
+    bearing_error_sd_deg: {"offset": 240, "type": "f64"},
   } },
   hrt_calibration: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_calibration_config: { size: 24, fields: {
+  hrt_calibration_config: { size: 48, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     max_trials: {"offset": 4, "type": "u32"},
     max_samples: {"offset": 8, "type": "u32"},
     reserved: {"offset": 12, "type": "u32"},
     goal_direction_deg: {"offset": 16, "type": "f64"},
+    lower_plate_deg: {"offset": 24, "type": "f64"},
+    upper_plate_deg: {"offset": 32, "type": "f64"},
+    enough_weight_width: {"offset": 40, "type": "f64"},
   } },
   hrt_interval: { size: 32, fields: {
     value: {"offset": 0, "type": "f64"},
@@ -232,7 +284,7 @@ export const structs = Object.freeze({
     known: {"offset": 24, "type": "u32"},
     reserved: {"offset": 28, "type": "u32"},
   } },
-  hrt_calibration_result: { size: 176, fields: {
+  hrt_calibration_result: { size: 432, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     reserved: {"offset": 4, "type": "u32"},
     trials: {"offset": 8, "type": "u32"},
@@ -242,13 +294,48 @@ export const structs = Object.freeze({
     motor_variance_deg2: {"offset": 80, "type": "hrt_interval"},
     sensory_variance_deg2: {"offset": 112, "type": "hrt_interval"},
     tracker_noise_m: {"offset": 144, "type": "hrt_interval"},
+    illusion: {"offset": 176, "type": "u32"},
+    lack_of_fit: {"offset": 180, "type": "u32"},
+    slides_outlying: {"offset": 184, "type": "u32"},
+    slides_along_ridges: {"offset": 188, "type": "u32"},
+    illusion_scale_deg: {"offset": 192, "type": "f64"},
+    peak_offset_deg: {"offset": 200, "type": "f64"},
+    person_weight: {"offset": 208, "type": "hrt_interval"},
+    person_curve: {"offset": 240, "type": "hrt_interval"},
+    weight_curve_correlation: {"offset": 272, "type": "f64"},
+    largest_gap_deg: {"offset": 280, "type": "hrt_interval"},
+    habit_deg: {"offset": 312, "type": "hrt_interval"},
+    correlated_noise_m: {"offset": 344, "type": "hrt_interval"},
+    noise_correlation_s: {"offset": 376, "type": "hrt_interval"},
+    angle_p: {"offset": 408, "type": "f64"},
+    order_p: {"offset": 416, "type": "f64"},
+    path_p: {"offset": 424, "type": "f64"},
   } },
-  hrt_allocator: { size: 20, fields: {
+  hrt_calibration_slide: { size: 48, fields: {
     struct_size: {"offset": 0, "type": "u32"},
-    reserved: {"offset": 4, "type": "u32"},
-    context: {"offset": 8, "type": "pointer"},
-    allocate: {"offset": 12, "type": "pointer"},
-    release: {"offset": 16, "type": "pointer"},
+    verdict: {"offset": 4, "type": "u32"},
+    trial: {"offset": 8, "type": "u32"},
+    reserved: {"offset": 12, "type": "u32"},
+    plate_deg: {"offset": 16, "type": "f64"},
+    direction_deg: {"offset": 24, "type": "f64"},
+    fitted_deg: {"offset": 32, "type": "f64"},
+    residual_deg: {"offset": 40, "type": "f64"},
+  } },
+  hrt_calibration_comparison: { size: 168, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    differing: {"offset": 4, "type": "u32"},
+    tactile_weight: {"offset": 8, "type": "hrt_interval"},
+    largest_gap_deg: {"offset": 40, "type": "hrt_interval"},
+    bias_deg: {"offset": 72, "type": "hrt_interval"},
+    habit_deg: {"offset": 104, "type": "hrt_interval"},
+    tracker_noise_m: {"offset": 136, "type": "hrt_interval"},
+  } },
+  hrt_conditions: { size: 144, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    differing: {"offset": 4, "type": "u32"},
+    time_s: {"offset": 8, "type": "i64"},
+    plate: {"offset": 16, "type": "u8", "length": 64},
+    tracker: {"offset": 80, "type": "u8", "length": 64},
   } },
   hrt_recording_status: { size: 24, fields: {
     struct_size: {"offset": 0, "type": "u32"},
@@ -264,6 +351,54 @@ export const structs = Object.freeze({
     hash: {"offset": 24, "type": "u64"},
     ending: {"offset": 32, "type": "u32"},
     reserved: {"offset": 36, "type": "u32"},
+  } },
+  hrt_mark_touch: { size: 48, fields: {
+    mark_m: {"offset": 0, "type": "f64", "length": 3},
+    touched_m: {"offset": 24, "type": "f64", "length": 3},
+  } },
+  hrt_registration_config: { size: 40, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    flags: {"offset": 4, "type": "u32"},
+    touch_sd_m: {"offset": 8, "type": "f64"},
+    up: {"offset": 16, "type": "f64", "length": 3},
+  } },
+  hrt_registration: { size: 328, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    verdict: {"offset": 4, "type": "u32"},
+    touches: {"offset": 8, "type": "u32"},
+    left_out: {"offset": 12, "type": "i32"},
+    plate_position_m: {"offset": 16, "type": "f64", "length": 3},
+    plate_rotation: {"offset": 40, "type": "f64", "length": 4},
+    plate_scale: {"offset": 72, "type": "f64"},
+    covariance: {"offset": 80, "type": "f64", "length": 28},
+    touch_sd_m: {"offset": 304, "type": "f64"},
+    residual_m: {"offset": 312, "type": "f64"},
+    turn_sd_deg: {"offset": 320, "type": "f64"},
+  } },
+  hrt_touch_check: { size: 24, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    holds: {"offset": 4, "type": "u32"},
+    distance_m: {"offset": 8, "type": "f64"},
+    allowed_m: {"offset": 16, "type": "f64"},
+  } },
+  hrt_joint_touch: { size: 56, fields: {
+    position_m: {"offset": 0, "type": "f64", "length": 3},
+    rotation: {"offset": 24, "type": "f64", "length": 4},
+  } },
+  hrt_fingertip: { size: 56, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    known: {"offset": 4, "type": "u32"},
+    offset_m: {"offset": 8, "type": "f64", "length": 3},
+    sd_m: {"offset": 32, "type": "f64", "length": 3},
+  } },
+  hrt_latency: { size: 48, fields: {
+    struct_size: {"offset": 0, "type": "u32"},
+    known: {"offset": 4, "type": "u32"},
+    latency_ns: {"offset": 8, "type": "i64"},
+    lower_ns: {"offset": 16, "type": "i64"},
+    upper_ns: {"offset": 24, "type": "i64"},
+    residual_m: {"offset": 32, "type": "f64"},
+    radius_m: {"offset": 40, "type": "f64"},
   } },
   hrt_scene: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
@@ -296,11 +431,14 @@ export const functions = Object.freeze([
   "hrt_result_string",
   "hrt_last_error",
   "hrt_get_version",
+  "hrt_set_allocator",
+  "hrt_set_log_callback",
   "hrt_session_config_default",
   "hrt_session_create",
   "hrt_session_is_valid",
   "hrt_session_get_state",
   "hrt_session_destroy",
+  "hrt_session_set_log_callback",
   "hrt_session_get_config",
   "hrt_session_set_config",
   "hrt_target_config_default",
@@ -327,21 +465,33 @@ export const functions = Object.freeze([
   "hrt_calibration_add_sample",
   "hrt_calibration_end_trial",
   "hrt_calibration_cancel_trial",
+  "hrt_calibration_next_angle",
   "hrt_calibration_solve",
+  "hrt_calibration_get_residual",
+  "hrt_calibration_compare",
   "hrt_calibration_apply",
-  "hrt_set_allocator",
-  "hrt_set_log_callback",
+  "hrt_profile_set_conditions",
+  "hrt_profile_get_conditions",
+  "hrt_profile_save",
+  "hrt_profile_load",
   "hrt_recording_start",
   "hrt_recording_get_status",
   "hrt_recording_stop",
   "hrt_replay_text",
   "hrt_replay_file",
+  "hrt_registration_config_default",
+  "hrt_registration_fit",
+  "hrt_registration_advice",
+  "hrt_registration_apply",
+  "hrt_registration_check",
+  "hrt_registration_confirm",
+  "hrt_fingertip_fit",
+  "hrt_fingertip_place",
+  "hrt_latency_fit",
   "hrt_scene_load_file",
   "hrt_scene_load_memory",
   "hrt_scene_destroy",
   "hrt_scene_get_info",
   "hrt_scene_get_target",
   "hrt_scene_register",
-  "hrt_profile_save",
-  "hrt_profile_load",
 ]);

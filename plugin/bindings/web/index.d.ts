@@ -1,20 +1,23 @@
 // Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
-  hrt_authority, hrt_calibration_config, hrt_calibration_result, hrt_command, hrt_reach_summary,
-  hrt_replay_report, hrt_sample, hrt_scene_info, hrt_scene_target, hrt_session_config, hrt_target_config,
+  hrt_authority, hrt_calibration_comparison, hrt_calibration_config, hrt_calibration_result, hrt_calibration_slide,
+  hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_reach_summary,
+  hrt_recording_status, hrt_registration, hrt_registration_config, hrt_replay_report, hrt_sample, hrt_scene_info,
+  hrt_scene_target, hrt_session_config, hrt_target_config, hrt_touch_check,
 } from "./abi.js";
 export * from "./abi.js";
 
-/** A struct that the library returns, as an object. 64-bit integers are bigint. */
+/** A struct that the library returns, as an object. 64-bit integers are bigint; in JSON they are numbers up to 2^53, and
+ *  decimal text beyond. */
 type Output<Struct> = Omit<Struct, "struct_size" | "reserved">;
 /** A struct for the library: fields left out take their defaults; integers may be numbers. */
 type Input<Struct> = {
-  [Field in keyof Output<Struct>]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
+  [Field in Exclude<keyof Struct, "struct_size" | "reserved">]?: Struct[Field] extends bigint ? bigint | number : Struct[Field];
 };
-/** A struct in the module's memory, read and written every frame without making objects. 64-bit integers are
- *  numbers, exact to 2^53 (as nanoseconds: 104 days). Arrays are views: do not keep them from frame to frame. */
-type View<Struct> = {
-  [Field in keyof Output<Struct>]: Struct[Field] extends number[] ? Float64Array
+/** A struct of every frame: one object, read and written without making others. 64-bit integers are numbers, exact to
+ *  2^53 (as nanoseconds: 104 days). It has no other properties, and takes none. */
+type Frame<Struct> = {
+  [Field in Exclude<keyof Struct, "struct_size" | "reserved">]: Struct[Field] extends number[] ? Float64Array
     : Struct[Field] extends bigint ? number : Struct[Field];
 };
 
@@ -30,6 +33,14 @@ export class HapticRetargetingError extends Error {
   readonly codeName: string;
 }
 
+/** Where the plate is, from touches of its marks. */
+export interface Registration extends Output<hrt_registration> {
+  /** Distance of each touch from its mark under the pose; 0 if there is none. */
+  readonly residuals_m: number[];
+  /** What to do about the verdict, for the user. */
+  readonly advice: string;
+}
+
 /** Loads the module: haptic_retargeting.wasm beside this file, unless `source` is another address, or the module
  *  itself as a bundler gives it. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
@@ -39,15 +50,38 @@ export interface Library {
   createSession(config?: Input<hrt_session_config>): Session;
   /** A .gltf or .glb file's bytes; `name` stands for it in error texts. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
+  /** The plate's pose from touches of its marks: registration.h. A verdict other than HRT_REGISTRATION_HOLDS is no error. */
+  fitRegistration(touches: readonly Readonly<hrt_mark_touch>[], config?: Input<hrt_registration_config>): Registration;
+  /** Whether a registration that holds is still true, by a later touch of a mark. */
+  checkRegistration(registration: Registration, touch: Readonly<hrt_mark_touch>): Output<hrt_touch_check>;
+  /** The offset from a tracked joint to the skin, of one hand: touches of one mark with the finger held differently. */
+  fitFingertip(touches: readonly Readonly<hrt_joint_touch>[], config?: Input<hrt_registration_config>): Output<hrt_fingertip>;
+  /** How late the tracker is: samples of a finger that rests on a mark while the plate turns to and fro under it. */
+  fitLatency(samples: readonly Input<hrt_sample>[]): Output<hrt_latency>;
+  /** Test and retest: which values of two calibrations differ (HRT_DIFFERS_*), with the intervals of the differences. */
+  compareCalibrations(first: Output<hrt_calibration_result>, second: Output<hrt_calibration_result>): Output<hrt_calibration_comparison>;
   /** Runs a recording again and compares, bit for bit. */
   replay(recording: string): Output<hrt_replay_report>;
 }
 
-/** One user, one plate. To be destroyed when done: JavaScript does not collect what the module holds. */
+/** A tracked fingertip: WebXR's XRPose or XRJointPose, or what has a place, as objects of three.js and vectors do. Null
+ *  or undefined: lost. */
+export type FingerPose = { readonly transform: { readonly position: Point } } | { readonly position: Point } | Point | null | undefined;
+export interface Point { readonly x: number; readonly y: number; readonly z: number }
+
+/** 16 numbers, column by column, from plate coordinates to the world; or WebXR's XRRigidTransform, or a Matrix4 of
+ *  three.js. */
+export type PlateMatrix = ArrayLike<number> | { readonly matrix: ArrayLike<number> } | { readonly elements: ArrayLike<number> };
+
+/** One user, one plate. To be destroyed when done: JavaScript does not collect what the module holds. Calls after that
+ *  throw; `sample` can then no longer be written. */
 export interface Session {
   readonly config: Output<hrt_session_config>;
   /** Changes fields of the configuration, between reaches. */
   configure(changes: Input<hrt_session_config>): void;
+  /** Where the plate's mount stands in the world, between reaches: a rotation and a translation. In the frame of the
+   *  mount +Y is up and -Z away from the user. It replaces a registration. */
+  setPlate(matrix: PlateMatrix): void;
   destroy(): void;
 
   addTarget(config: Input<hrt_target_config>): TargetId;
@@ -63,14 +97,17 @@ export interface Session {
   /** The same for the real target that serves a virtual one best. */
   bestAuthority(virtualTarget: TargetId): Output<hrt_authority>;
 
+  /** Of every pair, by virtual target and then by real one, in the order in which they were added. */
+  authorities(): Output<hrt_authority>[];
+
   /** The real target that serves each virtual one, so that the largest needed share of the authority is smallest; each
    *  real one serves one at most if `exclusive`. What cannot be served has `reachable` 0 and no real target. */
   assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_authority>[];
 
   /** Input of the next update(). Fields that `flags` does not name are not read. */
-  readonly sample: View<hrt_sample>;
+  readonly sample: Frame<hrt_sample>;
   /** Output of the last update(). */
-  readonly command: Readonly<View<hrt_command>>;
+  readonly command: Readonly<Frame<hrt_command>>;
   /** What the session is about now: HRT_STATE_*; 0: idle. */
   readonly state: number;
   /** The plate is at the last command, unless its orientation is given. Directions are measured from the configured
@@ -80,6 +117,9 @@ export interface Session {
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** Ends the reach without a summary; nothing is learnt from it. */
   cancelReach(): void;
+  /** Writes the fingertip's place in the world to `sample`, or a dropout, in place of other flags. `time_ms`: the frame's
+   *  time, as the callback of requestAnimationFrame() has it. */
+  setFinger(pose: FingerPose, time_ms: number): void;
   /** Reads `sample` and writes `command`. Once a frame. */
   update(): void;
   endReach(): Output<hrt_reach_summary>;
@@ -87,25 +127,43 @@ export interface Session {
   /** All that was learnt of the user, as JSON to save and load later. */
   readonly profile: string;
   loadProfile(profile: string): void;
+  /** Under which conditions the person of the profile was measured, and which of them are others now (`differing`,
+   *  HRT_CONDITION_*). */
+  readonly conditions: Output<hrt_conditions>;
+  /** The conditions of now: names of plate and tracker, and the time, seconds since 1970. */
+  setConditions(conditions: Input<hrt_conditions>): void;
+  /** Sets plate pose and uncertainty, between reaches; `timeNs`: when the touches were made, on the clock of the samples. */
+  applyRegistration(registration: Registration, timeNs: number | bigint): void;
+  /** Checks the applied registration by a touch of a mark: one that agrees counts as made at `timeNs`, one that does not
+   *  makes the session unregistered. */
+  confirmRegistration(registration: Registration, touch: Readonly<hrt_mark_touch>, timeNs: number | bigint): Output<hrt_touch_check>;
   createCalibration(config?: Input<hrt_calibration_config>): Calibration;
   applyCalibration(result: Output<hrt_calibration_result>): void;
 
   /** Records all calls in memory, until stopRecording() returns them as CSV. */
   startRecording(): void;
+  /** Rows so far. */
+  readonly recordingStatus: Output<hrt_recording_status>;
   stopRecording(): string;
 }
 
-/** Identifies the user by slides over a plate at rest: for each beginTrial(), addSample() as samples come, endTrial(). */
+/** Identifies the user by slides over a plate at rest. For each: nextAngle(), turn the plate, beginTrial(), addSample() as
+ *  samples come, endTrial(). */
 export interface Calibration {
   destroy(): void;
+  /** Where the plate should stand for the next slide, and whether the slides so far are enough. Some tenths of a second of
+   *  work: not between two frames. */
+  nextAngle(): { plateOrientationDeg: number; enough: boolean };
   beginTrial(plateOrientationDeg: number): void;
   /** Input of the next addSample(). */
-  readonly sample: View<hrt_sample>;
+  readonly sample: Frame<hrt_sample>;
   addSample(): void;
   endTrial(): void;
   cancelTrial(): void;
   /** Half a second of work for 20000 samples: not between two frames. */
   solve(): Output<hrt_calibration_result>;
+  /** A slide of the last solve(), from 0 to trials_used - 1: seen, fitted, and whether it was left out (HRT_SLIDE_*). */
+  residual(slide: number): Output<hrt_calibration_slide>;
 }
 
 /** Plate, start and targets of a glTF file. */

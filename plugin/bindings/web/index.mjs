@@ -1,20 +1,12 @@
-// The plugin for browsers and node: loads the WebAssembly module and wraps its C functions. Types and
-// documentation: index.d.ts; fields of structs: abi.d.ts.
+// The plugin for browsers and bundlers: loads the WebAssembly module and wraps its C functions. node begins at node.mjs.
+// Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
+import { Command, readCommand, Sample, writeSample } from "./frame.mjs";
+import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";
+import { checked } from "./numbers.mjs";
+import { fingertipOf, plateOf } from "./pose.mjs";
 export * from "./abi.js";
-
-const resultNames = new Map(Object.entries(abi)
-  .filter(([name]) => name === "HRT_OK" || name.startsWith("HRT_ERROR_"))
-  .map(([name, code]) => [code, name]));
-
-export class HapticRetargetingError extends Error {
-  constructor(code, message) {
-    super(message);
-    this.name = "HapticRetargetingError";
-    this.code = code;
-    this.codeName = resultNames.get(code) ?? "unknown result";
-  }
-}
+export { HapticRetargetingError };
 
 export async function load(source) {
   const host = new Host();
@@ -33,306 +25,14 @@ async function instantiate(source, imports) {
   if (source instanceof WebAssembly.Module) return { instance: await WebAssembly.instantiate(source, imports) };
   if (ArrayBuffer.isView(source) || source instanceof ArrayBuffer) return WebAssembly.instantiate(source, imports);
   const url = source ?? new URL("./haptic_retargeting.wasm", import.meta.url);
-  if (new URL(url, import.meta.url).protocol === "file:") {
-    const { readFile } = await import(/* webpackIgnore: true */ "node:fs/promises");
-    return WebAssembly.instantiate(await readFile(new URL(url, import.meta.url)), imports);
+  if (String(url).startsWith("file:")) {
+    throw new Error(`${url} is a file, which a page cannot fetch: serve it, or give load() its bytes. In node, import ` +
+                    'the package as "haptic-retargeting", or its node.mjs.');
   }
   const response = await fetch(url);
   if (!response.ok) throw new Error(`${response.url}: ${response.status} ${response.statusText}`);
   return WebAssembly.instantiate(await response.arrayBuffer(), imports);
 }
-
-// What the module asks of its surroundings: files, which are kept in memory.
-const EBADF = 8, ENOENT = 44, ENOSYS = 52;
-
-class Host {
-  files = new Map();  // what was written, by path
-  #open = new Map();  // the same by descriptor
-  #nextDescriptor = 3;
-  #memory;
-  onMemoryGrowth = () => {};
-
-  imports() {
-    const refuse = () => EBADF;
-    return {
-      env: {
-        emscripten_notify_memory_growth: () => this.onMemoryGrowth(),
-        hrt_web_open: (path, writes) => this.#openFile(path, writes),
-      },
-      wasi_snapshot_preview1: {
-        fd_write: (fd, parts, count, written) => this.#write(fd, parts, count, written),
-        fd_close: (fd) => (this.#open.delete(fd) ? 0 : EBADF),
-        fd_read: refuse,
-        fd_seek: refuse,
-        fd_fdstat_get: refuse,
-        clock_time_get: () => ENOSYS,
-        environ_sizes_get: (count, size) => this.#zero(count, size),
-        environ_get: () => 0,
-        proc_exit: (code) => { throw new Error(`the module ended with ${code}`); },
-      },
-    };
-  }
-
-  attach(instance) {
-    this.#memory = instance.exports.memory;
-    instance.exports._initialize();
-  }
-
-  #openFile(path, writes) {
-    if (!writes) return -ENOENT;
-    const file = { parts: [] };
-    this.files.set(readText(this.#memory.buffer, path), file);
-    this.#open.set(this.#nextDescriptor, file);
-    return this.#nextDescriptor++;
-  }
-
-  #write(fd, parts, count, written) {
-    const file = this.#open.get(fd);
-    if (!file) return EBADF;
-    const view = new DataView(this.#memory.buffer);
-    let total = 0;
-    for (let i = 0; i < count; ++i) {
-      const at = view.getUint32(parts + 8 * i, true), length = view.getUint32(parts + 8 * i + 4, true);
-      file.parts.push(new Uint8Array(this.#memory.buffer, at, length).slice());
-      total += length;
-    }
-    view.setUint32(written, total, true);
-    return 0;
-  }
-
-  #zero(...pointers) {
-    const view = new DataView(this.#memory.buffer);
-    for (const pointer of pointers) view.setUint32(pointer, 0, true);
-    return 0;
-  }
-}
-
-const encoder = new TextEncoder(), decoder = new TextDecoder();
-
-function readText(buffer, at) {
-  const bytes = new Uint8Array(buffer, at);
-  return decoder.decode(bytes.subarray(0, bytes.indexOf(0)));
-}
-
-// How a field's type is read and written; `least` and `most` are what is allowed of integers.
-const types = {
-  u8: { size: 1 },
-  u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
-  i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
-  u64: { size: 8, least: 0n, most: 2n ** 64n - 1n, get: "getBigUint64", set: "setBigUint64" },
-  i64: { size: 8, least: -(2n ** 63n), most: 2n ** 63n - 1n, get: "getBigInt64", set: "setBigInt64" },
-  f64: { size: 8, get: "getFloat64", set: "setFloat64" },
-};
-
-// Checks here what assigning to memory would silently change; ranges are the library's to check.
-function checked(name, type, value) {
-  const { least, most } = types[type];
-  if (type === "f64") {
-    if (typeof value !== "number") throw new TypeError(`${name} is ${String(value)}; a number is needed`);
-    return value;
-  }
-  const wide = typeof least === "bigint";
-  const whole = typeof value === "bigint" || Number.isSafeInteger(value);
-  if (!whole || value < least || value > most) {
-    throw new RangeError(`${name} is ${String(value)}; a whole number from ${least} to ${most} is needed`);
-  }
-  return wide ? BigInt(value) : Number(value);
-}
-
-/** The module's memory, and calls into it. */
-class Memory {
-  view;
-  #exports;
-  #host;
-
-  constructor(host, exports) {
-    this.#host = host;
-    this.#exports = exports;
-    host.onMemoryGrowth = () => { this.view = new DataView(exports.memory.buffer); };
-    host.onMemoryGrowth();
-  }
-
-  /** Calls a function of the library; its error becomes an exception. */
-  call(name, ...values) {
-    const code = this.#exports[name](...values);
-    if (code !== abi.HRT_OK) this.fail(code);
-  }
-  fail(code) {
-    throw new HapticRetargetingError(code, readText(this.view.buffer, this.#exports.hrt_last_error()));
-  }
-  /** The function itself, for calls every frame. */
-  entry(name) { return this.#exports[name]; }
-
-  allocate(size) {
-    const at = this.#exports.malloc(size);
-    if (at === 0) throw new HapticRetargetingError(abi.HRT_ERROR_OUT_OF_MEMORY, `out of memory: ${size} bytes`);
-    new Uint8Array(this.view.buffer, at, size).fill(0);
-    return at;
-  }
-  free(at) { this.#exports.free(at); }
-
-  /** Lends memory to `use` while it runs. */
-  with(size, use) {
-    const at = this.allocate(size);
-    try {
-      return use(at);
-    } finally {
-      this.free(at);
-    }
-  }
-  withBytes(bytes, use) {
-    return this.with(bytes.length + 1, (at) => {
-      new Uint8Array(this.view.buffer, at, bytes.length).set(bytes);
-      return use(at, BigInt(bytes.length));
-    });
-  }
-  withText(text, use) { return this.withBytes(encoder.encode(text), use); }
-
-  /** Lends a struct with its size in place and, if the library has them, its defaults, and `values` over these. */
-  withStruct(type, values, use) {
-    const { size, fields } = abi.structs[type];
-    return this.with(size, (at) => {
-      if (this.#exports[`${type}_default`]) this.call(`${type}_default`, at, size);
-      else if (fields.struct_size) this.view.setUint32(at, size, true);
-      for (const [name, value] of Object.entries(values)) {
-        if (value !== undefined) this.write(type, at, name, value);
-      }
-      return use(at);
-    });
-  }
-  /** What `call` makes of a struct. */
-  output(type, call) {
-    return this.withStruct(type, {}, (at) => {
-      call(at);
-      return this.read(type, at);
-    });
-  }
-
-  write(type, at, name, value) {
-    const field = Object.hasOwn(abi.structs[type].fields, name) ? abi.structs[type].fields[name] : undefined;
-    if (!field || name === "struct_size") {
-      throw new TypeError(`${type} has no field ${name}; it has ${fieldNames(type).join(", ")}`);
-    }
-    const offset = at + field.offset;
-    if (field.type === "u8") return this.#writeName(name, offset, field.length, value);
-    if (abi.structs[field.type]) {
-      for (const [inner, part] of Object.entries(value)) this.write(field.type, offset, inner, part);
-      return undefined;
-    }
-    const { size, set } = types[field.type];
-    if (!field.length) return this.view[set](offset, checked(name, field.type, value), true);
-    if (value?.length !== field.length) throw new TypeError(`${name} is not an array of ${field.length} numbers`);
-    for (let i = 0; i < field.length; ++i) {
-      this.view[set](offset + size * i, checked(`${name}[${i}]`, field.type, value[i]), true);
-    }
-    return undefined;
-  }
-  #writeName(name, offset, capacity, value) {
-    const bytes = encoder.encode(value);
-    if (bytes.length >= capacity) {
-      throw new RangeError(`${name} is "${value}", ${bytes.length} bytes in UTF-8; up to ${capacity - 1} are allowed`);
-    }
-    const place = new Uint8Array(this.view.buffer, offset, capacity);
-    place.fill(0);
-    place.set(bytes);
-  }
-
-  read(type, at) {
-    const object = {};
-    for (const name of fieldNames(type)) object[name] = this.#readField(abi.structs[type].fields[name], at);
-    return object;
-  }
-  #readField(field, at) {
-    const offset = at + field.offset;
-    if (field.type === "u8") return readText(this.view.buffer.slice(offset, offset + field.length), 0);
-    if (abi.structs[field.type]) return this.read(field.type, offset);
-    const { size, get } = types[field.type];
-    if (!field.length) return this.view[get](offset, true);
-    return Array.from({ length: field.length }, (_, i) => this.view[get](offset + size * i, true));
-  }
-
-  /** Takes a recording's text out of the files. */
-  takeFile(path) {
-    const file = this.#host.files.get(path);
-    this.#host.files.delete(path);
-    return file.parts.map((part) => decoder.decode(part)).join("");
-  }
-}
-
-function fieldNames(type) {
-  return Object.keys(abi.structs[type].fields).filter((name) => name !== "struct_size" && name !== "reserved");
-}
-
-// A struct that stays where it is, with an accessor for each field. Reading and writing make no objects: 64-bit
-// integers are numbers, which are exact to 2^53; arrays are views of memory, made anew only when it has grown.
-function defineView(type) {
-  class View {
-    #memory;
-    #at;
-    constructor(memory) {
-      this.#memory = memory;
-      this.#at = memory.allocate(abi.structs[type].size);
-      memory.view.setUint32(this.#at, abi.structs[type].size, true);
-    }
-    get address() { return this.#at; }
-    free() { this.#memory.free(this.#at); }
-
-    static {
-      for (const name of fieldNames(type)) {
-        const { offset, type: element, length } = abi.structs[type].fields[name];
-        Object.defineProperty(View.prototype, name, length ? array(offset, length) : accessors[element](name, offset));
-      }
-
-      function array(offset, length) {
-        const cached = new WeakMap();
-        return { enumerable: true, get() {
-          let values = cached.get(this);
-          if (values?.buffer !== this.#memory.view.buffer) {
-            values = new Float64Array(this.#memory.view.buffer, this.#at + offset, length);
-            cached.set(this, values);
-          }
-          return values;
-        } };
-      }
-    }
-    static memoryOf(view) { return view.#memory; }
-  }
-  return View;
-}
-
-const accessors = {
-  f64: (name, offset) => ({
-    enumerable: true,
-    get() { return viewOf(this).getFloat64(this.address + offset, true); },
-    set(value) { viewOf(this).setFloat64(this.address + offset, value, true); },
-  }),
-  u32: (name, offset) => ({
-    enumerable: true,
-    get() { return viewOf(this).getUint32(this.address + offset, true); },
-    set(value) {
-      if (value >>> 0 !== value) throw new RangeError(`${name} is ${value}; a whole number from 0 is needed`);
-      viewOf(this).setUint32(this.address + offset, value, true);
-    },
-  }),
-  i64: (name, offset) => ({
-    enumerable: true,
-    get() {
-      const view = viewOf(this), at = this.address + offset;
-      return view.getInt32(at + 4, true) * 2 ** 32 + view.getUint32(at, true);
-    },
-    set(value) {
-      const rounded = Math.round(value);
-      if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${value}; up to 2^53 is allowed`);
-      const view = viewOf(this), at = this.address + offset, high = Math.floor(rounded / 2 ** 32);
-      view.setInt32(at + 4, high, true);
-      view.setUint32(at, rounded - high * 2 ** 32, true);
-    },
-  }),
-};
-
-function viewOf(struct) { return struct.constructor.memoryOf(struct).view; }
-
-const SampleView = defineView("hrt_sample"), CommandView = defineView("hrt_command");
 
 class Library {
   #memory;
@@ -349,6 +49,43 @@ class Library {
   createSession(config = {}) { return new Session(this.#memory, config); }
   loadScene(bytes, name = "scene") { return new Scene(this.#memory, bytes, name); }
 
+  fitRegistration(touches, config = {}) {
+    const memory = this.#memory, { length } = touches, { size } = abi.structs.hrt_mark_touch;
+    return memory.withStruct("hrt_registration_config", config, (settings) =>
+      memory.with(size * length + 1, (marks) => memory.with(8 * length + 1, (residuals) => {
+        touches.forEach((touch, i) => {
+          for (const name of ["mark_m", "touched_m"]) memory.write("hrt_mark_touch", marks + size * i, name, touch[name]);
+        });
+        const registration = memory.output("hrt_registration", (out) =>
+          memory.call("hrt_registration_fit", settings, marks, BigInt(length), BigInt(length), residuals, out));
+        const residuals_m = Array.from(touches, (_, i) => memory.view.getFloat64(residuals + 8 * i, true));
+        return { ...registration, residuals_m, advice: readText(memory.view.buffer, memory.entry("hrt_registration_advice")(registration.verdict)) };
+      })));
+  }
+  checkRegistration({ residuals_m, advice, ...registration }, touch) {
+    const memory = this.#memory;
+    return memory.withStruct("hrt_registration", registration, (at) => memory.withStruct("hrt_mark_touch", touch, (mark) =>
+      memory.output("hrt_touch_check", (out) => memory.call("hrt_registration_check", at, mark, out))));
+  }
+
+  fitFingertip(touches, config = {}) {
+    const memory = this.#memory;
+    return memory.withStruct("hrt_registration_config", config, (settings) =>
+      memory.withStructs("hrt_joint_touch", touches, (at) => memory.output("hrt_fingertip", (out) =>
+        memory.call("hrt_fingertip_fit", settings, at, BigInt(touches.length), out))));
+  }
+  fitLatency(samples) {
+    const memory = this.#memory;
+    return memory.withStructs("hrt_sample", samples, (at) => memory.output("hrt_latency", (out) =>
+      memory.call("hrt_latency_fit", at, BigInt(samples.length), out)));
+  }
+  compareCalibrations(first, second) {
+    const memory = this.#memory;
+    return memory.withStructs("hrt_calibration_result", [first, second], (at) =>
+      memory.output("hrt_calibration_comparison", (out) =>
+        memory.call("hrt_calibration_compare", at, at + abi.structs.hrt_calibration_result.size, out)));
+  }
+
   replay(text) {
     return this.#memory.withText(text, (at, length) =>
       this.#memory.output("hrt_replay_report", (out) => this.#memory.call("hrt_replay_text", at, length, out)));
@@ -363,12 +100,38 @@ function created(memory, create) {
   });
 }
 
+// The input or output of a session's frames in the module's memory, for as long as the session lives.
+class Frame {
+  #memory;
+  #at;
+  #owner;
+  constructor(memory, type, owner) {
+    this.#memory = memory;
+    this.#at = memory.allocateStruct(type);
+    this.#owner = owner;
+  }
+  get at() {
+    if (this.#at === 0) {
+      throw new HapticRetargetingError(abi.HRT_ERROR_INVALID_HANDLE, `the ${this.#owner} has been destroyed`);
+    }
+    return this.#at;
+  }
+  free() {
+    this.#memory.free(this.#at);
+    this.#at = 0;
+  }
+}
+
+function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
+
 class Session {
   static #count = 0;
   #memory;
   #handle;
   #update;
   #path;
+  #input;
+  #output;
 
   constructor(memory, config) {
     this.#memory = memory;
@@ -376,16 +139,19 @@ class Session {
       created(memory, (out) => memory.call("hrt_session_create", at, out)));
     this.#update = memory.entry("hrt_reach_update");
     this.#path = `recording ${++Session.#count}`;
-    this.sample = new SampleView(memory);
-    this.command = new CommandView(memory);
+    this.#input = new Frame(memory, "hrt_sample", "session");
+    this.#output = new Frame(memory, "hrt_command", "session");
+    shown(this, "sample", new Sample());
+    shown(this, "command", new Command());
   }
 
   get handle() { return this.#handle; }
 
   destroy() {
     this.#memory.call("hrt_session_destroy", this.#handle);
-    this.sample.free();
-    this.command.free();
+    this.#input.free();
+    this.#output.free();
+    Object.freeze(this.sample);
   }
 
   get config() {
@@ -395,6 +161,11 @@ class Session {
   configure(changes) {
     this.#memory.withStruct("hrt_session_config", { ...this.config, ...changes }, (at) =>
       this.#memory.call("hrt_session_set_config", this.#handle, at));
+  }
+
+  setPlate(matrix) {
+    const flags = this.config.flags & ~abi.HRT_SESSION_REGISTERED;
+    this.configure({ ...plateOf(matrix), flags });
   }
 
   addTarget(config) {
@@ -435,6 +206,19 @@ class Session {
       this.#memory.call("hrt_authority_query_best", this.#handle, virtualTarget, at));
   }
 
+  authorities() {
+    const memory = this.#memory, { size } = abi.structs.hrt_authority;
+    return memory.with(8, (count) => {
+      memory.call("hrt_authority_query_all", this.#handle, 0n, 0, count);
+      const capacity = memory.view.getBigUint64(count, true), length = Number(capacity);
+      return memory.with(size * length + 4, (out) => {
+        memory.view.setUint32(out, size, true);
+        memory.call("hrt_authority_query_all", this.#handle, capacity, out, count);
+        return Array.from({ length }, (_, i) => memory.read("hrt_authority", out + size * i));
+      });
+    });
+  }
+
   assign(virtualTargets, realTargets, exclusive = false) {
     const memory = this.#memory, count = virtualTargets.length, { size } = abi.structs.hrt_authority;
     const ids = [...virtualTargets, ...realTargets];
@@ -465,9 +249,21 @@ class Session {
     this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
   }
   cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
+  setFinger(pose, time_ms) {
+    const { sample } = this, fingertip = fingertipOf(pose), position = sample.finger_position_m;
+    sample.time_ns = time_ms * 1e6;
+    sample.flags = fingertip ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
+    if (!fingertip) return;
+    position[0] = fingertip.x;
+    position[1] = fingertip.y;
+    position[2] = fingertip.z;
+  }
   update() {
-    const code = this.#update(this.#handle, this.sample.address, this.command.address);
-    if (code !== abi.HRT_OK) this.#memory.fail(code);
+    const input = this.#input.at, output = this.#output.at, memory = this.#memory;
+    writeSample(memory.view, input, this.sample);
+    const code = this.#update(this.#handle, input, output);
+    if (code !== abi.HRT_OK) memory.fail(code);
+    readCommand(memory.view, output, this.command);
   }
   endReach() {
     return this.#memory.output("hrt_reach_summary", (at) =>
@@ -489,6 +285,27 @@ class Session {
     this.#memory.withText(text, (at, length) => this.#memory.call("hrt_profile_load", this.#handle, at, length));
   }
 
+  applyRegistration({ residuals_m, advice, ...registration }, timeNs) {
+    this.#memory.withStruct("hrt_registration", registration, (at) =>
+      this.#memory.call("hrt_registration_apply", this.#handle, at, BigInt(checked("timeNs", "i64", timeNs))));
+  }
+
+  get conditions() {
+    return this.#memory.output("hrt_conditions", (at) =>
+      this.#memory.call("hrt_profile_get_conditions", this.#handle, at));
+  }
+  setConditions(conditions) {
+    this.#memory.withStruct("hrt_conditions", conditions, (at) =>
+      this.#memory.call("hrt_profile_set_conditions", this.#handle, at));
+  }
+
+  confirmRegistration({ residuals_m, advice, ...registration }, touch, timeNs) {
+    const memory = this.#memory;
+    return memory.withStruct("hrt_registration", registration, (at) => memory.withStruct("hrt_mark_touch", touch, (mark) =>
+      memory.output("hrt_touch_check", (out) => memory.call("hrt_registration_confirm", this.#handle, at, mark,
+        BigInt(checked("timeNs", "i64", timeNs)), out))));
+  }
+
   createCalibration(config = {}) { return new Calibration(this.#memory, this.#handle, config); }
   applyCalibration(result) {
     this.#memory.withStruct("hrt_calibration_result", result, (at) =>
@@ -497,6 +314,10 @@ class Session {
 
   startRecording() {
     this.#memory.withText(this.#path, (at) => this.#memory.call("hrt_recording_start", this.#handle, at));
+  }
+  get recordingStatus() {
+    return this.#memory.output("hrt_recording_status", (at) =>
+      this.#memory.call("hrt_recording_get_status", this.#handle, at));
   }
   stopRecording() {
     this.#memory.output("hrt_recording_status", (at) =>
@@ -508,26 +329,43 @@ class Session {
 class Calibration {
   #memory;
   #handle;
+  #input;
 
   constructor(memory, session, config) {
     this.#memory = memory;
     this.#handle = memory.withStruct("hrt_calibration_config", config, (at) =>
       created(memory, (out) => memory.call("hrt_calibration_create", session, at, out)));
-    this.sample = new SampleView(memory);
+    this.#input = new Frame(memory, "hrt_sample", "calibration");
+    shown(this, "sample", new Sample());
   }
 
   destroy() {
     this.#memory.call("hrt_calibration_destroy", this.#handle);
-    this.sample.free();
+    this.#input.free();
+    Object.freeze(this.sample);
   }
 
   beginTrial(plateOrientationDeg) {
     this.#memory.call("hrt_calibration_begin_trial", this.#handle,
       checked("plateOrientationDeg", "f64", plateOrientationDeg));
   }
-  addSample() { this.#memory.call("hrt_calibration_add_sample", this.#handle, this.sample.address); }
+  addSample() {
+    writeSample(this.#memory.view, this.#input.at, this.sample);
+    this.#memory.call("hrt_calibration_add_sample", this.#handle, this.#input.at);
+  }
   endTrial() { this.#memory.call("hrt_calibration_end_trial", this.#handle); }
   cancelTrial() { this.#memory.call("hrt_calibration_cancel_trial", this.#handle); }
+  nextAngle() {
+    const memory = this.#memory;
+    return memory.with(16, (at) => {
+      memory.call("hrt_calibration_next_angle", this.#handle, at, at + 8);
+      return { plateOrientationDeg: memory.view.getFloat64(at, true), enough: memory.view.getUint32(at + 8, true) !== 0 };
+    });
+  }
+  residual(slide) {
+    return this.#memory.output("hrt_calibration_slide", (at) =>
+      this.#memory.call("hrt_calibration_get_residual", this.#handle, checked("slide", "u32", slide), at));
+  }
   solve() {
     return this.#memory.output("hrt_calibration_result", (at) =>
       this.#memory.call("hrt_calibration_solve", this.#handle, at));

@@ -13,6 +13,7 @@
 #include "profile.h"
 #include "reach.h"
 #include "recording.h"
+#include "registration.h"
 #include "scene.h"
 #include "session.h"
 #include "target.h"

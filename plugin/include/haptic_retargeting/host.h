@@ -34,11 +34,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_set_allocator(const hrt_allocator* allocato
 #define HRT_LOG_ERROR 2
 
 /** Receives what no call can return, for example that a recording's disk is full. `level` is HRT_LOG_*.
- *  `text` is one line that names the session and the file, valid during the call. Called on a thread of the
- *  library, one call at a time. It may not call this library or throw. */
+ *  `text` is one line that names the session and, of a recording, the file; valid during the call. Called on
+ *  a thread of the library or within a call that is not real-time, one call at a time in the process. It may
+ *  not call this library or throw. */
 typedef void (*hrt_log_callback)(void* context, uint32_t level, const char* text);
 
-/** Sets the log callback. Null: no log, the default. The former callback is not called any more once this
+/** Sets the log callback of sessions that have none of their own (hrt_session_set_log_callback()). Null: no
+ *  log, the default. The former callback is not called any more once this
  *  returns; the call waits for it to end. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) HRT_NOEXCEPT;
 

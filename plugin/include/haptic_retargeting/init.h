@@ -10,16 +10,29 @@
 #define HAPTIC_RETARGETING_INIT_H
 
 #include "authority.h"
+#include "base.h"
 #include "calibration.h"
 #include "host.h"
+#include "profile.h"
+#include "reach.h"
 #include "recording.h"
+#include "registration.h"
 #include "scene.h"
+#include "session.h"
+#include "target.h"
 
 #if defined(__cplusplus)
 #define HRT_EMPTY {}
 #else
 #define HRT_EMPTY {0}
 #endif
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_allocator hrt_allocator_init(void) {
+  hrt_allocator value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
 
 /** hrt_session_config_default() by value. [any-thread] */
 static inline hrt_session_config hrt_session_config_init(void) {
@@ -85,8 +98,22 @@ static inline hrt_calibration_result hrt_calibration_result_init(void) {
 }
 
 /** All zero, with its size. [any-thread] */
-static inline hrt_allocator hrt_allocator_init(void) {
-  hrt_allocator value = HRT_EMPTY;
+static inline hrt_calibration_slide hrt_calibration_slide_init(void) {
+  hrt_calibration_slide value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_calibration_comparison hrt_calibration_comparison_init(void) {
+  hrt_calibration_comparison value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_conditions hrt_conditions_init(void) {
+  hrt_conditions value = HRT_EMPTY;
   value.struct_size = sizeof value;
   return value;
 }
@@ -101,6 +128,41 @@ static inline hrt_recording_status hrt_recording_status_init(void) {
 /** All zero, with its size. [any-thread] */
 static inline hrt_replay_report hrt_replay_report_init(void) {
   hrt_replay_report value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** hrt_registration_config_default() by value. [any-thread] */
+static inline hrt_registration_config hrt_registration_config_init(void) {
+  hrt_registration_config value = HRT_EMPTY;
+  if (hrt_registration_config_default(&value, sizeof value) != HRT_OK) value.struct_size = 0;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_registration hrt_registration_init(void) {
+  hrt_registration value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_touch_check hrt_touch_check_init(void) {
+  hrt_touch_check value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_fingertip hrt_fingertip_init(void) {
+  hrt_fingertip value = HRT_EMPTY;
+  value.struct_size = sizeof value;
+  return value;
+}
+
+/** All zero, with its size. [any-thread] */
+static inline hrt_latency hrt_latency_init(void) {
+  hrt_latency value = HRT_EMPTY;
   value.struct_size = sizeof value;
   return value;
 }

@@ -5,18 +5,54 @@
  *    "bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
  *    "initial_variance_deg2":0,"tracker_noise_m":0,"person_mean":[...],"person_covariance":[...]}
  *
+ * If the host names them, it also has the conditions under which the person was measured:
+ *
+ *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
+ *
  * Fields and ranges are those of hrt_session_config. A library of version 0.1 refuses bias_deg,
- * motor_variance_sd_deg2 and tracker_noise_m; one of 0.2 refuses the last two, which are there once a reach
- * of the person was carried.
+ * motor_variance_sd_deg2 and tracker_noise_m; one of 0.2 refuses person_mean and person_covariance, which are
+ * there once a reach of the person was carried, and tracker_correlated_noise_m and tracker_correlation_s,
+ * which are there if a calibration found such noise, and the
+ * conditions.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
 
 #include "session.h"
+#include "target.h"
 
 #if defined(__cplusplus)
 extern "C" {
 #endif
+
+/** How the conditions of the profile differ from those of now: hrt_conditions::differing. */
+#define HRT_CONDITION_PLATE UINT32_C(1)
+#define HRT_CONDITION_TRACKER UINT32_C(2)
+
+/** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since
+ *  version 0.3. */
+typedef struct hrt_conditions {
+  uint32_t struct_size;
+  /** Output: HRT_CONDITION_*, of what both the profile and the host name, and not alike. Input: not read. */
+  uint32_t differing;
+  /** Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999. 0: unknown. */
+  int64_t time_s;
+  /** Names of plate and tracker: UTF-8 without control characters, ended by a zero. Empty: unknown. */
+  char plate[HRT_NAME_SIZE];
+  char tracker[HRT_NAME_SIZE];
+} hrt_conditions;
+
+/** Sets the session's conditions of now: what hrt_calibration_apply() measures under, and what profiles are
+ *  compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
+ *  Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. Since version 0.3. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
+                                                            const hrt_conditions* conditions) HRT_NOEXCEPT;
+
+/** Returns the conditions under which the person was measured: of the loaded profile, or of now if a
+ *  calibration was applied since; unknown without both. `differing` compares them with those of now. Set
+ *  `struct_size` before the call. Since version 0.3. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
+                                                            hrt_conditions* out_conditions) HRT_NOEXCEPT;
 
 /** Writes the session's profile as UTF-8 with a terminating zero, and its length without the zero. With
  *  `capacity` 0 the call only returns the length, and `out_text` may be null. Errors: BUFFER_TOO_SMALL

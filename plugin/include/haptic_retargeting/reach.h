@@ -86,8 +86,13 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_RESTING UINT32_C(512) /**< the finger rests within the reach: the plate is held */
 /** The solver's work was cut short; the command keeps its bounds. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
-/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. */
+/** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. The log
+ *  says so once a session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
+/** The plate's registration is older or worse than the configuration allows, or there is none:
+ *  max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it
+ * at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
+#define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 
 /** Command for the plate, and its reasons. Set `struct_size` before the call. */
 typedef struct hrt_command {
@@ -124,13 +129,17 @@ typedef struct hrt_command {
   /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits,
    *  MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3. */
   double normalised_innovation;
+  /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
+   *  start: by what the estimator knows of the place and by plate_covariance. At the end, of
+   * bearing_error_deg. 0 under FIXED_DIRECTION. Since version 0.3. */
+  double bearing_error_sd_deg;
 } hrt_command;
 
 /** Result of a reach. Set `struct_size` before the call. */
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
-  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended, FAULT.
-   *  Named `reserved` before version 0.3. */
+  /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of where the
+   * finger ended, FAULT. Named `reserved` before version 0.3. */
   uint32_t flags;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
@@ -160,8 +169,9 @@ typedef struct hrt_reach_summary {
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little
    *  data; 0: taken as known. Since version 0.2. */
   double motor_variance_sd_deg2;
-  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions. This
-   * and the following: 0 under FIXED_DIRECTION, since version 0.3. */
+  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions, or if
+   * the finger never moved, which distance_to_target_m shows. This and the following: 0 under
+   * FIXED_DIRECTION, since version 0.3. */
   double bearing_error_deg;
   /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
   double peak_felt_error_deg;
@@ -181,6 +191,8 @@ typedef struct hrt_reach_summary {
   double habit_sd_deg;
   /** Duration of the motion, as estimated. */
   double duration_s;
+  /** The last hrt_command::bearing_error_sd_deg: standard deviation of bearing_error_deg. */
+  double bearing_error_sd_deg;
 } hrt_reach_summary;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

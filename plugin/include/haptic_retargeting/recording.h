@@ -2,8 +2,9 @@
  * Recordings of a session, and their replay.
  *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update,
- * retarget, cancel and end of a reach is a row, refused calls too; comments hold configuration, targets and
- * the plate orientation (base.h). Numbers have full precision. A thread of the library writes the file: a
+ * retarget, cancel and end of a reach is a row, refused calls too; so is each trial, sample, next angle and
+ * solution of a calibration that was created while the recording ran. Comments hold configurations, targets
+ * and the plate orientation (base.h). Numbers have full precision. A thread of the library writes the file: a
  * slow or full disk never delays a call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_RECORDING_H
@@ -66,8 +67,8 @@ typedef struct hrt_replay_report {
   uint32_t reserved;
 } hrt_replay_report;
 
-/** Repeats the recorded calls and compares results, commands and summaries. Errors: BAD_FORMAT naming the
- *  line, or the version if a library of 0.1 or 0.2 wrote the file. [any-thread] */
+/** Repeats the recorded calls and compares results, commands, summaries, angles and solutions. Errors:
+ * BAD_FORMAT naming the line, or the version if a library of 0.1 or 0.2 wrote the file. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
                                                  hrt_replay_report* out_report) HRT_NOEXCEPT;
 

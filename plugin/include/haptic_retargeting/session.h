@@ -7,6 +7,7 @@
 #define HAPTIC_RETARGETING_SESSION_H
 
 #include "base.h"
+#include "host.h"
 
 #if defined(__cplusplus)
 extern "C" {
@@ -51,6 +52,9 @@ typedef struct hrt_session {
  * the motion wants it as soon as a reach begins, which brings more fast reaches to the target. Set this if
  * the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
+/** The plate's pose is from a registration made at registration_time_ns. hrt_registration_apply() sets this;
+ *  hrt_scene_register(), which writes the scene's pose, clears it. */
+#define HRT_SESSION_REGISTERED UINT32_C(2)
 
 /** Traits of a person, in this order, in hrt_session_config::person_mean. */
 #define HRT_PERSON_WEIGHT 0 /**< w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t */
@@ -130,8 +134,9 @@ typedef struct hrt_session_config {
   /** Variance of the user's felt direction before the first step. Raising it models a user who trusts
    *  touch more in the first steps. 0 to 1e4. Default 0. */
   double initial_variance_deg2;
-  /** Standard deviation of white noise in each tracked coordinate. Raising it smooths positions more. 0 to
-   *  0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. */
+  /** Standard deviation of white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise,
+   * unless tracker_correlated_noise_m says how much of it is correlated. Raising it smooths positions more. 0
+   * to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. */
   double tracker_noise_m;
   /** Start of reaches in plate coordinates. Directions of targets are measured from here. Each within
    *  1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
@@ -173,6 +178,31 @@ typedef struct hrt_session_config {
    *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since
    *  version 0.3. */
   double person_covariance[HRT_PERSON_COVARIANCES];
+  /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides
+   *  positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. This and the
+   *  following: since version 0.3. */
+  double plate_scale;
+  /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
+   *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
+   * row by row. Variances 0 to 1. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into UNREACHABLE
+   * and bearing_error_sd_deg; where the plate leads does not depend on it. Default 0. */
+  double plate_covariance[6];
+  /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Default 0.
+   */
+  int64_t registration_time_ns;
+  /** Largest age of a registration at a sample. Older ones, and a session without HRT_SESSION_REGISTERED, get
+   *  HRT_COMMAND_REGISTRATION. 0: not checked. Default 0. */
+  int64_t max_registration_age_ns;
+  /** Largest standard deviation that plate_covariance may give the bearing of the real target. Worse ones,
+   * and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not checked.
+   * Default 0. */
+  double max_registration_sd_deg;
+  /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under
+   *  GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not
+   *  known. Default 0. */
+  double tracker_correlated_noise_m;
+  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. */
+  double tracker_correlation_s;
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
@@ -200,6 +230,14 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_get_state(hrt_session session, uint
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
+
+/** Sets the log callback of this session, in place of the process's (hrt_set_log_callback()). `context` is
+ *  passed to it, and may say which of the host's objects the session belongs to. Null: the process's again,
+ *  the default. The former callback is not called any more for this session once this returns; the call
+ *  waits for it to end. Keep `context` until then, or until hrt_session_destroy() has returned, which may
+ *  log. Since version 0.3. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_session_set_log_callback(hrt_session session, hrt_log_callback callback,
+                                                              void* context) HRT_NOEXCEPT;
 
 /** Returns the configuration. Set `out_config->struct_size` before the call. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_get_config(hrt_session session,

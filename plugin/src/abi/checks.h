@@ -9,7 +9,9 @@
 #include "haptic_retargeting/authority.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/recording.h"
+#include "haptic_retargeting/target.h"
 #include "plugin/src/abi/error.h"
+#include "plugin/src/abi/utf8.h"
 
 namespace hrt::plugin {
 
@@ -120,11 +122,29 @@ inline hrt_result check_plate_orientation(double orientation_deg) {
   return check_range("plate_orientation_deg", orientation_deg, -most_orientation_deg, most_orientation_deg);
 }
 
+/// A name that a host gives; what is behind its zero is cleared.
+inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
+  const auto* end = static_cast<const char*>(std::memchr(name, '\0', sizeof name));
+  if (!end)
+    return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not ended by a zero within ", sizeof name, " bytes");
+  const auto length = static_cast<std::size_t>(end - name);
+  std::memset(name + length, 0, sizeof name - length);
+  if (!is_utf8({name, length})) return fail(HRT_ERROR_OUT_OF_RANGE, field, " is not UTF-8");
+  for (std::size_t i = 0; i < length; ++i) {
+    if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
+      return fail(HRT_ERROR_OUT_OF_RANGE, field, " has a control character at byte ", i);
+  }
+  return HRT_OK;
+}
+
 inline constexpr double largest_coordinate_m = 1000.0;
 
 inline hrt_result check_position(const char* field, const double (&position_m)[3]) {
-  for (const double coordinate_m : position_m)
-    HRT_RETURN_IF_FAILED(check_range(field, coordinate_m, -largest_coordinate_m, largest_coordinate_m));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (std::abs(position_m[axis]) <= largest_coordinate_m) continue;  // not a number is not
+    return fail(HRT_ERROR_OUT_OF_RANGE, field, "[", axis, "] is ", position_m[axis],
+                "; allowed: ", -largest_coordinate_m, " to ", largest_coordinate_m);
+  }
   return HRT_OK;
 }
 

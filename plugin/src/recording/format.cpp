@@ -1,11 +1,12 @@
 #include "plugin/src/recording/format.h"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <iterator>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/recording/calibration_format.h"
+#include "plugin/src/recording/row.h"
 
 namespace hrt::plugin {
 namespace {
@@ -29,24 +30,13 @@ constexpr std::string_view header =
     "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
     "command_flags,step,plate_orientation_deg,finger_direction_deg,perceived_direction_deg,aimed_direction_"
     "deg,distance_to_go_m,tactile_weight,tactile_weight_sd,time_to_go_s,felt_error_deg,predicted_miss_deg,"
-    "normalised_innovation,"
+    "normalised_innovation,bearing_error_sd_deg,"
     "samples,dropped_samples,steps,predicted_steps,saturated_steps,rate_limited_steps,"
     "final_miss_deg,perceived_error_deg,tracker_noise_m,motor_variance_deg2,motor_variance_sd_deg2,"
     "summary_flags,bearing_error_deg,peak_felt_error_deg,rms_felt_error_deg,illusion_curve,illusion_curve_sd,"
-    "gain_per_s,gain_sd_per_s,bias_deg,bias_sd_deg,habit_deg,habit_sd_deg,duration_learnt_s\n";
-
-// The columns, by what they are of.
-constexpr std::size_t sample_columns = 14;   // from time_ns
-constexpr std::size_t begin_columns = 4;     // from reach_flags
-constexpr std::size_t refused_columns = 2;   // from refused_argument
-constexpr std::size_t reach_columns = 5;     // from real_direction_deg
-constexpr std::size_t command_columns = 13;  // from command_flags
-constexpr std::size_t summary_columns = 24;  // from samples
-constexpr std::size_t measured_plate_column = 8;
-constexpr std::size_t begin_column = 2 + sample_columns;
-constexpr std::size_t refused_column = begin_column + begin_columns;
-constexpr std::size_t columns =
-    refused_column + refused_columns + reach_columns + command_columns + summary_columns;
+    "gain_per_s,gain_sd_per_s,bias_deg,bias_sd_deg,habit_deg,habit_sd_deg,duration_learnt_s"
+    ",calibration,calibration_result\n";
+static_assert(header.ends_with("\n") && header.substr(0, header.size() - 1).ends_with(calibration_columns));
 
 struct ArgumentName {
   Refused::Argument argument;
@@ -58,39 +48,6 @@ constexpr ArgumentName argument_names[] = {
     {Refused::Argument::sample, "sample", "update"},
     {Refused::Argument::out_command, "out_command", "update"},
     {Refused::Argument::out_summary, "out_summary", "end"},
-};
-
-/// Writes one row, column by column.
-class Row {
- public:
-  explicit Row(RecordText& out) : out_(out) {}
-  ~Row() { out_ << "\n"; }
-  Row(const Row&) = delete;
-  Row& operator=(const Row&) = delete;
-  Row(Row&&) = delete;
-  Row& operator=(Row&&) = delete;
-
-  template <class Value>
-  Row& put(const Value& value) {
-    if (!first_) out_ << ",";
-    first_ = false;
-    out_ << value;
-    return *this;
-  }
-  Row& skip(std::size_t n) {
-    for (; n > 0; --n) put(std::string_view());
-    return *this;
-  }
-  template <std::size_t n>
-  Row& put_if(bool given, const double (&values)[n]) {
-    if (!given) return skip(n);
-    for (const double value : values) put(value);
-    return *this;
-  }
-
- private:
-  RecordText& out_;
-  bool first_ = true;
 };
 
 void write(const ConfigSet& set, hrt_result, RecordText& out) {
@@ -111,6 +68,16 @@ void write(const TargetChanged& changed, hrt_result, RecordText& out) {
   out << "\n";
 }
 
+void write(const CalibrationChanged& changed, hrt_result, RecordText& out) {
+  out << calibration_comment << (changed.added ? "added " : "destroyed ") << changed.number;
+  if (changed.added) {
+    JsonText json;
+    write_calibration_config(changed.config, json);
+    out << " " << json.view();
+  }
+  out << "\n";
+}
+
 void write(const PlateStands& plate, hrt_result, RecordText& out) {
   out << plate_comment << plate.orientation_deg << "\n";
 }
@@ -119,12 +86,7 @@ void write(const Refused& refused, hrt_result result, RecordText& out) {
   const ArgumentName& argument = argument_names[static_cast<std::size_t>(refused.argument)];
   Row row(out);
   row.put(argument.call).put(result).skip(sample_columns + begin_columns).put(argument.name);
-  if (result == HRT_ERROR_NULL_ARGUMENT) {
-    row.skip(1);
-  } else {
-    row.put(refused.struct_size);
-  }
-  row.skip(reach_columns + command_columns + summary_columns);
+  if (result != HRT_ERROR_NULL_ARGUMENT) row.put(refused.struct_size);
 }
 
 void put(const Reach& reach, Row& row) {
@@ -136,16 +98,11 @@ void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("retarget").put(result).skip(sample_columns + 1);
   row.put(retargeted.real_number).put(retargeted.virtual_number).skip(1 + refused_columns);
-  if (result == HRT_OK) {
-    put(retargeted.reach, row);
-  } else {
-    row.skip(reach_columns);
-  }
-  row.skip(command_columns + summary_columns);
+  if (result == HRT_OK) put(retargeted.reach, row);
 }
 
 void write(const ReachCancelled&, hrt_result result, RecordText& out) {
-  Row(out).put("cancel").put(result).skip(columns - 2);
+  Row(out).put("cancel").put(result);
 }
 
 void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
@@ -155,29 +112,17 @@ void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   row.skip(begin_column - measured_plate_column - 1);
   row.put(begun.flags).put(begun.real_number).put(begun.virtual_number).put(begun.duration_s);
   row.skip(refused_columns);
-  if (result != HRT_OK) {
-    row.skip(reach_columns + command_columns + summary_columns);
-    return;
-  }
+  if (result != HRT_OK) return;
   put(begun.reach, row);
-  row.skip(2).put(begun.reach.plate_orientation_deg).skip(command_columns - 3 + summary_columns);
+  row.skip(2).put(begun.reach.plate_orientation_deg);
 }
 
 void write(const Updated& updated, hrt_result result, RecordText& out) {
-  const hrt_sample& sample = updated.sample;
-  const auto has = [&](std::uint32_t flag) { return (sample.flags & flag) != 0; };
   Row row(out);
-  row.put("update").put(result).put(sample.time_ns).put(sample.flags);
-  row.put_if(has(HRT_SAMPLE_DIRECTION), {sample.finger_direction_deg});
-  row.put_if(has(HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION), sample.finger_position_m);
-  row.put_if(has(HRT_SAMPLE_PLATE_ORIENTATION), {sample.plate_orientation_deg});
-  row.put_if(has(HRT_SAMPLE_PLATE_POSE), sample.plate_position_m);
-  row.put_if(has(HRT_SAMPLE_PLATE_POSE), sample.plate_rotation);
+  row.put("update").put(result);
+  put_sample(updated.sample, row);
   row.skip(begin_columns + refused_columns + reach_columns);
-  if (result != HRT_OK) {
-    row.skip(command_columns + summary_columns);
-    return;
-  }
+  if (result != HRT_OK) return;
   const hrt_command& command = updated.command;
   row.put(command.flags)
       .put(command.step)
@@ -186,20 +131,17 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   row.put(command.perceived_direction_deg).put(command.aimed_direction_deg).put(command.distance_to_go_m);
   row.put(command.tactile_weight).put(command.tactile_weight_sd).put(command.time_to_go_s);
   row.put(command.felt_error_deg).put(command.predicted_miss_deg).put(command.normalised_innovation);
-  row.skip(summary_columns);
+  row.put(command.bearing_error_sd_deg);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("end").put(result).skip(sample_columns + begin_columns + refused_columns + reach_columns);
-  if (result != HRT_OK) {
-    row.skip(command_columns + summary_columns);
-    return;
-  }
+  if (result != HRT_OK) return;
   const hrt_reach_summary& summary = ended.summary;
   row.skip(3).put(summary.final_direction_deg).put(summary.perceived_direction_deg).skip(1);
   row.put(summary.distance_to_target_m).put(summary.tactile_weight).put(summary.tactile_weight_sd);
-  row.skip(3).put(summary.normalised_innovation);
+  row.skip(3).put(summary.normalised_innovation).put(summary.bearing_error_sd_deg);
   row.put(summary.samples).put(summary.dropped_samples).put(summary.steps).put(summary.predicted_steps);
   row.put(summary.saturated_steps).put(summary.rate_limited_steps);
   row.put(summary.final_miss_deg).put(summary.perceived_error_deg).put(summary.tracker_noise_m);
@@ -211,38 +153,6 @@ void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
       .put(summary.gain_sd_per_s);
   row.put(summary.bias_deg).put(summary.bias_sd_deg).put(summary.habit_deg).put(summary.habit_sd_deg);
   row.put(summary.duration_s);
-}
-
-template <class What, class Number>
-hrt_result take_number(const What& what, std::string_view text, Number* out) {
-  if (read_number(text, out)) return HRT_OK;
-  return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
-}
-
-template <class Number>
-hrt_result read_cell(std::size_t column, std::string_view cell, Number* out) {
-  Text<32> what;
-  what << "column " << column + 1;
-  return cell.empty() ? HRT_OK : take_number(what.view(), cell, out);
-}
-
-using Cells = std::array<std::string_view, columns>;
-
-hrt_result split(std::string_view line, Cells* cells) {
-  std::size_t n = 0;
-  for (std::size_t from = 0; from <= line.size(); ++n) {
-    const std::size_t comma = std::min(line.find(',', from), line.size());
-    if (n < columns) (*cells)[n] = line.substr(from, comma - from);
-    from = comma + 1;
-  }
-  if (n == columns) return HRT_OK;
-  return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", columns, " are needed");
-}
-
-template <std::size_t n>
-hrt_result read_cells(const Cells& cells, std::size_t first, double (&out)[n]) {
-  for (std::size_t i = 0; i < n; ++i) HRT_RETURN_IF_FAILED(read_cell(first + i, cells[first + i], &out[i]));
-  return HRT_OK;
 }
 
 // Doubles may be spelled in other ways: other releases have written 1e+05 where this one writes 100000.
@@ -292,14 +202,7 @@ hrt_result read_refused(const Cells& cells, Record* out) {
 
 hrt_result read_update(const Cells& cells, Record* out) {
   hrt_sample sample{};
-  sample.struct_size = sizeof sample;
-  HRT_RETURN_IF_FAILED(read_cell(2, cells[2], &sample.time_ns));
-  HRT_RETURN_IF_FAILED(read_cell(3, cells[3], &sample.flags));
-  HRT_RETURN_IF_FAILED(read_cell(4, cells[4], &sample.finger_direction_deg));
-  HRT_RETURN_IF_FAILED(read_cells(cells, 5, sample.finger_position_m));
-  HRT_RETURN_IF_FAILED(read_cell(8, cells[8], &sample.plate_orientation_deg));
-  HRT_RETURN_IF_FAILED(read_cells(cells, 9, sample.plate_position_m));
-  HRT_RETURN_IF_FAILED(read_cells(cells, 12, sample.plate_rotation));
+  HRT_RETURN_IF_FAILED(read_sample(cells, &sample));
   out->call = Updated{.sample = sample, .command = {}};
   return HRT_OK;
 }
@@ -318,9 +221,9 @@ void write_end(std::uint64_t checksum, RecordText& out) {
   out << end_comment << checksum << "\n";
 }
 
-hrt_result read_row(std::string_view line, Record* out) {
+hrt_result read_row(std::string_view line, bool has_calibrations, Record* out) {
   Cells cells;
-  HRT_RETURN_IF_FAILED(split(line, &cells));
+  HRT_RETURN_IF_FAILED(split(line, has_calibrations ? columns : calibration_column, &cells));
   HRT_RETURN_IF_FAILED(read_cell(1, cells[1], &out->result));
   if (!cells[refused_column].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
@@ -334,8 +237,9 @@ hrt_result read_row(std::string_view line, Record* out) {
     out->call = ReachEnded{};
     return HRT_OK;
   }
+  if (has_calibrations && is_calibration_call(cells[0])) return read_calibration_call(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, retarget, cancel, end");
+              "\"; allowed: begin, update, retarget, cancel, end", has_calibrations ? calibration_calls : "");
 }
 
 bool is_same_row(std::string_view row, std::string_view other) {
@@ -364,6 +268,19 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
+}
+
+hrt_result read_calibration_changed(std::string_view rest, CalibrationChanged* out) {
+  const bool added = rest.starts_with("added ");
+  if (!added && !rest.starts_with("destroyed "))
+    return fail(HRT_ERROR_BAD_FORMAT, "the calibration is \"", Shown{rest}, "\"; allowed: added, destroyed");
+  rest.remove_prefix(rest.find(' ') + 1);
+  const std::string_view number = rest.substr(0, rest.find(' '));
+  *out = {.added = added, .number = 0, .config = {}};
+  HRT_RETURN_IF_FAILED(take_number("the calibration's number", number, &out->number));
+  if (!added) return HRT_OK;
+  rest.remove_prefix(std::min(number.size() + 1, rest.size()));
+  return read_calibration_config(rest, &out->config);
 }
 
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out) {

@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "core/retargeter.h"
+#include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/recording/json.h"
@@ -56,6 +57,42 @@ struct ReachEnded {
   hrt_reach_summary summary;  ///< only if the call succeeded
 };
 
+/// Calibrations have the numbers that the recording gives them, from 1.
+struct CalibrationChanged {
+  bool added;  ///< else destroyed
+  std::uint64_t number;
+  hrt_calibration_config config;  ///< not of a destroyed one
+};
+
+struct TrialBegun {
+  std::uint64_t number;
+  double plate_orientation_deg;
+};
+
+struct TrialSampled {
+  std::uint64_t number;
+  hrt_sample sample;
+};
+
+struct TrialEnded {
+  std::uint64_t number;
+};
+
+struct TrialCancelled {
+  std::uint64_t number;
+};
+
+struct AngleChosen {
+  std::uint64_t number;
+  double plate_orientation_deg;  ///< this and the next only if the call succeeded
+  std::uint32_t enough;
+};
+
+struct CalibrationSolved {
+  std::uint64_t number;
+  hrt_calibration_result result;  ///< only if the call succeeded
+};
+
 /// A call of which an argument was null or had a size that is none: nothing of it was read.
 struct Refused {
   enum class Argument : std::uint8_t { config, sample, out_command, out_summary };
@@ -67,7 +104,8 @@ struct Refused {
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, ReachCancelled,
-               ReachEnded, Refused>
+               ReachEnded, Refused, CalibrationChanged, TrialBegun, TrialSampled, TrialEnded, TrialCancelled,
+               AngleChosen, CalibrationSolved>
       call;
 };
 
@@ -76,6 +114,10 @@ using RecordText = Text<8192>;
 /// The first lines of a recording: what it is, what its columns mean, and their names.
 std::string_view recording_header();
 
+/// The end of the header that recordings without calibrations may lack, as the earliest of version 3 do: two
+/// columns, empty in other rows.
+inline constexpr std::string_view calibration_columns = ",calibration,calibration_result";
+
 /// The line of a record, with its line feed: a comment for what configures, a row of the table for the rest.
 void write_record(const Record& record, RecordText& out);
 
@@ -83,6 +125,7 @@ void write_record(const Record& record, RecordText& out);
 inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
+inline constexpr std::string_view calibration_comment = "# calibration ";
 inline constexpr std::string_view lost_comment = "# lost ";
 inline constexpr std::string_view end_comment = "# end ";
 
@@ -90,13 +133,16 @@ inline constexpr std::string_view end_comment = "# end ";
 void write_end(std::uint64_t checksum, RecordText& out);
 
 /// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
-hrt_result read_row(std::string_view line, Record* out);
+/// `has_calibrations`: the table has the calibration_columns.
+hrt_result read_row(std::string_view line, bool has_calibrations, Record* out);
 
 /// Whether every cell of two rows is the same, numbers to the bit.
 bool is_same_row(std::string_view row, std::string_view other);
 
-/// Reads the rest of a comment about a target, or about the plate. Checked except for what depends on others.
+/// Reads the rest of a comment about a target, the plate or a calibration. Checked except for what depends on
+/// others.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
+hrt_result read_calibration_changed(std::string_view rest, CalibrationChanged* out);
 
 }  // namespace hrt::plugin

@@ -8,7 +8,9 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
+#include "plugin/src/conditions.h"
 #include "plugin/src/session_config.h"
+#include "plugin/src/streamed_calibration.h"
 #include "plugin/src/targets.h"
 
 namespace hrt::plugin {
@@ -171,6 +173,8 @@ hrt_result read_field(const Field& field, hrt_session_config* config) {
   if (key == "adaptation") return read_unsigned(field, &config->adaptation);
   if (key == "plate_latency_ns") return read_integer(field, &config->plate_latency_ns);
   if (key == "tracker_latency_ns") return read_integer(field, &config->tracker_latency_ns);
+  if (key == "max_registration_age_ns") return read_integer(field, &config->max_registration_age_ns);
+  if (key == "registration_time_ns") return read_integer(field, &config->registration_time_ns);
   if (key == "flags") return read_unsigned(field, &config->flags);
   for (const NumberField& number : number_fields()) {
     if (key == number.name) return read_number(field, &(config->*number.value));
@@ -197,7 +201,9 @@ void write_config(const hrt_session_config& config, JsonText& out) {
   out << "{\"horizon\":" << config.horizon << ",\"step_period_ns\":" << config.step_period_ns
       << ",\"control\":" << config.control << ",\"guidance\":" << config.guidance
       << ",\"adaptation\":" << config.adaptation << ",\"plate_latency_ns\":" << config.plate_latency_ns
-      << ",\"tracker_latency_ns\":" << config.tracker_latency_ns << ",\"flags\":" << config.flags;
+      << ",\"tracker_latency_ns\":" << config.tracker_latency_ns
+      << ",\"registration_time_ns\":" << config.registration_time_ns
+      << ",\"max_registration_age_ns\":" << config.max_registration_age_ns << ",\"flags\":" << config.flags;
   for (const NumberField& field : number_fields()) out << ",\"" << field.name << "\":" << config.*field.value;
   for (const VectorField& field : vector_fields()) {
     out << ",\"" << field.name << "\":";
@@ -222,7 +228,7 @@ void write_target(const hrt_target_config& target, JsonText& out) {
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  constexpr std::size_t whole_number_fields = 8;
+  constexpr std::size_t whole_number_fields = 10;
   const std::size_t needed = whole_number_fields + number_fields().size() + vector_fields().size();
   if (fields.size() != needed)
     return fail(HRT_ERROR_BAD_FORMAT, "the configuration has ", fields.size(), " fields; ", needed,
@@ -264,31 +270,93 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
   return HRT_OK;
 }
 
-void write_profile(const hrt_session_config& config, JsonText& out) {
+bool is_of_correlated_noise(const NumberField& field) {
+  return field.value == &hrt_session_config::tracker_correlated_noise_m ||
+         field.value == &hrt_session_config::tracker_correlation_s;
+}
+
+bool knows_correlated_noise(const hrt_session_config& config) {
+  return config.tracker_correlated_noise_m > 0.0;
+}
+
+void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
+  out << "{\"max_trials\":" << config.max_trials << ",\"max_samples\":" << config.max_samples
+      << ",\"goal_direction_deg\":" << config.goal_direction_deg
+      << ",\"lower_plate_deg\":" << config.lower_plate_deg
+      << ",\"upper_plate_deg\":" << config.upper_plate_deg
+      << ",\"enough_weight_width\":" << config.enough_weight_width << "}";
+}
+
+hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out) {
+  std::vector<Field> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
+  constexpr std::size_t needed = 6;
+  if (fields.size() != needed)
+    return fail(HRT_ERROR_BAD_FORMAT, "the calibration has ", fields.size(), " fields; ", needed,
+                " are needed");
+  hrt_calibration_config config = default_calibration_config();
+  for (const Field& field : fields) {
+    if (field.key == "max_trials") {
+      HRT_RETURN_IF_FAILED(read_unsigned(field, &config.max_trials));
+    } else if (field.key == "max_samples") {
+      HRT_RETURN_IF_FAILED(read_unsigned(field, &config.max_samples));
+    } else if (field.key == "goal_direction_deg") {
+      HRT_RETURN_IF_FAILED(read_number(field, &config.goal_direction_deg));
+    } else if (field.key == "lower_plate_deg") {
+      HRT_RETURN_IF_FAILED(read_number(field, &config.lower_plate_deg));
+    } else if (field.key == "upper_plate_deg") {
+      HRT_RETURN_IF_FAILED(read_number(field, &config.upper_plate_deg));
+    } else if (field.key == "enough_weight_width") {
+      HRT_RETURN_IF_FAILED(read_number(field, &config.enough_weight_width));
+    } else {
+      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a calibration");
+    }
+  }
+  HRT_RETURN_IF_FAILED(check_calibration_config(config));
+  *out = config;
+  return HRT_OK;
+}
+
+void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out) {
   out << "{\"format\":\"" << profile_format << "\",\"version\":1";
   for (const NumberField& field : number_fields()) {
-    if (field.of_participant) out << ",\"" << field.name << "\":" << config.*field.value;
+    if (!field.of_participant || (is_of_correlated_noise(field) && !knows_correlated_noise(config))) continue;
+    out << ",\"" << field.name << "\":" << config.*field.value;
   }
   for (const VectorField& field : vector_fields()) {
     if (!field.of_participant || !knows_person(config)) continue;
     out << ",\"" << field.name << "\":";
     write_array(vector_of(config, field), field.size, out);
   }
+  if (conditions.time_s != 0) out << ",\"measured_at_s\":" << conditions.time_s;
+  for (const auto& [key, name] : {std::pair{"plate", conditions.plate}, {"tracker", conditions.tracker}}) {
+    if (*name == '\0') continue;
+    out << ",\"" << key << "\":";
+    write_string(name, out);
+  }
   out << "}\n";
 }
 
-hrt_result read_profile(std::string_view text, hrt_session_config* config) {
+hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions) {
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config read = *config;
   // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
   forget_person(&read);
+  read.tracker_correlated_noise_m = 0.0;
+  hrt_conditions measured{};
   bool has_format = false, has_version = false;
   for (const Field& field : fields) {
     if (field.key == "format") {
       has_format = field.text == profile_format;
     } else if (field.key == "version") {
       has_version = field.is_whole && field.whole == 1;
+    } else if (field.key == "measured_at_s") {
+      HRT_RETURN_IF_FAILED(read_integer(field, &measured.time_s));
+    } else if (field.key == "plate") {
+      HRT_RETURN_IF_FAILED(read_name(field, measured.plate));
+    } else if (field.key == "tracker") {
+      HRT_RETURN_IF_FAILED(read_name(field, measured.tracker));
     } else if (is_of_participant(field.key)) {
       HRT_RETURN_IF_FAILED(read_field(field, &read));
     } else {
@@ -298,7 +366,9 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config) {
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
   if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
   HRT_RETURN_IF_FAILED(check_session_config(read));
+  HRT_RETURN_IF_FAILED(check_conditions(&measured));
   *config = read;
+  *conditions = measured;
   return HRT_OK;
 }
 

@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "haptic_retargeting/calibration.h"
+#include "haptic_retargeting/profile.h"
 #include "haptic_retargeting/session.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/abi/text.h"
@@ -21,13 +23,20 @@ void write_target(const hrt_target_config& target, JsonText& out);
 /// on other targets or on the session.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
+/// A calibration's configuration, in one line.
+void write_calibration_config(const hrt_calibration_config& config, JsonText& out);
+
+/// Reads what write_calibration_config() wrote; every field must be there, and no other. Checked.
+hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out);
+
 /// Reads what write_config() wrote; every field must be there, and no other. Checked.
 hrt_result read_config(std::string_view text, hrt_session_config* out);
 
-/// What is known of a participant, in one line.
-void write_profile(const hrt_session_config& config, JsonText& out);
+/// What is known of a participant, and under which conditions they were measured, in one line.
+void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out);
 
-/// Takes a profile into a configuration; fields that it lacks stay. Checked.
-hrt_result read_profile(std::string_view text, hrt_session_config* config);
+/// Takes a profile into a configuration; fields that it lacks stay. `*conditions` are the profile's; all 0
+/// and empty if it names none. Checked.
+hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions);
 
 }  // namespace hrt::plugin

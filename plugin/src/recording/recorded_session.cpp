@@ -35,8 +35,27 @@ class Addition {
 
 }  // namespace
 
+RecordedSession::~RecordedSession() {
+  end_recording();
+}
+
+void RecordedSession::end_recording() {
+  if (!recorder_) return;
+  line_->close(recorder_->is_of_parent());
+  recorder_.reset();
+}
+
+std::unique_ptr<RecordedCalibration> RecordedSession::make_calibration(
+    const hrt_calibration_config& checked_config) {
+  auto made = std::make_unique<RecordedCalibration>(session_.config(), checked_config, trials_, line_,
+                                                    calibrations_ + 1);
+  ++calibrations_;
+  return made;
+}
+
 hrt_result RecordedSession::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(session_.set_config(checked_config));
+  registration_logged_ = false;
   record([&] { return Record{.call = ConfigSet{checked_config}}; });
   return HRT_OK;
 }
@@ -120,6 +139,36 @@ hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument
   return result;
 }
 
+void RecordedSession::log_findings(std::uint64_t handle) {
+  if (session_.has_doubted_registration() && !registration_logged_) {
+    Text<240> text;
+    text << "session " << handle
+         << ": the registration of the plate was older or worse than allowed in a reach, or missing";
+    log_.write(HRT_LOG_WARNING, text.c_str());
+    registration_logged_ = true;
+  }
+  if (!session_.has_failed() || failure_logged_) return;
+  Text<240> text;
+  text
+      << "session " << handle
+      << ": a defect of the library made a value of a command or summary not finite; the plate was held, and "
+         "the reach taught nothing";
+  log_.write(HRT_LOG_ERROR, text.c_str());
+  failure_logged_ = true;
+}
+
+void RecordedSession::log_conditions(std::uint64_t handle) const {
+  const hrt_conditions measured = conditions.measured();
+  if (measured.differing == 0) return;
+  Text<400> text;
+  text << "session " << handle << ": the person was measured with another";
+  if (measured.differing & HRT_CONDITION_PLATE) text << " plate, \"" << measured.plate << "\"";
+  if (measured.differing == (HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER)) text << ", and";
+  if (measured.differing & HRT_CONDITION_TRACKER) text << " tracker, \"" << measured.tracker << "\"";
+  text << "; calibrate again, or expect first reaches to be less accurate";
+  log_.write(HRT_LOG_WARNING, text.c_str());
+}
+
 std::uint32_t RecordedSession::state() const {
   const Targets& targets = session_.targets;
   const bool ready = targets.real_count() > 0 && targets.virtual_count() > 0;
@@ -137,8 +186,12 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
   HRT_RETURN_IF_FAILED(File::create(path, &file));
   Text<128> name;
   name << "session " << handle << ", " << Shown{path};
-  recorder_ = std::make_unique<Recorder>(std::move(file), name.view(), session_.config(), session_.targets,
-                                         session_.plate_orientation_deg());
+  auto recorder = std::make_unique<Recorder>(std::move(file), log_, name.view(), session_.config(),
+                                             session_.targets, session_.plate_orientation_deg());
+  end_recording();  // of the parent
+  recorder_ = std::move(recorder);
+  calibrations_ = 0;
+  line_->open(recorder_.get());
   return HRT_OK;
 }
 
@@ -150,6 +203,7 @@ hrt_result RecordedSession::check_recording() const {
 }
 
 RecorderStatus RecordedSession::stop_recording() {
+  line_->close(false);
   const RecorderStatus status = recorder_->stop();
   recorder_.reset();
   return status;

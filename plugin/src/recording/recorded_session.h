@@ -7,7 +7,11 @@
 #include <span>
 #include <vector>
 
+#include "plugin/src/abi/host.h"
+#include "plugin/src/conditions.h"
+#include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/recording/recorder.h"
+#include "plugin/src/recording/recording_line.h"
 #include "plugin/src/session.h"
 
 namespace hrt::plugin {
@@ -18,6 +22,11 @@ namespace hrt::plugin {
 class RecordedSession {
  public:
   explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
+  ~RecordedSession();
+  RecordedSession(const RecordedSession&) = delete;
+  RecordedSession& operator=(const RecordedSession&) = delete;
+  RecordedSession(RecordedSession&&) = delete;
+  RecordedSession& operator=(RecordedSession&&) = delete;
 
   const Session& session() const { return session_; }
 
@@ -38,10 +47,20 @@ class RecordedSession {
   /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
+  /// Takes a lock.
+  void set_log(hrt_log_callback callback, void* context) { log_.set(callback, context); }
+  /// Logs once that the session has failed, if it has; and once for a configuration that a reach was flagged
+  /// HRT_COMMAND_REGISTRATION. The log names the session by `handle`.
+  void log_findings(std::uint64_t handle);
+
+  /// Logs if the person was measured under other conditions than those of now.
+  void log_conditions(std::uint64_t handle) const;
+
   /// HRT_STATE_*.
   std::uint32_t state() const;
-  /// How many trials of calibrations of this session are under way, for as long as any of them exists.
-  const std::shared_ptr<std::atomic<int>>& trials() const { return trials_; }
+
+  /// A calibration with the configuration that the session has now.
+  std::unique_ptr<RecordedCalibration> make_calibration(const hrt_calibration_config& checked_config);
 
   /// The log names the session by `handle`.
   hrt_result start_recording(const char* path, std::uint64_t handle);
@@ -50,16 +69,25 @@ class RecordedSession {
   RecorderStatus recording_status() const { return recorder_->status(); }
   RecorderStatus stop_recording();
 
+  Conditions conditions;
+
  private:
   template <class MakeRecord>
   void record(MakeRecord&& make_record) const {
-    if (recorder_) recorder_->push(make_record());
+    line_->record(make_record);
   }
   std::uint64_t number(hrt_target target) const;
   void record_target(TargetChanged::Change change, std::uint64_t id) const;
+  void end_recording();
 
   Session session_;
+  SessionLog log_;
+  bool failure_logged_ = false;
+  bool registration_logged_ = false;  // for this configuration
+  // How many trials of calibrations of this session are under way, for as long as any of them exists.
   std::shared_ptr<std::atomic<int>> trials_ = std::make_shared<std::atomic<int>>(0);
+  std::shared_ptr<RecordingLine> line_ = std::make_shared<RecordingLine>();
+  std::uint64_t calibrations_ = 0;      // made in the recording that runs
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

@@ -1,12 +1,11 @@
 #include "plugin/src/recording/recorder.h"
 
 #include <chrono>
-#include <csignal>
 #include <cstring>
 #include <system_error>
 #include <utility>
 
-#include "plugin/src/abi/host.h"
+#include "plugin/src/abi/quiet_thread.h"
 
 namespace hrt::plugin {
 
@@ -20,26 +19,12 @@ constexpr bool has_threads = false;  // who calls writes the file, whenever the 
 constexpr bool has_threads = true;
 #endif
 
-// Starts a thread that leaves the process's signals to the host's threads.
-template <class Run>
-std::thread start_thread(Run&& run) {
-#if defined(_WIN32)
-  return std::thread(run);
-#else
-  sigset_t all, before;
-  sigfillset(&all);
-  pthread_sigmask(SIG_SETMASK, &all, &before);
-  const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
-  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if it throws
-  return std::thread(run);
-#endif
-}
-
 }  // namespace
 
-Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
-                   double plate_orientation_deg)
-    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
+Recorder::Recorder(File file, const SessionLog& log, std::string_view name, const hrt_session_config& config,
+                   const Targets& targets, double plate_orientation_deg)
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)), log_(log) {
+  for (std::size_t i = 0; i < capacity; ++i) ring_[i].turn.store(i, std::memory_order_relaxed);
   name_ << name;
   watch_forks();
   forks_ = forks();
@@ -50,7 +35,7 @@ Recorder::Recorder(File file, std::string_view name, const hrt_session_config& c
     write_record_of({.call = TargetChanged{TargetChanged::Change::added, targets.number(id), target}});
   if (const int error = system_error_.load(); error != 0)
     throw std::system_error(error, std::generic_category(), name_.c_str());
-  if (has_threads) writer_ = start_thread([this] { write_all(); });
+  if (has_threads) writer_ = start_quiet_thread([this] { write_all(); });
 }
 
 Recorder::~Recorder() {
@@ -61,18 +46,34 @@ Recorder::~Recorder() {
 }
 
 void Recorder::push(const Record& record) noexcept {
-  const std::uint64_t pushed = pushed_.load(std::memory_order_relaxed);
-  const std::uint64_t lost = lost_.load(std::memory_order_relaxed);
-  if (!has_threads && pushed - taken_.load() == capacity) drain();
-  if (is_of_parent() || pushed - taken_.load(std::memory_order_acquire) == capacity) {
-    lost_.store(lost + 1, std::memory_order_relaxed);
+  Entry* entry = is_of_parent() ? nullptr : claim();
+  if (!has_threads && !entry) {
+    drain();
+    entry = claim();
+  }
+  if (!entry) {
+    lost_.fetch_add(1);
+    lost_unnoted_.fetch_add(1);
     return;
   }
-  Entry& entry = ring_[pushed % capacity];
-  entry.record = record;
-  entry.lost_before = lost - lost_noted_;
-  lost_noted_ = lost;
-  pushed_.store(pushed + 1, std::memory_order_release);
+  entry->record = record;
+  entry->lost_before = lost_unnoted_.exchange(0);
+  entry->turn.fetch_add(1, std::memory_order_release);
+}
+
+// A free entry, which is the caller's until its turn advances; null if there is none.
+Recorder::Entry* Recorder::claim() {
+  std::uint64_t n = pushed_.load(std::memory_order_relaxed);
+  for (;;) {
+    Entry& entry = ring_[n % capacity];
+    const std::uint64_t turn = entry.turn.load(std::memory_order_acquire);
+    if (turn < n) return nullptr;  // it still holds the record of a lap before
+    if (turn > n) {
+      n = pushed_.load(std::memory_order_relaxed);
+    } else if (pushed_.compare_exchange_weak(n, n + 1, std::memory_order_relaxed)) {
+      return &entry;
+    }
+  }
 }
 
 RecorderStatus Recorder::stop() {
@@ -110,7 +111,7 @@ void Recorder::write_all() {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   drain();
-  write_lost(lost_.load() - lost_noted_);
+  write_lost(lost_unnoted_.exchange(0));
   RecordText end;
   write_end(checksum_.value(), end);
   write(end.view());
@@ -118,13 +119,13 @@ void Recorder::write_all() {
 
 // Hands what the ring holds to the operating system.
 void Recorder::drain() {
-  const std::uint64_t pushed = pushed_.load(std::memory_order_acquire);
-  for (std::uint64_t taken = taken_.load(std::memory_order_relaxed); taken != pushed; ++taken) {
-    const Entry& entry = ring_[taken % capacity];
+  for (;; ++taken_) {
+    Entry& entry = ring_[taken_ % capacity];
+    if (entry.turn.load(std::memory_order_acquire) != taken_ + 1) return;
     write_lost(entry.lost_before);
     write_record_of(entry.record);
     if (system_error_.load() == 0) written_.fetch_add(1);
-    taken_.store(taken + 1, std::memory_order_release);
+    entry.turn.store(taken_ + capacity, std::memory_order_release);
   }
 }
 
@@ -158,7 +159,7 @@ void Recorder::report(std::uint32_t level, std::string_view text) const {
   Text<400> line;
   line << name_.view() << ": " << text;
   line.make_printable();
-  log(level, line.c_str());
+  log_.write(level, line.c_str());
 }
 
 }  // namespace hrt::plugin

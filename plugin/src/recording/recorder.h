@@ -9,6 +9,7 @@
 
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/fork.h"
+#include "plugin/src/abi/host.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/targets.h"
@@ -22,14 +23,14 @@ struct RecorderStatus {
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
 
-/// A file, and a thread that writes to it what a ring hands over. One thread at a time calls; push() is
-/// real-time.
+/// A file, and a thread that writes to it what a ring hands over. push() is real-time, and may be called from
+/// any threads at once until the recording ends; the other calls are one thread's.
 class Recorder {
  public:
-  /// Writes what the session is before anything happens. `name` names session and file in the log. Throws
-  /// std::system_error, std::bad_alloc.
-  Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
-           double plate_orientation_deg);
+  /// Writes what the session is before anything happens. `log` outlives this; `name` names session and file
+  /// there. Throws std::system_error, std::bad_alloc.
+  Recorder(File file, const SessionLog& log, std::string_view name, const hrt_session_config& config,
+           const Targets& targets, double plate_orientation_deg);
   /// Writes what is left, and waits for the disk to take it.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -49,6 +50,9 @@ class Recorder {
 
  private:
   struct Entry {
+    // Whose turn it is: n and it is free for the n-th record, n + 1 and it holds that one. (D. Vyukov's
+    // bounded queue.)
+    std::atomic<std::uint64_t> turn;
     Record record;
     std::uint64_t lost_before;  // records lost between the last entry and this one
   };
@@ -56,6 +60,7 @@ class Recorder {
 
   void write_all();
   void drain();
+  Entry* claim();
   void write(std::string_view text);
   void write_record_of(const Record& record);
   void write_lost(std::uint64_t count);
@@ -63,15 +68,16 @@ class Recorder {
   void abandon();
 
   std::unique_ptr<Entry[]> ring_;
-  std::atomic<std::uint64_t> pushed_{0};  // written by the caller's thread
-  std::atomic<std::uint64_t> taken_{0};   // written by the writer's
+  std::atomic<std::uint64_t> pushed_{0};  // places in the ring that were claimed
+  std::uint64_t taken_ = 0;               // of the thread that writes
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> written_{0};
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
-  std::uint64_t lost_noted_ = 0;  // of lost_, those noted in entries; of the caller's thread
+  std::atomic<std::uint64_t> lost_unnoted_{0};  // of lost_, those that no entry notes
   std::uint32_t forks_ = 0;
   File file_;
+  const SessionLog& log_;
   Hash checksum_;  // of what was written
   Text<128> name_;
   std::thread writer_;

@@ -9,6 +9,7 @@
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
+#include "plugin/src/recording/replayed_calibrations.h"
 #include "plugin/src/session.h"
 
 namespace hrt::plugin {
@@ -31,8 +32,25 @@ using TargetIds = std::map<std::uint64_t, std::uint64_t>;
 /// Makes the record's call, and puts what came out of it in place of what was recorded.
 class Rerun {
  public:
-  Rerun(Session& session, const TargetIds& ids, Hash& hash, Record& record)
-      : session_(session), ids_(ids), hash_(hash), record_(record) {}
+  Rerun(Session& session, const TargetIds& ids, ReplayedCalibrations& calibrations, Hash& hash,
+        Record& record)
+      : session_(session), ids_(ids), calibrations_(calibrations), hash_(hash), record_(record) {}
+
+  /// Fails if the call is of a calibration that is not there.
+  hrt_result run() {
+    return std::visit(
+        [&](auto& call) -> hrt_result {
+          if constexpr (requires { calibrations_.rerun(call, &record_.result); }) {
+            return calibrations_.rerun(call, &record_.result);
+          } else {
+            (*this)(call);
+            return HRT_OK;
+          }
+        },
+        record_.call);
+  }
+
+ private:
   void operator()(ReachBegun& call) {
     record_.result = session_.begin({
         .struct_size = sizeof(hrt_reach_config),
@@ -63,8 +81,8 @@ class Rerun {
   void operator()(ConfigSet&) {}
   void operator()(TargetChanged&) {}
   void operator()(PlateStands&) {}
+  void operator()(CalibrationChanged&) {}
 
- private:
   hrt_target target(std::uint64_t number) const {
     const auto found = ids_.find(number);
     return {found == ids_.end() ? 0 : found->second};
@@ -86,6 +104,7 @@ class Rerun {
 
   Session& session_;
   const TargetIds& ids_;
+  ReplayedCalibrations& calibrations_;
   Hash& hash_;
   Record& record_;
 };
@@ -111,10 +130,7 @@ class Replay {
         return fail(HRT_ERROR_BAD_FORMAT, "the recording is one that version ", release,
                     " of the library replays; this one replays recordings of version 3");
     }
-    if (!starts_with_and_drops(text, recording_header()))
-      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
-    for (const char c : recording_header()) line_number_ += c == '\n' ? 1 : 0;
-    checksum_.add(recording_header());
+    HRT_RETURN_IF_FAILED(take_header(&text));
     while (!text.empty() && report_.ending != HRT_ENDING_LOST_ROWS) {
       ++line_number_;
       const std::size_t end = text.find('\n');
@@ -130,11 +146,27 @@ class Replay {
   }
 
  private:
+  hrt_result take_header(std::string_view* text) {
+    std::string_view common = recording_header();
+    common.remove_suffix(calibration_columns.size() + 1);
+    const std::string_view whole = *text;
+    if (!starts_with_and_drops(*text, common))
+      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
+    has_calibrations_ = starts_with_and_drops(*text, calibration_columns);
+    if (!starts_with_and_drops(*text, "\n"))
+      return fail(HRT_ERROR_BAD_FORMAT, "the columns are not those of a recording of version 3");
+    const std::string_view header = whole.substr(0, whole.size() - text->size());
+    for (const char c : header) line_number_ += c == '\n' ? 1 : 0;
+    checksum_.add(header);
+    return HRT_OK;
+  }
+
   hrt_result take(std::string_view line) {
     if (ended_) return fail(HRT_ERROR_BAD_FORMAT, "this comes after the end");
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
+    if (starts_with_and_drops(line, calibration_comment)) return take_calibration(line);
     if (starts_with_and_drops(line, end_comment)) {
       take_end(line);
     } else if (line.starts_with(lost_comment)) {
@@ -192,15 +224,23 @@ class Replay {
     return HRT_OK;
   }
 
+  hrt_result take_calibration(std::string_view rest) {
+    HRT_RETURN_IF_FAILED(check_session());
+    CalibrationChanged changed;
+    HRT_RETURN_IF_FAILED(read_calibration_changed(rest, &changed));
+    return calibrations_.change(session_->config(), changed);
+  }
+
   hrt_result take_row(std::string_view line) {
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
-    HRT_RETURN_IF_FAILED(read_row(line, &record));
-    std::visit(Rerun(*session_, target_ids_, hash_, record), record.call);
+    HRT_RETURN_IF_FAILED(read_row(line, has_calibrations_, &record));
+    HRT_RETURN_IF_FAILED(Rerun(*session_, target_ids_, calibrations_, hash_, record).run());
     ++report_.rows;
     RecordText again;
     write_record(record, again);
-    const std::string_view row = again.view().substr(0, again.view().size() - 1);
+    std::string_view row = again.view().substr(0, again.view().size() - 1);
+    if (!has_calibrations_) row.remove_suffix(2);  // their columns, empty
     if (report_.first_different_line == 0 && !is_same_row(row, line))
       report_.first_different_line = line_number_;
     return HRT_OK;
@@ -216,6 +256,8 @@ class Replay {
 
   std::optional<Session> session_;
   TargetIds target_ids_;  // 0: removed
+  ReplayedCalibrations calibrations_;
+  bool has_calibrations_ = false;  // the table has their columns
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,

@@ -111,7 +111,7 @@ XrResult suggest_interaction_profile_bindings(XrInstance handle,
   require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
-  const auto* profile = find_profile(instance.paths.text(info->interactionProfile));
+  const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.version_1_1());
   require(profile != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
   std::vector<Binding> bindings;
   for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {
@@ -120,7 +120,8 @@ XrResult suggest_interaction_profile_bindings(XrInstance handle,
     require(!action.action_set().attached, XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
             "the action's set is attached: its bindings cannot change");
     require(resolve_binding(*profile, instance.paths.text(binding.binding), action.action_type).has_value(),
-            XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such binding path");
+            XR_ERROR_PATH_UNSUPPORTED,
+            "the interaction profile has no such binding path in this version of OpenXR");
     bindings.push_back({action.id(), binding.binding});
   }
   instance.suggestions[info->interactionProfile] = std::move(bindings);

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "samples/mock_runtime/api/object.h"
-#include "samples/mock_runtime/world/pose.h"
+#include "samples/mock_runtime/world/pose_path.h"
 
 namespace hrt::mock {
 
@@ -89,8 +89,8 @@ class Input {
   /// State at the last sync; XR_NULL_PATH: of all subaction paths together.
   ActionState state(const Action& action, XrPath subaction) const;
 
-  /// World pose of the source that drives the action now; none without one.
-  std::optional<Pose> pose(std::uint64_t action, XrPath subaction) const;
+  /// In the world, the source that drives the action since the last sync; none without one.
+  std::optional<Motion> motion(std::uint64_t action, XrPath subaction, XrTime time) const;
 
   /// The current profile of a top level user path, or XR_NULL_PATH.
   XrPath current_profile(const std::string& top_level) const;

@@ -25,20 +25,25 @@ std::string result_name(XrResult result) {
   }
 }
 
-CallLog::CallLog() {
-  const char* path = std::getenv("HRT_MOCK_CALL_LOG");
-  if (path == nullptr) return;
-  file_.reset(std::fopen(path, "a"));
+void CallLog::open() {
+  const char* named = std::getenv("HRT_MOCK_CALL_LOG");
+  const std::string path = named == nullptr ? "" : named;
+  if (path == path_) return;
+  path_ = path;
+  file_.reset();
+  if (path.empty()) return;
+  file_.reset(std::fopen(path.c_str(), "a"));
   if (file_ == nullptr)
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s can't be written\n", path);
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_CALL_LOG: %s can't be written\n", path.c_str());
   else
     std::setvbuf(file_.get(), nullptr, _IOLBF, BUFSIZ);  // the log survives a crash of the application
 }
 
 void CallLog::append(CallRecord record) {
   if (file_ != nullptr)
-    std::fprintf(file_.get(), "%lld %s %s%s%s\n", static_cast<long long>(record.time), record.function,
-                 result_name(record.result).c_str(), record.why.empty() ? "" : ": ", record.why.c_str());
+    std::fprintf(file_.get(), "%lld thread %u %s%s %s%s%s\n", static_cast<long long>(record.time),
+                 record.thread, record.function, record.arguments.c_str(), result_name(record.result).c_str(),
+                 record.why.empty() ? "" : ": ", record.why.c_str());
   records_.push_back(std::move(record));
   if (records_.size() > remembered_calls) records_.pop_front();
 }
@@ -53,6 +58,8 @@ XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* 
              to.time = from.time;
              to.result = from.result;
              std::snprintf(to.function, sizeof(to.function), "%s", from.function);
+             std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
+             to.thread = from.thread;
              std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
            });
   return XR_SUCCESS;

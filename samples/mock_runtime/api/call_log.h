@@ -3,6 +3,7 @@
 
 #include <openxr/openxr.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <deque>
 #include <memory>
@@ -14,13 +15,15 @@ struct CallRecord {
   XrTime time;
   const char* function;
   XrResult result;
-  std::string why;  ///< of a refusal; empty if there was none
+  std::string why;             ///< of a refusal; empty if there was none
+  std::string arguments = {};  ///< "(0x4852545800000002, 5)"
+  std::uint32_t thread = 0;    ///< by order of first call, from 1
 };
 
 class CallLog {
  public:
-  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set.
-  CallLog();
+  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on.
+  void open();
 
   void append(CallRecord record);
   /// The latest 100,000, oldest first.
@@ -31,6 +34,7 @@ class CallLog {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   std::deque<CallRecord> records_;
+  std::string path_;
   std::unique_ptr<std::FILE, CloseFile> file_;
 };
 

@@ -8,7 +8,10 @@ XrResult apply_script(XrInstance handle, const char* json) {
   require_pointer(json, "json");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_CALL_ORDER_INVALID,
           "a script is applied while there is no session");
-  runtime().apply(parse_script(json));
+  require(parse_script(json).withheld.none(), XR_ERROR_VALIDATION_FAILURE,
+          "script: withhold_extensions has no effect once there is an instance; only a script of the "
+          "environment may have it");
+  runtime().apply(json);
   instance.clock.set_kind(runtime().script.clock);
   return XR_SUCCESS;
 }

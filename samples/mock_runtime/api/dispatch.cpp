@@ -43,7 +43,7 @@ XrResult get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidF
     if (std::strcmp(row.name, name) != 0) continue;
     if (row.extension != Extension::core)
       require(instance->enabled(row.extension), XR_ERROR_FUNCTION_UNSUPPORTED,
-              "its extension is not enabled");
+              "its extension or version is not enabled");
     *function = row.function;
     return XR_SUCCESS;
   }

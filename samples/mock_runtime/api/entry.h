@@ -5,10 +5,17 @@
 #include <new>
 #include <thread>
 
+#include "samples/mock_runtime/api/call_text.h"
 #include "samples/mock_runtime/api/runtime.h"
 #include "samples/mock_runtime/functions.h"
 
 namespace hrt::mock {
+
+/// Of the calling thread, by order of first call, from 1.
+inline std::uint32_t thread_number(Runtime& the) {
+  static thread_local const std::uint32_t number = ++the.threads;
+  return number;
+}
 
 template <FunctionId id, auto implementation>
 struct Entry;
@@ -20,9 +27,15 @@ struct Entry<id, implementation> {
     std::unique_lock lock(the.mutex);
     CallRecord record{.function = name_of(id)};
     try {
-      if (const auto fault = the.faults.next(id)) {
+      if (const auto fault = the.next_fault(id)) {
+        if (fault->blocks) {
+          record.result = XR_TIMEOUT_EXPIRED;
+          record.why = "the script blocks this call";
+          log(the, record, args...);
+        }
         lock.unlock();
-        std::this_thread::sleep_for(fault->delay);
+        do std::this_thread::sleep_for(fault->blocks ? std::chrono::hours(1) : fault->delay);
+        while (fault->blocks);
         lock.lock();
         if (fault->result) throw Error{*fault->result, "the script orders this error"};
       }
@@ -40,13 +53,15 @@ struct Entry<id, implementation> {
     // Not logged: a loader looks up every function, and the log must not grow between the two calls that
     // read it.
     if constexpr (id != FunctionId::xrGetInstanceProcAddr && id != FunctionId::xrGetCallLogHRTX)
-      log(the, std::move(record));
+      log(the, std::move(record), args...);
     return result;
   }
 
  private:
-  static void log(Runtime& the, CallRecord record) noexcept {
+  static void log(Runtime& the, CallRecord record, const Args&... args) noexcept {
     try {
+      record.thread = thread_number(the);
+      record.arguments = text_of_arguments(XR_SUCCEEDED(record.result), args...);
       record.time = the.now();
       the.log.append(std::move(record));
     } catch (const std::bad_alloc&) {

@@ -2,6 +2,7 @@
 #include <chrono>
 
 #include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/api/space.h"
 
 namespace hrt::mock {
 namespace {
@@ -22,6 +23,23 @@ void wait_until(XrSession handle, XrTime time) {
   }
 }
 
+// The pixels of layers are nobody's concern here, their form is.
+void require_layers(const XrFrameEndInfo& info, const Session& session) {
+  require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
+          "too many layers");
+  require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID, "layers is null");
+  for (std::uint32_t i = 0; i < info.layerCount; ++i) {
+    const XrCompositionLayerBaseHeader* layer = info.layers[i];
+    require(layer != nullptr, XR_ERROR_LAYER_INVALID, "a layer is null");
+    require(
+        layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD,
+        XR_ERROR_LAYER_INVALID, "layers are projections and quads");
+    const auto& space = runtime().registry.get<Space>(layer->space);
+    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE,
+            "the space of a layer is of another session");
+  }
+}
+
 }  // namespace
 
 XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
@@ -36,6 +54,7 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   ++running_session(handle).frame_number;
   runtime().fire_due_events();
   Session& session = running_session(handle);
+  if (++session.frames.since_begin == runtime().script.focus_frame) session.go_to(XR_SESSION_STATE_FOCUSED);
   const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;
@@ -68,8 +87,7 @@ XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
           XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is opaque");
-  require(info->layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
-          "too many layers");
+  require_layers(*info, session);
   session.frames.begun = false;
   return XR_SUCCESS;
 }

@@ -28,6 +28,16 @@ XrVector2f value_of(const Device& device, const std::vector<Source>& sources, Xr
   return {x, sources.size() > 1 ? value_of(device, sources[1]) : 0.0F};
 }
 
+// Of a controller without a set pose: held before the user, to its side.
+Pose unplaced_grip(XrHandEXT hand) {
+  return local_space_in_world() * Pose{.position_m = {hand == XR_HAND_LEFT_EXT ? -0.2 : 0.2, -0.3, -0.4}};
+}
+
+// The pointing pose is ahead of the grip; the palm's is the grip's.
+Pose source_in_grip(const std::string& source) {
+  return {.position_m = {0.0, 0.0, source.find("/aim/") != std::string::npos ? -0.05 : 0.0}};
+}
+
 // Of several sources the one with the largest magnitude counts; for booleans that is "any".
 float magnitude(const XrVector2f& value) {
   return std::hypot(value.x, value.y);
@@ -69,7 +79,7 @@ std::vector<Input::Driver> Input::drivers(const Action& action) const {
   std::vector<Driver> found;
   const PathTable& paths = session_.instance().paths;
   for (const auto& [top_level, profile_path] : profiles_) {
-    const auto* profile = find_profile(paths.text(profile_path));
+    const auto* profile = find_profile(paths.text(profile_path), session_.instance().version_1_1());
     for (const Binding& binding : suggestions_.at(profile_path)) {
       const std::string& path = paths.text(binding.path);
       if (binding.action != action.id() || top_level_of(path) != top_level) continue;
@@ -138,13 +148,18 @@ ActionState Input::state(const Action& action, XrPath subaction) const {
   return found == states_.end() ? ActionState{} : found->second;
 }
 
-std::optional<Pose> Input::pose(std::uint64_t action, XrPath subaction) const {
-  const auto source = pose_sources_.find({action, subaction});
-  if (source == pose_sources_.end()) return std::nullopt;
-  const auto device = devices.find(top_level_of(source->second));
+std::optional<Motion> Input::motion(std::uint64_t action, XrPath subaction, XrTime time) const {
+  const auto driver = pose_sources_.find({action, subaction});
+  if (driver == pose_sources_.end()) return std::nullopt;
+  const std::string& source = driver->second;
+  const std::string_view top_level = top_level_of(source);
+  const auto device = devices.find(top_level);
   if (device == devices.end() || !device->second.active) return std::nullopt;
-  const auto pose = device->second.poses.find(source->second);
-  return pose == device->second.poses.end() ? local_space_in_world() : pose->second;
+  if (const auto pose = device->second.poses.find(source); pose != device->second.poses.end())
+    return Motion{pose->second};
+  const XrHandEXT hand = top_level.ends_with("/left") ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
+  const auto grip = session_.world().controller(hand, time);
+  return grip ? *grip * source_in_grip(source) : Motion{unplaced_grip(hand) * source_in_grip(source)};
 }
 
 std::vector<XrPath> Input::bound_sources(const Action& action) const {

@@ -21,8 +21,8 @@ bool is_text(const char (&array)[size]) {
 
 void Instance::enable(const char* name) {
   require_pointer(name, "an extension name");
-  for (std::size_t i = 1; i < extensions.size(); ++i) {
-    if (runtime().script.withheld[i] || std::strcmp(extensions[i].name, name) != 0) continue;
+  for (std::size_t i = first_extension; i < extensions.size(); ++i) {
+    if (runtime().script.hides(i) || std::strcmp(extensions[i].name, name) != 0) continue;
     extensions_.set(i);
     return;
   }
@@ -39,8 +39,8 @@ XrResult enumerate_instance_extension_properties(const char* layer, std::uint32_
                                                  std::uint32_t* count, XrExtensionProperties* properties) {
   require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no API layers");
   std::vector<ExtensionInfo> present;
-  for (std::size_t i = 1; i < extensions.size(); ++i)
-    if (!runtime().script.withheld[i]) present.push_back(extensions[i]);
+  for (std::size_t i = first_extension; i < extensions.size(); ++i)
+    if (!runtime().script.hides(i)) present.push_back(extensions[i]);
   for (std::uint32_t i = 0; i < capacity && properties != nullptr; ++i)
     require_struct(&properties[i], XR_TYPE_EXTENSION_PROPERTIES, "properties");
   two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
@@ -63,6 +63,7 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
           "an instance exists already; one is allowed");
   if (!runtime().script_error.empty()) throw Error{XR_ERROR_INITIALIZATION_FAILED, runtime().script_error};
   auto& instance = runtime().registry.create<Instance, Object>(nullptr, runtime().script.clock);
+  if (XR_VERSION_MINOR(version) >= 1) instance.enable_version_1_1();
   try {
     for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
       instance.enable(info->enabledExtensionNames[i]);
@@ -71,6 +72,7 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
     throw;
   }
   runtime().instance = &instance;
+  ++runtime().made.instance;
   *handle = handle_of<XrInstance>(instance);
   return XR_SUCCESS;
 }

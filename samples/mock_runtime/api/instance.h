@@ -23,7 +23,9 @@ class Instance : public Object {
   Instance(Object* parent, Clock::Kind kind) : Object(object_type, parent), clock(kind) {}
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
+  bool version_1_1() const { return enabled(Extension::version_1_1); }
   void enable(const char* name);
+  void enable_version_1_1() { extensions_.set(static_cast<std::size_t>(Extension::version_1_1)); }
 
   template <typename Event>
   void push_event(const Event& event) {

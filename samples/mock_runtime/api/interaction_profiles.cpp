@@ -1,4 +1,4 @@
-// The interaction profiles of OpenXR 1.0: specification, "Interaction Profile Paths".
+// The interaction profiles of OpenXR 1.0 and 1.1: specification, "Interaction Profile Paths".
 #include <algorithm>
 #include <array>
 #include <map>
@@ -14,12 +14,31 @@ constexpr std::string_view hands = "left right";
 struct Part {
   std::string_view devices;
   std::string_view components;
+  bool version_1_1 = false;  // not of OpenXR 1.0
 };
 
 struct Profile {
   std::string_view path;
   std::vector<Part> parts;
 };
+
+// What the controllers of one family have in common.
+constexpr std::string_view face_buttons_left = "x/click x/touch y/click y/touch menu/click";
+constexpr std::string_view face_buttons_right = "a/click a/touch b/click b/touch system/click";
+constexpr std::string_view oculus_touch =
+    "squeeze/value trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch "
+    "thumbrest/touch grip/pose aim/pose output/haptic";
+constexpr std::string_view proximity = "trigger/proximity thumb_resting_surfaces/proximity";
+constexpr std::string_view pico =
+    "system/click menu/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value "
+    "thumbstick/x "
+    "thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
+constexpr std::string_view pico_4 =
+    "system/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
+    "thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
+constexpr std::string_view microsoft_motion =
+    "menu/click squeeze/click trigger/value thumbstick/x thumbstick/y thumbstick/click trackpad/x trackpad/y "
+    "trackpad/click trackpad/touch grip/pose aim/pose output/haptic";
 
 const std::vector<Profile>& profile_table() {
   static const std::vector<Profile> table{
@@ -34,11 +53,7 @@ const std::vector<Profile>& profile_table() {
          "trackpad/touch grip/pose aim/pose output/haptic"}}},
       {"/interaction_profiles/htc/vive_pro",
        {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
-      {"/interaction_profiles/microsoft/motion_controller",
-       {{hands,
-         "menu/click squeeze/click trigger/value thumbstick/x thumbstick/y thumbstick/click trackpad/x "
-         "trackpad/y "
-         "trackpad/click trackpad/touch grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/microsoft/motion_controller", {{hands, microsoft_motion}}},
       {"/interaction_profiles/microsoft/xbox_controller",
        {{"gamepad",
          "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click "
@@ -54,18 +69,86 @@ const std::vector<Profile>& profile_table() {
          "grip/pose "
          "aim/pose"}}},
       {"/interaction_profiles/oculus/touch_controller",
-       {{"left", "x/click x/touch y/click y/touch menu/click"},
-        {"right", "a/click a/touch b/click b/touch system/click"},
-        {hands,
-         "squeeze/value trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click "
-         "thumbstick/touch "
-         "thumbrest/touch grip/pose aim/pose output/haptic"}}},
+       {{"left", face_buttons_left},
+        {"right", face_buttons_right},
+        {hands, oculus_touch},
+        {hands, proximity, true}}},
       {"/interaction_profiles/valve/index_controller",
        {{hands,
          "system/click system/touch a/click a/touch b/click b/touch squeeze/value squeeze/force "
          "trigger/click "
          "trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch trackpad/x "
          "trackpad/y trackpad/force trackpad/touch grip/pose aim/pose output/haptic"}}},
+      {"/interaction_profiles/bytedance/pico_neo3_controller",
+       {{"left", "x/click x/touch y/click y/touch", true},
+        {"right", "a/click a/touch b/click b/touch", true},
+        {hands, pico, true}}},
+      {"/interaction_profiles/bytedance/pico4_controller",
+       {{"left", "x/click x/touch y/click y/touch menu/click", true},
+        {"right", "a/click a/touch b/click b/touch", true},
+        {hands, pico_4, true}}},
+      {"/interaction_profiles/bytedance/pico_g3_controller",
+       {{hands,
+         "trigger/click trigger/value menu/click thumbstick/x thumbstick/y thumbstick/click grip/pose "
+         "aim/pose",
+         true}}},
+      {"/interaction_profiles/hp/mixed_reality_controller",
+       {{"left", "x/click y/click", true},
+        {"right", "a/click b/click", true},
+        {hands,
+         "menu/click squeeze/value trigger/value thumbstick/x thumbstick/y thumbstick/click grip/pose "
+         "aim/pose output/haptic",
+         true}}},
+      {"/interaction_profiles/htc/vive_cosmos_controller",
+       {{"left", "x/click y/click menu/click", true},
+        {"right", "a/click b/click system/click", true},
+        {hands,
+         "shoulder/click squeeze/click trigger/click trigger/value thumbstick/x thumbstick/y "
+         "thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic",
+         true}}},
+      {"/interaction_profiles/htc/vive_focus3_controller",
+       {{"left", "x/click y/click menu/click", true},
+        {"right", "a/click b/click system/click", true},
+        {hands,
+         "squeeze/click squeeze/touch squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
+         "thumbstick/y thumbstick/click thumbstick/touch thumbrest/touch grip/pose aim/pose output/haptic",
+         true}}},
+      {"/interaction_profiles/meta/touch_controller_rift_cv1",
+       {{"left", face_buttons_left, true},
+        {"right", face_buttons_right, true},
+        {hands, oculus_touch, true},
+        {hands, proximity, true}}},
+      {"/interaction_profiles/meta/touch_controller_quest_1_rift_s",
+       {{"left", face_buttons_left, true},
+        {"right", face_buttons_right, true},
+        {hands, oculus_touch, true},
+        {hands, proximity, true}}},
+      {"/interaction_profiles/meta/touch_controller_quest_2",
+       {{"left", face_buttons_left, true},
+        {"right", face_buttons_right, true},
+        {hands, oculus_touch, true},
+        {hands, proximity, true}}},
+      {"/interaction_profiles/meta/touch_plus_controller",
+       {{"left", face_buttons_left, true},
+        {"right", face_buttons_right, true},
+        {hands, oculus_touch, true},
+        {hands, proximity, true},
+        {hands, "trigger/force trigger_slide/value trigger_curl/value", true}}},
+      {"/interaction_profiles/meta/touch_pro_controller",
+       {{"left", face_buttons_left, true},
+        {"right", face_buttons_right, true},
+        {hands, oculus_touch, true},
+        {hands, proximity, true},
+        {hands,
+         "stylus/force trigger_slide/value trigger_curl/value thumbrest/force output/haptic_thumb "
+         "output/haptic_trigger",
+         true}}},
+      {"/interaction_profiles/ml/ml2_controller",
+       {{hands,
+         "menu/click home/click trigger/click trigger/value trackpad/x trackpad/y trackpad/click "
+         "trackpad/force trackpad/touch shoulder/click grip/pose aim/pose output/haptic",
+         true}}},
+      {"/interaction_profiles/samsung/odyssey_controller", {{hands, microsoft_motion, true}}},
   };
   return table;
 }
@@ -88,25 +171,35 @@ Source make_source(std::string_view device, std::string_view component) {
   if (component.starts_with("output/"))
     return {user_path(device) + '/' + std::string(component), SourceKind::haptic};
   const std::string_view leaf = component.substr(component.find('/') + 1);
-  const SourceKind kind = leaf == "click" || leaf == "touch" ? SourceKind::boolean
-                          : leaf == "pose"                   ? SourceKind::pose
-                                                             : SourceKind::scalar;
+  const SourceKind kind = leaf == "click" || leaf == "touch" || leaf == "proximity" ? SourceKind::boolean
+                          : leaf == "pose"                                          ? SourceKind::pose
+                                                                                    : SourceKind::scalar;
   return {user_path(device) + "/input/" + std::string(component), kind};
 }
 
 using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
 
-const ProfileSources& all_profiles() {
-  static const ProfileSources profiles = [] {
-    ProfileSources made;
-    for (const Profile& profile : profile_table())
-      for (const Part& part : profile.parts)
-        for (const std::string_view device : words(part.devices))
-          for (const std::string_view component : words(part.components))
-            made[std::string(profile.path)].push_back(make_source(device, component));
-    return made;
-  }();
-  return profiles;
+// OpenXR 1.1 has the pose of the palm, grip_surface, wherever there is a grip.
+ProfileSources make_profiles(bool version_1_1) {
+  ProfileSources made;
+  for (const Profile& profile : profile_table())
+    for (const Part& part : profile.parts) {
+      if (part.version_1_1 && !version_1_1) continue;
+      auto& sources = made[std::string(profile.path)];
+      for (const std::string_view device : words(part.devices))
+        for (const std::string_view component : words(part.components)) {
+          sources.push_back(make_source(device, component));
+          if (version_1_1 && component == "grip/pose")
+            sources.push_back(make_source(device, "grip_surface/pose"));
+        }
+    }
+  return made;
+}
+
+const ProfileSources& profiles_of(bool version_1_1) {
+  static const ProfileSources of_1_0 = make_profiles(false);
+  static const ProfileSources of_1_1 = make_profiles(true);
+  return version_1_1 ? of_1_1 : of_1_0;
 }
 
 // Whether a source of this kind can drive an action; floats and booleans convert to each other.
@@ -152,13 +245,14 @@ std::string_view top_level_of(std::string_view path) {
   return {};
 }
 
-const std::vector<Source>* find_profile(std::string_view profile) {
-  const auto found = all_profiles().find(profile);
-  return found == all_profiles().end() ? nullptr : &found->second;
+const std::vector<Source>* find_profile(std::string_view profile, bool version_1_1) {
+  const ProfileSources& profiles = profiles_of(version_1_1);
+  const auto found = profiles.find(profile);
+  return found == profiles.end() ? nullptr : &found->second;
 }
 
 const Source* find_source(std::string_view path) {
-  for (const auto& [name, sources] : all_profiles())
+  for (const auto& [name, sources] : profiles_of(true))
     for (const Source& source : sources)
       if (source.path == path) return &source;
   return nullptr;

@@ -13,8 +13,11 @@ void load_script() {
   Runtime& the = runtime();
   const std::lock_guard lock(the.mutex);
   the.script_error.clear();
+  the.log.open();
   try {
-    the.apply(script_from_environment());
+    // The same script as before continues: what it orders once happens once in a process.
+    const std::string text = script_from_environment();
+    if (text != the.script_text) the.apply(text);
   } catch (const Error& error) {
     the.script_error = error.why;
     std::fprintf(stderr, "mock runtime: HRT_MOCK_SCRIPT: %s\n", error.why.c_str());

@@ -5,13 +5,21 @@
 namespace hrt::mock {
 
 Runtime& runtime() {
-  static Runtime the_runtime;
+  // Never destroyed: a thread may be within a call when the process ends.
+  static Runtime& the_runtime = *new Runtime;
   return the_runtime;
 }
 
-void Runtime::apply(Script new_script) {
-  script = std::move(new_script);
+void Runtime::apply(const std::string& text) {
+  script = parse_script(text);
+  script_text = text;
   faults = Faults(script.calls);
+  made = {.instance = instance == nullptr ? 0U : 1U, .session = 0};
+}
+
+Scope Runtime::scope() const {
+  const bool in_session = instance != nullptr && !registry.children<Session>(*instance).empty();
+  return {made.instance + (instance == nullptr ? 1 : 0), made.session + (in_session ? 0 : 1)};
 }
 
 void Runtime::fire_due_events() {

@@ -9,10 +9,15 @@
 namespace hrt::mock {
 
 Session::Session(Instance* instance, const Script& script)
-    : Object(object_type, instance),
-      created_(instance->clock.now()),
-      events_(script.events),
-      world_(script.world, created_) {}
+    : Object(object_type, instance), created_(instance->clock.now()), world_(script.world, created_) {
+  const Scope here = runtime().scope();  // this session: no other exists
+  std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
+               [&](const ScriptEvent& event) { return event.scope.includes(here); });
+  for (const XrHandEXT hand : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
+    if (const auto& controller = world_.controller_settings(hand); !controller.profile.empty())
+      happen(
+          DeviceEvent{hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right", controller.profile});
+}
 
 World& Session::world() {
   world_.advance(instance().clock.now());
@@ -61,6 +66,16 @@ void Session::fire_due_events() {
 
 void Session::happen(const ScriptEvent& event) {
   if (const auto* state = std::get_if<StateEvent>(&event.what)) go_to(state->state);
+  if (const auto* recenter = std::get_if<Recenter>(&event.what)) happen(*recenter);
+  if (const auto* device = std::get_if<DeviceEvent>(&event.what)) happen(*device);
+  if (const auto* input_event = std::get_if<InputEvent>(&event.what))
+    for (const auto& [source, value] : input_event->values)
+      input.devices[input_event->device].values[source] = value;
+  if (const auto* presence = std::get_if<PresenceEvent>(&event.what);
+      presence && presence->present != user_present_) {
+    user_present_ = presence->present;
+    report_presence();
+  }
   if (std::holds_alternative<RepeatState>(event.what)) report_state();
   if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
@@ -85,6 +100,40 @@ void Session::happen(const ScriptEvent& event) {
   runtime().frame_begun.notify_all();
 }
 
+void Session::happen(const DeviceEvent& event) {
+  Device& device = input.devices[event.device];
+  device.active = !event.profile.empty();
+  if (device.active) device.profile = instance().paths.intern(event.profile);
+}
+
+void Session::report_presence() {
+  if (!instance().enabled(Extension::user_presence)) return;
+  instance().push_event(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT,
+                                                          nullptr, handle_of<XrSession>(*this),
+                                                          XrBool32{user_present_}});
+}
+
+void Session::happen(const Recenter& recenter) {
+  const XrTime change = instance().clock.now() + recenter.delay_ns;
+  Origins& origins = world().origins;
+  std::vector types{recenter.space};
+  if (instance().version_1_1() || instance().enabled(Extension::local_floor))
+    types.push_back(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
+  std::vector<Pose> before;
+  for (const XrReferenceSpaceType type : types) before.push_back(origins.in_world(type, change));
+  origins.recenter(recenter.space, change, recenter.pose);
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
+    event.session = handle_of<XrSession>(*this);
+    event.referenceSpaceType = types[i];
+    event.changeTime = change;
+    event.poseValid = recenter.pose_valid ? XR_TRUE : XR_FALSE;
+    event.poseInPreviousSpace =
+        to_xr(recenter.pose_valid ? inverse(before[i]) * origins.in_world(types[i], change) : Pose{});
+    instance().push_event(event);
+  }
+}
+
 XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session_handle) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
@@ -96,6 +145,7 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
           "a session exists already; one is allowed");
   auto& session = runtime().registry.create<Session>(&instance, runtime().script);
+  ++runtime().made.session;
   session.enter(XR_SESSION_STATE_IDLE);
   session.enter(XR_SESSION_STATE_READY);
   *session_handle = handle_of<XrSession>(session);
@@ -104,12 +154,10 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
 
 XrResult destroy_session(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
-  // No event may name a session that no longer exists.
+  // No event may name a session that no longer exists. Events that name one have it behind `next`.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
-    if (event.type == XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED)
-      return reinterpret_cast<const XrEventDataInteractionProfileChanged&>(event).session == handle;
-    return event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED &&
-           reinterpret_cast<const XrEventDataSessionStateChanged&>(event).session == handle;
+    return event.type != XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING &&
+           reinterpret_cast<const XrEventDataInteractionProfileChanged&>(event).session == handle;
   });
   runtime().registry.destroy(session);
   runtime().frame_begun.notify_all();
@@ -127,8 +175,11 @@ XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   session.exit_requested = false;
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
+  session.frames.since_begin = 0;
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
-  session.go_to(XR_SESSION_STATE_FOCUSED);
+  if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
+  // "The runtime must queue this event upon a successful call to xrBeginSession".
+  session.report_presence();
   return XR_SUCCESS;
 }
 

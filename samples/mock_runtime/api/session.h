@@ -9,10 +9,11 @@ namespace hrt::mock {
 
 /// Where the frame loop is.
 struct FrameLoop {
-  bool waited = false;      ///< a frame has been waited for and not begun
-  bool begun = false;       ///< a frame has been begun and not ended
-  XrTime next_start = 0;    ///< of the next frame interval
-  XrTime last_display = 0;  ///< predicted for the latest frame
+  bool waited = false;           ///< a frame has been waited for and not begun
+  bool begun = false;            ///< a frame has been begun and not ended
+  std::int64_t since_begin = 0;  ///< frames waited for since xrBeginSession
+  XrTime next_start = 0;         ///< of the next frame interval
+  XrTime last_display = 0;       ///< predicted for the latest frame
 };
 
 /// A session, always headless; at most one exists.
@@ -34,6 +35,9 @@ class Session : public Object {
   /// loss is pending.
   void go_to(XrSessionState state);
 
+  /// Queues the event of XR_EXT_user_presence, if it is enabled.
+  void report_presence();
+
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
@@ -45,9 +49,12 @@ class Session : public Object {
 
  private:
   void happen(const ScriptEvent& event);
+  void happen(const Recenter& recenter);
+  void happen(const DeviceEvent& event);
   void report_state();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
+  bool user_present_ = true;
   XrTime created_;
   std::vector<ScriptEvent> events_;  // still to come
   World world_;

@@ -1,13 +1,12 @@
 #include "samples/mock_runtime/api/space.h"
 
+#include "samples/mock_runtime/api/chain.h"
 #include "samples/mock_runtime/api/two_call.h"
 #include "samples/mock_runtime/api/views.h"
 
 namespace hrt::mock {
 namespace {
 
-constexpr std::array reference_spaces{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL,
-                                      XR_REFERENCE_SPACE_TYPE_STAGE};
 // Within a seated user's reach.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
 constexpr double half_eye_distance_m = 0.0315;
@@ -17,41 +16,62 @@ constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-void require_reference_space(XrReferenceSpaceType type) {
-  const bool present =
-      std::find(reference_spaces.begin(), reference_spaces.end(), type) != reference_spaces.end();
-  if (present) return;
-  switch (type) {
-    case XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT:
-    case XR_REFERENCE_SPACE_TYPE_COMBINED_EYE_VARJO:
-      throw Error{XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, "reference spaces are VIEW, LOCAL and STAGE"};
-    default:
-      throw Error{XR_ERROR_VALIDATION_FAILURE, "no such reference space type"};
-  }
+std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
+  std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
+  if (runtime().script.stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
+  if (session.instance().version_1_1() || session.instance().enabled(Extension::local_floor))
+    types.push_back(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
+  return types;
+}
+
+void require_reference_space(const Session& session, XrReferenceSpaceType type) {
+  const auto types = reference_spaces(session);
+  require(std::find(types.begin(), types.end(), type) != types.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
+          "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
+}
+
+template <typename Location>
+void write_location(const std::optional<Motion>& motion, Location& location) {
+  location.locationFlags = motion ? all_location_flags : 0;
+  location.pose = to_xr(motion ? motion->pose : Pose{});
+}
+template <typename Velocity>
+void write_velocity(const std::optional<Motion>& motion, Velocity& velocity) {
+  velocity.velocityFlags = motion ? XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT
+                                  : XrSpaceVelocityFlags{0};
+  velocity.linearVelocity = velocity.angularVelocity = {0.0F, 0.0F, 0.0F};
+  if (!motion) return;
+  velocity.linearVelocity = to_xr(motion->velocity_m_per_s);
+  velocity.angularVelocity = to_xr(motion->angular_velocity_rad_per_s);
 }
 
 }  // namespace
 
-std::optional<Pose> Space::in_world(XrTime) const {
+std::optional<Motion> Space::motion(XrTime time) const {
   if (const auto* action = std::get_if<ActionOrigin>(&origin)) {
-    const auto pose = session().input.pose(action->action, action->subaction);
-    return pose ? std::optional(*pose * offset) : std::nullopt;
+    const auto motion = session().input.motion(action->action, action->subaction, time);
+    return motion ? std::optional(*motion * offset) : std::nullopt;
   }
-  if (std::get<XrReferenceSpaceType>(origin) == XR_REFERENCE_SPACE_TYPE_STAGE) return offset;
-  return local_space_in_world() * offset;  // VIEW too: the user looks straight ahead
+  const auto type = std::get<XrReferenceSpaceType>(origin);
+  if (type == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
+  return Motion{session().world().origins.in_world(type, time) * offset};
 }
 
-std::optional<Pose> locate(const Space& space, const Space& base, XrTime time) {
-  const auto of = space.in_world(time);
-  const auto in = base.in_world(time);
+std::optional<Pose> Space::in_world(XrTime time) const {
+  const auto moving = motion(time);
+  return moving ? std::optional(moving->pose) : std::nullopt;
+}
+
+std::optional<Motion> locate(const Space& space, const Space& base, XrTime time) {
+  const auto of = space.motion(time);
+  const auto in = base.motion(time);
   if (!of || !in) return std::nullopt;
-  return inverse(*in) * *of;
+  return relative(*of, *in);
 }
 
 XrResult enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
                                     XrReferenceSpaceType* types) {
-  runtime().registry.get<Session>(handle);
-  two_call(reference_spaces, capacity, count, types);
+  two_call(reference_spaces(runtime().registry.get<Session>(handle)), capacity, count, types);
   return XR_SUCCESS;
 }
 
@@ -59,7 +79,7 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
-  require_reference_space(info->referenceSpaceType);
+  require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
   *space = handle_of<XrSpace>(
       runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), pose));
@@ -85,9 +105,9 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
 }
 
 XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds) {
-  runtime().registry.get<Session>(handle);
+  const auto& session = runtime().registry.get<Session>(handle);
   require_pointer(bounds, "bounds");
-  require_reference_space(type);
+  require_reference_space(session, type);
   const bool bounded = type == XR_REFERENCE_SPACE_TYPE_STAGE;
   *bounds = bounded ? stage_bounds_m : XrExtent2Df{0.0F, 0.0F};
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
@@ -100,17 +120,47 @@ XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceL
   require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE,
           "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  const auto pose = locate(space, base, time);
-  location->locationFlags = pose ? all_location_flags : 0;
-  location->pose = to_xr(pose.value_or(Pose{}));
-  for (auto* next = static_cast<XrBaseOutStructure*>(location->next); next != nullptr; next = next->next) {
-    if (next->type != XR_TYPE_SPACE_VELOCITY) continue;
-    auto& velocity = *reinterpret_cast<XrSpaceVelocity*>(next);
-    velocity.velocityFlags = pose ? XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT
-                                  : XrSpaceVelocityFlags{0};
-    velocity.linearVelocity = velocity.angularVelocity = {0.0F, 0.0F, 0.0F};
+  const auto located = locate(space, base, time);
+  write_location(located, *location);
+  if (auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY))
+    write_velocity(located, *velocity);
+  return XR_SUCCESS;
+}
+
+XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
+  auto& session = runtime().registry.get<Session>(handle);
+  require_struct(info, XR_TYPE_SPACES_LOCATE_INFO, "locateInfo");
+  require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
+  require(info->spaceCount > 0, XR_ERROR_VALIDATION_FAILURE, "spaceCount is 0");
+  require_pointer(info->spaces, "spaces");
+  require(locations->locationCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
+          "locationCount is not spaceCount");
+  require_pointer(locations->locations, "locations");
+  auto* velocities = chained<XrSpaceVelocities>(locations->next, XR_TYPE_SPACE_VELOCITIES);
+  if (velocities != nullptr) {
+    require(velocities->velocityCount == info->spaceCount, XR_ERROR_VALIDATION_FAILURE,
+            "velocityCount is not spaceCount");
+    require_pointer(velocities->velocities, "velocities");
+  }
+  const auto of_session = [&](XrSpace space) -> const Space& {
+    const auto& found = runtime().registry.get<Space>(space);
+    require(found.parent() == &session, XR_ERROR_VALIDATION_FAILURE, "a space is of another session");
+    return found;
+  };
+  const Space& base = of_session(info->baseSpace);
+  require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  std::vector<const Space*> spaces;
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&of_session(info->spaces[i]));
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
+    const auto located = locate(*spaces[i], base, info->time);
+    write_location(located, locations->locations[i]);
+    if (velocities != nullptr) write_velocity(located, velocities->velocities[i]);
   }
   return XR_SUCCESS;
+}
+
+XrResult locate_spaces_khr(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
+  return locate_spaces(handle, info, locations);
 }
 
 XrResult destroy_space(XrSpace handle) {
@@ -130,9 +180,10 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
   for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
     require_struct(&views[i], XR_TYPE_VIEW, "views");
   const auto in_world = space.in_world(info->displayTime);
+  const Pose head = session.world().head(info->displayTime).pose;
   two_call(std::array{-half_eye_distance_m, half_eye_distance_m}, capacity, count, views,
            [&](XrView& view, double right_m) {
-             const Pose eye = local_space_in_world() * Pose{.position_m = {right_m, 0.0, 0.0}};
+             const Pose eye = head * Pose{.position_m = {right_m, 0.0, 0.0}};
              view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
              view.fov = field_of_view;
            });

@@ -26,14 +26,15 @@ class Space : public Object {
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  /// World pose at a time; none while not tracked.
+  /// In the world at a time; none while not tracked.
+  std::optional<Motion> motion(XrTime time) const;
   std::optional<Pose> in_world(XrTime time) const;
 
   Origin origin;
   Pose offset;
 };
 
-/// Pose of `space` in `base`; none while one of the two is not tracked.
-std::optional<Pose> locate(const Space& space, const Space& base, XrTime time);
+/// `space` in `base`; none while one of the two is not tracked.
+std::optional<Motion> locate(const Space& space, const Space& base, XrTime time);
 
 }  // namespace hrt::mock

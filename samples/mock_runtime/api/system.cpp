@@ -1,6 +1,7 @@
 // The system, its blend modes and its views.
 #include <cstdio>
 
+#include "samples/mock_runtime/api/chain.h"
 #include "samples/mock_runtime/api/instance.h"
 #include "samples/mock_runtime/api/two_call.h"
 #include "samples/mock_runtime/api/views.h"
@@ -19,9 +20,6 @@ XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* 
   runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_SYSTEM_GET_INFO, "getInfo");
   require_pointer(system, "systemId");
-  require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY ||
-              info->formFactor == XR_FORM_FACTOR_HANDHELD_DISPLAY,
-          XR_ERROR_VALIDATION_FAILURE, "no such form factor");
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
           "the only form factor is a head-mounted display");
   *system = the_system;
@@ -37,11 +35,14 @@ XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemPro
   std::snprintf(properties->systemName, sizeof(properties->systemName), "HRTX ridged plate, simulated");
   properties->graphicsProperties = {view_image_height, view_image_width, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
-  for (auto* next = static_cast<XrBaseOutStructure*>(properties->next); next != nullptr; next = next->next)
-    if (next->type == XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT &&
-        instance.enabled(Extension::hand_tracking))
-      reinterpret_cast<XrSystemHandTrackingPropertiesEXT*>(next)->supportsHandTracking =
-          runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
+  if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,
+                                                               XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+      hands != nullptr && instance.enabled(Extension::hand_tracking))
+    hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
+  if (auto* presence = chained<XrSystemUserPresencePropertiesEXT>(
+          properties->next, XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT);
+      presence != nullptr && instance.enabled(Extension::user_presence))
+    presence->supportsUserPresence = XR_TRUE;
   return XR_SUCCESS;
 }
 

@@ -1,4 +1,4 @@
-// Injected faults: the n-th call of a function fails with a chosen error, or is delayed.
+// Injected faults: the n-th call of a function fails with a chosen error, is delayed, or never returns.
 #pragma once
 
 #include <openxr/openxr.h>
@@ -13,25 +13,43 @@
 
 namespace hrt::mock {
 
+/// Which instance and which session of the process, each counted from 1; 0 in a script: any.
+struct Scope {
+  std::uint64_t instance = 0;
+  std::uint64_t session = 0;
+
+  bool includes(const Scope& now) const {
+    return (instance == 0 || instance == now.instance) && (session == 0 || session == now.session);
+  }
+};
+
 struct CallFault {
   FunctionId function;
-  std::uint64_t call;              ///< first affected call, counted from 1
+  Scope scope;
+  std::uint64_t call;              ///< first affected call within the scope, counted from 1
   std::uint64_t count;             ///< affected calls in a row
   std::chrono::nanoseconds delay;  ///< in real time, before the call
+  bool blocks;                     ///< the call never returns
   std::optional<XrResult> result;  ///< the error; none: the call proceeds
 };
 
 class Faults {
  public:
   Faults() = default;
-  explicit Faults(std::vector<CallFault> faults) : faults_(std::move(faults)) {}
+  explicit Faults(const std::vector<CallFault>& faults) {
+    for (const CallFault& fault : faults) faults_.push_back({fault, 0});
+  }
 
-  /// Counts a call; returns its fault, if any.
-  std::optional<CallFault> next(FunctionId function);
+  /// Counts a call that is made within `now`; returns its fault, if any.
+  std::optional<CallFault> next(FunctionId function, const Scope& now);
+  bool empty() const { return faults_.empty(); }
 
  private:
-  std::vector<CallFault> faults_;
-  std::array<std::uint64_t, static_cast<std::size_t>(FunctionId::count)> calls_{};
+  struct Counted {
+    CallFault fault;
+    std::uint64_t calls;  // within its scope so far
+  };
+  std::vector<Counted> faults_;
 };
 
 const char* name_of(FunctionId function);

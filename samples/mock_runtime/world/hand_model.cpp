@@ -1,5 +1,7 @@
 #include "samples/mock_runtime/world/hand_model.h"
 
+#include "samples/mock_runtime/world/fingers.h"
+
 namespace hrt::mock {
 namespace {
 
@@ -56,9 +58,12 @@ bool is_tip(int joint) {
          (joint >= XR_HAND_JOINT_INDEX_TIP_EXT && (joint - XR_HAND_JOINT_INDEX_TIP_EXT) % 5 == 0);
 }
 
-HandJoints right_hand_at_origin() {
+HandJoints right_hand(const Fingers& fingers) {
   const auto& rest = rest_hand();
-  const auto at = [&](int joint) { return rest[static_cast<std::size_t>(joint)].position_m; };
+  JointPositions bent_m;
+  for (std::size_t joint = 0; joint < rest.size(); ++joint) bent_m[joint] = rest[joint].position_m;
+  bend(fingers, bent_m);
+  const auto at = [&](int joint) { return bent_m[static_cast<std::size_t>(joint)]; };
   HandJoints joints;
   for (int joint = XR_HAND_JOINT_WRIST_EXT; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
     Eigen::Vector3d forward;
@@ -95,15 +100,24 @@ HandJoints mirrored(HandJoints joints) {
 
 }  // namespace
 
-HandJoints pose_hand(XrHandEXT hand, const Eigen::Vector3d& index_tip_m,
-                     const Eigen::Quaterniond& orientation) {
-  static const HandJoints right = right_hand_at_origin();
-  static const HandJoints left = mirrored(right);
-  HandJoints joints = hand == XR_HAND_LEFT_EXT ? left : right;
+Fingers between(const Fingers& from, const Fingers& to, double share) {
+  Fingers fingers{from.curl, from.pinch + share * (to.pinch - from.pinch)};
+  if (from.curl && to.curl)
+    for (std::size_t i = 0; i < 5; ++i) (*fingers.curl)[i] += share * ((*to.curl)[i] - (*from.curl)[i]);
+  return fingers;
+}
+
+HandJoints shape_hand(XrHandEXT hand, const Fingers& fingers) {
+  const HandJoints right = right_hand(fingers);
+  return hand == XR_HAND_LEFT_EXT ? mirrored(right) : right;
+}
+
+HandJoints place_hand(HandJoints shape, const Eigen::Vector3d& index_tip_m,
+                      const Eigen::Quaterniond& orientation) {
   const Eigen::Vector3d wrist_m =
-      index_tip_m - orientation * joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position_m;
-  for (HandJoint& joint : joints) joint.pose = Pose{orientation, wrist_m} * joint.pose;
-  return joints;
+      index_tip_m - orientation * shape[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position_m;
+  for (HandJoint& joint : shape) joint.pose = Pose{orientation, wrist_m} * joint.pose;
+  return shape;
 }
 
 }  // namespace hrt::mock

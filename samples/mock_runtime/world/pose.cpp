@@ -1,8 +1,16 @@
 #include "samples/mock_runtime/world/pose.h"
 
+#include "core/trigonometry.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {
+
+Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
+  Eigen::Quaterniond turned;
+  turned.w() = cos_deg(angle_deg / 2.0);
+  turned.vec() = sin_deg(angle_deg / 2.0) * axis;
+  return turned;
+}
 
 Pose checked_pose(const XrPosef& pose) {
   const Eigen::Quaterniond orientation(

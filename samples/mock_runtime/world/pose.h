@@ -25,6 +25,9 @@ inline Pose inverse(const Pose& pose) {
   return {back, -(back * pose.position_m)};
 }
 
+/// The rotation by an angle about a unit axis.
+Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis);
+
 /// Throws XR_ERROR_POSE_INVALID unless every number is finite and the quaternion is of unit length within
 /// 1 % (specification, "Pose": "must be within 1% of unit length").
 Pose checked_pose(const XrPosef& pose);

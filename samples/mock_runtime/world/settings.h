@@ -5,10 +5,13 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/plate_model.h"
+#include "samples/mock_runtime/world/hand_model.h"
 #include "samples/mock_runtime/world/people.h"
+#include "samples/mock_runtime/world/pose_path.h"
 
 namespace hrt::mock {
 
@@ -23,16 +26,25 @@ struct TrackerSettings {
   Velocities velocities = Velocities::full;
 };
 
-/// Where an index fingertip is at a time.
-struct Keyframe {
-  std::int64_t time_ns;            ///< since the session was created
-  Eigen::Vector3d index_tip_m;     ///< in LOCAL space
-  Eigen::Quaterniond orientation;  ///< of the wrist, in LOCAL space
+/// How a hand's fingers are bent at a time of its path.
+struct FingerKeyframe {
+  std::int64_t time_ns;  ///< since the session was created
+  Fingers fingers;
 };
+
+/// What a hand is tracked by: XR_EXT_hand_tracking_data_source.
+enum class HandSource { unobstructed, controller };
 
 struct HandSettings {
   bool tracked = false;
-  std::vector<Keyframe> path;  ///< in order of time; empty: at rest
+  std::vector<Keyframe> path;  ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
+  std::vector<FingerKeyframe> fingers;  ///< at the times of the path; empty: it points
+  HandSource source = HandSource::unobstructed;
+};
+
+struct ControllerSettings {
+  std::string profile;         ///< interaction profile path; empty: off
+  std::vector<Keyframe> path;  ///< of the grip, in LOCAL; empty: before the user
 };
 
 struct WorldSettings {
@@ -41,6 +53,8 @@ struct WorldSettings {
   TrackerSettings tracker;
   PlateDynamics servo;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
+  std::array<ControllerSettings, 2> controllers;                  ///< left, right
+  std::vector<Keyframe> head;                                     ///< in LOCAL; empty: at its origin
 };
 
 }  // namespace hrt::mock

@@ -1,7 +1,6 @@
 #include "samples/mock_runtime/world/world.h"
 
 #include <algorithm>
-#include <numbers>
 
 #include "core/simulation/random.h"
 #include "core/trigonometry.h"
@@ -9,34 +8,11 @@
 namespace hrt::mock {
 namespace {
 
-// A seated user's eyes are this far above the floor.
-constexpr double eye_height_m = 1.2;
 // The elbow, in plate coordinates: to the right (left) of and behind the plate.
 constexpr double elbow_right_m = 0.10;
 constexpr double elbow_behind_m = 0.45;
 // The hand points down onto the plate by this much.
 constexpr double hand_pitch_deg = -20.0;
-
-Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
-  Eigen::Quaterniond turned;
-  turned.w() = cos_deg(angle_deg / 2.0);
-  turned.vec() = sin_deg(angle_deg / 2.0) * axis;
-  return turned;
-}
-
-// From one orientation to another, the short way round.
-struct TurnBetween {
-  Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
-  double angle_deg = 0.0;
-};
-
-TurnBetween turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
-  Eigen::Quaterniond turned = to * from.conjugate();
-  if (turned.w() < 0.0) turned.coeffs() = -turned.coeffs();
-  const double sine = turned.vec().norm();
-  if (sine < 1e-12) return {};
-  return {turned.vec() / sine, 2.0 * atan2_deg(sine, turned.w())};
-}
 
 Eigen::Quaterniond hand_orientation(double yaw_deg) {
   return turn(yaw_deg, Eigen::Vector3d::UnitY()) * turn(hand_pitch_deg, Eigen::Vector3d::UnitX());
@@ -45,15 +21,15 @@ Eigen::Quaterniond hand_orientation(double yaw_deg) {
 // The index tip of a hand without path or reach.
 HandState resting_hand(XrHandEXT side) {
   const double right_m = side == XR_HAND_LEFT_EXT ? -0.15 : 0.15;
-  return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35), hand_orientation(0.0),
-          Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  return {local_space_in_world() * Eigen::Vector3d(right_m, -0.40, -0.35),
+          hand_orientation(0.0),
+          Eigen::Vector3d::Zero(),
+          Eigen::Vector3d::Zero(),
+          {},
+          {}};
 }
 
 }  // namespace
-
-Pose local_space_in_world() {
-  return {Eigen::Quaterniond::Identity(), {0.0, eye_height_m, 0.0}};
-}
 
 Eigen::Quaterniond resting_hand_orientation() {
   return hand_orientation(0.0);
@@ -115,34 +91,54 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
   if (settings_.tracker.period_ns > 0) sampled -= sampled % settings_.tracker.period_ns;
   HandState state = hand.reach ? sliding_hand(hand, side, sampled) : hand_on_path(side, sampled);
   state.index_tip_m += tracker_noise_m(side, sampled) + hand.jump_m;
-  if (hand.frozen_at)
+  if (hand.frozen_at) {
+    state.fingers_soon = state.fingers;
     state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
+  }
   return state;
 }
 
 HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
-  const std::vector<Keyframe>& path = settings_of(side).path;
-  if (path.empty()) return resting_hand(side);
-  const auto in_world = [](const Eigen::Vector3d& tip_m, const Eigen::Quaterniond& orientation) {
-    return HandState{local_space_in_world() * tip_m, orientation, Eigen::Vector3d::Zero(),
-                     Eigen::Vector3d::Zero()};
-  };
+  const HandSettings& settings = settings_of(side);
+  if (settings.path.empty()) return resting_hand(side);
+  const Motion motion = motion_at(settings.path, time - start_);
+  HandState state{local_space_in_world() * motion.pose.position_m,
+                  motion.pose.orientation,
+                  motion.velocity_m_per_s,
+                  motion.angular_velocity_rad_per_s,
+                  {},
+                  {}};
+  const auto& keys = settings.fingers;
   const auto after =
-      std::upper_bound(path.begin(), path.end(), time - start_,
-                       [](XrDuration t, const Keyframe& keyframe) { return t < keyframe.time_ns; });
-  if (after == path.begin()) return in_world(path.front().index_tip_m, path.front().orientation);
-  if (after == path.end()) return in_world(path.back().index_tip_m, path.back().orientation);
-  const Keyframe& from = *std::prev(after);
-  const Keyframe& to = *after;
-  const double duration_s = static_cast<double>(to.time_ns - from.time_ns) * 1e-9;
-  const double share = static_cast<double>(time - start_ - from.time_ns) * 1e-9 / duration_s;
-  const TurnBetween turned = turn_between(from.orientation, to.orientation);
-  HandState state = in_world(from.index_tip_m + share * (to.index_tip_m - from.index_tip_m),
-                             turn(share * turned.angle_deg, turned.axis) * from.orientation);
-  state.index_tip_velocity_m_per_s = (to.index_tip_m - from.index_tip_m) / duration_s;
-  state.angular_velocity_rad_per_s =
-      turned.axis * (turned.angle_deg * (std::numbers::pi / 180.0) / duration_s);
+      std::upper_bound(keys.begin(), keys.end(), time - start_,
+                       [](XrDuration t, const FingerKeyframe& key) { return t < key.time_ns; });
+  if (after == keys.begin()) {
+    state.fingers = state.fingers_soon = keys.front().fingers;
+  } else if (after == keys.end()) {
+    state.fingers = state.fingers_soon = keys.back().fingers;
+  } else {
+    const FingerKeyframe& from = *std::prev(after);
+    const auto duration_ns = static_cast<double>(after->time_ns - from.time_ns);
+    const double share = static_cast<double>(time - start_ - from.time_ns) / duration_ns;
+    state.fingers = between(from.fingers, after->fingers, share);
+    state.fingers_soon = between(from.fingers, after->fingers, share + soon_s * 1e9 / duration_ns);
+  }
   return state;
+}
+
+Motion World::head(XrTime time) const {
+  return settings_.head.empty() ? Motion{local_space_in_world()} : on_path(settings_.head, time);
+}
+
+std::optional<Motion> World::controller(XrHandEXT side, XrTime time) const {
+  const auto& path = settings_.controllers[side == XR_HAND_LEFT_EXT ? 0 : 1].path;
+  return path.empty() ? std::nullopt : std::optional(on_path(path, time));
+}
+
+Motion World::on_path(const std::vector<Keyframe>& path, XrTime time) const {
+  Motion motion = motion_at(path, time - start_);
+  motion.pose.position_m = local_space_in_world() * motion.pose.position_m;  // LOCAL is not turned
+  return motion;
 }
 
 HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const {
@@ -155,7 +151,9 @@ HandState World::sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) con
   return {plate_ * Eigen::Vector3d(tip_m.x(), hand.height_m, tip_m.y()),
           plate_.orientation * hand_orientation(yaw_deg),
           plate_.orientation * Eigen::Vector3d(velocity.x(), 0.0, velocity.y()),
-          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0)};
+          plate_.orientation * Eigen::Vector3d(0.0, yaw_rad_per_s, 0.0),
+          {},
+          {}};
 }
 
 Eigen::Vector3d World::tracker_noise_m(XrHandEXT side, XrTime time) const {

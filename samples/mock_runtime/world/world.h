@@ -1,5 +1,5 @@
 // The simulation: a ridged plate on a servo, two hands, and the person whose fingertip slides over
-// the plate. All poses are in world coordinates, which are those of STAGE space.
+// the plate. All poses are in world coordinates (origins.h).
 #pragma once
 
 #include <openxr/openxr.h>
@@ -7,14 +7,11 @@
 #include <array>
 #include <optional>
 
-#include "samples/mock_runtime/world/pose.h"
+#include "samples/mock_runtime/world/origins.h"
 #include "samples/mock_runtime/world/reach.h"
 #include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
-
-/// The pose of LOCAL space and of the seated user's head.
-Pose local_space_in_world();
 
 /// Of the wrist of a hand that points straight ahead, down onto a plate.
 Eigen::Quaterniond resting_hand_orientation();
@@ -25,7 +22,11 @@ struct HandState {
   Eigen::Quaterniond orientation;  ///< of the wrist
   Eigen::Vector3d index_tip_velocity_m_per_s;
   Eigen::Vector3d angular_velocity_rad_per_s;
+  Fingers fingers;
+  Fingers fingers_soon;  ///< after soon_s, for the velocities of the joints
 };
+
+inline constexpr double soon_s = 1e-4;
 
 class World {
  public:
@@ -56,6 +57,17 @@ class World {
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
+  /// The head; a controller's grip, if it has a path.
+  Motion head(XrTime time) const;
+  std::optional<Motion> controller(XrHandEXT hand, XrTime time) const;
+  const ControllerSettings& controller_settings(XrHandEXT hand) const {
+    return settings_.controllers[hand == XR_HAND_LEFT_EXT ? 0 : 1];
+  }
+  HandSource hand_source(XrHandEXT hand) const { return settings_of(hand).source; }
+
+  /// The origins of the reference spaces.
+  Origins origins;
+
   Velocities velocities() const { return settings_.tracker.velocities; }
 
   /// Lets time pass up to `now`. Commands given before now have been given before.
@@ -81,6 +93,7 @@ class World {
     return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
   }
   HandState hand_on_path(XrHandEXT side, XrTime time) const;
+  Motion on_path(const std::vector<Keyframe>& path, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;
   Eigen::Vector3d tracker_noise_m(XrHandEXT side, XrTime time) const;
 

@@ -44,12 +44,20 @@ void Table::print_header(std::ostream& out) const {
                 "miss deg", "miss mm", "touch", "assumed", "holds", "frames", "lost", "bound");
 }
 
+std::string Table::names(const TargetPair& pair) const {
+  return left(cut_to(pair.virtual_name, virtual_width_), virtual_width_) +
+         format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg)) +
+         left(cut_to(pair.real_name, real_width_), real_width_) +
+         format(" %+6.1f  ", without_minus_zero(pair.real_direction_deg));
+}
+
+void Table::print_row(std::ostream& out, const TargetPair& pair, const std::string& what) const {
+  out << names(pair) << what << std::endl;
+}
+
 void Table::print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const {
-  out << left(cut_to(pair.virtual_name, virtual_width_), virtual_width_)
-      << format(" %+6.1f  ", without_minus_zero(pair.virtual_direction_deg))
-      << left(cut_to(pair.real_name, real_width_), real_width_)
-      << format(" %+6.1f  %+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s",
-                without_minus_zero(pair.real_direction_deg), result.final_direction_deg,
+  out << names(pair)
+      << format("%+9.2f %8s %+8.2f %7.1f  %5s %7.3f %7s %7d %5d %5.0f%%  %s", result.final_direction_deg,
                 result.peak_felt_error_deg > 0.0 ? format("%.1f", result.peak_felt_error_deg).c_str() : "-",
                 result.miss_deg, result.miss_m * 1e3,
                 result.is_truth ? format("%.3f", result.tactile_weight).c_str() : "-", result.assumed_weight,
@@ -87,6 +95,8 @@ void print_summary(std::ostream& out, const Tally& tally) {
                 tolerance_deg);
   if (tally.holdable < tally.reaches)
     out << format("; %d more cannot be held", tally.reaches - tally.holdable);
+  if (tally.unfinished > 0) out << format("; %d more did not begin or end in time", tally.unfinished);
+  if (tally.skipped > 0) out << format("; %d more were skipped", tally.skipped);
   out << ".\n";
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <iosfwd>
+#include <string>
 #include <vector>
 
 #include "samples/reach/reach.h"
@@ -23,10 +24,14 @@ class Table {
   /// Column titles with units.
   void print_header(std::ostream& out) const;
   void print_row(std::ostream& out, const TargetPair& pair, const ReachResult& result) const;
+  /// Of a reach that was not made: what became of it, in a word or two.
+  void print_row(std::ostream& out, const TargetPair& pair, const std::string& what) const;
   /// The meaning of the columns.
   void print_legend(std::ostream& out) const;
 
  private:
+  std::string names(const TargetPair& pair) const;
+
   std::size_t virtual_width_ = 0;
   std::size_t real_width_ = 0;
 };
@@ -37,6 +42,8 @@ struct Tally {
   int holdable = 0;                   ///< of these, the ones whose gap the plate can hold
   int holdable_reached = 0;           ///< of these, the ones that were reached
   int holdable_within_tolerance = 0;  ///< of the holdable ones
+  int unfinished = 0;  ///< not among the reaches: without a finger at the start, or without an end
+  int skipped = 0;     ///< not among the reaches, by the person's wish
 
   void add(const TargetPair& pair, const ReachResult& result);
 };

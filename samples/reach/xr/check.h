@@ -1,10 +1,13 @@
-// Every OpenXR call goes through CHECK_XR, which names the call and its place if it fails.
+// Every OpenXR call is watched (watchdog.h), and goes through CHECK_XR, which names the call and its place if
+// it fails.
 #pragma once
 
 #include <openxr/openxr.h>
 
 #include <stdexcept>
 #include <string>
+
+#include "samples/reach/xr/watchdog.h"
 
 namespace hrt::reach {
 
@@ -31,9 +34,13 @@ class XrLost : public XrFailure {
 /// every other error.
 XrResult check_xr(XrResult result, const char* expression, const char* file, int line);
 
-#define CHECK_XR(command) ::hrt::reach::check_xr((command), #command, __FILE__, __LINE__)
+#define CHECK_XR(command) ::hrt::reach::check_xr(CALL_XR(command), #command, __FILE__, __LINE__)
 
 /// For a function of an extension, called through a pointer: `name` is its name in the API.
-#define CHECK_XR_NAMED(name, result) ::hrt::reach::check_xr((result), name, __FILE__, __LINE__)
+#define CHECK_XR_NAMED(name, command) \
+  ::hrt::reach::check_xr(CALL_XR_NAMED(name, command), name, __FILE__, __LINE__)
+
+/// For the result of a call that has been made (CALL_XR).
+#define CHECK_XR_RESULT(name, result) ::hrt::reach::check_xr((result), name, __FILE__, __LINE__)
 
 }  // namespace hrt::reach

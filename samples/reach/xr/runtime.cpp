@@ -23,9 +23,9 @@ bool means_no_runtime(XrResult result) {
 
 std::vector<std::string> available_extensions() {
   std::uint32_t count = 0;
-  const XrResult first = xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr);
+  const XrResult first = CALL_XR(xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
   if (means_no_runtime(first)) fail_without_runtime(first);
-  CHECK_XR_NAMED("xrEnumerateInstanceExtensionProperties", first);
+  CHECK_XR_RESULT("xrEnumerateInstanceExtensionProperties", first);
   std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
   CHECK_XR(xrEnumerateInstanceExtensionProperties(nullptr, count, &count, properties.data()));
   std::vector<std::string> names;
@@ -45,13 +45,13 @@ XrRuntime::XrRuntime(const std::vector<std::string>& optional_extensions) {
   try {
     find_system();
   } catch (...) {
-    xrDestroyInstance(instance_);
+    CALL_XR(xrDestroyInstance(instance_));
     throw;
   }
 }
 
 XrRuntime::~XrRuntime() {
-  if (!abandoned_) xrDestroyInstance(instance_);
+  CALL_XR(xrDestroyInstance(instance_));
 }
 
 bool XrRuntime::enabled(const std::string& extension) const {
@@ -79,9 +79,9 @@ void XrRuntime::create_instance(const std::vector<std::string>& optional_extensi
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 0);
   info.enabledExtensionCount = static_cast<std::uint32_t>(names.size());
   info.enabledExtensionNames = names.data();
-  const XrResult result = xrCreateInstance(&info, &instance_);
+  const XrResult result = CALL_XR(xrCreateInstance(&info, &instance_));
   if (means_no_runtime(result)) fail_without_runtime(result);
-  CHECK_XR_NAMED("xrCreateInstance", result);
+  CHECK_XR_RESULT("xrCreateInstance", result);
 }
 
 void XrRuntime::find_system() {
@@ -94,12 +94,12 @@ void XrRuntime::find_system() {
 
   XrSystemGetInfo get_info{XR_TYPE_SYSTEM_GET_INFO};
   get_info.formFactor = XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY;
-  const XrResult result = xrGetSystem(instance_, &get_info, &system_);
+  const XrResult result = CALL_XR(xrGetSystem(instance_, &get_info, &system_));
   if (result == XR_ERROR_FORM_FACTOR_UNAVAILABLE || result == XR_ERROR_FORM_FACTOR_UNSUPPORTED)
     throw Failure(ExitCode::runtime_lacks, "the OpenXR runtime " + name_ +
                                                " has no head-mounted display to track hands with (" +
                                                to_string(result) + ")");
-  CHECK_XR_NAMED("xrGetSystem", result);
+  CHECK_XR_RESULT("xrGetSystem", result);
 
   XrSystemHandTrackingPropertiesEXT hand_tracking{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
   XrSystemProperties system_properties{XR_TYPE_SYSTEM_PROPERTIES, &hand_tracking};

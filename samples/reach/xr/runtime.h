@@ -31,10 +31,6 @@ class XrRuntime {
   const std::string& name() const { return name_; }
   bool enabled(const std::string& extension) const;
 
-  /// A call into the runtime did not return: nothing is destroyed any more.
-  void abandon() { abandoned_ = true; }
-  bool is_abandoned() const { return abandoned_; }
-
   /// A function of the API or of an enabled extension.
   template <class Function>
   Function function(const char* function_name) const {
@@ -51,7 +47,6 @@ class XrRuntime {
   std::string name_;
   XrInstance instance_ = XR_NULL_HANDLE;
   XrSystemId system_ = XR_NULL_SYSTEM_ID;
-  bool abandoned_ = false;
 };
 
 }  // namespace hrt::reach

@@ -1,8 +1,10 @@
 #include "samples/reach/xr/session.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "samples/reach/exit_code.h"
 #include "samples/reach/format.h"
@@ -13,7 +15,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr XrPosef identity{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 constexpr auto poll_period = 2ms;                // while there are no frames to wait for
 constexpr auto own_frame_period = 11'111'111ns;  // where the runtime's frames have no times: 90 Hz
 
@@ -36,11 +37,15 @@ bool can_be_observed(const XrHandJointLocationEXT& joint) {
 
 }  // namespace
 
-XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, const XrPosef& plate_pose,
-                                     std::chrono::milliseconds limit)
-    : runtime_(runtime), limit_(limit) {
+const char* name_of(XrReferenceSpaceType space) {
+  if (space == XR_REFERENCE_SPACE_TYPE_STAGE) return "STAGE";
+  return space == local_floor_space ? "LOCAL_FLOOR" : "LOCAL";
+}
+
+XrHeadlessSession::XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit)
+    : runtime_(runtime), limit_(limit), motion_(motion) {
   try {
-    create(plate_pose);
+    create();
   } catch (...) {
     destroy();
     throw;
@@ -51,7 +56,7 @@ XrHeadlessSession::~XrHeadlessSession() {
   destroy();
 }
 
-void XrHeadlessSession::create(const XrPosef& plate_pose) {
+void XrHeadlessSession::create() {
   create_hand_tracker_ = runtime_.function<PFN_xrCreateHandTrackerEXT>("xrCreateHandTrackerEXT");
   destroy_hand_tracker_ = runtime_.function<PFN_xrDestroyHandTrackerEXT>("xrDestroyHandTrackerEXT");
   locate_hand_joints_ = runtime_.function<PFN_xrLocateHandJointsEXT>("xrLocateHandJointsEXT");
@@ -63,14 +68,8 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO};
   session_info.systemId = runtime_.system();
   CHECK_XR(xrCreateSession(runtime_.instance(), &session_info, &session_));
-  frame_waiter_.emplace(session_);
 
-  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
-  space_info.referenceSpaceType = XR_REFERENCE_SPACE_TYPE_LOCAL;
-  space_info.poseInReferenceSpace = identity;
-  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &local_space_));
-  space_info.poseInReferenceSpace = plate_pose;
-  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &plate_space_));
+  find_spaces();
 
   for (const Hand hand : {Hand::left, Hand::right}) {
     XrHandTrackerCreateInfoEXT tracker_info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT};
@@ -81,25 +80,76 @@ void XrHeadlessSession::create(const XrPosef& plate_pose) {
   }
 }
 
+void XrHeadlessSession::find_spaces() {
+  std::uint32_t count = 0;
+  CHECK_XR(xrEnumerateReferenceSpaces(session_, 0, &count, nullptr));
+  spaces_.resize(count);
+  CHECK_XR(xrEnumerateReferenceSpaces(session_, count, &count, spaces_.data()));
+  if (has_space(local_floor_space)) floor_space_ = local_floor_space;
+  if (has_space(XR_REFERENCE_SPACE_TYPE_STAGE)) steady_space_ = floor_space_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+}
+
+bool XrHeadlessSession::has_space(XrReferenceSpaceType space) const {
+  return std::find(spaces_.begin(), spaces_.end(), space) != spaces_.end();
+}
+
+void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& pose) {
+  if (space != XR_REFERENCE_SPACE_TYPE_LOCAL && !has_space(space))
+    throw Failure(ExitCode::registration, "the OpenXR runtime " + runtime_.name() +
+                                              " does not have the space in which the plate was registered; "
+                                              "register it anew (--register)");
+  plate_base_ = space;
+  plate_pose_ = pose;
+  make_plate_space();
+}
+
+void XrHeadlessSession::begin_coordinates(XrReferenceSpaceType space) {
+  motion_.begin_anew(space);
+}
+
+void XrHeadlessSession::make_plate_space() {
+  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
+  space_info.referenceSpaceType = plate_base_;
+  space_info.poseInReferenceSpace = motion_.now(plate_base_, plate_pose_);
+  XrSpace placed = XR_NULL_HANDLE;
+  CHECK_XR(xrCreateReferenceSpace(session_, &space_info, &placed));
+  if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
+  plate_space_ = placed;
+}
+
+// What was announced of the plate's space holds from a time on.
+void XrHeadlessSession::follow_spaces(XrTime time) {
+  if (plate_space_ == XR_NULL_HANDLE) return;
+  const SpaceMotion::Change change = motion_.advance(plate_base_, time);
+  if (change == SpaceMotion::Change::none) return;
+  if (change == SpaceMotion::Change::unknown)
+    throw Failure(
+        ExitCode::registration,
+        std::string("the OpenXR runtime moved its ") + name_of(plate_base_) +
+            " space, as when its user recentres the view, and did not report where to: where the plate is "
+            "is no longer known; start again, and register it (--register FILE)");
+  make_plate_space();
+  ++recentrings_;
+}
+
 // Handles of a lost session or instance are destroyed too; the results of those calls are ignored.
 void XrHeadlessSession::destroy() {
-  if (is_blocked()) return;
-  frame_waiter_.reset();
   for (const XrHandTrackerEXT tracker : trackers_)
-    if (tracker != XR_NULL_HANDLE) destroy_hand_tracker_(tracker);
-  if (plate_space_ != XR_NULL_HANDLE) xrDestroySpace(plate_space_);
-  if (local_space_ != XR_NULL_HANDLE) xrDestroySpace(local_space_);
-  if (session_ != XR_NULL_HANDLE) xrDestroySession(session_);
+    if (tracker != XR_NULL_HANDLE) CALL_XR_NAMED("xrDestroyHandTrackerEXT", destroy_hand_tracker_(tracker));
+  if (plate_space_ != XR_NULL_HANDLE) CALL_XR(xrDestroySpace(plate_space_));
+  if (session_ != XR_NULL_HANDLE) CALL_XR(xrDestroySession(session_));
 }
 
 XrTime XrHeadlessSession::next_frame() {
   const auto give_up = Clock::now() + limit_;
   for (;;) {
-    throw_if_interrupted();
     poll_events();
     if (!running_) wait_until_running();
     const std::optional<XrTime> time = frame_of_runtime();
-    if (time && *time > last_frame_) return last_frame_ = *time;
+    if (time && *time > last_frame_) {
+      follow_spaces(*time);
+      return last_frame_ = *time;
+    }
     if (Clock::now() > give_up) fail("the OpenXR runtime's time stands still");
     if (!time) std::this_thread::sleep_for(poll_period);
   }
@@ -113,10 +163,10 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
     return time_now();
   }
   XrFrameState frame{XR_TYPE_FRAME_STATE};
-  const XrResult waited = wait_frame(frame);
+  const XrResult waited = CALL_XR(xrWaitFrame(session_, nullptr, &frame));
   if (waited == XR_ERROR_SESSION_NOT_RUNNING) return std::nullopt;  // an event is on its way
   const bool has_loop = waited != XR_ERROR_FUNCTION_UNSUPPORTED;
-  if (has_loop) CHECK_XR_NAMED("xrWaitFrame", waited);
+  if (has_loop) CHECK_XR_RESULT("xrWaitFrame", waited);
   if (!has_loop || frame.predictedDisplayTime <= 0) {
     frames_have_times_ = false;
     return time_now();
@@ -127,13 +177,6 @@ std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   end_info.environmentBlendMode = blend_mode_;
   CHECK_XR(xrEndFrame(session_, &end_info));
   return frame.predictedDisplayTime;
-}
-
-XrResult XrHeadlessSession::wait_frame(XrFrameState& frame) {
-  if (const std::optional<XrResult> waited = frame_waiter_->wait(frame, limit_)) return *waited;
-  runtime_.abandon();
-  throw Failure(ExitCode::runtime_blocked, "the OpenXR runtime " + runtime_.name() +
-                                               " has not returned from xrWaitFrame " + within(limit_));
 }
 
 XrTime XrHeadlessSession::time_now() const {
@@ -149,7 +192,6 @@ XrTime XrHeadlessSession::time_now() const {
 void XrHeadlessSession::wait_until_running() {
   const auto give_up = Clock::now() + limit_;
   while (!running_) {
-    throw_if_interrupted();
     if (Clock::now() > give_up) fail("the OpenXR runtime did not let the session run " + within(limit_));
     std::this_thread::sleep_for(poll_period);
     poll_events();
@@ -157,11 +199,17 @@ void XrHeadlessSession::wait_until_running() {
 }
 
 void XrHeadlessSession::poll_events() {
-  for (;;) {
+  for (const auto give_up = Clock::now() + limit_;;) {
+    throw_if_interrupted();
+    if (Clock::now() > give_up) fail("the OpenXR runtime's events do not end " + within(limit_));
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     if (CHECK_XR(xrPollEvent(runtime_.instance(), &event)) == XR_EVENT_UNAVAILABLE) return;
     if (event.type == XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING)
       throw XrLost(XR_ERROR_INSTANCE_LOST, "the runtime announced the loss of the instance");
+    if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
+      const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
+      if (change.session == session_ && change.referenceSpaceType == plate_base_) motion_.announce(change);
+    }
     if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
     const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
     if (change.session == session_) change_state(change.state);

@@ -4,13 +4,21 @@
 #include <array>
 #include <chrono>
 #include <optional>
+#include <vector>
 
-#include "samples/reach/xr/frame_waiter.h"
 #include "samples/reach/xr/runtime.h"
+#include "samples/reach/xr/space_motion.h"
 
 namespace hrt::reach {
 
 enum class Hand { left = 0, right = 1 };
+
+/// Of XR_EXT_local_floor and OpenXR 1.1, which Debian 12's header lacks; numbers of Khronos' registry.
+inline constexpr const char* local_floor_extension = "XR_EXT_local_floor";
+inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000426000);
+
+/// "STAGE", "LOCAL" or "LOCAL_FLOOR".
+const char* name_of(XrReferenceSpaceType space);
 
 /// An index fingertip. If not `tracked`, the position is meaningless.
 struct Fingertip {
@@ -21,17 +29,36 @@ struct Fingertip {
 /// One session from IDLE to its end. One thread.
 class XrHeadlessSession {
  public:
-  /// `plate_pose`: of the plate's mount in the LOCAL reference space. `limit` bounds every wait for the
-  /// runtime. Throws XrFailure.
-  XrHeadlessSession(XrRuntime& runtime, const XrPosef& plate_pose, std::chrono::milliseconds limit);
+  /// `motion` is that of the spaces, from session to session. `limit` bounds every wait for an event. Throws
+  /// XrFailure.
+  XrHeadlessSession(XrRuntime& runtime, SpaceMotion& motion, std::chrono::milliseconds limit);
   ~XrHeadlessSession();
   XrHeadlessSession(const XrHeadlessSession&) = delete;
   XrHeadlessSession& operator=(const XrHeadlessSession&) = delete;
 
   /// Waits for the next frame and returns its time, later than any before. Throws XrLost if the session must
   /// be created again; Failure (ExitCode::runtime_failed) if the runtime ended it or a wait exceeded its
-  /// limit; Failure (ExitCode::runtime_blocked) if xrWaitFrame did; Interrupted.
+  /// limit; Failure (ExitCode::registration) if the runtime moved the plate's space by an unknown amount;
+  /// Interrupted.
   XrTime next_frame();
+
+  /// A space whose origin stays where it is from run to run, if the runtime has one: STAGE, or else LOCAL.
+  XrReferenceSpaceType steady_space() const { return steady_space_; }
+  /// A space whose origin is on the floor: STAGE, or else LOCAL_FLOOR; LOCAL, at the user's eyes, if the
+  /// runtime knows no floor.
+  XrReferenceSpaceType floor_space() const { return floor_space_; }
+
+  /// Fingertips are located in the plate's coordinates from now on: its mount is at `pose` in a reference
+  /// space, in the coordinates that this space had at first. There it stays in the room when the runtime
+  /// moves its space. Throws Failure (ExitCode::registration) if the runtime lacks the space.
+  void place_plate(XrReferenceSpaceType space, const XrPosef& pose);
+  XrSpace plate_space() const { return plate_space_; }
+
+  /// The present coordinates of this space are its first ones from now on.
+  void begin_coordinates(XrReferenceSpaceType space);
+
+  /// How often the runtime has moved the space in which the plate is placed.
+  int recentrings() const { return recentrings_; }
 
   /// The fingertip at a time that next_frame() returned.
   Fingertip locate(Hand hand, XrTime time);
@@ -40,28 +67,33 @@ class XrHeadlessSession {
   void end();
 
   XrSession handle() const { return session_; }
-  XrSpace local_space() const { return local_space_; }
-  /// xrWaitFrame did not return in time: this session makes no more calls.
-  bool is_blocked() const { return runtime_.is_abandoned(); }
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  void create(const XrPosef& plate_pose);
+  void create();
+  void find_spaces();
+  bool has_space(XrReferenceSpaceType space) const;
+  void make_plate_space();
+  void follow_spaces(XrTime time);
   void destroy();
   void poll_events();
   void change_state(XrSessionState state);
   void wait_until_running();
   std::optional<XrTime> frame_of_runtime();
-  XrResult wait_frame(XrFrameState& frame);
   XrTime time_now() const;
 
   XrRuntime& runtime_;
   std::chrono::milliseconds limit_;
   XrSession session_ = XR_NULL_HANDLE;
-  std::optional<FrameWaiter> frame_waiter_;
-  XrSpace local_space_ = XR_NULL_HANDLE;
+  SpaceMotion& motion_;
+  std::vector<XrReferenceSpaceType> spaces_;  // that the runtime has
+  XrReferenceSpaceType plate_base_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  XrPosef plate_pose_{};  // in it, in its first coordinates
   XrSpace plate_space_ = XR_NULL_HANDLE;
+  int recentrings_ = 0;
+  XrReferenceSpaceType floor_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
+  XrReferenceSpaceType steady_space_ = XR_REFERENCE_SPACE_TYPE_LOCAL;
   std::array<XrHandTrackerEXT, 2> trackers_{};
   bool running_ = false;
   bool ending_ = false;            // because we asked for it

@@ -15,7 +15,6 @@ XrHandEXT to_xr(Hand hand) {
 
 Simulation::Simulation(const XrRuntime& runtime, const XrHeadlessSession& session)
     : session_(session.handle()),
-      space_(session.local_space()),
       place_plate_(runtime.function<PFN_xrPlacePlateHRTX>("xrPlacePlateHRTX")),
       set_seed_(runtime.function<PFN_xrSetSimulationSeedHRTX>("xrSetSimulationSeedHRTX")),
       instruct_reach_(runtime.function<PFN_xrInstructReachHRTX>("xrInstructReachHRTX")),
@@ -23,10 +22,10 @@ Simulation::Simulation(const XrRuntime& runtime, const XrHeadlessSession& sessio
       set_plate_orientation_(runtime.function<PFN_xrSetPlateOrientationHRTX>("xrSetPlateOrientationHRTX")),
       get_plate_orientation_(runtime.function<PFN_xrGetPlateOrientationHRTX>("xrGetPlateOrientationHRTX")) {}
 
-void Simulation::place_plate(const XrPosef& pose, double radius_m) {
+void Simulation::place_plate(XrSpace space, double radius_m) {
   XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX};
-  placement.space = space_;
-  placement.pose = pose;
+  placement.space = space;
+  placement.pose.orientation.w = 1.0f;
   placement.radius = radius_m;
   CHECK_XR_NAMED("xrPlacePlateHRTX", place_plate_(session_, &placement));
 }

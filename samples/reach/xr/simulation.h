@@ -17,8 +17,8 @@ class Simulation {
  public:
   Simulation(const XrRuntime& runtime, const XrHeadlessSession& session);
 
-  /// `pose` of the plate in the LOCAL reference space.
-  void place_plate(const XrPosef& pose, double radius_m);
+  /// The plate's mount is the origin of this space, in the room: it stays there when the space moves.
+  void place_plate(XrSpace space, double radius_m);
 
   /// From now on person and noise come from this seed; the next reach has this number, from 0.
   void seed(std::uint64_t seed, std::uint32_t next_reach);
@@ -44,7 +44,6 @@ class Simulation {
 
  private:
   XrSession session_;
-  XrSpace space_;
   PFN_xrPlacePlateHRTX place_plate_;
   PFN_xrSetSimulationSeedHRTX set_seed_;
   PFN_xrInstructReachHRTX instruct_reach_;

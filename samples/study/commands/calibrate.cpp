@@ -1,11 +1,15 @@
 // hrt-study calibrate: who made these slides?
 #include <fstream>
 #include <memory>
+#include <optional>
+
+#include <nlohmann/json.hpp>
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
 #include "samples/study/figures/gnuplot.h"
+#include "samples/study/figures/retest.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/output.h"
 #include "samples/study/participants.h"
@@ -20,6 +24,7 @@ constexpr std::size_t most_bytes = std::size_t{1} << 29;
 
 struct Options {
   std::string data;
+  std::string retest;
   CalibrationConfig config;
   double step_period_s = 0.1;
   std::string format = "text";
@@ -57,15 +62,29 @@ std::string draw(const Figure& figure, const std::string& path) {
   return workshop.read(figure.name + '.' + ending);
 }
 
-CalibrationReport calibrated(const Options& options) {
-  CalibrationReport report{.name = options.data, .config = options.config};
-  const auto trials = parse_calibration_csv(options.data, read_data(options.data));
+CalibrationReport calibrated(const std::string& data, const CalibrationConfig& config) {
+  CalibrationReport report{.name = data, .config = config};
+  const auto trials = parse_calibration_csv(data, read_data(data));
   report.trials = trials.size();
-  const auto result = calibrate(trials, options.config);
+  const auto result = calibrate(trials, config);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))
-    throw std::runtime_error(options.data + ": no calibration: " + refusal->reason);
+    throw std::runtime_error(data + ": no calibration: " + refusal->reason);
   report.calibration = std::get<Calibration>(result);
   return report;
+}
+
+std::string text_page(const CalibrationReport& report, const std::optional<RetestReport>& retest) {
+  return retest ? calibration_text(report) + '\n' + calibration_text(retest->second) + retest_text(*retest)
+                : calibration_text(report);
+}
+
+std::string json_page(const CalibrationReport& report, const std::optional<RetestReport>& retest) {
+  nlohmann::ordered_json page = calibration_json(report);
+  if (retest) {
+    page["retest"] = retest_json(*retest);
+    page["retest"]["calibration"] = calibration_json(retest->second);
+  }
+  return page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
 void run(Options options) {
@@ -77,9 +96,14 @@ void run(Options options) {
   const Output profile("--profile", options.profile);
 
   // Everything that can fail does so before anything is written.
-  const CalibrationReport report = calibrated(options);
-  const std::string page = options.format == "json" ? calibration_json(report) : calibration_text(report);
-  const std::string picture = options.plot.empty() ? "" : draw(calibration_figure(report), options.plot);
+  const CalibrationReport report = calibrated(options.data, options.config);
+  std::optional<RetestReport> retest;
+  if (!options.retest.empty())
+    retest = compare_calibrations(report, calibrated(options.retest, options.config));
+  const std::string page = options.format == "json" ? json_page(report, retest) : text_page(report, retest);
+  const std::string picture =
+      options.plot.empty() ? ""
+                           : draw(retest ? retest_figure(*retest) : calibration_figure(report), options.plot);
   if (!options.plot.empty()) plot.write(picture);
   if (!options.profile.empty()) profile.write(calibration_profile(report.calibration));
   out.write(page);
@@ -96,22 +120,28 @@ void add_calibrate(CLI::App& app) {
 a row a tracked position of the fingertip (right of and away along the mid-line), the rows of a trial
 together, its time increasing. Lines that start with # and other columns are ignored.
 
-Let the person slide to one target, eight to ten times at each of the plate orientations -60, -30, 0,
-30 and 60 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are
-ten such slides at three orientations that span 40 deg. If the data do not suffice, the reason is on
-standard error, and the exit code is 1.
+Let the person slide to one target, four or five times at each of the plate orientations -75 to 75 in
+steps of 15 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are
+ten such slides at three orientations that span 40 deg; with fewer than seven orientations the illusion
+is taken for linear. If the data do not suffice, the reason is on standard error, and the exit code is
+1. If the person is unlike the model, the page says so and what to do, and their values are not
+determined. Published human data cover orientations of -60 to 60.
 
 Examples:
   hrt-study calibrate me.csv --plot me.svg --profile me.json
+  hrt-study calibrate me.csv --retest me-a-week-later.csv --plot retest.svg
   hrt-study participants --out me.csv && hrt-study calibrate me.csv --format json)",
                   [options] { run(*options); });
   require(add_path(command, "FILE", &options->data, "a file that can be read", "The data, CSV."));
+  add_path(command, "--retest", &options->retest, "a file that can be read",
+           "A second calibration's data: whether the two differ, and by how much. --plot then shows both;\n"
+           "--profile is of FILE.");
   add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
              "Direction of the goal, deg. Best 0: off the mid-line the motor variance is overestimated.");
   add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
   add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
   add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",
-           "Draw directions and residuals there. Needs gnuplot.");
+           "Draw curve, directions and residuals there. Needs gnuplot.");
   add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
            "Write a profile there that the plugin loads (hrt_profile_load).");
   add_out(command, &options->out);

@@ -15,6 +15,8 @@ void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
 void add_participants(CLI::App& app);
 void add_calibrate(CLI::App& app);
+void add_coverage(CLI::App& app);
 void add_robustness(CLI::App& app);
+void add_power(CLI::App& app);
 
 }  // namespace hrt::study

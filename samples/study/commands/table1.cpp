@@ -58,7 +58,8 @@ std::string fit_text(const Table1& table) {
                      ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
                      " with the sampling noise of the paper's 50 trials a cell.\n" + std::to_string(outside) +
                      " of the " + std::to_string(table.degrees_of_freedom) +
-                     " cells lie outside their 95 % interval; one in twenty does by chance.\n";
+                     " cells lie outside their 95 % interval; one in twenty does by chance.\n" +
+                     wrapped(in_sample_words);
   for (const CellGroup& group : table.conditions)
     if (!group.reproduced)
       page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
@@ -115,7 +116,8 @@ std::string csv(const Table1& table) {
   std::string page =
       "group,motor_variance_deg2,tactile_weight,real_direction_deg,virtual_direction_deg,horizon,tolerance_"
       "deg,"
-      "controller,trials,hits,percent,paper_percent,paper_low_percent,paper_high_percent,agrees\n";
+      "controller,trials,hits,percent,rms_miss_deg,rms_felt_error_deg,paper_percent,paper_low_percent,paper_"
+      "high_percent,agrees\n";
   for (const auto* groups : {&table.conditions, &table.claims})
     for (const CellGroup& group : *groups)
       for (const Cell& cell : group.cells) {
@@ -126,7 +128,8 @@ std::string csv(const Table1& table) {
                 std::to_string(condition.controller.mpc.horizon) + ',' + number(condition.tolerance_deg) +
                 ',' + (condition.controller.mode == ControlMode::mpc ? "mpc" : "none") + ',' +
                 std::to_string(cell.result.trials) + ',' + std::to_string(cell.result.hits) + ',' +
-                number(cell.result.hit_percent());
+                number(cell.result.hit_percent()) + ',' + number(cell.result.rms_miss_deg()) + ',' +
+                number(cell.result.rms_felt_error_deg());
         page += cell.paper_percent
                     ? ',' + number(*cell.paper_percent) + ',' + number(paper_interval(cell).low) + ',' +
                           number(paper_interval(cell).high) + (agrees(cell) ? ",1\n" : ",0\n")
@@ -147,7 +150,9 @@ Json json(const Cell& cell) {
               {"trials", cell.result.trials},
               {"hits", cell.result.hits},
               {"percent", cell.result.hit_percent()},
-              {"mean_miss_deg", cell.result.mean_miss_deg()}};
+              {"mean_miss_deg", cell.result.mean_miss_deg()},
+              {"rms_miss_deg", cell.result.rms_miss_deg()},
+              {"rms_felt_error_deg", cell.result.rms_felt_error_deg()}};
   if (cell.paper_percent) {
     const PercentInterval interval = paper_interval(cell);
     object["paper_percent"] = *cell.paper_percent;

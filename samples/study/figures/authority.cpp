@@ -27,12 +27,14 @@ Figure authority_figure(const Table1& table) {
       .name = "authority",
       .title = "Which gaps can be held",
       .caption = "Below the solid line the plate, within " + number(bound_deg) +
-                 " deg of the virtual direction, can hold the finger on the real direction while the "
+                 "° of the virtual direction, can hold the finger on the real direction while the "
                  "participant feels the virtual one. Thin lines: where the plate then stands. Points: the "
-                 "paper's conditions, with the share of simulated trials that end within 1.5 deg; motor "
-                 "variance 0.5 deg², at a gap of 12 deg 2 deg².",
-      .width_px = 900,
-      .height_px = 560};
+                 "paper's conditions, with the share of simulated trials that end within 1.5°, of " +
+                 std::to_string(table.options.trials) +
+                 " trials a pair; σ_u² is 0.5 (°)², at a gap of 12° 2 (°)². Human data on the illusion cover "
+                 "plates within 60° of the motion.",
+      .width_px = 560,
+      .height_px = 500};
   std::string points = "$points << EOD\n";
   for (const auto* groups : {&table.conditions, &table.claims})
     for (const CellGroup& group : *groups) {
@@ -47,16 +49,17 @@ Figure authority_figure(const Table1& table) {
   figure.script =
       curve("bound", bound_deg) + curve("right_angle", 90.0) + curve("sixty", 60.0) + curve("thirty", 30.0) +
       points + "EOD\nset title \"" + figure.title +
-      " (from the model)\" font ',14'\nset key outside below\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\n"
-      "set bmargin 6\nset style textbox opaque noborder margins 0.5,0.5\nset xrange [0:0.5]\nset yrange [0:" +
+      " (from the model)\" font ',14'\nset key outside below maxcols 2\nset grid back lt 1 lw 0.6 lc rgb "
+      "'#dddddd'\n"
+      "set bmargin 7\nset style textbox opaque noborder margins 0.5,0.5\nset xrange [0:0.5]\nset yrange [0:" +
       number(top_deg) +
-      "]\nset xlabel 'tactile weight w_T'\nset ylabel 'gap between real and virtual direction, deg'\n"
+      "]\nset xlabel 'tactile weight w_T'\nset ylabel 'gap between real and virtual direction, °'\n"
       "plot $bound using 1:2 with filledcurves x1 fc rgb '#e8eef4' title 'can be held', "
-      "$right_angle using 1:2 with lines dt 2 lw 1.5 lc rgb '#555555' title 'plate at 90 deg', "
+      "$right_angle using 1:2 with lines dt 2 lw 1.5 lc rgb '#555555' title 'plate at 90°', "
       "$bound using 1:2 with lines lw 3 lc rgb '#08306b' title 'plate at " +
       number(bound_deg) +
-      " deg', $sixty using 1:2 with lines dt 4 lw 1.2 lc rgb '#08306b' title 'at 60 deg', "
-      "$thirty using 1:2 with lines dt 3 lw 1.2 lc rgb '#08306b' title 'at 30 deg', "
+      "°', $sixty using 1:2 with lines dt 4 lw 1.2 lc rgb '#08306b' title 'at 60°', "
+      "$thirty using 1:2 with lines dt 3 lw 1.2 lc rgb '#08306b' title 'at 30°', "
       "$points using 1:2 with points pt 7 ps 1.3 lc rgb '#b35806' title 'simulated', "
       "$points using 1:($2+1.2*$4):3 with labels boxed notitle\n";
   return figure;

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include <nlohmann/json.hpp>
 
+#include "core/calibrated_person.h"
 #include "core/learning.h"
 #include "samples/study/output.h"
 #include "samples/text.h"
@@ -12,22 +14,35 @@
 namespace hrt::study {
 namespace {
 
+// The slides' own colours: used, outlying, along the ridges.
+constexpr const char* verdict_name[] = {"used", "outlying", "along_ridges"};
+
 struct Quantity {
   const char* name;  // in JSON
   const char* words;
   Interval interval;
   int decimals;
+  bool withheld = false;  // whatever the slides are
 };
 
-std::array<Quantity, 5> quantities(const Calibration& calibration) {
-  Interval noise_mm = calibration.tracker_noise_m;
-  for (double* value : {&noise_mm.value, &noise_mm.lower, &noise_mm.upper}) *value *= 1e3;
+Interval in_mm(Interval metres) {
+  for (double* value : {&metres.value, &metres.lower, &metres.upper}) *value *= 1e3;
+  return metres;
+}
+
+std::array<Quantity, 11> quantities(const Calibration& calibration) {
   return {
-      {{"tactile_weight", "tactile weight w_T", calibration.tactile_weight, 3},
-       {"bias_deg", "bias, deg, left positive", calibration.bias_deg, 2},
-       {"motor_variance_deg2", "motor variance sigma_u^2, deg^2", calibration.motor_variance_deg2, 3},
-       {"sensory_variance_deg2", "sensory variance sigma_h^2, deg^2", calibration.sensory_variance_deg2, 3},
-       {"tracker_noise_mm", "tracker noise, mm", noise_mm, 3}}};
+      {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
+       {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
+       {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
+       {"largest_gap_deg", "largest gap, °", calibration.largest_gap_deg, 1},
+       {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
+       {"person_curve", "curve b of it", calibration.curve, 3},
+       {"motor_variance_deg2", "motor variance σ_u², (°)²", calibration.motor_variance_deg2, 3, true},
+       {"sensory_variance_deg2", "sensory variance σ_h², (°)²", calibration.sensory_variance_deg2, 3, true},
+       {"tracker_noise_mm", "tracker noise, white, mm", in_mm(calibration.noise.white_m), 3},
+       {"correlated_noise_mm", "tracker noise, correlated, mm", in_mm(calibration.noise.correlated_m), 3},
+       {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}}};
 }
 
 std::string interval_text(const Quantity& quantity) {
@@ -36,95 +51,227 @@ std::string interval_text(const Quantity& quantity) {
 }
 
 std::string row(const std::string& name, const std::string& value, const std::string& rest) {
-  return "  " + left(name, 34) + right(value, 15) + "   " + rest + '\n';
+  return "  " + left(name, 36) + right(value, 15) + "   " + rest + '\n';
+}
+
+double direction_deg(const CalibratedSlide& slide) {
+  return settled_direction_deg(slide.parts_deg);
+}
+double fitted_deg(const CalibratedSlide& slide) {
+  return settled_direction_deg(slide.fitted_deg);
+}
+
+// The likeliest family in words.
+std::string family_text(const Calibration& calibration) {
+  const FamilyScore& best = calibration.families.front();
+  if (calibration.families.size() == 1) return "linear, taken for granted";
+  return std::string(curve_name[static_cast<int>(best.family)]) + " (" + fixed(100.0 * best.probability, 0) +
+         " % of those compared), largest at " + fixed(calibration.peak_offset_deg, 0) + "°";
+}
+
+std::string fit_text(const Calibration& calibration) {
+  const LackOfFit& lack = calibration.lack_of_fit;
+  const auto line = [](const char* over, double p) {
+    return row(std::string("  ") + over, fixed(p, 3), p < least_fit_p ? "a pattern" : "none");
+  };
+  std::string text = "\nPatterns in what the fit leaves, probability by chance\n" +
+                     line("over the plate's angle", lack.angle_p) +
+                     line("over the order of the slides", lack.order_p) +
+                     line("along the paths", lack.path_p);
+  for (const CalibratedSlide& slide : calibration.slides) {
+    if (slide.verdict != SlideVerdict::outlying) continue;
+    Eigen::Index part = 0;
+    (slide.parts_deg - slide.fitted_deg).cwiseAbs().maxCoeff(&part);
+    text += "  left out: trial " + std::to_string(slide.trial + 1) + ", an outlier: part " +
+            std::to_string(part + 1) + " of its path goes to " + fixed(slide.parts_deg(part), 1) +
+            " deg, the fit to " + fixed(slide.fitted_deg(part), 1) + '\n';
+  }
+  if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
+    text += "  left out: " + std::to_string(along) +
+            " slides nearly along the ridges, where the illusion flips\n";
+  if (calibration.largest_plate_deg > 60.0)
+    text += "  slides used reach plate angles of " + fixed(calibration.largest_plate_deg, 0) +
+            " deg; published human data cover 60\n";
+  for (const std::string& advice : calibration.advice()) text += "Next: " + advice + ".\n";
+  return text;
 }
 
 }  // namespace
 
 std::string calibration_text(const CalibrationReport& report) {
+  const Calibration& calibration = report.calibration;
   std::string text = "Calibration of " + report.name + ": " +
-                     std::to_string(report.calibration.chords.size()) + " of " +
+                     std::to_string(calibration.count(SlideVerdict::used)) + " of " +
                      std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
-  for (const Quantity& quantity : quantities(report.calibration)) {
+  for (const Quantity& quantity : quantities(calibration)) {
+    if (quantity.withheld) {
+      text += row(quantity.words, "withheld",
+                  "slides do not show it; the paper's person would have " +
+                      fixed(quantity.interval.value, quantity.decimals));
+      continue;
+    }
     text += quantity.interval.known ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals),
                                           interval_text(quantity))
                                     : row(quantity.words, "not determined",
-                                          interval_text(quantity) + " is equally plausible, best fit " +
-                                              fixed(quantity.interval.value, quantity.decimals));
+                                          "best fit " + fixed(quantity.interval.value, quantity.decimals));
   }
+  text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
 
-std::string calibration_json(const CalibrationReport& report) {
+nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
+  const Calibration& calibration = report.calibration;
   nlohmann::ordered_json page{
       {"data", report.name},
       {"tried_on", "simulated people only"},
       {"trials", report.trials},
-      {"trials_used", report.calibration.chords.size()},
+      {"trials_used", calibration.count(SlideVerdict::used)},
       {"goal_direction_deg", report.config.goal_direction_deg},
       {"step_period_s", 1e-9 * static_cast<double>(report.config.step_period_ns)},
   };
-  for (const Quantity& quantity : quantities(report.calibration))
+  for (const Quantity& quantity : quantities(calibration))
     page[quantity.name] = {{"value", quantity.interval.value},
                            {"interval", {quantity.interval.lower, quantity.interval.upper}},
-                           {"known", quantity.interval.known}};
-  for (const Chord& chord : report.calibration.chords)
-    page["chords"].push_back({{"plate_orientation_deg", chord.plate_orientation_deg},
-                              {"direction_deg", chord.direction_deg},
-                              {"fitted_deg", chord.fitted_deg}});
-  return page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+                           {"known", quantity.interval.known},
+                           {"withheld", quantity.withheld}};
+  page["fits"] = calibration.fits();
+  page["lack_of_fit"] = {{"angle_p", calibration.lack_of_fit.angle_p},
+                         {"order_p", calibration.lack_of_fit.order_p},
+                         {"path_p", calibration.lack_of_fit.path_p}};
+  page["peak_offset_deg"] = calibration.peak_offset_deg;
+  for (const FamilyScore& family : calibration.families)
+    page["families"].push_back({{"name", curve_name[static_cast<int>(family.family)]},
+                                {"probability", family.probability},
+                                {"tactile_weight", family.weight}});
+  for (const CurvePoint& point : calibration.band)
+    page["curve"].push_back({{"offset_deg", point.offset_deg},
+                             {"shift_deg", point.shift_deg.value},
+                             {"interval", {point.shift_deg.lower, point.shift_deg.upper}}});
+  for (const CalibratedSlide& slide : calibration.slides)
+    page["slides"].push_back({{"trial", slide.trial + 1},
+                              {"verdict", verdict_name[static_cast<int>(slide.verdict)]},
+                              {"plate_deg", slide.plate_deg},
+                              {"direction_deg", direction_deg(slide)},
+                              {"fitted_deg", fitted_deg(slide)}});
+  page["advice"] = calibration.advice();
+  return page;
 }
 
 std::string calibration_profile(const Calibration& calibration) {
-  const auto sd = [](const Interval& interval, double least) {
-    return std::max(deviation_of_interval(interval.lower, interval.upper), least);
-  };
+  nlohmann::ordered_json profile{{"format", "haptic retargeting profile"}, {"version", 1}};
   const Interval& weight = calibration.tactile_weight;
-  nlohmann::ordered_json profile{
-      {"format", "haptic retargeting profile"}, {"version", 1},
-      {"tactile_weight", weight.value},         {"tactile_weight_sd", sd(weight, least_carried_weight_sd)},
-      {"bias_deg", calibration.bias_deg.value}, {"tracker_noise_m", calibration.tracker_noise_m.value}};
-  const Interval& motor = calibration.motor_variance_deg2;
-  const Interval& sensory = calibration.sensory_variance_deg2;
-  if (motor.known) {
-    profile["motor_variance_deg2"] = motor.value;
-    profile["motor_variance_sd_deg2"] = sd(motor, least_carried_motor_variance_sd_deg2);
+  if (weight.known) {
+    profile["tactile_weight"] = weight.value;
+    profile["tactile_weight_sd"] =
+        std::max(deviation_of_interval(weight.lower, weight.upper), least_carried_weight_sd);
   }
-  if (sensory.known) profile["sensory_variance_deg2"] = sensory.value;
+  if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
+  if (calibration.noise.white_m.known) profile["tracker_noise_m"] = calibration.noise.white_m.value;
+  if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known &&
+      calibration.habit_deg.known) {
+    const PersonBelief belief =
+        calibrated_person({.weight = calibration.slope,
+                           .curve = calibration.curve,
+                           .weight_curve_correlation = calibration.slope_curve_correlation,
+                           .bias_deg = calibration.bias_deg,
+                           .habit_deg = calibration.habit_deg});
+    for (int i = 0; i < PersonTrait::count; ++i) {
+      profile["person_mean"].push_back(belief.mean(i));
+      for (int j = 0; j <= i; ++j) profile["person_covariance"].push_back(belief.covariance(i, j));
+    }
+  }
   return profile.dump(2) + '\n';
 }
 
 Figure calibration_figure(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
-  std::vector<Chord> chords = calibration.chords;
-  std::sort(chords.begin(), chords.end(),
-            [](const Chord& a, const Chord& b) { return a.plate_orientation_deg < b.plate_orientation_deg; });
   Figure figure{.name = "calibration",
                 .title = "Directions over plates at rest",
                 .caption = "",
-                .width_px = 800,
-                .height_px = 760};
-  figure.script = "$chords << EOD\n";
-  for (const Chord& chord : chords)
-    figure.script += number(chord.plate_orientation_deg) + ' ' + number(chord.direction_deg) + ' ' +
-                     number(chord.fitted_deg) + '\n';
-  const auto [weight, bias] = std::pair(quantities(calibration)[0], quantities(calibration)[1]);
-  const std::string common =
-      "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.05, graph 0.05, "
-      "graph 0.05, graph 0.05\nset lmargin 10\nset rmargin 3\n";
+                .width_px = 640,
+                .height_px = 1000};
+  const auto block = [&](const char* name, SlideVerdict verdict) {
+    figure.script += std::string("$") + name + " << EOD\n";
+    for (const CalibratedSlide& slide : calibration.slides)
+      if (slide.verdict == verdict)
+        figure.script += number(slide.plate_deg) + ' ' + number(direction_deg(slide)) + ' ' +
+                         number(fitted_deg(slide)) + ' ' + std::to_string(slide.trial + 1) + ' ' +
+                         number(slide.plate_deg - fitted_deg(slide)) + '\n';
+    figure.script += "EOD\n";
+  };
+  block("used", SlideVerdict::used);
+  block("outlying", SlideVerdict::outlying);
+  block("along", SlideVerdict::along_ridges);
+  figure.script += "$band << EOD\n";
+  for (const CurvePoint& point : calibration.band)
+    figure.script += number(point.offset_deg) + ' ' + number(point.shift_deg.value) + ' ' +
+                     number(point.shift_deg.lower) + ' ' + number(point.shift_deg.upper) + '\n';
+  // The mean residual of each part, with its standard error.
+  figure.script += "EOD\n$parts << EOD\n";
+  for (int part = 0; part < slide_parts; ++part) {
+    double sum = 0.0;
+    double squares = 0.0;
+    double n = 0.0;
+    for (const CalibratedSlide& slide : calibration.slides) {
+      if (slide.verdict != SlideVerdict::used) continue;
+      const double residual_deg = slide.parts_deg(part) - slide.fitted_deg(part);
+      sum += residual_deg;
+      squares += residual_deg * residual_deg;
+      n += 1.0;
+    }
+    const double mean = sum / n;
+    figure.script += std::to_string(part + 1) + ' ' + number(mean) + ' ' +
+                     number(normal_975 * std::sqrt(std::max(squares / n - mean * mean, 0.0) / n)) + '\n';
+  }
+  const auto all = quantities(calibration);
+  const std::string points = " with points pt 7 ps 0.5 lc rgb '#b35806' ";
+  const std::string crosses = " with points pt 2 ps 1.1 lw 2 lc rgb '#d7191c' ";
+  const std::string rings = " with points pt 6 ps 0.8 lc rgb '#999999' ";
+  const std::string line = "0 with lines lw 1.5 lc rgb '#08306b' notitle, ";
+  const auto residuals = [&](const char* x) {
+    return "plot " + line + "$used using " + x + ":($2-$3)" + points + "notitle, $outlying using " + x +
+           ":($2-$3)" + crosses + "notitle\n";
+  };
+  const LackOfFit& lack = calibration.lack_of_fit;
+  const auto said = [](double p) {
+    return std::string("p = ") + fixed(p, 3) + (p < least_fit_p ? ": a pattern" : "");
+  };
   figure.script +=
-      "EOD\n" + common + "set multiplot\nset origin 0,0.4\nset size 1,0.6\nset title \"Chords of " +
-      std::to_string(chords.size()) +
-      " slides against the plate's orientation\\nw_T = " + fixed(weight.interval.value, 3) + " (" +
-      interval_text(weight) + "), bias " + fixed(bias.interval.value, 2) + " deg (" + interval_text(bias) +
-      ")\" font ',13'\nset key top right\nset ylabel 'direction of the second half, deg'\n"
-      "plot $chords using 1:3 with lines lw 2 lc rgb '#08306b' title 'fit: (G - w_T T) / (1 - w_T)', "
-      "$chords using 1:2 with points pt 6 ps 1.1 lw 1.3 lc rgb '#b35806' title 'a slide'\n"
-      "set origin 0,0\nset size 1,0.4\nset title 'Residuals'\n"
-      "set xlabel 'plate orientation (normal of the ridges), deg'\nset ylabel 'slide less fit, deg'\n"
-      "plot 0 with lines lw 2 lc rgb '#08306b' notitle, "
-      "$chords using 1:($2-$3) with points pt 6 ps 1.1 lw 1.3 lc rgb '#b35806' notitle\nunset multiplot\n";
+      "EOD\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
+      "graph "
+      "0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
+      "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion: " +
+      family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" +
+      interval_text(all[0]) + "), largest gap " + fixed(all[3].interval.value, 1) + "° (" +
+      interval_text(all[3]) +
+      ")\\nσ_u² and σ_h² withheld: slides do not show them\" font ',12'\nset key top left\nset xrange "
+      "[-80:80]\nset xtics 15\n"
+      "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"
+      "plot $band using 1:3:4 with filledcurves fc rgb '#c6dbef' title '95 %', $band using 1:2 with lines lw "
+      "2 lc "
+      "rgb '#08306b' title 'curve'\n"
+      "set key top right\nset origin 0,0.33\nset size 1,0.33\nset title \"Directions of " +
+      std::to_string(calibration.slides.size()) + " slides\\nbias " + fixed(all[1].interval.value, 2) +
+      "° (" + interval_text(all[1]) + "), habit " + fixed(all[2].interval.value, 2) + "° (" +
+      interval_text(all[2]) +
+      ")\" font ',12'\nset xlabel 'plate orientation (normal of the ridges) less goal, °'\n"
+      "set ylabel 'direction less goal, °'\nset xrange [-92:92]\n"
+      "plot $used using 1:3 with points pt 9 ps 0.8 lc rgb '#08306b' title 'fit', $used using 1:2" +
+      points + "title 'slide', $outlying using 1:2" + crosses + "title 'outlier', $along using 1:2" + rings +
+      "title 'along ridges'\nunset key\n"
+      "set lmargin 9\nset rmargin 1\nset origin 0,0\nset size 0.38,0.33\nset title \"Residuals over the "
+      "angle\\n" +
+      said(lack.angle_p) +
+      "\" font ',11'\nset xtics 60\nset xlabel 'plate, °'\nset ylabel 'slide less fit, °'\n" +
+      residuals("1") +
+      "set xrange [0:*]\nset xtics auto\nset origin 0.38,0\nset size 0.33,0.33\nset title \"over the "
+      "order\\n" +
+      said(lack.order_p) + "\" font ',11'\nset xlabel 'trial'\nunset ylabel\n" + residuals("4") +
+      "set xrange [0.5:4.5]\nset xtics 1\nset origin 0.71,0\nset size 0.29,0.33\nset title \"along the "
+      "path\\n" +
+      said(lack.path_p) + "\" font ',11'\nset xlabel 'part of the path'\nplot " + line +
+      "$parts using 1:2:3 with yerrorbars pt 7 lw 1.5 lc rgb '#b35806' notitle\nunset multiplot\n";
   return figure;
 }
 

@@ -1,6 +1,7 @@
 // The result of a calibration as text, JSON, a profile for the plugin, and a picture.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "core/calibration.h"
@@ -16,7 +17,7 @@ struct CalibrationReport {
 };
 
 std::string calibration_text(const CalibrationReport& report);
-std::string calibration_json(const CalibrationReport& report);
+nlohmann::ordered_json calibration_json(const CalibrationReport& report);
 
 /// JSON for hrt_profile_load(), without fields that the data cannot determine.
 std::string calibration_profile(const Calibration& calibration);

@@ -7,6 +7,7 @@
 // That curve is the limit: a bound on the plate cannot improve on it.
 #include <cmath>
 
+#include "core/calibration.h"
 #include "core/perception.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/output.h"
@@ -60,12 +61,12 @@ Figure frontier_figure(const FigureOptions& options) {
       .title = "Perceived against actual error as the weights vary",
       .caption =
           "Each point is a ratio of the two weights in the controller's cost, actual to perceived, from 0.05 "
-          "(upper left) to 20 (lower right); labelled where w_T = 0.15. Gap 10 deg, horizon 3, at rest (" +
+          "(upper left) to 20 (lower right); labelled where w_T = 0.15. Gap 10°, horizon 3, at rest (" +
           std::to_string(steps_to_rest) + " steps), " + std::to_string(options.trials) +
-          " trials a point. Lines: the theoretical limit of any controller. With "
-          "w_T = 0.10 a gap of 10 deg is just out of reach, so the points lie above.",
-      .width_px = 1000,
-      .height_px = 620};
+          " trials a point, with 95 % intervals. Lines: the theoretical limit of any controller. With "
+          "w_T = 0.10 a gap of 10° is just out of reach, so the points lie above.",
+      .width_px = 560,
+      .height_px = 560};
   std::string plots;
   std::size_t job = 0;
   int style = 0;
@@ -82,26 +83,30 @@ Figure frontier_figure(const FigureOptions& options) {
       figure.script += '$' + block + " << EOD\n";
       for (const double actual_weight : actual_weights) {
         const BatchResult& result = results[job++];
+        // Of a normal error, the standard deviation of a root mean square is 1 / sqrt(2 n) of it.
+        const double relative = normal_975 / std::sqrt(2.0 * static_cast<double>(result.trials));
         figure.script += number(result.rms_felt_error_deg()) + ' ' + number(result.rms_miss_deg()) + ' ' +
-                         number(actual_weight) + '\n';
+                         number(relative * result.rms_felt_error_deg()) + ' ' +
+                         number(relative * result.rms_miss_deg()) + ' ' + number(actual_weight) + '\n';
       }
       figure.script += "EOD\n";
       const bool is_held = tactile_weight > 0.12;
       const int point = (is_held ? 6 : 8) + style;
-      plots += ", $" + block + " using 1:2 with points ps 1.3 lw 1.5 pt " + std::to_string(point) +
+      plots += ", $" + block + " using 1:2:3:4 with xyerrorbars ps 1 lw 1.5 pt " + std::to_string(point) +
                " lc rgb '" + colour + "' title 'w_T = " + fixed(tactile_weight, 2) +
                ", σ_u² = " + number(motor_variance_deg2) + "'";
-      if (is_held && style == 0) plots += ", $" + block + " using 1:2:3 with labels offset -2,-0.7 notitle";
+      if (is_held && style == 0) plots += ", $" + block + " using 1:2:5 with labels offset -2,-0.7 notitle";
     }
     ++style;
   }
-  figure.script += "set title \"" + figure.title +
-                   " (simulation)\" font ',14'\nset key outside below\nset bmargin 7\nset grid back lt 1 lw "
-                   "0.6 lc rgb '#dddddd'\n"
-                   "set xrange [0:1.2]\nset yrange [0.5:3.5]\n"
-                   "set xlabel 'perceived error: RMS of perceived less virtual direction, deg'\n"
-                   "set ylabel 'actual error: RMS of true less real direction, deg'\n" +
-                   plots + "\n";
+  figure.script +=
+      "set title \"" + figure.title +
+      " (simulation)\" font ',11'\nset key outside below maxcols 2\nset bmargin 9\nset grid back lt 1 lw "
+      "0.6 lc rgb '#dddddd'\n"
+      "set xrange [0:1.2]\nset yrange [0.5:3.5]\n"
+      "set xlabel 'perceived error: RMS of perceived less virtual direction, °'\n"
+      "set ylabel 'actual error: RMS of true less real direction, °'\n" +
+      plots + "\n";
   return figure;
 }
 

@@ -8,18 +8,38 @@ namespace hrt::study {
 namespace {
 
 constexpr const char* style = R"(
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 75rem; margin: 2rem auto; padding: 0 1rem; color: #111; }
+body { font: 16px/1.5 system-ui, sans-serif; max-width: 60rem; margin: 1.5rem auto; padding: 0 1rem; color: #111; }
+h1 { font-size: 1.5rem; line-height: 1.2; }
 svg { width: 100%; height: auto; }
-figure { margin: 2rem 0; border-top: 1px solid #ccc; padding-top: 1rem; }
-figcaption { max-width: 60rem; }
+figure { margin: 1.5rem 0; border-top: 1px solid #ccc; padding-top: 1rem; }
+.wide { overflow-x: auto; }
 table { border-collapse: collapse; margin: 1rem 0; }
-th, td { padding: .15rem .8rem; text-align: right; border-bottom: 1px solid #ddd; }
-td { white-space: nowrap; }
+table.small { font-size: .8rem; line-height: 1.3; }
+th, td { padding: .15rem .4rem; text-align: right; vertical-align: top; border-bottom: 1px solid #ddd; }
+small { color: #555; white-space: nowrap; }
 th:first-child, td:first-child, .words { text-align: left; }
-td.words { white-space: normal; }
+tr.head td { background: #eef2f6; }
 tr.mean td { border-bottom: 2px solid #888; font-weight: bold; }
 tr.last td { border-bottom: 2px solid #888; }
+.fold > .folded { display: none; }
+.fold > input:checked ~ .folded { display: block; }
 .note { border: 2px solid #111; padding: .5rem 1rem; font-weight: bold; }
+@media (max-width: 600px) {
+  table.small { font-size: .62rem; }
+  table.small th, table.small td { padding: .1rem .2rem; }
+  table.small small { display: block; }
+}
+@media print {
+  body { font-size: 10pt; margin: 0; max-width: none; }
+  figure, tr { break-inside: avoid; }
+  h2 { break-after: avoid; }
+  thead { display: table-header-group; }
+  figure svg { max-height: 18cm; }
+  table.small { font-size: 7.5pt; }
+  .wide { overflow: visible; }
+  .fold > input, .fold > label { display: none; }
+  .fold > .folded { display: block; }
+}
 )";
 
 void replace_all(std::string& text, const std::string& from, const std::string& to) {
@@ -42,11 +62,27 @@ std::string inlined(const std::string& file, const Figure& figure) {
 
 }  // namespace
 
+// No <details>: browsers do not print what it hides.
+std::string folded(const std::string& name, const std::string& words, const std::string& html) {
+  return "<div class=\"fold\"><input type=\"checkbox\" id=\"" + escaped(name) + "\"> <label for=\"" +
+         escaped(name) + "\">" + escaped(words) + "</label>\n<div class=\"folded\">\n" + html +
+         "</div></div>\n";
+}
+
 std::string page_start(const std::string& title) {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" + escaped(title) +
          "</title>\n<style>" + style + "</style>\n</head>\n<body>\n<h1>" + escaped(title) +
          "</h1>\n<p class=\"note\">Everything on this page is simulation, the paper's numbers too. There was "
          "no human trial.</p>\n";
+}
+
+std::string with_symbols(std::string text) {
+  replace_all(text, " deg^2", " (°)²");
+  replace_all(text, " deg²", " (°)²");
+  for (const char* after : {" ", ",", ".", ";", ")"})
+    replace_all(text, std::string(" deg") + after, std::string("°") + after);
+  if (text.ends_with(" deg")) text.replace(text.size() - 4, 4, "°");
+  return text;
 }
 
 std::string table_cells(std::initializer_list<std::string> values) {

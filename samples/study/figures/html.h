@@ -11,8 +11,15 @@ namespace hrt::study {
 /// The page's head, heading, and the note that all of it is simulation.
 std::string page_start(const std::string& title);
 
+/// `text` with ° for "deg", as pages have it and terminals need not.
+std::string with_symbols(std::string text);
+
 /// Cells of a table's row.
 std::string table_cells(std::initializer_list<std::string> values);
+
+/// `html` behind a box to tick, labelled `words`; printed whether ticked or not. `name` is unique in the
+/// page.
+std::string folded(const std::string& name, const std::string& words, const std::string& html);
 
 /// A <figure> with its caption; `drawing` is gnuplot's SVG file.
 std::string figure_element(const Figure& figure, const std::string& drawing);

@@ -11,29 +11,51 @@ std::string interval_text(const PercentInterval& interval) {
   return fixed(interval.low, 1) + " – " + fixed(interval.high, 1);
 }
 
-std::string table_rows(const CellGroup& group) {
+// A row a pair, a column a condition: the paper's percentage with its interval, and the model's.
+std::string table_rows(const Table1& table) {
+  const auto cell = [](double paper, const PercentInterval& interval, double model, bool agrees) {
+    return "<td>" + fixed(paper, 0) + " <small>" + fixed(interval.low, 0) + "–" + fixed(interval.high, 0) +
+           "</small> <b>" + fixed(model, 1) + "</b>" + (agrees ? "" : " ✗") + "</td>";
+  };
   std::string rows;
-  for (const Cell& cell : group.cells)
-    rows += "<tr>" +
-            table_cells({group.title, number(cell.condition.real_direction_deg),
-                         number(cell.condition.virtual_direction_deg), fixed(*cell.paper_percent, 0),
-                         interval_text(paper_interval(cell)), fixed(cell.result.hit_percent(), 1),
-                         agrees(cell) ? "yes" : "no"}) +
-            "</tr>\n";
-  return rows + "<tr class=\"mean\">" +
-         table_cells({"mean; limit of any controller " +
-                          fixed(limit_percent(group.cells.front().condition), 1) + " %",
-                      "", "", fixed(*group.paper_percent, 1), interval_text(*group.paper_interval()),
-                      fixed(group.mean_percent(), 1), group.reproduced ? "yes" : "no"}) +
-         "</tr>\n";
+  const std::size_t pairs = table.conditions.front().cells.size();
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const Condition& condition = table.conditions.front().cells[pair].condition;
+    rows += "<tr><td>" + number(condition.real_direction_deg) + " / " +
+            number(condition.virtual_direction_deg) + "</td>";
+    for (const CellGroup& group : table.conditions) {
+      const Cell& at = group.cells[pair];
+      rows += cell(*at.paper_percent, paper_interval(at), at.result.hit_percent(), agrees(at));
+    }
+    rows += "</tr>\n";
+  }
+  rows += "<tr class=\"mean\"><td>mean</td>";
+  for (const CellGroup& group : table.conditions)
+    rows += cell(*group.paper_percent, *group.paper_interval(), group.mean_percent(), group.reproduced);
+  rows += "</tr>\n<tr><td>limit of any controller</td>";
+  for (const CellGroup& group : table.conditions)
+    rows += "<td>" + fixed(limit_percent(group.cells.front().condition), 1) + "</td>";
+  return rows + "</tr>\n";
 }
 
-std::string claim_row(const CellGroup& claim) {
-  return "<tr>" +
-         table_cells({claim.title, claim.paper_percent ? fixed(*claim.paper_percent, 1) : "",
+std::string table_head(const Table1& table) {
+  std::string head = "<tr><th>real / virtual, °</th>";
+  for (const CellGroup& group : table.conditions) {
+    const Participant& participant = group.cells.front().condition.participant;
+    head += "<th>σ<sub>u</sub>² " + number(participant.motor_variance_deg2) + ", w<sub>T</sub> " +
+            number(participant.tactile_weight) + "</th>";
+  }
+  return head + "</tr>\n";
+}
+
+// The verdict in a row of its own: pages are read on phones too.
+std::string claim_rows(const CellGroup& claim) {
+  return "<tr class=\"head\">" +
+         table_cells({with_symbols(claim.title), claim.paper_percent ? fixed(*claim.paper_percent, 1) : "",
                       claim.paper_percent ? interval_text(*claim.paper_interval()) : "",
                       fixed(claim.mean_percent(), 1)}) +
-         "<td class=\"words\">" + escaped(claim.verdict) + "</td></tr>\n";
+         "</tr>\n<tr><td colspan=\"4\" class=\"words\">" + escaped(with_symbols(claim.verdict)) +
+         "</td></tr>\n";
 }
 
 }  // namespace
@@ -47,18 +69,16 @@ std::string html_page(const Table1& table, const std::vector<Figure>& figures,
       "to a virtual one. Directions are in degrees from the plate's mid-line, counter-clockwise "
       "positive seen from above.</p>\n";
   page +=
-      "<h2>Table I</h2>\n<p>Trials that end within 1.5 deg of the real direction, in percent: the paper's 50 "
-      "trials a cell with their 95 % interval, and " +
+      "<h2>Table I</h2>\n<p>Trials that end within 1.5° of the real direction, in percent: the paper's 50 "
+      "trials a cell, their 95 % interval, and in bold " +
       std::to_string(table.options.trials) + " trials of the model (seed " +
-      std::to_string(table.options.seed) + "). Chi-squared " + fixed(table.chi_squared, 1) + " over " +
-      std::to_string(table.degrees_of_freedom) + " cells, p = " + fixed(table.p_value, 2) +
-      ".</p>\n<table>\n<tr><th>condition</th><th>real, deg</th><th>virtual, deg</th><th>paper, %</th>"
-      "<th>interval</th><th>model, %</th><th>agrees</th></tr>\n";
-  for (const CellGroup& group : table.conditions) page += table_rows(group);
-  page +=
-      "</table>\n<h2>What else the paper says</h2>\n<table>\n<tr><th>claim</th><th>paper, %</th>"
-      "<th>interval</th><th>model, %</th><th class=\"words\">verdict</th></tr>\n";
-  for (const CellGroup& claim : table.claims) page += claim_row(claim);
+      std::to_string(table.options.seed) + "). ✗: outside the interval.</p>\n<p>Chi-squared is " +
+      fixed(table.chi_squared, 1) + " over " + std::to_string(table.degrees_of_freedom) +
+      " cells, p = " + fixed(table.p_value, 2) + ". " + with_symbols(in_sample_words) +
+      "</p>\n<div class=\"wide\"><table class=\"small\">\n" + table_head(table) + table_rows(table) +
+      "</table></div>\n<h2>What else the paper says</h2>\n<table class=\"small\">\n<tr><th>claim</th>"
+      "<th>paper, %</th><th>interval</th><th>model, %</th></tr>\n";
+  for (const CellGroup& claim : table.claims) page += claim_rows(claim);
   page += "</table>\n<h2>Figures</h2>\n";
   for (std::size_t i = 0; i < figures.size(); ++i) page += figure_element(figures[i], drawings[i]);
   return page + "</body>\n</html>\n";

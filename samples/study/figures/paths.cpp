@@ -97,16 +97,47 @@ std::string directions_block(const std::vector<std::vector<double>>& directions_
   return trials + "EOD\n" + medians + "EOD\n";
 }
 
-// "first:last", multiples of five that leave room about every point.
-std::string lateral_range(const std::vector<Path>& paths) {
+// Multiples of five that leave room about every point.
+struct LateralRange {
   double first_mm = 0.0;
   double last_mm = 0.0;
+};
+
+LateralRange lateral_range(const std::vector<Path>& paths) {
+  LateralRange range;
   for (const Path& path : paths)
     for (const Point& point : path) {
-      first_mm = std::min(first_mm, point.right_mm);
-      last_mm = std::max(last_mm, point.right_mm);
+      range.first_mm = std::min(range.first_mm, point.right_mm);
+      range.last_mm = std::max(range.last_mm, point.right_mm);
     }
-  return number(5.0 * std::floor(first_mm / 5.0 - 0.3)) + ':' + number(5.0 * std::ceil(last_mm / 5.0 + 0.3));
+  return {5.0 * std::floor(range.first_mm / 5.0 - 0.3), 5.0 * std::ceil(range.last_mm / 5.0 + 0.3)};
+}
+
+// The four panels of a figure, one below the other.
+constexpr int width_px = 560;
+constexpr int height_px = 1600;
+constexpr double left_px = 75.0;
+constexpr double panel_width_px = 460.0;
+constexpr double panel_height_px = 225.0;
+constexpr double key_below_px = 55.0;
+constexpr double first_top_px = 70.0;
+constexpr double panel_pitch_px = 383.0;
+constexpr double forward_range_mm = 110.0;
+
+std::string panel_place(int panel) {
+  const double top = 1.0 - (first_top_px + panel_pitch_px * panel) / height_px;
+  const auto margin = [](const char* name, double at) {
+    return std::string("set ") + name + " at screen " + number(at) + '\n';
+  };
+  return margin("lmargin", left_px / width_px) + margin("rmargin", (left_px + panel_width_px) / width_px) +
+         margin("tmargin", top) + margin("bmargin", top - panel_height_px / height_px) +
+         "set key at screen 0.53, screen " + number(top - (panel_height_px + key_below_px) / height_px) +
+         " center top maxrows 2 spacing 1.2\n";
+}
+
+// How much longer a millimetre to the side is drawn than one ahead.
+double enlargement(const LateralRange& range) {
+  return panel_width_px / (range.last_mm - range.first_mm) / (panel_height_px / forward_range_mm);
 }
 
 Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
@@ -151,11 +182,13 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
   const std::string targets =
       "$real using 1:2 with points pt 7 ps 1.2 lc rgb '#1b7837' title 'real target', "
       "$virtual using 1:2 with points pt 12 ps 1.4 lw 2 lc rgb '#b35806' title 'virtual target'\n";
-  const auto paths_panel = [&](const std::string& title, const std::string& paths, const std::string& thin,
-                               const std::string& thick) {
-    return "set title '" + title + "'\nplot $" + paths + " using 1:2 with lines lw 0.7 lc rgb '" + thin +
-           "' title 'one trial', $" + paths + "_median using 1:2 with lines " + thick + " title 'median', " +
-           targets;
+  const LateralRange sides = lateral_range(all_paths);
+  const std::string enlarged = " (sideways enlarged " + fixed(enlargement(sides), 1) + " times)";
+  const auto paths_panel = [&](int panel, const std::string& title, const std::string& paths,
+                               const std::string& thin, const std::string& thick) {
+    return panel_place(panel) + "set title '" + title + enlarged + "'\nplot $" + paths +
+           " using 1:2 with lines lw 0.7 lc rgb '" + thin + "' title 'one trial', $" + paths +
+           "_median using 1:2 with lines " + thick + " title 'median', " + targets;
   };
   const auto level = [](double value_deg, const std::string& look) {
     return number(value_deg) + " with lines lc rgb '#555555' " + look + ", ";
@@ -165,32 +198,33 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
   Figure figure{
       .name = "fig" + number_text,
       .title = "Fig. " + number_text + ": real target at " + number(paper.real_direction_deg) +
-               " deg, virtual at " + number(paper.virtual_direction_deg) + " deg" +
+               "°, virtual at " + number(paper.virtual_direction_deg) + "°" +
                (paper.is_plate_fixed ? ", no controller" : ""),
       .caption =
           "a: " + number(paper_trials) +
-          " simulated paths and their median; the scale to the side is enlarged. b: the paths that the "
+          " simulated paths and their median. b: the paths that the "
           "participant perceives. c: the plate in the first of these trials. d: the direction of motion, "
           "which the last step judges. Motor variance " +
-          number(paper.motor_variance_deg2) + " deg², tactile weight " + number(paper.tactile_weight) + ". " +
+          number(paper.motor_variance_deg2) + " (°)², tactile weight " + number(paper.tactile_weight) + ". " +
           number(100.0 * hits / paper_trials) +
-          " % of these trials end within 1.5 deg of the real direction; the paper: " + paper.paper + ".",
-      .width_px = 1200,
-      .height_px = 960};
-  figure.script =
-      block("true", true_paths) + block("true_median", {median_path(true_paths)}) +
-      block("perceived", perceived_paths) + block("perceived_median", {median_path(perceived_paths)}) +
-      block("real", {{real}}) + block("virtual", {{seen}}) + plate + directions_block(directions_deg) +
-      "set multiplot layout 2,2 title \"" + figure.title +
-      " (simulation)\" font ',14'\n"
-      "set key below spacing 1.2\nset bmargin 7\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset xrange [" +
-      lateral_range(all_paths) +
-      "]\nset yrange [0:110]\nset xlabel 'to the right of the mid-line, mm'\n"
-      "set ylabel 'away from the participant, mm'\n" +
-      paths_panel("a: true paths", "true", "#9ecae1", "lw 3 lc rgb '#a50f15'") +
-      paths_panel("b: perceived paths", "perceived", "#bdbdbd", "dt 2 lw 3 lc rgb '#00441b'") +
-      "set title 'c: plate orientation in one trial'\nset xrange [0:31]\nset yrange [-110:110]\n"
-      "set ytics 30\nset xlabel 'model step (0.1 s)'\nset ylabel 'plate orientation, deg'\nplot ";
+          " % of these trials end within 1.5° of the real direction; the paper: " + paper.paper + ".",
+      .width_px = width_px,
+      .height_px = height_px};
+  figure.script = block("true", true_paths) + block("true_median", {median_path(true_paths)}) +
+                  block("perceived", perceived_paths) +
+                  block("perceived_median", {median_path(perceived_paths)}) + block("real", {{real}}) +
+                  block("virtual", {{seen}}) + plate + directions_block(directions_deg) +
+                  "set multiplot layout 4,1 title \"" + figure.title +
+                  " (simulation)\" font ',12'\n"
+                  "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset xrange [" +
+                  number(sides.first_mm) + ':' + number(sides.last_mm) +
+                  "]\nset yrange [0:110]\nset xlabel 'to the right of the mid-line, mm'\n"
+                  "set ylabel 'away from the participant, mm'\n" +
+                  paths_panel(0, "a: true paths", "true", "#9ecae1", "lw 3 lc rgb '#a50f15'") +
+                  paths_panel(1, "b: perceived paths", "perceived", "#bdbdbd", "dt 2 lw 3 lc rgb '#00441b'") +
+                  panel_place(2) +
+                  "set title 'c: plate orientation in one trial'\nset xrange [0:31]\nset yrange [-110:110]\n"
+                  "set ytics 30\nset xlabel 'model step (0.1 s)'\nset ylabel 'plate orientation, °'\nplot ";
   if (!paper.is_plate_fixed)
     figure.script += level(paper.virtual_direction_deg - bound_deg, "dt 3 lw 1.5 title 'bound'") +
                      level(paper.virtual_direction_deg + bound_deg, "dt 3 lw 1.5 notitle");
@@ -198,12 +232,13 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
     figure.script += number(authority.plate_orientation_deg) +
                      " with lines dt 2 lw 1.5 lc rgb '#b35806' title 'holds the real direction', ";
   figure.script +=
-      "$plate using 1:2 with linespoints pt 6 ps 0.6 lw 1.5 lc rgb '#08306b' title 'plate'\n"
+      "$plate using 1:2 with linespoints pt 6 ps 0.6 lw 1.5 lc rgb '#08306b' title 'plate'\n" +
+      panel_place(3) +
       "set title 'd: true direction of motion'\nset yrange [-15:15]\nset ytics 5\n"
-      "set ylabel 'direction, deg (left positive)'\nplot $directions using 1:2 with lines lw 0.7 lc rgb "
+      "set ylabel 'direction, ° (left positive)'\nplot $directions using 1:2 with lines lw 0.7 lc rgb "
       "'#9ecae1' title 'one trial', $directions_median using 1:2 with lines lw 3 lc rgb '#a50f15' title "
       "'median', " +
-      level(paper.real_direction_deg - condition.tolerance_deg, "lw 1.5 title 'real ± 1.5 deg'") +
+      level(paper.real_direction_deg - condition.tolerance_deg, "lw 1.5 title 'real ± 1.5°'") +
       level(paper.real_direction_deg + condition.tolerance_deg, "lw 1.5 notitle") +
       number(paper.virtual_direction_deg) +
       " with lines dt 2 lw 1.5 lc rgb '#b35806' title 'virtual'\nunset multiplot\n";

@@ -15,27 +15,23 @@ using Rows = std::span<const RobustnessRow>;
 constexpr const char* styles[] = {"pt 2 lc rgb '#999999'", "pt 8 lc rgb '#b35806'", "pt 6 lc rgb '#4393c3'",
                                   "pt 7 lc rgb '#08306b'", "pt 4 lc rgb '#35978f'"};
 
-std::string label(const PeopleFamily& family) {
-  return std::string(family.name) + (family.tuned ? "" : " *");
-}
-
 Figure duration_figure(double duration_s, Rows rows) {
   const std::string seconds = number(duration_s) + " s";
   Figure figure{.name = "robustness_" + std::to_string(std::llround(1e3 * duration_s)) + "_ms",
                 .title = "People who reach in " + seconds,
                 .caption =
-                    "Reaches that end within 1.5 deg of the real target's bearing, of people who can "
-                    "hold the gap, with 95 % intervals (Wilson). *: family kept apart from the search "
-                    "for our controller's numbers.",
+                    "Reaches that end within 1.5° of the real target's bearing, of people who can hold the "
+                    "gap, with 95 % intervals (Wilson). *: family kept apart from the search for our "
+                    "controller's numbers. +: tracker or plate is off, which no controller sees.",
                 .width_px = 560,
                 .height_px = 150 + 27 * static_cast<int>(rows.size())};
   // Families from above to below; within a family the five points from above to below.
   std::string ticks;
   std::string script = "$rows << EOD\n";
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    ticks += (i == 0 ? "\"" : ", \"") + label(*rows[i].family) + "\" " + std::to_string(i);
+    ticks += (i == 0 ? "\"" : ", \"") + label(rows[i].people) + "\" " + std::to_string(i);
     for (const Leading leading : leadings) {
-      const Share& near = rows[i].cell(leading).near;
+      const Share& near = rows[i].cell(leading).can_hold.near;
       if (near.of == 0) continue;
       const PercentInterval interval = near.interval();
       const int column = static_cast<int>(leading);
@@ -63,73 +59,100 @@ Figure duration_figure(double duration_s, Rows rows) {
   return figure;
 }
 
-std::string percent_text(const Share& share) {
-  return share.of == 0 ? "" : fixed(share.percent(), 1);
+// "98.5 (97.1–99.2)"; what too few values bound is "?".
+std::string with_interval(double value, double low, double high) {
+  if (std::isnan(value)) return "";
+  const auto bound = [](double end) { return std::isnan(end) ? std::string("?") : fixed(end, 1); };
+  return "<b>" + fixed(value, 1) + "</b> <small>" + bound(low) + "–" + bound(high) + "</small>";
 }
 
-std::string value_text(double value) {
-  return std::isnan(value) ? "" : fixed(value, 1);
+std::string cell(const std::string& html) {
+  return "<td>" + html + "</td>";
+}
+
+std::string cell(const Share& share) {
+  const PercentInterval interval = share.interval();
+  return cell(with_interval(share.percent(), interval.low, interval.high));
+}
+
+std::string cell(const Quantile& quantile) {
+  return cell(with_interval(quantile.value, quantile.low, quantile.high));
+}
+
+constexpr int columns = 8;
+
+// A sort of people, whether they can hold the gap or not, under each controller.
+std::string group_rows(const RobustnessRow& row, bool can_hold) {
+  const auto of = [&](Leading leading) -> const ReachGroup& {
+    const RobustnessCell& cell = row.cell(leading);
+    return can_hold ? cell.can_hold : cell.cannot_hold;
+  };
+  const std::uint64_t people = of(Leading::none).near.of;
+  if (people == 0) return "";
+  std::string html = "<tr class=\"head\"><td colspan=\"" + std::to_string(columns) + "\"><b>" +
+                     escaped(label(row.people)) + "</b>: " + escaped(row.people.says) + "; " +
+                     std::to_string(people) + (can_hold ? " can hold the gap" : " cannot hold the gap") +
+                     "</td></tr>\n";
+  for (const Leading leading : leadings) {
+    const ReachGroup& group = of(leading);
+    const bool flags = leading != Leading::none;
+    html += leading == leadings.back() ? "<tr class=\"last\">" : "<tr>";
+    html += "<td>" + escaped(leading_title(leading)) + "</td>" + cell(group.near) +
+            cell(group.miss_median_mm) + cell(group.miss_95_mm) + cell(group.peak_felt_error_median_deg) +
+            (flags ? cell(can_hold ? group.unreachable : group.found) + cell(group.silent) +
+                         cell(group.false_alarm)
+                   : "<td></td><td></td><td></td>") +
+            "</tr>\n";
+  }
+  return html;
 }
 
 std::string table(Rows rows) {
   std::string html =
-      "<table>\n<tr><th>family</th><th class=\"words\">people</th><th>can hold</th>"
-      "<th class=\"words\">controller</th><th>within 1.5 deg, %</th><th>interval</th><th>median miss, mm</th>"
-      "<th>95 %, mm</th><th>peak felt error, deg</th><th>unreachable: found, %</th><th>false, %</th>"
-      "<th>does not fit, %</th><th>off target, %</th><th>silent miss, %</th></tr>\n";
-  for (const RobustnessRow& row : rows)
-    for (const Leading leading : leadings) {
-      const RobustnessCell& cell = row.cell(leading);
-      const bool first = leading == leadings.front();
-      const bool flags = leading != Leading::none;
-      const auto flag = [&](const Share& share) { return flags ? percent_text(share) : ""; };
-      const PercentInterval near = cell.near.interval();
-      html += leading == leadings.back() ? "<tr class=\"last\">" : "<tr>";
-      html += table_cells({first ? label(*row.family) : ""}) + "<td class=\"words\">" +
-              (first ? escaped(row.family->says) : "") + "</td>" +
-              table_cells({first ? std::to_string(cell.near.of) : ""}) + "<td class=\"words\">" +
-              escaped(leading_title(leading)) + "</td>" +
-              table_cells({percent_text(cell.near),
-                           cell.near.of == 0 ? "" : fixed(near.low, 1) + " – " + fixed(near.high, 1),
-                           value_text(cell.miss_median_mm), value_text(cell.miss_95_mm),
-                           value_text(cell.peak_felt_error_median_deg), flag(cell.unreachable_found),
-                           flag(cell.unreachable_false), flag(cell.misfit), flag(cell.off_target),
-                           flag(cell.silent)}) +
-              "</tr>\n";
-    }
-  return html + "</table>\n";
+      "<div class=\"wide\"><table class=\"small\">\n<thead><tr><th>controller</th><th>within 1.5°, %</th>"
+      "<th>miss, median, mm</th><th>miss, 95 %, mm</th><th>peak felt error, median, °</th>"
+      "<th>unreachable, %</th><th>silent miss, %</th><th>false alarm, %</th></tr></thead>\n";
+  for (const RobustnessRow& row : rows) html += group_rows(row, true) + group_rows(row, false);
+  return html + "</table></div>\n";
 }
 
 }  // namespace
 
-std::string condition_words(const RobustnessOptions& options) {
+std::string condition_words(const RobustnessStudy& study) {
+  const RobustnessOptions& options = study.options;
   return std::to_string(options.people) + " people of each family at each duration (seed " +
          std::to_string(options.seed) +
-         "): 100 mm, a gap of 10 deg, w_T 0.12 to 0.30, 1.2 mm of tracker noise at 90 Hz, a servo of 400 "
-         "deg/s after 30 ms; our controller does not know the duration.";
+         "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of tracker "
+         "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
 }
 
-std::vector<Figure> robustness_figures(const RobustnessOptions& options, Rows rows) {
+std::vector<Figure> robustness_figures(const RobustnessStudy& study) {
   std::vector<Figure> figures;
-  for (const double duration_s : options.durations_s)
-    figures.push_back(duration_figure(duration_s, at_duration(rows, duration_s)));
+  for (const double duration_s : study.options.durations_s)
+    figures.push_back(duration_figure(duration_s, at_duration(study.rows, duration_s)));
   return figures;
 }
 
-std::string robustness_page(const RobustnessOptions& options, Rows rows, const std::vector<Figure>& figures,
+std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures,
                             const std::vector<std::string>& drawings) {
   std::string page = page_start("Haptic retargeting by touch: people as they are");
-  page += "<p>" + escaped(condition_words(options)) +
-          " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with "
-          "the paper's controller, which assumes w_T = 0.15; five times with ours, which does not know the "
-          "person at first and carries what it learns; and once with ours informed of the person's "
-          "traits.</p>\n<p>Share, miss and felt error are over people who can hold the gap, whatever the "
-          "controller. Unreachable: found of those who cannot, false of those who can. A silent miss ends "
-          "off target without a flag, of those who can.</p>\n";
+  page +=
+      "<p>" + escaped(condition_words(study)) +
+      " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with "
+      "the paper's controller, which assumes w_T = 0.15; five times with ours, which does not know the "
+      "person at first and carries what it learns; and once with ours informed of the person's "
+      "traits.</p>\n<p>Whether a person can hold the gap does not depend on the controller: their largest "
+      "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges "
+      "within 60° of the motion. The felt error is the largest difference between the direction that the "
+      "person feels and the virtual target's; 4.5° is noticed in vision, no threshold is published for "
+      "touch.</p>\n<p>Unreachable: reported so by then. A silent miss ends off target without a flag; a "
+      "false alarm ends on target and is flagged unreachable or off target. In brackets: 95 % intervals, "
+      "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound "
+      "it.</p>\n";
   for (std::size_t i = 0; i < figures.size(); ++i)
     page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i], drawings[i]) +
-            "<details><summary>The numbers</summary>\n" + table(at_duration(rows, options.durations_s[i])) +
-            "</details>\n";
+            folded("numbers-" + std::to_string(i + 1), "The numbers",
+                   table(at_duration(study.rows, study.options.durations_s[i])));
   return page + "</body>\n</html>\n";
 }
 

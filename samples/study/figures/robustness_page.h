@@ -6,18 +6,18 @@
 #include <vector>
 
 #include "samples/study/figures/figures.h"
-#include "samples/study/robustness.h"
+#include "samples/study/robustness_text.h"
 
 namespace hrt::study {
 
 /// The condition common to all reaches.
-std::string condition_words(const RobustnessOptions& options);
+std::string condition_words(const RobustnessStudy& study);
 
 /// A figure for each duration.
-std::vector<Figure> robustness_figures(const RobustnessOptions& options, std::span<const RobustnessRow> rows);
+std::vector<Figure> robustness_figures(const RobustnessStudy& study);
 
 /// `drawings`: gnuplot's SVG of each figure.
-std::string robustness_page(const RobustnessOptions& options, std::span<const RobustnessRow> rows,
-                            const std::vector<Figure>& figures, const std::vector<std::string>& drawings);
+std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures,
+                            const std::vector<std::string>& drawings);
 
 }  // namespace hrt::study

@@ -2,6 +2,7 @@
 
 import re
 import runpy
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -27,12 +28,64 @@ def test_share_of_touch_and_bias_are_those_of_the_line() -> None:
             calibration.add_trial(plate_deg, slide(plate_deg, seed=seed))
         result = calibration.solve()
         assert (result.trials, result.trials_used) == (15, 15)
-        assert result.tactile_weight.value == pytest.approx(0.15, abs=0.002)
+        assert result.tactile_weight.value == pytest.approx(0.15, abs=0.003)
         assert result.bias_deg.value == pytest.approx(2.0, abs=0.1)
         assert result.tracker_noise_m.value == pytest.approx(0.0003, rel=0.1)
         session.apply_calibration(result)
         assert session.config.tactile_weight == result.tactile_weight.value
         assert session.profile["bias_deg"] == result.bias_deg.value
+
+
+def test_next_angle_and_residuals() -> None:
+    with hrt.Session() as session, hrt.Calibration(session, lower_plate_deg=-60, upper_plate_deg=60) as calibration:
+        angles = []
+        for seed in range(14):
+            plate_deg, enough = calibration.next_angle()
+            assert -60 <= plate_deg <= 60 and not (enough and seed < 10)
+            angles.append(plate_deg)
+            calibration.add_trial(plate_deg, slide(plate_deg, seed=seed))
+        assert len(set(angles)) >= 9
+        result = calibration.solve()
+        residuals = [calibration.residual(i) for i in range(result.trials_used)]
+        assert [r.plate_deg for r in residuals] == pytest.approx(angles)
+        with pytest.raises(hrt.Error):
+            calibration.residual(result.trials_used)
+
+
+def test_retest_finds_what_changed_and_recordings_hold_it(tmp_path: Path) -> None:
+    path = tmp_path / "slides.csv"
+    results = []
+    with hrt.Session() as session, session.recording(path):
+        for weight in (0.15, 0.15, 0.2):
+            with hrt.Calibration(session) as calibration:
+                for seed, plate_deg in enumerate((-60, -40, -20, 0, 20, 40, 60) * 2):
+                    calibration.add_trial(plate_deg, slide(plate_deg, weight, seed=seed + 20 * len(results)))
+                results.append(calibration.solve())
+    same, other = hrt.compare_calibrations(*results[:2]), hrt.compare_calibrations(results[0], results[2])
+    assert not same.differing & hrt.DiffersFlag.TACTILE_WEIGHT
+    assert other.differing & hrt.DiffersFlag.TACTILE_WEIGHT
+    assert other.tactile_weight.value == pytest.approx(0.05, abs=0.01)
+    assert hrt.read_recording(path).reaches == []
+    report = hrt.replay(path)
+    assert report.complete and report.first_different_line == 0 and report.rows > 3 * 14 * 300
+
+
+def test_a_profile_has_its_conditions() -> None:
+    with hrt.Session() as session, hrt.Calibration(session) as calibration:
+        for seed, plate_deg in enumerate((-60, -30, 0, 30, 60) * 3):
+            calibration.add_trial(plate_deg, slide(plate_deg, seed=seed))
+        session.set_conditions(plate="desk 1", tracker="Ultraleap", time_s=1_767_225_600)
+        session.apply_calibration(calibration.solve())
+        profile = session.profile
+    assert (profile["plate"], profile["tracker"], profile["measured_at_s"]) == ("desk 1", "Ultraleap", 1_767_225_600)
+    with hrt.Session() as session:
+        session.load_profile(profile)
+        assert session.conditions.differing == 0
+        session.set_conditions(plate="desk 2", tracker="Ultraleap")
+        assert session.conditions.differing == hrt.ConditionFlag.PLATE
+        assert session.conditions.plate == b"desk 1"
+        with pytest.raises(hrt.Error, match="control character"):
+            session.set_conditions(plate="two\nlines")
 
 
 def test_slides_over_one_orientation_are_refused() -> None:

@@ -1,6 +1,8 @@
 """Reaches, over arrays and step by step."""
 
 import ctypes
+import re
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -16,7 +18,7 @@ def test_controller_gives_the_plate_of_the_closed_form(session: hrt.Session) -> 
     gain = 0.5 / 0.6
     felt = 0.6 * 5 / gain
     assert command.plate_orientation_deg == pytest.approx(5 + (felt + 0.85 * 5) / 0.15)
-    assert reach.summary is not None and reach.summary.samples == 1
+    assert reach.summary.samples == 1
 
 
 def test_arrays_give_the_bits_of_single_steps(session: hrt.Session, straight: np.ndarray) -> None:
@@ -87,9 +89,33 @@ def test_rows_of_another_size_are_refused(session: hrt.Session, straight: np.nda
             reach.run(straight)
 
 
-def test_no_samples_make_no_commands(session: hrt.Session) -> None:
-    record = session.run_reach(session.target("cylinder"), session.target("cup"), hrt.samples(np.array([], int)))
-    assert len(record.commands) == 0 and len(record.time_s) == 0
+def test_no_samples_are_refused(session: hrt.Session) -> None:
+    with pytest.raises(ValueError, match="time_ns is empty"):
+        hrt.samples([])
+    with pytest.raises(ValueError, match="samples is empty"):
+        session.run_reach(session.target("cylinder"), session.target("cup"), np.zeros(0, hrt.SAMPLE))
+    assert session.state == hrt.StateFlag.READY
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        assert len(reach.run(np.zeros(0, hrt.SAMPLE))) == 0
+
+
+def test_record_shows_itself(session: hrt.Session, straight: np.ndarray) -> None:
+    straight["flags"][50:80] = 0
+    record = session.run_reach(session.target("cylinder"), session.target("cup"), straight)
+    assert re.fullmatch(r"<RunRecord: 271 samples in 3\.00 s, real target -5\.00 deg, virtual \+5\.00 deg, "
+                        r"last step [-+]\d\.\d\d deg>", repr(record))
+    html = record._repr_html_()
+    picture = ElementTree.fromstring(record._repr_svg_())
+    assert record._repr_svg_() in html and "PREDICTED" in html and "<td>271</td>" in html
+    # From 0, 10 cm ahead, to 5 degrees right of it at the same distance from the start: 2 x 100 mm x sin 2.5 degrees.
+    assert "<td>8.7 mm</td>" in html
+    left, top, width, height = (float(number) for number in (picture.get("viewBox") or "").split())
+    path = picture.findall("{http://www.w3.org/2000/svg}path")[-1].get("d") or ""
+    strokes = [re.findall(r"(-?[\d.]+) (-?[\d.]+)", stroke) for stroke in path.split("M")[1:]]
+    assert [len(stroke) for stroke in strokes] == [50, 191], "broken where the finger was not seen"
+    assert strokes[0][0] == ("0.0", "50.0") and strokes[-1][-1] == ("0.0", "-50.0"), "the user is below"
+    for x, y in sum(strokes, []):
+        assert left < float(x) < left + width and top < float(y) < top + height
 
 
 def test_samples_are_made_of_columns() -> None:
@@ -111,6 +137,20 @@ def test_wrong_columns_are_refused() -> None:
         hrt.samples([0, 1], position_m=[[0, 0, 0]])
     with pytest.raises(ValueError, match="finger_direction_deg"):
         hrt.samples([0, 1], direction_deg=[1, 2, 3])
+    with pytest.raises(ValueError, match=r"lifted must have the shape \(2,\)"):
+        hrt.samples([0, 1], lifted=[True])
+    with pytest.raises(TypeError, match="finger_position_m must be numbers"):
+        hrt.samples([0, 1], position_m="here")
+
+
+def test_what_is_no_array_is_refused(session: hrt.Session) -> None:
+    with session.reach(session.target("cylinder"), session.target("cup")) as reach:
+        with pytest.raises(TypeError, match="samples is a list: an array is needed"):
+            reach.run([1, 2])
+        with pytest.raises(TypeError, match="Sample.time_ns is 0.5: a whole number"):
+            reach.update(0.5)
+        with pytest.raises(RuntimeError, match="has not ended"):
+            reach.summary
 
 
 def test_dropout_holds_the_plate(session: hrt.Session) -> None:
@@ -125,14 +165,17 @@ def test_a_reach_is_retargeted_and_cancelled(session: hrt.Session, straight: np.
     real, virtual = session.target("cylinder"), session.target("cup")
     other = session.add_real("other", direction_deg=0, distance_m=0.08)
     assert session.state == hrt.StateFlag.READY
-    with session.reach(real, virtual, start_at_finger=True) as reach:
+    with pytest.raises(hrt.Error, match="duration_s"):
+        session.reach(real, virtual, duration_s=0.01)
+    with session.reach(real, virtual, start_at_finger=True, duration_s=3) as reach:
         assert session.state == hrt.StateFlag.REACHING
         reach.run(straight[:100])
         reach.retarget(other, virtual)
         with pytest.raises(hrt.Error, match="real_target"):
             reach.retarget(virtual, virtual)
         reach.cancel()
-    assert reach.summary is None
+    with pytest.raises(RuntimeError, match="cancelled"):
+        reach.summary
     assert session.state == hrt.StateFlag.READY
 
 

@@ -25,8 +25,8 @@ def test_configuration_has_defaults_and_takes_keywords() -> None:
 @pytest.mark.parametrize(
     ("fields", "error", "text"),
     [
-        ({"horizn": 3}, AttributeError, "horizn"),
-        ({"struct_size": 3}, AttributeError, "struct_size"),
+        ({"horizn": 3}, TypeError, "horizn"),
+        ({"struct_size": 3}, TypeError, "struct_size"),
         ({"horizon": -1}, ValueError, "horizon is -1"),
         ({"horizon": 2.5}, TypeError, "SessionConfig.horizon is 2.5"),
         ({"horizon": 51}, hrt.Error, "horizon"),
@@ -162,3 +162,45 @@ def test_scene_is_registered() -> None:
         assert session.config.plate_radius_m == scene.info.plate_radius_m
     with pytest.raises(hrt.Error, match="no.gltf"):
         hrt.Scene("no.gltf")
+
+
+def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
+    cup = session.target("cup")
+    with pytest.raises(TypeError, match="real is 'cylinder': a Target is needed"):
+        session.reach("cylinder", cup)
+    with pytest.raises(TypeError, match="virtual is None: a Target"):
+        session.authority(cup, None)
+    with pytest.raises(TypeError, match=r"reals\[1\] is 5: a Target"):
+        session.assign([cup], [cup, 5])
+    with pytest.raises(TypeError, match="name is 5: a text"):
+        session.target(5)
+    with pytest.raises(TypeError, match="profile is a int"):
+        session.load_profile(5)
+    with pytest.raises(TypeError, match="result is a dict: a CalibrationResult"):
+        session.apply_calibration({})
+    with pytest.raises(TypeError, match="session is 'me': a Session"):
+        hrt.Calibration("me")
+    with pytest.raises(TypeError, match="ReachConfig.real_target is 7: a TargetHandle"):
+        hrt._abi.ReachConfig(real_target=7)
+    assert session.state == hrt.StateFlag.READY
+
+
+def test_reprs_are_short(session: hrt.Session) -> None:
+    assert repr(session.target("cup")) == "<Target 'cup', virtual, 5 deg, 0.1 m>"
+    placed = session.add_real(position_m=(0.01, 0, -0.04))
+    assert repr(placed) == "<Target, real, [0.01, 0.0, -0.04] m plate>"
+    placed.remove()
+    assert "removed" in repr(placed)
+    assert repr(session.state) == "StateFlag.READY" and repr(hrt.StateFlag(0)) == "StateFlag(0)"
+    assert repr(hrt.CommandFlag(1 | 16 | 1 << 20)) == "CommandFlag.HELD|UNREACHABLE|0x100000"
+    config = session.config
+    assert config.guidance is hrt.Guidance.FIXED_DIRECTION
+    assert "guidance=FIXED_DIRECTION" in repr(config) and "person_covariance=<45 zeros>" in repr(config)
+    assert repr(hrt.Interval(value=1 / 3, known=1)) == "Interval(value=0.333333, lower=0, upper=0, known=1)"
+    assert "<tr><td>guidance</td><td>FIXED_DIRECTION</td></tr>" in config._repr_html_()
+    assert "&lt;45 zeros&gt;" in config._repr_html_()
+    assert repr(session) == "<Session: 2 targets, READY>"
+    session.close()
+    assert repr(session) == "<Session, closed>"
+    with hrt.Session() as idle:
+        assert repr(idle) == "<Session: 0 targets, idle>"

@@ -13,18 +13,10 @@ namespace Hrt.HostTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;
 
-        static readonly Dictionary<string, string> handles = new Dictionary<string, string>
-        {
-            {"hrt_session", "SessionHandle"}, {"hrt_target", "TargetId"}, {"hrt_scene", "SceneHandle"},
-            {"hrt_calibration", "CalibrationHandle"}
-        };
-
+        // Whose names in C# are not those of the headers.
         static readonly Dictionary<string, string> enums = new Dictionary<string, string>
         {
-            {"ERROR", "Result"}, {"LOG", "LogLevel"}, {"CONTROL", "Control"}, {"GUIDANCE", "Guidance"},
-            {"ADAPTATION", "Adaptation"}, {"TARGET", "TargetRole"}, {"PLACE", "Place"}, {"REACH", "ReachFlags"},
-            {"SAMPLE", "SampleFlags"}, {"COMMAND", "CommandFlags"}, {"SESSION", "SessionFlags"},
-            {"ENDING", "Ending"}, {"STATE", "StateFlags"}
+            {"ERROR", "Result"}, {"LOG", "LogLevel"}, {"TARGET", "TargetRole"}
         };
 
         string[] lines;
@@ -46,9 +38,9 @@ namespace Hrt.HostTests
                 string[] words = line.Split(new[] {' '}, StringSplitOptions.RemoveEmptyEntries);
                 if (line.StartsWith("struct "))
                 {
-                    string name;
-                    if (!handles.TryGetValue(words[1], out name)) name = Pascal(words[1].Substring("hrt_".Length));
-                    type = package.GetType("Hrt." + name);
+                    string name = Pascal(words[1].Substring("hrt_".Length));
+                    if (name == "Target") name = "TargetId";
+                    type = package.GetType("Hrt." + name) ?? package.GetType("Hrt." + (name += "Handle"));
                     Assert.IsNotNull(type, line);
                     Assert.AreEqual(int.Parse(words[2]), Marshal.SizeOf(type), line);
                     seen.Add(name);
@@ -129,15 +121,18 @@ namespace Hrt.HostTests
         static long Value(string name)
         {
             if (name == "OK") return (long)Result.Ok;
-            string prefix = name.Substring(0, name.IndexOf('_')), enumName;
-            if (enums.TryGetValue(prefix, out enumName))
-            {
-                Type type = package.GetType("Hrt." + enumName);
-                return Convert.ToInt64(Enum.Parse(type, Pascal(name.Substring(prefix.Length + 1))));
-            }
             FieldInfo field = typeof(Constants).GetField(Pascal(name));
-            Assert.IsNotNull(field, name);
-            return Convert.ToInt64(field.GetValue(null));
+            if (field != null) return Convert.ToInt64(field.GetValue(null));
+            // Of which words are the enum's: LACK_OF_FIT_ANGLE is LackOfFitFlags.Angle.
+            for (int end = name.IndexOf('_'); end > 0; end = name.IndexOf('_', end + 1))
+            {
+                string prefix = name.Substring(0, end), member = Pascal(name.Substring(end + 1)), known;
+                string start = enums.TryGetValue(prefix, out known) ? known : Pascal(prefix);
+                Type type = package.GetTypes().FirstOrDefault(
+                    t => t.IsEnum && t.Name.StartsWith(start) && Enum.IsDefined(t, member));
+                if (type != null) return Convert.ToInt64(Enum.Parse(type, member));
+            }
+            throw new AssertionException(name + " is in no enum");
         }
 
         static int SizeOf(Type type) => Marshal.SizeOf(type.IsEnum ? Enum.GetUnderlyingType(type) : type);

@@ -48,21 +48,28 @@ namespace Hrt.HostTests
             var table = new GameObject("table").AddComponent<HrtSamples.Table>();
             table.Message("Start")();
             var retargeting = table.gameObject.GetComponent<HapticRetargeting>();
+            Send(table, EventType.KeyDown, new Vector3(), KeyCode.Alpha1 + 1);
+            Send(table, EventType.MouseDown, new Vector3());
             for (int frame = 0; frame <= 270; ++frame)
             {
-                Vector3 way = Axes.Direction(-8) * (0.1f * frame / 270);
-                Input.mousePosition = new Vector3(way.x, 0.35f + way.z, 0);
-                Input.key = frame == 0 ? (KeyCode?)KeyCode.Alpha1 + 1 : null;
-                Input.pressed = frame == 0;
-                Input.released = frame == 270;
                 Time.unscaledTimeAsDouble = 100 + frame / 90.0;
-                table.Message("Update")();
+                Send(table, EventType.Repaint, Axes.Direction(-8) * (0.1f * frame / 270));
                 retargeting.Message("LateUpdate")();
             }
+            Send(table, EventType.MouseUp, Axes.Direction(-8) * 0.1f);
             Assert.IsFalse(retargeting.IsReaching);
             // From the goblet's place to the cylinder's: a chord of 8 degrees at 10 cm.
             StringAssert.Contains("To the goblet: 13 mm from the cylinder", logged.Last());
             UnityEngine.Object.DestroyImmediate(table.gameObject);
+        }
+
+        static void Send(HrtSamples.Table table, EventType type, Vector3 way, KeyCode key = KeyCode.None)
+        {
+            Event.current = new Event
+            {
+                type = type, keyCode = key, mousePosition = new Vector2(way.x, Screen.height - (0.35f + way.z))
+            };
+            table.Message("OnGUI")();
         }
 
         void Log(string level, string text) => logged.Add(level + ": " + text);

@@ -98,7 +98,7 @@ TEST(UnrealAxes, ConvertPosesAsTheyConvertPoints) {
 
 TEST(UnrealSettings, AreTheLibrarysDefaults) {
   const hrt_session_config defaults = hrt_session_config_init();
-  const hrt_session_config config = HapticConversions::ToConfig(FHapticSettings(), FTransform());
+  const hrt_session_config config = HapticConversions::ToConfig(FHapticSettings(), FTransform(), defaults);
   EXPECT_EQ(std::memcmp(&config, &defaults, sizeof config), 0);
 }
 
@@ -134,7 +134,7 @@ TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
   s.SensoryVariance = 0.2;
   s.InitialVariance = 0.3;
   s.TrackerNoise = 0.1;
-  const hrt_session_config config = HapticConversions::ToConfig(s, somewhere());
+  const hrt_session_config config = HapticConversions::ToConfig(s, somewhere(), hrt_session_config_init());
   hrt_session session;
   ASSERT_EQ(hrt_session_create(&config, &session), HRT_OK) << hrt_last_error();
   hrt_session_destroy(session);
@@ -159,6 +159,10 @@ TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
   }
 }
 
+TEST_F(Component, HasNoStepBeforeTheFirstCommand) {
+  EXPECT_EQ(component_.GetCommand().Step, -1);
+}
+
 TEST_F(Component, CallsRightPositive) {
   FHapticTarget right, ahead;
   ASSERT_TRUE(component_.AddTargetAt(kReal, TEXT("right"), FVector(-5, 10, 2), right));
@@ -173,6 +177,42 @@ TEST_F(Component, CallsRightPositive) {
   EXPECT_EQ(authority.RealTarget.Id, right.Id);
   EXPECT_NEAR(authority.GapYaw, -3, 1e-9);
   EXPECT_TRUE(authority.bReachable);
+}
+
+// The same samples through the component's own terms and through the C interface's.
+TEST_F(Component, TakesAMeasuredPlate) {
+  FHapticTarget real, felt;
+  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("real"), 5, 10, real));
+  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("felt"), -5, 10, felt));
+  const auto run = [&](const std::function<bool(const FVector&, double, double)>& update) {
+    EXPECT_TRUE(component_.BeginReachAt(real, felt, 30, 2)) << last_log();
+    for (int frame = 0; frame <= 180; ++frame) {
+      const double part = frame / 180.0;
+      EXPECT_TRUE(update(FVector(-5 + 10 * part, 0.4 * part, 0.2), 30 - 70 * part, frame / 90.0)) << last_log();
+    }
+    const hrt_command command = component_.GetRawCommand();
+    EXPECT_TRUE(component_.CancelReach());
+    return command;
+  };
+  const hrt_command measured = run([&](const FVector& place, double plate_yaw, double time) {
+    return component_.UpdateFingerAndPlate(place, plate_yaw, time);
+  });
+  const hrt_command raw = run([&](const FVector& place, double plate_yaw, double time) {
+    hrt_sample sample{};
+    sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.time_ns = HapticConversions::ToNanoseconds(time);
+    HapticConversions::ToMetres(place, sample.finger_position_m);
+    sample.plate_orientation_deg = -plate_yaw;
+    return component_.UpdateSample(sample);
+  });
+  const hrt_command without = run([&](const FVector& place, double, double time) {
+    return component_.UpdateFinger(place, time);
+  });
+  EXPECT_EQ(std::memcmp(&measured, &raw, sizeof raw), 0);
+  EXPECT_NE(measured.plate_orientation_deg, without.plate_orientation_deg);
+  EXPECT_FALSE(component_.BeginReachAt(real, felt, kNan, 2));
+  EXPECT_FALSE(component_.BeginReachAt(real, felt, 0, 0.01));
+  EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 
 TEST_F(Component, RetargetsAndCancels) {
@@ -258,6 +298,8 @@ TEST_F(Component, RefusesAndSaysWhy) {
       << last_log();
   EXPECT_EQ(target.Id, 7);
   component_.Settings.Horizon = 3;
+  EXPECT_FALSE(component_.AddTarget(EHapticTargetRole::None, TEXT("a"), 0, 10, target));
+  EXPECT_NE(last_log().find("role"), std::string::npos) << last_log();
   const std::u16string longest(63, u'a');
   EXPECT_FALSE(component_.AddTarget(kReal, (longest + u"a").c_str(), 0, 10, target));
   EXPECT_TRUE(component_.AddTarget(kReal, longest.c_str(), 0, 10, target));
@@ -290,8 +332,11 @@ TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
   begin();
   for (int frame = 0; frame <= 270; ++frame)
     ASSERT_TRUE(component_.UpdateFinger(FVector(-5 + frame / 27.0, 0, 0.2), frame / 90.0));
+  component_.Settings.PlateMaxSpeed = 123;  // waits for the end of the reach
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
+  EXPECT_EQ(component_.Settings.PlateMaxSpeed, 123);
+  EXPECT_EQ(component_.Settings.PlateRadius, 7.5);
   EXPECT_EQ(component_.Settings.TactileWeight, summary.TactileWeight);
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
@@ -337,9 +382,30 @@ TEST_F(Component, CalibratesAUser) {
   EXPECT_LT(user.BiasYaw.Lower, user.BiasYaw.Value);
   EXPECT_GT(user.BiasYaw.Upper, user.BiasYaw.Value);
   EXPECT_NEAR(user.TrackerNoise.Value, 0.03, 0.01);
+  double yaw = 100;
+  bool enough = true;
+  ASSERT_TRUE(component_.GetNextAngle(yaw, enough)) << last_log();
+  EXPECT_LE(std::abs(yaw), 75);
+  FHapticSlide slide;
+  ASSERT_TRUE(component_.GetSlide(0, slide)) << last_log();
+  EXPECT_EQ(slide.Trial, 0);
+  EXPECT_NEAR(slide.PlateYaw, -60, 1e-9);
+  EXPECT_NEAR(slide.Yaw - slide.FittedYaw, slide.ResidualYaw, 1e-9);
+  EXPECT_FALSE(component_.GetSlide(20, slide));
+  EXPECT_NE(last_log().find("slide is 20"), std::string::npos) << last_log();
+  ASSERT_TRUE(component_.SetConditions(TEXT("desk 1"), TEXT("Ultraleap"), 1767225600)) << last_log();
   ASSERT_TRUE(component_.ApplyCalibration()) << last_log();
   EXPECT_EQ(component_.Settings.TactileWeight, user.TactileWeight.Value);
   EXPECT_EQ(component_.Settings.BiasYaw, user.BiasYaw.Value);
+  ASSERT_TRUE(component_.SetConditions(TEXT("desk 2"), TEXT("Ultraleap"), 0)) << last_log();
+  FString plate, tracker;
+  int64 time = 0;
+  bool plate_differs = false, tracker_differs = true;
+  ASSERT_TRUE(component_.GetConditions(plate, tracker, time, plate_differs, tracker_differs)) << last_log();
+  EXPECT_EQ(Stub::ToUtf8(*plate), "desk 1");
+  EXPECT_EQ(time, 1767225600);
+  EXPECT_TRUE(plate_differs);
+  EXPECT_FALSE(tracker_differs);
   EXPECT_TRUE(component_.EndCalibration());
   EXPECT_FALSE(component_.EndCalibration());
 }
@@ -349,7 +415,12 @@ TEST_F(Component, Records) {
   const std::string path = testing::TempDir() + "/unreal_recording_" + std::to_string(PLATFORM_WINDOWS) + ".csv";
   ASSERT_TRUE(component_.StartRecording(Stub::ToUtf16(path).c_str()));
   begin();
+  int64 written = -1, lost = -1;
+  ASSERT_TRUE(component_.GetRecordingStatus(written, lost)) << last_log();
+  EXPECT_GE(written, 0);
+  EXPECT_EQ(lost, 0);
   ASSERT_TRUE(component_.StopRecording()) << last_log();
+  EXPECT_FALSE(component_.GetRecordingStatus(written, lost));
   std::string line;
   std::ifstream file(path);
   std::getline(file, line);
@@ -383,7 +454,23 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   module->ShutdownModule();
   FPlatformProcess::Missing = true;
   module->StartupModule();
-  EXPECT_NE(last_log().find("haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
+  EXPECT_NE(last_log().find("Error: haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
+
+  UHapticRetargetingComponent component;
+  const FHapticTarget none;
+  FHapticTarget target;
+  FHapticSummary summary;
+  const size_t logged = FLogCategory::Lines.size();
+  EXPECT_FALSE(component.AddTarget(EHapticTargetRole::Real, TEXT("cylinder"), 5.0, 10.0, target));
+  EXPECT_FALSE(component.BeginReach(none, none));
+  EXPECT_FALSE(component.BeginCalibration(0.0));
+  for (int frame = 0; frame < 90; ++frame) EXPECT_FALSE(component.UpdateFinger({}, frame / 90.0));
+  EXPECT_FALSE(component.EndReach(summary));
+  EXPECT_EQ(FLogCategory::Lines.size(), logged + 1);
+  EXPECT_NE(last_log().find("the plugin's library is missing"), std::string::npos);
+  component.BeginDestroy();
+  FPlatformProcess::Missing = false;
+  module->StartupModule();  // what the other tests need
 }
 #else
 TEST(UnrealModule, LeavesLoadingToTheLinker) {

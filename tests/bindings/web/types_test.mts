@@ -15,6 +15,10 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.sample.flags = hrt.HRT_SAMPLE_PLATE_POSITION;
   session.sample.time_ns = performance.now() * 1e6;
   session.sample.finger_position_m[0] = margin;
+  session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 } } }, performance.now());
+  session.setFinger(null, 1);
+  session.setPlate(new Float32Array(16));
+  session.setPlate({ elements: [1] });
   session.update();
   const plate: number = session.command.plate_orientation_deg + session.command.step;
   const samples: bigint = session.endReach().samples;
@@ -32,6 +36,10 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.loadProfile(session.profile);
   const names: string[] = library.loadScene(bytes, "desk").targets.map((target) => target.name);
 
+  // @ts-expect-error: no such field
+  session.sample.finger_positon_m = [0, 0, 0];
+  // @ts-expect-error: a time is needed
+  session.setFinger(null);
   // @ts-expect-error: no such field
   library.createSession({ horizont: 3 });
   // @ts-expect-error: the library's to fill

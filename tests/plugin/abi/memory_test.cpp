@@ -2,10 +2,12 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "core/simulation/calibration_trial.h"
 #include "tests/plugin/fixture.h"
@@ -101,7 +103,7 @@ TEST(Memory, EveryRequestMayBeRefused) {
 }
 
 // Refuses each request of an operation in turn, alone and with all that follow: every time a clean error, and
-// nothing held that was not before.
+// nothing held that was not before. Of more than 1000 requests every 101st, and the last ones.
 template <class Operation>
 void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
   allocator.requests = 0;
@@ -110,7 +112,7 @@ void refuse_each_request(CountingAllocator& allocator, Operation&& operation) {
   ASSERT_GT(requests, 0);
   for (const bool fail_on : {false, true}) {
     allocator.fail_on = fail_on;
-    for (long n = 1; n <= requests; ++n) {
+    for (long n = 1; n <= requests; n += n > 1000 && n + 101 < requests ? 101 : 1) {
       allocator.requests = 0;
       allocator.fail_at = n;
       ASSERT_EQ(operation(), HRT_ERROR_OUT_OF_MEMORY) << "refusing request " << n << " of " << requests;
@@ -242,6 +244,35 @@ TEST(Memory, EveryRequestOfARefusedSceneMayBeRefused) {
     }
     allocator.fail_on = false;
   }
+}
+
+TEST(Memory, EveryRequestOfTouchesMayBeRefused) {
+  CountingAllocator allocator;
+  const hrt_mark_touch touches[] = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
+                                    {{0.0, 0.0, 0.05}, {1.0, 0.0, 0.05}},
+                                    {{0.075, 0.0, 0.0}, {1.075, 0.0, 0.0}},
+                                    {{-0.075, 0.0, 0.0}, {0.925, 0.0, 0.0}},
+                                    {{0.0, 0.0, -0.075}, {1.05, 0.0, -0.075}}};
+  auto registration = output<hrt_registration>();
+  refuse_each_request(allocator,
+                      [&] { return hrt_registration_fit(nullptr, touches, 5, 0, nullptr, &registration); });
+  EXPECT_EQ(registration.left_out, 4);
+  const hrt_joint_touch joints[] = {{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 1.0}},
+                                    {{0.0, 0.0, 0.0}, {0.6, 0.0, 0.0, 0.8}},
+                                    {{0.0, 0.0, 0.0}, {0.0, 0.6, 0.0, 0.8}}};
+  auto fingertip = output<hrt_fingertip>();
+  refuse_each_request(allocator, [&] { return hrt_fingertip_fit(nullptr, joints, 3, &fingertip); });
+  std::vector<hrt_sample> carried;
+  for (int i = 0; i < 300; ++i) {
+    hrt_sample sample =
+        position_sample(10'000'000ll * i, 0.07 * std::cos(1e-4 * i * i), 0.07 * std::sin(1e-4 * i * i));
+    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.plate_orientation_deg = 57.3e-4 * i * i;
+    carried.push_back(sample);
+  }
+  auto latency = output<hrt_latency>();
+  refuse_each_request(allocator, [&] { return hrt_latency_fit(carried.data(), carried.size(), &latency); });
+  EXPECT_EQ(allocator.held, 0);
 }
 
 TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {

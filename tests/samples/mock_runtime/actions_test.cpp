@@ -179,6 +179,11 @@ TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
   // The x button is on the left, the a button on the right.
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/right/input/x/click")}}));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(touch, {{any, path("/user/hand/left/input/a/click")}}));
+  // What OpenXR 1.1 adds is unknown to an application for 1.0.
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            suggest(touch, {{any, path("/user/hand/left/input/trigger/proximity")}}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest("/interaction_profiles/hp/mixed_reality_controller",
+                                               {{any, path("/user/hand/left/input/x/click")}}));
 }
 
 // "xrAttachSessionActionSets [...] XR_ERROR_ACTIONSETS_ALREADY_ATTACHED if [...] called more than once";
@@ -393,6 +398,10 @@ TEST_F(MockActions, PoseActionsLocateTheirDevice) {
   EXPECT_EQ(location.locationFlags, 0U);
   const XrPosef where{identity_pose.orientation, {0.1F, 0.2F, 0.3F}};
   ASSERT_XR(XR_SUCCESS, functions->set_device_active(session, path(simple), left, XR_TRUE));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(space, local, 1, &location));
+  EXPECT_EQ(location.locationFlags, 15U) << "not placed yet";
+  EXPECT_NEAR(location.pose.position.x, -0.2F, 1e-6F);
   ASSERT_XR(XR_SUCCESS, functions->set_device_location(session, left, pose, local, where));
   ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
   ASSERT_XR(XR_SUCCESS, xrLocateSpace(space, local, 1, &location));

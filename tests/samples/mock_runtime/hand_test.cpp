@@ -196,10 +196,22 @@ TEST_F(MockHand, SpacesNeedValidPosesAndTimes) {
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
   EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, 0, &location));
   EXPECT_XR(XR_ERROR_TIME_INVALID, xrLocateSpace(local, local, -1, &location));
-  const XrReferenceSpaceCreateInfo unbounded{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
-                                             XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT, identity_pose};
-  XrSpace space = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace(session, &unbounded, &space));
+}
+
+// "XR_ERROR_REFERENCE_SPACE_UNSUPPORTED": for every type that xrEnumerateReferenceSpaces does not give, known
+// to the specification or not. LOCAL_FLOOR is of 1.1, and the instance of 1.0.
+TEST_F(MockHand, ReferenceSpacesThatAreNotEnumeratedAreRefused) {
+  for (const int type :
+       {int{XR_REFERENCE_SPACE_TYPE_UNBOUNDED_MSFT}, int{XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR}, 0, 77}) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
+                                          static_cast<XrReferenceSpaceType>(type), identity_pose};
+    XrSpace space = XR_NULL_HANDLE;
+    EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED, xrCreateReferenceSpace(session, &info, &space)) << type;
+    XrExtent2Df bounds{};
+    EXPECT_XR(XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
+              xrGetReferenceSpaceBoundsRect(session, info.referenceSpaceType, &bounds))
+        << type;
+  }
 }
 
 // By hand: a space 2 m to the right, turned a quarter to the left, seen from one 1 m ahead, and back.

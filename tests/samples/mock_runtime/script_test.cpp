@@ -96,9 +96,35 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"calls": [{"function": "xrDestroySession", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
       {R"({"calls": [{"function": "xrWaitFrame"}]})",
-       "script.calls[0] must have a result, a delay_ms above 0, or both"},
+       "script.calls[0] must have a result, a delay_ms above 0, or a block that is true"},
+      {R"({"calls": [{"function": "xrWaitFrame", "block": true, "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
+       "script.calls[0] has both a block and a result"},
+      {R"({"calls": [{"function": "xrWaitFrame", "block": true, "session": 0}]})",
+       "script.calls[0].session must be a whole number from 1"},
+      {R"({"events": [{"frame": 1, "do": "recenter", "space": "VIEW"}]})",
+       "script.events[0].space must be one of \"LOCAL\", \"STAGE\""},
       {R"({"withhold_extensions": ["XR_EXT_none"]})",
        "script.withhold_extensions must hold names out of \"XR_MND_headless\""},
+      {R"({"withhold_extensions": ["XR_EXT_hand_tracking"]})",
+       "script: withhold_extensions has no effect once there is an instance"},
+      {R"({"seed": 1e400})", "out_of_range"},
+      {R"({"seed": 1, "seed": 2})", "script: \"seed\" stands twice in one object"},
+      {R"({"events": [{"frame": 1, "do": "freeze", "hand": "left", "frame": 2}]})",
+       "script: \"frame\" stands twice in one object"},
+      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0], "curl": 1.1}]}}})",
+       "script.hands.right.path[0].curl must be a number from 0 to 1"},
+      {R"({"hands": {"right": {"path": [{"time_ms": 5, "position_m": [0,0,0], "curl": [1]}]}}})",
+       "script.hands.right.path[0].curl must be an array of 5 numbers"},
+      {R"({"controllers": {"left": {"profile": "/interaction_profiles/none"}}})",
+       "script.controllers.left.profile must be null or an interaction profile"},
+      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "nose", "value": 1}]})",
+       "script.events[0].source must be an input of the device"},
+      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "trigger/value", "value": 2}]})",
+       "script.events[0].value must be a number from -1 to 1"},
+      {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "menu/click"}]})",
+       "script.events[0].value is missing"},
+      {R"({"events": [{"frame": 1, "do": "user_presence"}]})", "script.events[0].present is missing"},
+      {R"({"focus_frame": -1})", "script.focus_frame must be a whole number from 0"},
   };
   for (const auto& [script, why] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
@@ -488,12 +514,22 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   begin_with(R"({"clock": "real-time", "frame_rate_hz": 100})");
   EXPECT_GE(timed(6), 0.049);
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->advance_time(instance, 1));
-  // Real time is CLOCK_MONOTONIC.
-  timespec now{};
-  clock_gettime(CLOCK_MONOTONIC, &now);
-  XrTime time = 0;
-  ASSERT_XR(XR_SUCCESS, functions->to_time(instance, &now, &time));
-  EXPECT_NEAR(static_cast<double>(frame() - time), 0.0, 1e9);
+}
+
+// A path is there to be seen, unless the script says otherwise.
+TEST_F(MockScript, HandWithAPathIsTracked) {
+  const std::string path = R"("path": [{"time_ms": 0, "position_m": [-0.1, -0.4, -0.3]}])";
+  for (const bool hidden : {false, true}) {
+    begin_with((R"({"hands": {"left": {)" + std::string(hidden ? R"("tracked": false, )" : "") + path + "}}}")
+                   .c_str());
+    const XrHandTrackerEXT left = create_hand_tracker(XR_HAND_LEFT_EXT);
+    const Hand seen = locate_hand(left, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame());
+    EXPECT_EQ(seen.active, !hidden);
+    if (!hidden) {
+      EXPECT_NEAR(seen.index_tip().x, -0.1F, 1e-6F);
+    }
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
 }
 
 // The environment: a script from a file, errors that xrCreateInstance reports, and a log that outlives the
@@ -512,7 +548,7 @@ class MockEnvironment : public ::testing::Test {
   void write_script(const char* text) { std::ofstream(folder / "script.json") << text; }
   std::string read_log() { return read_file(folder / "calls.log"); }
   XrResult create() {
-    const XrInstanceCreateInfo info = instance_info(all_extensions());
+    const XrInstanceCreateInfo info = instance_info(default_extensions());
     return xrCreateInstance(&info, &instance);
   }
 
@@ -529,7 +565,7 @@ TEST_F(MockEnvironment, ScriptOfTheEnvironmentAppliesFromTheFirstCall) {
   XrSystemId system = XR_NULL_SYSTEM_ID;
   EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  EXPECT_NE(read_log().find("xrGetSystem XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
+  EXPECT_NE(read_log().find(") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
             std::string::npos);
 }
 
@@ -549,6 +585,56 @@ TEST_F(MockEnvironment, ExtensionsAreWithheldOnOrder) {
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_EXT_hand_tracking"), 0);
   EXPECT_EQ(std::count(names.begin(), names.end(), "XR_MND_headless"), 1);
   EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create());
+}
+
+class MockRealTime : public MockEnvironment {
+ protected:
+  void SetUp() override {
+    MockEnvironment::SetUp();
+    write_script(R"({"clock": "real-time"})");
+    const std::vector<const char*> names{XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
+    const XrInstanceCreateInfo info = instance_info(names);
+    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+    to_time = fetch<PFN_xrConvertTimespecTimeToTimeKHR>(instance, "xrConvertTimespecTimeToTimeKHR");
+    to_timespec = fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+  }
+  void TearDown() override {
+    EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+    MockEnvironment::TearDown();
+  }
+
+  PFN_xrConvertTimespecTimeToTimeKHR to_time = nullptr;
+  PFN_xrConvertTimeToTimespecTimeKHR to_timespec = nullptr;
+};
+
+// XR_KHR_convert_timespec_time: there and back is the same time within 2 ns; XR_ERROR_TIME_INVALID otherwise.
+TEST_F(MockRealTime, TimespecsConvertThereAndBack) {
+  for (const timespec& from :
+       {timespec{0, 1}, timespec{1, 999'999'999}, timespec{2'000'000'000, 123'456'789}}) {
+    XrTime time = 0;
+    ASSERT_XR(XR_SUCCESS, to_time(instance, &from, &time));
+    timespec back{};
+    ASSERT_XR(XR_SUCCESS, to_timespec(instance, time, &back));
+    EXPECT_EQ(back.tv_sec, from.tv_sec);
+    EXPECT_NEAR(static_cast<double>(back.tv_nsec), static_cast<double>(from.tv_nsec), 2.0);
+  }
+  XrTime time = 77;
+  for (const timespec& bad :
+       {timespec{-1, 0}, timespec{0, 0}, timespec{1, -1}, timespec{1, 1'000'000'000}, timespec{INT64_MAX, 0}})
+    EXPECT_XR(XR_ERROR_TIME_INVALID, to_time(instance, &bad, &time));
+  EXPECT_EQ(time, 77);
+  timespec back{};
+  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, 0, &back));
+  EXPECT_XR(XR_ERROR_TIME_INVALID, to_timespec(instance, -5, &back));
+}
+
+// Of the manual clock no time of the machine is an XrTime.
+TEST_F(MockEnvironment, ManualClockHasNoTimespecs) {
+  write_script("{}");
+  const auto names = enumerated_extensions();
+  EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
+  ASSERT_XR(XR_SUCCESS, create());
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
 // "XrSystemHandTrackingPropertiesEXT [...] supportsHandTracking"; "XR_ERROR_FEATURE_UNSUPPORTED must be

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "samples/mock_runtime/openxr_1_1.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
@@ -37,8 +38,8 @@ Function fetch(XrInstance instance, const char* name) {
 /// The info of an instance with these extensions. Valid as long as `extensions` is.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
-/// The extensions that the tests use by default: all.
-const std::vector<const char*>& all_extensions();
+/// The extensions that the runtime has under the manual clock.
+const std::vector<const char*>& default_extensions();
 
 /// The functions that the loader does not export.
 struct Functions {
@@ -47,8 +48,6 @@ struct Functions {
   PFN_xrCreateHandTrackerEXT create_hand_tracker;
   PFN_xrDestroyHandTrackerEXT destroy_hand_tracker;
   PFN_xrLocateHandJointsEXT locate_hand_joints;
-  PFN_xrConvertTimespecTimeToTimeKHR to_time;
-  PFN_xrConvertTimeToTimespecTimeKHR to_timespec;
   PFN_xrSetInputDeviceActiveEXT set_device_active;
   PFN_xrSetInputDeviceStateBoolEXT set_device_bool;
   PFN_xrSetInputDeviceStateFloatEXT set_device_float;

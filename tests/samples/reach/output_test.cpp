@@ -214,11 +214,21 @@ TEST(ReachPlate, IsAtTheEndOfASerialLine) {
 
 // The controller plans with what the device says it can do, and so knows that it is late all the time.
 TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
-  PtyPlate device({.greeting = "PLATE 1 -90.00 90.00 5.00"});
+  PtyPlate device({.greeting = "PLATE 2 -90.00 90.00 5.00 10.00 measured"});
   const Outcome outcome = run_scripted(real_time, {desk, "--target", "goblet", "--controller", "paper",
                                                    "--plate", "serial:" + device.device()});
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_GT(rows_of(outcome)[0].bound_percent, 50) << outcome.out;
+}
+
+// Ten seconds of a manual clock pass in milliseconds: no device turns so fast. It is not even greeted.
+TEST(ReachPlate, OnASerialLineNeedsRealTime) {
+  PtyPlate device;
+  const Outcome outcome = run_program({desk, "--target", "goblet", "--plate", "serial:" + device.device()});
+  EXPECT_EQ(outcome.exit_code, 9);
+  EXPECT_NE(outcome.err.find("needs real time, but the clock of the OpenXR runtime"), std::string::npos)
+      << outcome.err;
+  EXPECT_TRUE(device.heard().empty());
 }
 
 TEST(ReachPlate, IsUnpluggedInTheMiddleOfAReach) {
@@ -288,13 +298,13 @@ TEST(ReachPlate, FallsSilentInTheMiddleOfAReach) {
 }
 
 // A person: without instruction and without truth. The scripted hand comes to the start, waits, and slides
-// straight towards the cylinder regardless of the plate. Plate coordinates to LOCAL space:
-// the desk's plate stands at (0.12, 0.75, -0.32), turned by 20 degrees about the vertical.
+// straight towards the cylinder regardless of the plate. Plate coordinates to LOCAL space, 1.2 m above the
+// floor: the desk's plate stands at (0.12, 0.75, -0.32) on it, turned by 20 degrees about the vertical.
 std::string keyframe(int time_ms, double right_m, double towards_user_m) {
   const double angle = 20.0 * std::numbers::pi / 180.0;
   std::ostringstream text;
   text << R"({"time_ms": )" << time_ms << R"(, "position_m": [)"
-       << 0.12 + right_m * std::cos(angle) + towards_user_m * std::sin(angle) << ", 0.757, "
+       << 0.12 + right_m * std::cos(angle) + towards_user_m * std::sin(angle) << ", -0.443, "
        << -0.32 - right_m * std::sin(angle) + towards_user_m * std::cos(angle) << "]}";
   return text.str();
 }
@@ -344,9 +354,9 @@ TEST(ReachOfAPerson, TakesTheHandThatComes) {
 std::string relay(const std::string& left_tracked_from, double left_height_m) {
   std::string left = R"({"tracked": true, "path": [)" + keyframe(3000, 0.0, 0.0) + ", " +
                      keyframe(3400, 0.0, 0.0) + ", " + keyframe(5500, 0.0, -0.06) + "]}";
-  const std::string touching = "0.757,";
+  const std::string touching = "-0.443,";
   for (std::size_t at = left.find(touching); at != std::string::npos; at = left.find(touching, at + 1))
-    left.replace(at, touching.size(), std::to_string(0.75 + left_height_m) + ",");
+    left.replace(at, touching.size(), std::to_string(0.75 - 1.2 + left_height_m) + ",");
   const std::string right = R"({"tracked": true, "path": [)" + keyframe(600, 0.0, 0.05) + ", " +
                             keyframe(1500, 0.0, 0.05) + ", " + keyframe(4500, 0.0, -0.05) + "]}";
   return R"({"hands": {"left": )" + left + R"(, "right": )" + right + R"(}, "events": [

@@ -38,8 +38,8 @@ std::map<std::string, std::string> mock_environment() {
 }
 
 Program::Program(const std::vector<std::string>& arguments,
-                 const std::map<std::string, std::string>& environment, int err)
-    : Process(words_of(arguments), variables_of(environment), err) {}
+                 const std::map<std::string, std::string>& environment, int err, int in)
+    : Process(words_of(arguments), variables_of(environment), err, in) {}
 
 Outcome run_program(const std::vector<std::string>& arguments,
                     const std::map<std::string, std::string>& environment) {

@@ -25,7 +25,8 @@ inline const std::string calm = R"("participants": [{"illusion": "linear", "tact
 class Program : public Process {
  public:
   explicit Program(const std::vector<std::string>& arguments,
-                   const std::map<std::string, std::string>& environment = mock_environment(), int err = -1);
+                   const std::map<std::string, std::string>& environment = mock_environment(), int err = -1,
+                   int in = -1);
 };
 
 /// Runs hrt-reach with these arguments and this environment.

@@ -7,9 +7,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <stdexcept>
 
-#include "samples/reach/plate_line.h"
+#include "samples/plate/driver/plate_line.h"
 
 namespace hrt::reach {
 namespace {
@@ -58,7 +60,34 @@ void PtyPlate::unplug() {
 
 void PtyPlate::send(const std::string& body) {
   const std::lock_guard lock(mutex_);
-  to_send_.push_back(encode_line(body));
+  to_send_.push_back(sealed(body));
+}
+
+void PtyPlate::restart() {
+  greeted_ = false;
+  allowed_ = false;
+  send("BOOT");
+}
+
+bool PtyPlate::is_first_version() const {
+  return behaviour_.greeting.rfind("PLATE 1", 0) == 0;
+}
+
+std::string PtyPlate::sealed(const std::string& body) const {
+  return plate::encode_line(body, is_first_version() ? plate::Version::one : plate::Version::two);
+}
+
+std::string PtyPlate::place() const {
+  std::array<char, 32> text{};
+  const bool first = is_first_version();
+  std::snprintf(text.data(), text.size(), first ? "AT %.2f" : "AT %+07.2f", orientation_deg_.load());
+  return sealed(first ? text.data() : text.data() + sequence_);
+}
+
+void PtyPlate::turn(std::chrono::nanoseconds time) {
+  if (!behaviour_.turns || !allowed_) return;
+  const double most_deg = behaviour_.speed_deg_s * std::chrono::duration<double>(time).count();
+  orientation_deg_ = orientation_deg_ + std::clamp(target_deg_ - orientation_deg_, -most_deg, most_deg);
 }
 
 std::vector<std::string> PtyPlate::heard() const {
@@ -73,25 +102,39 @@ void PtyPlate::write_bytes(const std::string& bytes) {
   }
 }
 
-void PtyPlate::hear(const std::string& body) {
+void PtyPlate::hear(std::string body) {
+  const bool first = is_first_version();
+  if (body.rfind("HELLO", 0) == 0) {
+    if (body != (first ? "HELLO 1" : "HELLO 2") || !behaviour_.answers || silent_) return;
+    greeted_ = true;
+    write_bytes(behaviour_.noise + sealed(behaviour_.greeting));
+    return;
+  }
+  if (!greeted_) return;
+  if (body == "INFO") {
+    write_bytes(sealed("INFO 0.1 000007"));
+  } else if (!first) {
+    sequence_ = body.substr(body.rfind(' '));
+    body.resize(body.rfind(' '));
+  }
   {
     const std::lock_guard lock(mutex_);
     heard_.push_back(body);
   }
-  if (body == "HELLO 1" && behaviour_.answers && !silent_) {
-    greeted_ = true;
-    write_bytes(behaviour_.noise + encode_line(behaviour_.greeting));
-  }
   if (body.rfind("SET ", 0) == 0) {
-    allowed_ = true;
-    orientation_deg_ = std::stod(body.substr(4));
+    target_deg_ = std::stod(body.substr(4));
+    if (target_deg_ != orientation_deg_) allowed_ = true;
   }
   if (body == "STOP") allowed_ = false;
+  if (!first && behaviour_.reports && !silent_ && body != "INFO") write_bytes(place());
 }
 
 void PtyPlate::live() {
-  LineReader reader;
-  auto last_heard = Clock::now(), last_report = Clock::now();
+  plate::LineReader reader;
+  std::this_thread::sleep_for(behaviour_.boot);
+  char lost = 0;
+  while (behaviour_.boot > 0ms && read(master_, &lost, 1) == 1) continue;
+  auto last_heard = Clock::now(), last_report = Clock::now(), last_turn = Clock::now();
   while (!ending_) {
     if (unplugged_) {
       close(master_);
@@ -103,15 +146,18 @@ void PtyPlate::live() {
     char byte = 0;
     while (read(master_, &byte, 1) == 1) {
       const auto line = reader.take(byte);
-      const auto body = line ? decode_line(*line) : std::nullopt;
-      if (!body) continue;
+      const auto decoded = line ? plate::decode_line(*line) : std::nullopt;
+      if (!decoded) continue;
       last_heard = Clock::now();
-      hear(std::string(*body));
+      hear(std::string(decoded->body));
     }
     const auto now = Clock::now();
+    turn(now - last_turn);
+    last_turn = now;
     if (allowed_ && now - last_heard > heartbeat_limit) {
       allowed_ = false;
-      if (!silent_) write_bytes(encode_line("STOPPED heartbeat"));
+      ++heartbeat_stops_;
+      if (!silent_) write_bytes(sealed("STOPPED heartbeat"));
     }
     std::vector<std::string> to_send;
     {
@@ -122,8 +168,7 @@ void PtyPlate::live() {
     for (const std::string& line : to_send) write_bytes(line);
     if (greeted_ && behaviour_.reports && now - last_report >= report_period) {
       last_report = now;
-      write_bytes(behaviour_.noise +
-                  encode_line("AT " + std::to_string(orientation_deg_.load()).substr(0, 8)));
+      write_bytes(behaviour_.noise + place());
     }
   }
 }

@@ -56,11 +56,12 @@ TEST(StudyReport, MakesEveryFileAndAPageThatNeedsNothingElse) {
     const std::string svg = read_file(out / (figure + ".svg"));
     EXPECT_NE(svg.find("<svg"), std::string::npos) << figure;
     EXPECT_TRUE(svg.ends_with("</svg>\n\n") || svg.ends_with("</svg>\n")) << figure;
-    EXPECT_NE(svg.find(", deg"), std::string::npos) << figure << ": an axis without its unit";
+    EXPECT_NE(svg.find(", °"), std::string::npos) << figure << ": an axis without its unit";
     const std::string png = read_file(out / (figure + ".png"));
     EXPECT_TRUE(png.starts_with("\x89PNG\r\n")) << figure;
-    EXPECT_GE(png_size(png).first, 900U) << figure;
+    EXPECT_EQ(png_size(png).first, 560U) << figure << ": text is readable at 500 px";
     EXPECT_GE(png_size(png).second, 500U) << figure;
+    EXPECT_EQ(svg.find(" deg"), std::string::npos) << figure << ": ° is the symbol";
   }
 }
 

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/simulation/random.h"
 #include "samples/study/output.h"
 #include "samples/study/paper.h"
 
@@ -77,6 +78,64 @@ TEST(StudyStatistics, QuantileByHand) {
   EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 0.5), 2.5);
   EXPECT_EQ(quantile({4.0, 1.0, 3.0, 2.0}, 1.0), 4.0);
   EXPECT_EQ(quantile({7.0}, 0.95), 7.0);
+}
+
+// Binomial of 1/2: of 10, P(0) + P(1) = 11/1024 and with P(2) 56/1024; of 5, P(0) = 1/32 > 1/40.
+// Of 0.95^n: 1/40 is passed between 71 and 72 values.
+TEST(StudyStatistics, QuantileRanksByHand) {
+  EXPECT_EQ(quantile_ranks(10, 0.5).low, 2U);
+  EXPECT_EQ(quantile_ranks(10, 0.5).high, 9U);
+  EXPECT_EQ(quantile_ranks(6, 0.5).low, 1U);
+  EXPECT_EQ(quantile_ranks(6, 0.5).high, 6U);
+  EXPECT_EQ(quantile_ranks(5, 0.5).low, 0U);
+  EXPECT_EQ(quantile_ranks(5, 0.5).high, 6U);
+  EXPECT_EQ(quantile_ranks(71, 0.95).high, 72U);
+  EXPECT_EQ(quantile_ranks(72, 0.95).high, 72U);
+  EXPECT_EQ(quantile_ranks(0, 0.5).high, 1U);
+  // Far from the ends the binomial is normal: 5000 -+ 1.96 * 50.
+  EXPECT_NEAR(static_cast<double>(quantile_ranks(10'000, 0.5).low), 4902.0, 1.5);
+  EXPECT_NEAR(static_cast<double>(quantile_ranks(10'000, 0.5).high), 5099.0, 1.5);
+}
+
+TEST(StudyStatistics, QuantileIntervalsAreValuesOfTheSample) {
+  const Quantile median_of_ten = quantile_of({10, 9, 8, 7, 6, 5, 4, 3, 2, 1}, 0.5);
+  EXPECT_EQ(median_of_ten.value, 5.5);
+  EXPECT_EQ(median_of_ten.low, 2.0);
+  EXPECT_EQ(median_of_ten.high, 9.0);
+  EXPECT_TRUE(std::isnan(quantile_of({1, 2, 3}, 0.95).high));
+  EXPECT_TRUE(std::isnan(quantile_of({}, 0.5).value));
+}
+
+// 2000 samples of 80 exponential values: the intervals hold median and 95 % point in 95 % of them or more.
+TEST(StudyStatistics, QuantileIntervalsCover) {
+  const double median_value = std::log(2.0);
+  const double upper_value = std::log(20.0);
+  int median_covered = 0, upper_covered = 0;
+  for (std::uint32_t i = 0; i < 2000; ++i) {
+    Draws draws(1, 0, i, 0);
+    std::vector<double> values;
+    for (int j = 0; j < 80; ++j) values.push_back(-std::log1p(-draws.uniform()));
+    const auto covers = [](const Quantile& q, double value) { return q.low <= value && value <= q.high; };
+    median_covered += covers(quantile_of(values, 0.5), median_value);
+    upper_covered += covers(quantile_of(values, 0.95), upper_value);
+  }
+  EXPECT_GE(median_covered, 1890);
+  EXPECT_LE(median_covered, 1970);
+  EXPECT_GE(upper_covered, 1890);
+  EXPECT_LE(upper_covered, 1970);
+}
+
+// One degree: 2 atan(t) / pi. Two: t / sqrt(2 + t^2). Table: Abramowitz and Stegun 26.10.
+TEST(StudyStatistics, StudentByHandAndTable) {
+  EXPECT_NEAR(student_within(1.0, 1), 0.5, 1e-15);
+  EXPECT_NEAR(student_within(3.0, 2), 3.0 / std::sqrt(11.0), 1e-15);
+  EXPECT_EQ(student_within(0.0, 7), 0.0);
+  EXPECT_NEAR(student_critical(1), 12.706, 5e-4);
+  EXPECT_NEAR(student_critical(2), 4.303, 5e-4);
+  EXPECT_NEAR(student_critical(3), 3.182, 5e-4);
+  EXPECT_NEAR(student_critical(9), 2.262, 5e-4);
+  EXPECT_NEAR(student_critical(30), 2.042, 5e-4);
+  EXPECT_NEAR(student_critical(1000), 1.9623, 5e-4);
 }
 
 // The paper's own means of its Table I.

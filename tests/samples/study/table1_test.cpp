@@ -87,6 +87,19 @@ void expect_claims(const json& table) {
   EXPECT_NEAR(claim(table, "horizon_2")["mean_percent"].get<double>(), 91.2, 0.5);
   for (const char* name : {"horizon_3", "horizon_4", "horizon_5"})
     EXPECT_NEAR(claim(table, name)["mean_percent"].get<double>(), 92.8, 0.5) << name;
+  // All amplitudes that can be held do alike: 10 deg is no better than the others.
+  for (const char* gap : {"2", "4", "6", "8", "10", "12", "14"}) {
+    const json amplitude = claim(table, std::string("amplitude_") + gap);
+    EXPECT_NEAR(amplitude["mean_percent"].get<double>(), 92.9, 0.4) << gap;
+    ASSERT_EQ(amplitude["cells"].size(), 6U);
+    for (const json& cell : amplitude["cells"])
+      EXPECT_NEAR(
+          std::abs(cell["real_direction_deg"].get<double>() - cell["virtual_direction_deg"].get<double>()),
+          std::stod(gap), 1e-12);
+  }
+  EXPECT_EQ(claim(table, "amplitude_2")["reproduced"], false);
+  EXPECT_NE(claim(table, "amplitude_2")["verdict"].get<std::string>().find("calls 10 deg the best"),
+            std::string::npos);
 }
 
 TEST(StudyTable1, TwentyThousandTrials) {

@@ -44,6 +44,7 @@ enum {
   GDE_STRING = 4,
   GDE_VECTOR3 = 9,
   GDE_TRANSFORM3D = 18,
+  GDE_STRING_NAME = 21,
   GDE_OBJECT = 24,
   GDE_DICTIONARY = 27
 };
@@ -64,6 +65,8 @@ typedef struct {
   uint32_t usage;
 } gde_property;
 
+/* Of the constructors of a String, the one from a StringName. */
+enum { GDE_STRING_OF_STRING_NAME = 2 };
 enum { GDE_HINT_NONE = 0, GDE_HINT_ENUM = 2 };
 enum { GDE_USAGE_DEFAULT = 6 };
 enum { GDE_METHOD_NORMAL = 1 };
@@ -162,6 +165,11 @@ typedef void gde_fn_classdb_register_extension_class2(gde_library* library, cons
 typedef void gde_fn_classdb_register_extension_class_method(gde_library* library,
                                                             const gde_string_name* class_name,
                                                             const gde_method* info);
+typedef void gde_fn_classdb_register_extension_class_integer_constant(gde_library* library,
+                                                                      const gde_string_name* class_name,
+                                                                      const gde_string_name* enumeration,
+                                                                      const gde_string_name* name,
+                                                                      int64_t value, gde_bool is_bitfield);
 typedef void gde_fn_classdb_register_extension_class_property(gde_library* library,
                                                               const gde_string_name* class_name,
                                                               const gde_property* info,
@@ -175,27 +183,28 @@ typedef void gde_fn_classdb_register_extension_class_signal(gde_library* library
 typedef void gde_fn_classdb_unregister_extension_class(gde_library* library, const gde_string_name* name);
 
 /* X(name) for each of them. */
-#define GDE_FUNCTIONS(X)                       \
-  X(print_error)                               \
-  X(variant_new_nil)                           \
-  X(variant_new_copy)                          \
-  X(variant_destroy)                           \
-  X(variant_get_type)                          \
-  X(variant_call)                              \
-  X(get_variant_from_type_constructor)         \
-  X(get_variant_to_type_constructor)           \
-  X(variant_get_ptr_constructor)               \
-  X(variant_get_ptr_destructor)                \
-  X(string_new_with_utf8_chars)                \
-  X(string_to_utf8_chars)                      \
-  X(string_name_new_with_utf8_chars)           \
-  X(dictionary_operator_index)                 \
-  X(object_set_instance)                       \
-  X(classdb_construct_object)                  \
-  X(classdb_register_extension_class2)         \
-  X(classdb_register_extension_class_method)   \
-  X(classdb_register_extension_class_property) \
-  X(classdb_register_extension_class_signal)   \
+#define GDE_FUNCTIONS(X)                               \
+  X(print_error)                                       \
+  X(classdb_register_extension_class_integer_constant) \
+  X(variant_new_nil)                                   \
+  X(variant_new_copy)                                  \
+  X(variant_destroy)                                   \
+  X(variant_get_type)                                  \
+  X(variant_call)                                      \
+  X(get_variant_from_type_constructor)                 \
+  X(get_variant_to_type_constructor)                   \
+  X(variant_get_ptr_constructor)                       \
+  X(variant_get_ptr_destructor)                        \
+  X(string_new_with_utf8_chars)                        \
+  X(string_to_utf8_chars)                              \
+  X(string_name_new_with_utf8_chars)                   \
+  X(dictionary_operator_index)                         \
+  X(object_set_instance)                               \
+  X(classdb_construct_object)                          \
+  X(classdb_register_extension_class2)                 \
+  X(classdb_register_extension_class_method)           \
+  X(classdb_register_extension_class_property)         \
+  X(classdb_register_extension_class_signal)           \
   X(classdb_unregister_extension_class)
 
 }  // extern "C"

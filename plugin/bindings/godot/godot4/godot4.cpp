@@ -36,8 +36,6 @@ const char* load_interface(gde_get_proc_address get_proc_address) {
   return nullptr;
 }
 
-constexpr int32_t kStringName = 21;
-
 /** Values of the engine's, destroyed at the end of their scope. */
 class EngineString {
  public:
@@ -56,7 +54,7 @@ class EngineName {
   explicit EngineName(const char* utf8) { engine.string_name_new_with_utf8_chars(&name_, utf8); }
   EngineName(const EngineName&) = delete;
   EngineName& operator=(const EngineName&) = delete;
-  ~EngineName() { engine.variant_get_ptr_destructor(kStringName)(&name_); }
+  ~EngineName() { engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name_); }
   const gde_string_name& get() const { return name_; }
 
  private:
@@ -200,6 +198,16 @@ Value to_value(const gde_variant& variant) {
       return from_variant<double>(variant, GDE_FLOAT);
     case GDE_STRING: {
       gde_string string = from_variant<gde_string>(variant, GDE_STRING);
+      std::string text = to_utf8(string);
+      destroy(&string, Type::kString);
+      return text;
+    }
+    case GDE_STRING_NAME: {  // such as the name of a node
+      gde_string_name name = from_variant<gde_string_name>(variant, GDE_STRING_NAME);
+      const void* const arguments[] = {&name};
+      gde_string string;
+      engine.variant_get_ptr_constructor(GDE_STRING, GDE_STRING_OF_STRING_NAME)(&string, arguments);
+      engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name);
       std::string text = to_utf8(string);
       destroy(&string, Type::kString);
       return text;
@@ -386,6 +394,13 @@ void register_property(const EngineName& class_name, const Field& field) {
                                                    &setter_name.get(), &getter_name.get());
 }
 
+void register_constant(const EngineName& class_name, const Constant& constant) {
+  const EngineName name(constant.name);
+  const EngineName enumeration(constant.enumeration);
+  engine.classdb_register_extension_class_integer_constant(library, &class_name.get(), &enumeration.get(),
+                                                           &name.get(), constant.value, constant.is_flag);
+}
+
 void register_signal(const EngineName& class_name, const Signal& signal) {
   const EngineName name(signal.name);
   Descriptions argument;
@@ -408,6 +423,7 @@ void initialize(void*, int32_t level) noexcept {
         {method.name, method.returns, {method.arguments.begin(), method.arguments.end()}, &method, nullptr});
   for (const Field& field : config_fields()) register_property(name, field);
   for (const Signal& signal : signals()) register_signal(name, signal);
+  for (const Constant& constant : constants()) register_constant(name, constant);
 }
 
 void deinitialize(void*, int32_t level) noexcept {

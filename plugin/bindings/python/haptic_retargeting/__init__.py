@@ -14,27 +14,26 @@ from the user, counter-clockwise positive seen from above. Plate coordinates: x 
 The calls are those of the C library, which is found by the system's loader, or where HRT_LIBRARY says.
 """
 
-from ._abi import (
-    Adaptation, Authority, CalibrationConfig, CalibrationResult, Command, CommandFlag, Control, ErrorCode,
-    Guidance, Interval, Place, ReachSummary, RecordingStatus, ReplayReport, Role, Sample, SampleFlag, SceneInfo,
-    SceneTarget, SessionConfig, StateFlag, TargetConfig,
-)
-from ._abi import VERSION as _VERSION
+from . import _abi
+from ._abi import *
 from ._library import Error, library_version
 from .arrays import COMMAND, SAMPLE, commands, samples
-from .calibration import Calibration
+from .calibration import Calibration, compare_calibrations
 from .reach import Reach
-from .record import ReachRecord, Recording, RecordingError, read_recording, replay, target_place, world_to_plate
+from .record import ReachRecord, Recording, RecordingError, RunRecord, read_recording, replay, target_place, world_to_plate
+from .registration import (
+    check_touch, fit_fingertip, fit_latency, place_fingertip, register, registration_advice,
+)
 from .scene import Scene
 from .session import Session, Target
 
-__version__ = ".".join(str(number) for number in _VERSION)
+__version__ = ".".join(str(number) for number in _abi.VERSION)
 
 __all__ = [
-    "Adaptation", "Authority", "Calibration", "CalibrationConfig", "CalibrationResult", "COMMAND", "Command",
-    "CommandFlag", "commands", "Control", "Error", "ErrorCode", "Guidance", "Interval", "library_version",
-    "Place", "Reach", "ReachRecord", "ReachSummary", "read_recording", "Recording", "RecordingError",
-    "RecordingStatus", "replay", "ReplayReport", "Role", "SAMPLE", "Sample", "SampleFlag", "samples", "Scene",
-    "SceneInfo", "SceneTarget", "Session", "SessionConfig", "StateFlag", "Target", "target_place", "TargetConfig",
-    "world_to_plate",
+    "Calibration", "check_touch", "COMMAND", "commands", "compare_calibrations", "Error", "fit_fingertip", "fit_latency",
+    "place_fingertip",
+    "library_version", "Reach", "ReachRecord", "read_recording", "Recording", "RecordingError", "register",
+    "registration_advice", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "Target",
+    "target_place", "world_to_plate",
 ]
+__all__ += _abi.__all__

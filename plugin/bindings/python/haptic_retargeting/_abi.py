@@ -7,21 +7,27 @@ import ctypes
 from ctypes import (
     CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
 )
-from enum import IntEnum, IntFlag
 from typing import TYPE_CHECKING
 
-from ._struct import Struct
+from ._struct import Choice, Flags, Struct, enumerated
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 
 VERSION = (0, 3, 0)
 """Of the headers that this was written from."""
-ASSIGN_EXCLUSIVE = 1
-"""A real target serves one virtual target at most. Otherwise it may serve any number."""
 ASSIGN_TARGETS_MAX = 1000
 """Maximum number of virtual targets, and of real ones, in hrt_target_assign()."""
 OK = 0
 CALIBRATIONS_MAX = 16
 """Maximum number of calibrations in a process."""
+TOUCHES_MAX = 1000
+"""Maximum number of touches in one call."""
+POSE_COVARIANCES = 28
+"""Numbers in the lower triangle of Registration.covariance."""
+LATENCY_SAMPLES_MAX = 100000
+"""Maximum number of samples in hrt_latency_fit()."""
 SCENES_MAX = 64
 """Maximum number of scenes in a process."""
 SESSIONS_MAX = 1024
@@ -55,8 +61,28 @@ NAME_SIZE = 64
 """Bytes of a name, including the terminating zero."""
 
 
-class ErrorCode(IntEnum):
-    """The C headers' HRT_ERROR_*.
+__all__ = [
+    "Adaptation", "Allocator", "AssignFlag", "Authority", "CalibrationComparison", "CalibrationConfig",
+    "CalibrationResult", "CalibrationSlide", "Command", "CommandFlag", "ConditionFlag", "Conditions", "Control",
+    "DiffersFlag", "Ending", "ErrorCode", "Fingertip", "Guidance", "Illusion", "Interval", "JointTouch",
+    "LackOfFitFlag", "Latency", "LogLevel", "MarkTouch", "Place", "ReachConfig", "ReachFlag", "ReachSummary",
+    "RecordingStatus", "RegisterFlag", "Registration", "RegistrationConfig", "RegistrationVerdict",
+    "ReplayReport", "Role", "Sample", "SampleFlag", "SceneInfo", "SceneTarget", "SessionConfig", "SessionFlag",
+    "Slide", "StateFlag", "TargetConfig", "TouchCheck",
+]
+
+
+class AssignFlag(Flags):
+    """Flags of hrt_target_assign().
+
+    EXCLUSIVE: A real target serves one virtual target at most. Otherwise it may serve any number.
+    """
+
+    EXCLUSIVE = 1
+
+
+class ErrorCode(Choice):
+    """OK or one of the errors below. Their numbers never change.
 
     NULL_ARGUMENT: A pointer that must not be null was null.
     INVALID_HANDLE: The handle or id is null, stale, of another session, or was never given out.
@@ -96,77 +122,74 @@ class ErrorCode(IntEnum):
     INTERNAL = -99
 
 
-class Control(IntEnum):
-    """Source of the plate's commands.
+class Illusion(Choice):
+    """Families of illusion curves: the felt shift over the offset t from the motion to the ridge normal.
 
-    MPC: the model-predictive controller
-    FIXED_PLATE: a plate that does not turn, as a baseline
+    LINEAR: w t
+    SATURATING: w t within the scale, constant beyond
+    SINE: w 45 sin 2t
+    TANH: w scale tanh(t / scale)
+    DEAD_BAND: nothing within the scale, w (|t| - scale) beyond
+    UNEQUAL: different slopes to the left and to the right
+    CUBIC: w t - b t (t / 75)^2, the controller's model
+    NONE: no family fits the slides
     """
 
-    MPC = 0
-    FIXED_PLATE = 1
+    LINEAR = 0
+    SATURATING = 1
+    SINE = 2
+    TANH = 3
+    DEAD_BAND = 4
+    UNEQUAL = 5
+    CUBIC = 6
+    NONE = 7
 
 
-class Guidance(IntEnum):
-    """What the controller steers the finger to, and so which controller it is.
+class LackOfFitFlag(Flags):
+    """Patterns in what the fit leaves unexplained: CalibrationResult.lack_of_fit.
 
-    FIXED_DIRECTION: The real target's direction, seen from the start: the controller of the paper, for the
-        person of its model.
-    ARRIVAL: The real target's place, at arrival: the controller for people. It takes the pace of the
-        motion, the whole curve of the illusion, bias, habits and the tracker's noise as unknown, and learns
-        them. Needs positions: in a reach with directions alone this is FIXED_DIRECTION. Measured on
-        simulated people only.
-    LINE_OF_SIGHT: Name of ARRIVAL in version 0.2, whose line of sight it replaces.
+    ANGLE: Over the plate orientation: no curve fits. Check the plate's orientations and the goal direction.
+    ORDER: Over the order of the slides: the user learns or tires. Let them practise or rest, and repeat.
+    PATH: Along the paths: they bend as neither a habit nor the model's steering does. Ask for slower,
+        longer and even slides, and repeat.
     """
 
-    FIXED_DIRECTION = 0
-    ARRIVAL = 1
-    LINE_OF_SIGHT = 1
+    ANGLE = 1
+    ORDER = 2
+    PATH = 4
 
 
-class Adaptation(IntEnum):
-    """Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
-    and the motor variance.
+class Slide(Choice):
+    """What became of a slide: CalibrationSlide.verdict.
 
-    OFF: tactile_weight and bias_deg are taken as known, the illusion as linear
-    REACH: The person is learnt within each reach, which begins with what the configuration says of them.
-    CARRIED: As REACH; the end of a reach also writes what it has learnt into the configuration, widened,
-        because people change: person_mean and person_covariance, tactile_weight and its deviation. A reach
-        that ends early or that the model does not fit (CommandFlag.MISFIT) writes nothing. Under
-        FIXED_DIRECTION it writes tactile_weight and motor_variance_deg2; one reach changes the latter by a
-        factor of 2 at most.
+    USED
+    OUTLYING: unlike the others: left out
+    ALONG_RIDGES: left out: the illusion flips along the ridges
     """
 
-    OFF = 0
-    REACH = 1
-    CARRIED = 2
+    USED = 0
+    OUTLYING = 1
+    ALONG_RIDGES = 2
 
 
-class Role(IntEnum):
-    """Role of a target.
+class DiffersFlag(Flags):
+    """Values of two calibrations that differ: CalibrationComparison.differing.
 
-    REAL: the hand is steered to it
-    VIRTUAL: the user sees it and goes to it
+    TACTILE_WEIGHT
+    LARGEST_GAP
+    BIAS
+    HABIT
+    TRACKER_NOISE
     """
 
-    REAL = 1
-    VIRTUAL = 2
+    TACTILE_WEIGHT = 1
+    LARGEST_GAP = 2
+    BIAS = 4
+    HABIT = 8
+    TRACKER_NOISE = 16
 
 
-class Place(IntEnum):
-    """How a target's place is given.
-
-    DIRECTION: by `direction_deg` and `distance_m`
-    PLATE_POSITION: by `position_m` in plate coordinates
-    WORLD_POSITION: by `position_m` in the engine's world
-    """
-
-    DIRECTION = 1
-    PLATE_POSITION = 2
-    WORLD_POSITION = 3
-
-
-class LogLevel(IntEnum):
+class LogLevel(Choice):
     """Level of a log message.
 
     WARNING
@@ -177,7 +200,18 @@ class LogLevel(IntEnum):
     ERROR = 2
 
 
-class ReachFlag(IntFlag):
+class ConditionFlag(Flags):
+    """How the conditions of the profile differ from those of now: Conditions.differing.
+
+    PLATE
+    TRACKER
+    """
+
+    PLATE = 1
+    TRACKER = 2
+
+
+class ReachFlag(Flags):
     """ReachConfig.flags.
 
     PLATE_ORIENTATION: `plate_orientation_deg` is given. Otherwise the plate is at the session's last
@@ -192,7 +226,7 @@ class ReachFlag(IntFlag):
     START_AT_FINGER = 2
 
 
-class SampleFlag(IntFlag):
+class SampleFlag(Flags):
     """Sample.flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and WORLD_POSITION. With
     none of these and without LIFTED the sample is a dropout: the plate is held, and the model predicts.
 
@@ -213,7 +247,7 @@ class SampleFlag(IntFlag):
     PLATE_POSE = 32
 
 
-class CommandFlag(IntFlag):
+class CommandFlag(Flags):
     """Command.flags.
 
     HELD: no new decision: the former command is repeated
@@ -230,7 +264,10 @@ class CommandFlag(IntFlag):
     RESTING: the finger rests within the reach: the plate is held
     APPROXIMATE: The solver's work was cut short; the command keeps its bounds.
     FAULT: A defect in this library: a value was not a finite number. The plate is held, and that value is
-        0.
+        0. The log says so once a session, when the session is next configured or destroyed.
+    REGISTRATION: The plate's registration is older or worse than the configuration allows, or there is
+        none: max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The
+        log has it at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply().
     """
 
     HELD = 1
@@ -245,21 +282,10 @@ class CommandFlag(IntFlag):
     RESTING = 512
     APPROXIMATE = 1024
     FAULT = 2048
+    REGISTRATION = 4096
 
 
-class SessionFlag(IntFlag):
-    """SessionConfig.flags.
-
-    PLATE_WAITS: The plate stays where it stands until the finger moves. Otherwise it turns to where the
-        first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to the
-        target. Set this if the finger rests on the ridges before a reach: a plate that turns under a
-        resting finger is felt.
-    """
-
-    PLATE_WAITS = 1
-
-
-class Ending(IntEnum):
+class Ending(Choice):
     """How a recording ends.
 
     COMPLETE: with its end line, and nothing was altered or lost
@@ -274,7 +300,97 @@ class Ending(IntEnum):
     ALTERED = 3
 
 
-class StateFlag(IntFlag):
+class RegisterFlag(Flags):
+    """RegistrationConfig.flags.
+
+    SCALE: The tracker's unit of length is fitted too: of use if it may be off by more than 1 in 100.
+    UP: `up` is given. Without it, touches of which left and right were confused pass for those of a plate
+        that lies upside down.
+    """
+
+    SCALE = 1
+    UP = 2
+
+
+class RegistrationVerdict(Choice):
+    """Verdict on a set of touches. hrt_registration_advice() has what to do.
+
+    HOLDS: a pose explains the touches, or all of them but one
+    TOO_FEW: fewer than 3 touches
+    DEGENERATE: the marks lie within 1 cm of a line: the plate could turn about it
+    INCONSISTENT: no pose explains the touches, nor all of them but one
+    UPSIDE_DOWN: the face looks away from `up`: marks were confused
+    """
+
+    HOLDS = 1
+    TOO_FEW = 2
+    DEGENERATE = 3
+    INCONSISTENT = 4
+    UPSIDE_DOWN = 5
+
+
+class Control(Choice):
+    """Source of the plate's commands.
+
+    MPC: the model-predictive controller
+    FIXED_PLATE: a plate that does not turn, as a baseline
+    """
+
+    MPC = 0
+    FIXED_PLATE = 1
+
+
+class Guidance(Choice):
+    """What the controller steers the finger to, and so which controller it is.
+
+    FIXED_DIRECTION: The real target's direction, seen from the start: the controller of the paper, for the
+        person of its model.
+    ARRIVAL: The real target's place, at arrival: the controller for people. It takes the pace of the
+        motion, the whole curve of the illusion, bias, habits and the tracker's noise as unknown, and learns
+        them. Needs positions: in a reach with directions alone this is FIXED_DIRECTION. Measured on
+        simulated people only.
+    LINE_OF_SIGHT: Name of ARRIVAL in version 0.2, whose line of sight it replaces.
+    """
+
+    FIXED_DIRECTION = 0
+    ARRIVAL = 1
+    LINE_OF_SIGHT = 1
+
+
+class Adaptation(Choice):
+    """Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
+    and the motor variance.
+
+    OFF: tactile_weight and bias_deg are taken as known, the illusion as linear
+    REACH: The person is learnt within each reach, which begins with what the configuration says of them.
+    CARRIED: As REACH; the end of a reach also writes what it has learnt into the configuration, widened,
+        because people change: person_mean and person_covariance, tactile_weight and its deviation. A reach
+        that ends early or that the model does not fit (CommandFlag.MISFIT) writes nothing. Under
+        FIXED_DIRECTION it writes tactile_weight and motor_variance_deg2; one reach changes the latter by a
+        factor of 2 at most.
+    """
+
+    OFF = 0
+    REACH = 1
+    CARRIED = 2
+
+
+class SessionFlag(Flags):
+    """SessionConfig.flags.
+
+    PLATE_WAITS: The plate stays where it stands until the finger moves. Otherwise it turns to where the
+        first moment of the motion wants it as soon as a reach begins, which brings more fast reaches to the
+        target. Set this if the finger rests on the ridges before a reach: a plate that turns under a
+        resting finger is felt.
+    REGISTERED: The plate's pose is from a registration made at registration_time_ns.
+        hrt_registration_apply() sets this; hrt_scene_register(), which writes the scene's pose, clears it.
+    """
+
+    PLATE_WAITS = 1
+    REGISTERED = 2
+
+
+class StateFlag(Flags):
     """What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin.
 
     READY: a real and a virtual target are there, and no reach is under way
@@ -289,6 +405,30 @@ class StateFlag(IntFlag):
     RECORDING = 8
 
 
+class Role(Choice):
+    """Role of a target.
+
+    REAL: the hand is steered to it
+    VIRTUAL: the user sees it and goes to it
+    """
+
+    REAL = 1
+    VIRTUAL = 2
+
+
+class Place(Choice):
+    """How a target's place is given.
+
+    DIRECTION: by `direction_deg` and `distance_m`
+    PLATE_POSITION: by `position_m` in plate coordinates
+    WORLD_POSITION: by `position_m` in the engine's world
+    """
+
+    DIRECTION = 1
+    PLATE_POSITION = 2
+    WORLD_POSITION = 3
+
+
 AllocatorAllocate = CFUNCTYPE(c_void_p, c_void_p, c_size_t, c_size_t)
 """Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure."""
 AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
@@ -296,8 +436,41 @@ AllocatorRelease = CFUNCTYPE(None, c_void_p, c_void_p)
 keeps it beside the memory."""
 LogCallback = CFUNCTYPE(None, c_void_p, c_uint32, c_char_p)
 """Receives what no call can return, for example that a recording's disk is full. `level` is LogLevel.
-`text` is one line that names the session and the file, valid during the call. Called on a thread of the
-library, one call at a time. It may not call this library or throw."""
+`text` is one line that names the session and, of a recording, the file; valid during the call. Called
+on a thread of the library or within a call that is not real-time, one call at a time in the process. It
+may not call this library or throw."""
+
+
+class Allocator(Struct):
+    """Source of the library's memory. Both functions are called from any thread, concurrently. Neither may
+    call this library or throw.
+
+    context: Passed to both functions. The library does not read it.
+    allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on
+        failure.
+    release: Releases memory that allocate() returned. As of free(), it gets no size: an allocator that
+        needs it keeps it beside the memory.
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        reserved: int
+        context: int | None
+        allocate: ctypes._FuncPointer
+        release: ctypes._FuncPointer
+
+        def __init__(
+            self, *, context: int | None = ..., allocate: ctypes._FuncPointer = ...,
+            release: ctypes._FuncPointer = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("reserved", c_uint32),
+        ("context", c_void_p),
+        ("allocate", AllocatorAllocate),
+        ("release", AllocatorRelease),
+    )
 
 
 class SessionHandle(Struct):
@@ -309,11 +482,16 @@ class SessionHandle(Struct):
     if TYPE_CHECKING:
         value: int
 
+        def __init__(
+            self, *, value: int = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("value", c_uint64),
     )
 
 
+@enumerated(control=Control, guidance=Guidance, adaptation=Adaptation, flags=SessionFlag)
 class SessionConfig(Struct):
     """Configuration of a session.
 
@@ -355,7 +533,8 @@ class SessionConfig(Struct):
         touch more slowly. 1e-9 to 1e4. Default 0.1.
     initial_variance_deg2: Variance of the user's felt direction before the first step. Raising it models a
         user who trusts touch more in the first steps. 0 to 1e4. Default 0.
-    tracker_noise_m: Standard deviation of white noise in each tracked coordinate. Raising it smooths
+    tracker_noise_m: Standard deviation of white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of
+        all noise, unless tracker_correlated_noise_m says how much of it is correlated. Raising it smooths
         positions more. 0 to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0.
     start_position_m: Start of reaches in plate coordinates. Directions of targets are measured from here.
         Each within 1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user.
@@ -389,16 +568,36 @@ class SessionConfig(Struct):
     person_covariance: Covariance of person_mean: the lower triangle, row by row; positive definite, up to
         1e4. All 0: an unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read.
         Default 0. Since version 0.3.
+    plate_scale: Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is
+        off. Divides positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default
+        1. This and the following: since version 0.3.
+    plate_covariance: Covariance of the plate's pose in its own plane, wherever the pose comes from: its
+        turn about its normal (radians, counter-clockwise) and its centre's place to the right and away
+        (metres); the lower triangle, row by row. Variances 0 to 1. All 0: the pose is exact. Under
+        GUIDANCE_ARRIVAL it goes into UNREACHABLE and bearing_error_sd_deg; where the plate leads does not
+        depend on it. Default 0.
+    registration_time_ns: When the plate was registered, on the clock of the samples; read if
+        SessionFlag.REGISTERED. Default 0.
+    max_registration_age_ns: Largest age of a registration at a sample. Older ones, and a session without
+        SessionFlag.REGISTERED, get CommandFlag.REGISTRATION. 0: not checked. Default 0.
+    max_registration_sd_deg: Largest standard deviation that plate_covariance may give the bearing of the
+        real target. Worse ones, and a session without SessionFlag.REGISTERED, get CommandFlag.REGISTRATION.
+        0 to 180; 0: not checked. Default 0.
+    tracker_correlated_noise_m: Standard deviation of the correlated part of the tracker's noise in each
+        coordinate, under GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by
+        calibration.h. 0 to 0.1; 0: not known. Default 0.
+    tracker_correlation_s: Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default
+        0.1.
     """
 
     if TYPE_CHECKING:
         struct_size: int
         horizon: int
         step_period_ns: int
-        control: int
-        guidance: int
-        adaptation: int
-        flags: int
+        control: Control
+        guidance: Guidance
+        adaptation: Adaptation
+        flags: SessionFlag
         perceived_weight: float
         actual_weight: float
         plate_bound_deg: float
@@ -426,6 +625,30 @@ class SessionConfig(Struct):
         tracker_latency_ns: int
         person_mean: ctypes.Array[c_double]
         person_covariance: ctypes.Array[c_double]
+        plate_scale: float
+        plate_covariance: ctypes.Array[c_double]
+        registration_time_ns: int
+        max_registration_age_ns: int
+        max_registration_sd_deg: float
+        tracker_correlated_noise_m: float
+        tracker_correlation_s: float
+
+        def __init__(
+            self, *, horizon: int = ..., step_period_ns: int = ..., control: Control = ..., guidance: Guidance = ...,
+            adaptation: Adaptation = ..., flags: SessionFlag = ..., perceived_weight: float = ...,
+            actual_weight: float = ..., plate_bound_deg: float = ..., plate_max_speed_deg_s: float = ...,
+            plate_max_acceleration_deg_s2: float = ..., plate_latency_ns: int = ...,
+            plate_lower_stop_deg: float = ..., plate_upper_stop_deg: float = ...,
+            fixed_plate_orientation_deg: float = ..., tactile_weight: float = ..., tactile_weight_sd: float = ...,
+            motor_variance_deg2: float = ..., sensory_variance_deg2: float = ..., initial_variance_deg2: float = ...,
+            tracker_noise_m: float = ..., start_position_m: ArrayLike = ..., plate_radius_m: float = ...,
+            lift_height_m: float = ..., plate_position_m: ArrayLike = ..., plate_rotation: ArrayLike = ...,
+            bias_deg: float = ..., motor_variance_sd_deg2: float = ..., max_felt_error_deg: float = ...,
+            motion_bound_deg: float = ..., tracker_latency_ns: int = ..., person_mean: ArrayLike = ...,
+            person_covariance: ArrayLike = ..., plate_scale: float = ..., plate_covariance: ArrayLike = ...,
+            registration_time_ns: int = ..., max_registration_age_ns: int = ..., max_registration_sd_deg: float = ...,
+            tracker_correlated_noise_m: float = ..., tracker_correlation_s: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -462,6 +685,13 @@ class SessionConfig(Struct):
         ("tracker_latency_ns", c_int64),
         ("person_mean", c_double * 9),
         ("person_covariance", c_double * 45),
+        ("plate_scale", c_double),
+        ("plate_covariance", c_double * 6),
+        ("registration_time_ns", c_int64),
+        ("max_registration_age_ns", c_int64),
+        ("max_registration_sd_deg", c_double),
+        ("tracker_correlated_noise_m", c_double),
+        ("tracker_correlation_s", c_double),
     )
 
 
@@ -474,11 +704,16 @@ class TargetHandle(Struct):
     if TYPE_CHECKING:
         value: int
 
+        def __init__(
+            self, *, value: int = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("value", c_uint64),
     )
 
 
+@enumerated(role=Role, place=Place)
 class TargetConfig(Struct):
     """A target. Only the fields that `place` names are read.
 
@@ -493,13 +728,18 @@ class TargetConfig(Struct):
 
     if TYPE_CHECKING:
         struct_size: int
-        role: int
-        place: int
+        role: Role
+        place: Place
         reserved: int
         direction_deg: float
         distance_m: float
         position_m: ctypes.Array[c_double]
         name: bytes
+
+        def __init__(
+            self, *, role: Role = ..., place: Place = ..., direction_deg: float = ..., distance_m: float = ...,
+            position_m: ArrayLike = ..., name: str | bytes = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -541,6 +781,13 @@ class Authority(Struct):
         settling_direction_deg: float
         paper_largest_gap_deg: float
 
+        def __init__(
+            self, *, reachable: bool | int = ..., real_target: TargetHandle = ..., virtual_target: TargetHandle = ...,
+            gap_deg: float = ..., largest_gap_deg: float = ..., margin_deg: float = ...,
+            plate_orientation_deg: float = ..., settling_direction_deg: float = ...,
+            paper_largest_gap_deg: float = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("struct_size", c_uint32),
         ("reachable", c_uint32),
@@ -555,6 +802,7 @@ class Authority(Struct):
     )
 
 
+@enumerated(flags=ReachFlag)
 class ReachConfig(Struct):
     """Configuration of a reach.
 
@@ -570,11 +818,16 @@ class ReachConfig(Struct):
 
     if TYPE_CHECKING:
         struct_size: int
-        flags: int
+        flags: ReachFlag
         real_target: TargetHandle
         virtual_target: TargetHandle
         plate_orientation_deg: float
         duration_s: float
+
+        def __init__(
+            self, *, flags: ReachFlag = ..., real_target: TargetHandle = ..., virtual_target: TargetHandle = ...,
+            plate_orientation_deg: float = ..., duration_s: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -586,6 +839,7 @@ class ReachConfig(Struct):
     )
 
 
+@enumerated(flags=SampleFlag)
 class Sample(Struct):
     """One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the
     fields that `flags` names are read.
@@ -603,13 +857,19 @@ class Sample(Struct):
 
     if TYPE_CHECKING:
         struct_size: int
-        flags: int
+        flags: SampleFlag
         time_ns: int
         finger_direction_deg: float
         finger_position_m: ctypes.Array[c_double]
         plate_orientation_deg: float
         plate_position_m: ctypes.Array[c_double]
         plate_rotation: ctypes.Array[c_double]
+
+        def __init__(
+            self, *, flags: SampleFlag = ..., time_ns: int = ..., finger_direction_deg: float = ...,
+            finger_position_m: ArrayLike = ..., plate_orientation_deg: float = ..., plate_position_m: ArrayLike = ...,
+            plate_rotation: ArrayLike = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -623,6 +883,7 @@ class Sample(Struct):
     )
 
 
+@enumerated(flags=CommandFlag)
 class Command(Struct):
     """Command for the plate, and its reasons.
 
@@ -646,11 +907,14 @@ class Command(Struct):
         target's; 0 under FIXED_DIRECTION. Since version 0.3.
     normalised_innovation: Normalised innovation squared of the last positions, mean over about twenty:
         about 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3.
+    bearing_error_sd_deg: Standard deviation of the finger's true place across the line to the real target,
+        as a bearing from the start: by what the estimator knows of the place and by plate_covariance. At
+        the end, of bearing_error_deg. 0 under FIXED_DIRECTION. Since version 0.3.
     """
 
     if TYPE_CHECKING:
         struct_size: int
-        flags: int
+        flags: CommandFlag
         step: int
         plate_orientation_deg: float
         finger_direction_deg: float
@@ -663,6 +927,15 @@ class Command(Struct):
         felt_error_deg: float
         predicted_miss_deg: float
         normalised_innovation: float
+        bearing_error_sd_deg: float
+
+        def __init__(
+            self, *, flags: CommandFlag = ..., step: int = ..., plate_orientation_deg: float = ...,
+            finger_direction_deg: float = ..., perceived_direction_deg: float = ..., aimed_direction_deg: float = ...,
+            distance_to_go_m: float = ..., tactile_weight: float = ..., tactile_weight_sd: float = ...,
+            time_to_go_s: float = ..., felt_error_deg: float = ..., predicted_miss_deg: float = ...,
+            normalised_innovation: float = ..., bearing_error_sd_deg: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -679,14 +952,16 @@ class Command(Struct):
         ("felt_error_deg", c_double),
         ("predicted_miss_deg", c_double),
         ("normalised_innovation", c_double),
+        ("bearing_error_sd_deg", c_double),
     )
 
 
+@enumerated(flags=CommandFlag)
 class ReachSummary(Struct):
     """Result of a reach.
 
-    flags: CommandFlag: UNREACHABLE at the end, MISFIT at any time, OFF_TARGET of where the finger ended,
-        FAULT. Named `reserved` before version 0.3.
+    flags: CommandFlag: UNREACHABLE at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of where the
+        finger ended, FAULT. Named `reserved` before version 0.3.
     samples: Samples, and those of them that were dropouts or rejected as outliers.
     dropped_samples
     steps: Model steps with samples, and predicted steps without.
@@ -709,7 +984,8 @@ class ReachSummary(Struct):
     motor_variance_sd_deg2: Standard deviation of motor_variance_deg2; close to the configured one if the
         reach had too little data; 0: taken as known. Since version 0.2.
     bearing_error_deg: Bearing of the last position, seen from the start, minus the real target's; 0 without
-        positions. This and the following: 0 under FIXED_DIRECTION, since version 0.3.
+        positions, or if the finger never moved, which distance_to_target_m shows. This and the following: 0
+        under FIXED_DIRECTION, since version 0.3.
     peak_felt_error_deg: Largest size of Command.felt_error_deg, and its root mean square while the finger
         moved.
     rms_felt_error_deg
@@ -725,11 +1001,12 @@ class ReachSummary(Struct):
     habit_deg
     habit_sd_deg
     duration_s: Duration of the motion, as estimated.
+    bearing_error_sd_deg: The last Command.bearing_error_sd_deg: standard deviation of bearing_error_deg.
     """
 
     if TYPE_CHECKING:
         struct_size: int
-        flags: int
+        flags: CommandFlag
         samples: int
         dropped_samples: int
         steps: int
@@ -759,6 +1036,20 @@ class ReachSummary(Struct):
         habit_deg: float
         habit_sd_deg: float
         duration_s: float
+        bearing_error_sd_deg: float
+
+        def __init__(
+            self, *, flags: CommandFlag = ..., samples: int = ..., dropped_samples: int = ..., steps: int = ...,
+            predicted_steps: int = ..., saturated_steps: int = ..., rate_limited_steps: int = ...,
+            final_direction_deg: float = ..., final_miss_deg: float = ..., perceived_direction_deg: float = ...,
+            perceived_error_deg: float = ..., distance_to_target_m: float = ..., tactile_weight: float = ...,
+            tactile_weight_sd: float = ..., tracker_noise_m: float = ..., motor_variance_deg2: float = ...,
+            motor_variance_sd_deg2: float = ..., bearing_error_deg: float = ..., peak_felt_error_deg: float = ...,
+            rms_felt_error_deg: float = ..., normalised_innovation: float = ..., illusion_curve: float = ...,
+            illusion_curve_sd: float = ..., gain_per_s: float = ..., gain_sd_per_s: float = ...,
+            bias_deg: float = ..., bias_sd_deg: float = ..., habit_deg: float = ..., habit_sd_deg: float = ...,
+            duration_s: float = ..., bearing_error_sd_deg: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -792,6 +1083,7 @@ class ReachSummary(Struct):
         ("habit_deg", c_double),
         ("habit_sd_deg", c_double),
         ("duration_s", c_double),
+        ("bearing_error_sd_deg", c_double),
     )
 
 
@@ -803,6 +1095,10 @@ class CalibrationHandle(Struct):
 
     if TYPE_CHECKING:
         value: int
+
+        def __init__(
+            self, *, value: int = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("value", c_uint64),
@@ -817,6 +1113,13 @@ class CalibrationConfig(Struct):
         Default 100000: 18 minutes at 90 Hz.
     goal_direction_deg: Direction of the user's target. -180 to 180. Default 0: straight ahead, where the
         motor variance is accurate.
+    lower_plate_deg: Range of the plate orientations that hrt_calibration_next_angle() chooses from,
+        relative to the goal direction. -89 to 89, the upper at least 40 above the lower. Default -75 and
+        75. Since version 0.3.
+    upper_plate_deg
+    enough_weight_width: Width of the 95 % interval of the tactile weight at which
+        hrt_calibration_next_angle() reports enough slides. Lowering it asks for more. 0.001 to 0.5. Default
+        0.02. Since version 0.3.
     """
 
     if TYPE_CHECKING:
@@ -825,6 +1128,14 @@ class CalibrationConfig(Struct):
         max_samples: int
         reserved: int
         goal_direction_deg: float
+        lower_plate_deg: float
+        upper_plate_deg: float
+        enough_weight_width: float
+
+        def __init__(
+            self, *, max_trials: int = ..., max_samples: int = ..., goal_direction_deg: float = ...,
+            lower_plate_deg: float = ..., upper_plate_deg: float = ..., enough_weight_width: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -832,6 +1143,9 @@ class CalibrationConfig(Struct):
         ("max_samples", c_uint32),
         ("reserved", c_uint32),
         ("goal_direction_deg", c_double),
+        ("lower_plate_deg", c_double),
+        ("upper_plate_deg", c_double),
+        ("enough_weight_width", c_double),
     )
 
 
@@ -852,6 +1166,10 @@ class Interval(Struct):
         known: int
         reserved: int
 
+        def __init__(
+            self, *, value: float = ..., lower: float = ..., upper: float = ..., known: bool | int = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("value", c_double),
         ("lower", c_double),
@@ -861,16 +1179,46 @@ class Interval(Struct):
     )
 
 
+@enumerated(illusion=Illusion, lack_of_fit=LackOfFitFlag)
 class CalibrationResult(Struct):
     """Parameters of the user; the fields are those of SessionConfig.
 
-    trials: Ended trials, and those of them with a slide of at least 30 mm. Only the latter count.
+    trials: Ended trials, and those of them with a slide of at least 30 mm.
     trials_used
-    tactile_weight: Always known: otherwise hrt_calibration_solve() fails.
-    bias_deg: Always known.
-    motor_variance_deg2: Known with an accurate tracker; rarely at 1.2 mm of noise.
+    tactile_weight: Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of
+        both sides. Known unless lack_of_fit is set or the interval is wider than 0.1. Of the share of touch
+        that is felt at the slides' speed: people who feel ridges only as they cross them feel more at a
+        higher one.
+    bias_deg: Goal at the middle of the path minus target direction, left positive. Known unless lack_of_fit
+        is set or the interval is wider than 10 degrees.
+    motor_variance_deg2: Never known since version 0.3: slides of people who steer continuously look as
+        those of the paper's person with other variances. The value is the likeliest of the paper's person.
     sensory_variance_deg2: As motor_variance_deg2.
-    tracker_noise_m: Always known.
+    tracker_noise_m: Of the white part of the tracker's noise. Known with enough samples of the finger at
+        rest, unless the parts of the noise may decay within 1.5 samples, which cannot be separated.
+    illusion: Illusion, the likeliest family; LINEAR without a test with fewer than 7 plate orientations.
+        Since version 0.3, as all fields below.
+    lack_of_fit: LackOfFitFlag; 0: none was found, each at 1 % of people whom the model fits.
+    slides_outlying: Slides that were left out: unlike the others, or with the motion within 5 to 12 degrees
+        of along the ridges. hrt_calibration_get_residual() names them.
+    slides_along_ridges
+    illusion_scale_deg: Scale of the likeliest family, degrees; 0 if it has none.
+    peak_offset_deg: Smallest offset at which the illusion is largest, 1 to 75: the motion bound for this
+        user.
+    person_weight: w and b of the controller's curve (PERSON_WEIGHT, PERSON_CURVE), and their correlation.
+        The curve is known with 7 plate orientations or more.
+    person_curve
+    weight_curve_correlation
+    largest_gap_deg: Largest gap between real and virtual direction that can be held, on the weaker side,
+        with the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to
+        both sides, and the interval is at most 10 degrees wide.
+    habit_deg: How far the user's goal turns over a path, halved (PERSON_HABIT). Known as bias_deg.
+    correlated_noise_m: Correlated part of the tracker's noise, and the time in which it decays to 1/e.
+    noise_correlation_s
+    angle_p: Probabilities of residuals as patterned as these if the model fits: over the plate orientation,
+        the order of the slides, the path.
+    order_p
+    path_p
     """
 
     if TYPE_CHECKING:
@@ -883,6 +1231,33 @@ class CalibrationResult(Struct):
         motor_variance_deg2: Interval
         sensory_variance_deg2: Interval
         tracker_noise_m: Interval
+        illusion: Illusion
+        lack_of_fit: LackOfFitFlag
+        slides_outlying: int
+        slides_along_ridges: int
+        illusion_scale_deg: float
+        peak_offset_deg: float
+        person_weight: Interval
+        person_curve: Interval
+        weight_curve_correlation: float
+        largest_gap_deg: Interval
+        habit_deg: Interval
+        correlated_noise_m: Interval
+        noise_correlation_s: Interval
+        angle_p: float
+        order_p: float
+        path_p: float
+
+        def __init__(
+            self, *, trials: int = ..., trials_used: int = ..., tactile_weight: Interval = ...,
+            bias_deg: Interval = ..., motor_variance_deg2: Interval = ..., sensory_variance_deg2: Interval = ...,
+            tracker_noise_m: Interval = ..., illusion: Illusion = ..., lack_of_fit: LackOfFitFlag = ...,
+            slides_outlying: int = ..., slides_along_ridges: int = ..., illusion_scale_deg: float = ...,
+            peak_offset_deg: float = ..., person_weight: Interval = ..., person_curve: Interval = ...,
+            weight_curve_correlation: float = ..., largest_gap_deg: Interval = ..., habit_deg: Interval = ...,
+            correlated_noise_m: Interval = ..., noise_correlation_s: Interval = ..., angle_p: float = ...,
+            order_p: float = ..., path_p: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -894,33 +1269,134 @@ class CalibrationResult(Struct):
         ("motor_variance_deg2", Interval),
         ("sensory_variance_deg2", Interval),
         ("tracker_noise_m", Interval),
+        ("illusion", c_uint32),
+        ("lack_of_fit", c_uint32),
+        ("slides_outlying", c_uint32),
+        ("slides_along_ridges", c_uint32),
+        ("illusion_scale_deg", c_double),
+        ("peak_offset_deg", c_double),
+        ("person_weight", Interval),
+        ("person_curve", Interval),
+        ("weight_curve_correlation", c_double),
+        ("largest_gap_deg", Interval),
+        ("habit_deg", Interval),
+        ("correlated_noise_m", Interval),
+        ("noise_correlation_s", Interval),
+        ("angle_p", c_double),
+        ("order_p", c_double),
+        ("path_p", c_double),
     )
 
 
-class Allocator(Struct):
-    """Source of the library's memory. Both functions are called from any thread, concurrently. Neither may
-    call this library or throw.
+@enumerated(verdict=Slide)
+class CalibrationSlide(Struct):
+    """One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Since version
+    0.3.
 
-    context: Passed to both functions. The library does not read it.
-    allocate: Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on
-        failure.
-    release: Releases memory that allocate() returned. As of free(), it gets no size: an allocator that
-        needs it keeps it beside the memory.
+    verdict: Slide.
+    trial: Number of the trial, from 0; trials without a slide are left out.
+    plate_deg
+    direction_deg: Of the second half of the path, seen and fitted, and their difference.
+    fitted_deg
+    residual_deg
     """
 
     if TYPE_CHECKING:
         struct_size: int
+        verdict: Slide
+        trial: int
         reserved: int
-        context: int | None
-        allocate: ctypes._FuncPointer
-        release: ctypes._FuncPointer
+        plate_deg: float
+        direction_deg: float
+        fitted_deg: float
+        residual_deg: float
+
+        def __init__(
+            self, *, verdict: Slide = ..., trial: int = ..., plate_deg: float = ..., direction_deg: float = ...,
+            fitted_deg: float = ..., residual_deg: float = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
+        ("verdict", c_uint32),
+        ("trial", c_uint32),
         ("reserved", c_uint32),
-        ("context", c_void_p),
-        ("allocate", AllocatorAllocate),
-        ("release", AllocatorRelease),
+        ("plate_deg", c_double),
+        ("direction_deg", c_double),
+        ("fitted_deg", c_double),
+        ("residual_deg", c_double),
+    )
+
+
+@enumerated(differing=DiffersFlag)
+class CalibrationComparison(Struct):
+    """Test and retest: two calibrations of a user, or of two users. Each field is the second value less the
+    first, with the 95 % interval of the difference; known if both values are. Since version 0.3.
+
+    differing: DiffersFlag, by Holm's procedure over the known values: if nothing has changed, any of them
+        is set in 5 % of comparisons. 0 is no proof that nothing has changed: see the intervals.
+    tactile_weight
+    largest_gap_deg
+    bias_deg
+    habit_deg
+    tracker_noise_m
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        differing: DiffersFlag
+        tactile_weight: Interval
+        largest_gap_deg: Interval
+        bias_deg: Interval
+        habit_deg: Interval
+        tracker_noise_m: Interval
+
+        def __init__(
+            self, *, differing: DiffersFlag = ..., tactile_weight: Interval = ..., largest_gap_deg: Interval = ...,
+            bias_deg: Interval = ..., habit_deg: Interval = ..., tracker_noise_m: Interval = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("differing", c_uint32),
+        ("tactile_weight", Interval),
+        ("largest_gap_deg", Interval),
+        ("bias_deg", Interval),
+        ("habit_deg", Interval),
+        ("tracker_noise_m", Interval),
+    )
+
+
+@enumerated(differing=ConditionFlag)
+class Conditions(Struct):
+    """Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since
+    version 0.3.
+
+    differing: Output: ConditionFlag, of what both the profile and the host name, and not alike. Input: not
+        read.
+    time_s: Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999. 0: unknown.
+    plate: Names of plate and tracker: UTF-8 without control characters, ended by a zero. Empty: unknown.
+    tracker
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        differing: ConditionFlag
+        time_s: int
+        plate: bytes
+        tracker: bytes
+
+        def __init__(
+            self, *, differing: ConditionFlag = ..., time_s: int = ..., plate: str | bytes = ...,
+            tracker: str | bytes = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("differing", c_uint32),
+        ("time_s", c_int64),
+        ("plate", c_char * 64),
+        ("tracker", c_char * 64),
     )
 
 
@@ -939,6 +1415,10 @@ class RecordingStatus(Struct):
         rows_written: int
         rows_lost: int
 
+        def __init__(
+            self, *, system_error: int = ..., rows_written: int = ..., rows_lost: int = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("struct_size", c_uint32),
         ("system_error", c_int32),
@@ -947,6 +1427,7 @@ class RecordingStatus(Struct):
     )
 
 
+@enumerated(ending=Ending)
 class ReplayReport(Struct):
     """Result of a replay.
 
@@ -965,8 +1446,13 @@ class ReplayReport(Struct):
         rows: int
         first_different_line: int
         hash: int
-        ending: int
+        ending: Ending
         reserved: int
+
+        def __init__(
+            self, *, complete: bool | int = ..., rows: int = ..., first_different_line: int = ..., hash: int = ...,
+            ending: Ending = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -979,6 +1465,221 @@ class ReplayReport(Struct):
     )
 
 
+class MarkTouch(Struct):
+    """A touch of a mark. This struct never grows.
+
+    mark_m: The mark in plate coordinates. Each within 1000.
+    touched_m: Where the tracker saw the fingertip, in the engine's world. Each within 1000.
+    """
+
+    if TYPE_CHECKING:
+        mark_m: ctypes.Array[c_double]
+        touched_m: ctypes.Array[c_double]
+
+        def __init__(
+            self, *, mark_m: ArrayLike = ..., touched_m: ArrayLike = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("mark_m", c_double * 3),
+        ("touched_m", c_double * 3),
+    )
+
+
+@enumerated(flags=RegisterFlag)
+class RegistrationConfig(Struct):
+    """Configuration of a registration.
+
+    flags: RegisterFlag. Default 0.
+    touch_sd_m: Standard deviation of each coordinate of a touch, as expected; the residuals correct it.
+        Raising it accepts worse touches. 1e-5 to 0.1. Default 0.003.
+    up: Up in the engine's world, of any length: the plate's face must look that way within 60 degrees. Each
+        within 1000, and not all 0. Default (0, 1, 0).
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        flags: RegisterFlag
+        touch_sd_m: float
+        up: ctypes.Array[c_double]
+
+        def __init__(
+            self, *, flags: RegisterFlag = ..., touch_sd_m: float = ..., up: ArrayLike = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("flags", c_uint32),
+        ("touch_sd_m", c_double),
+        ("up", c_double * 3),
+    )
+
+
+@enumerated(verdict=RegistrationVerdict)
+class Registration(Struct):
+    """A registered pose. Its numbers mean something if it HOLDS; INCONSISTENT and UPSIDE_DOWN have those of
+    the fit to all touches, to look at.
+
+    verdict: RegistrationVerdict.
+    touches: Touches that were given.
+    left_out: Index of the one touch that does not fit the others and was left out; -1: none.
+    plate_position_m: Pose and scale, as SessionConfig has them. The scale is 1 unless fitted.
+    plate_rotation
+    plate_scale
+    covariance: Covariance of the rotation about the plate's x, y and z (radians), the position in the world
+        (metres) and the scale: the lower triangle, row by row. 0 for a scale that was not fitted.
+    touch_sd_m: Standard deviation of a touch's coordinate: as expected and as seen, weighted.
+    residual_m: Root mean square distance of the touches from their marks.
+    turn_sd_deg: Standard deviation of the plate's turn about its normal, which turns every reach.
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        verdict: RegistrationVerdict
+        touches: int
+        left_out: int
+        plate_position_m: ctypes.Array[c_double]
+        plate_rotation: ctypes.Array[c_double]
+        plate_scale: float
+        covariance: ctypes.Array[c_double]
+        touch_sd_m: float
+        residual_m: float
+        turn_sd_deg: float
+
+        def __init__(
+            self, *, verdict: RegistrationVerdict = ..., touches: int = ..., left_out: int = ...,
+            plate_position_m: ArrayLike = ..., plate_rotation: ArrayLike = ..., plate_scale: float = ...,
+            covariance: ArrayLike = ..., touch_sd_m: float = ..., residual_m: float = ..., turn_sd_deg: float = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("verdict", c_uint32),
+        ("touches", c_uint32),
+        ("left_out", c_int32),
+        ("plate_position_m", c_double * 3),
+        ("plate_rotation", c_double * 4),
+        ("plate_scale", c_double),
+        ("covariance", c_double * 28),
+        ("touch_sd_m", c_double),
+        ("residual_m", c_double),
+        ("turn_sd_deg", c_double),
+    )
+
+
+class TouchCheck(Struct):
+    """Result of hrt_registration_check().
+
+    holds: 1 if the touch agrees with the registration; else 0: register again.
+    distance_m: Distance of the touch from where its mark should be.
+    allowed_m: Distance within which 999 touches in 1000 are while the registration is true. A plate that
+        has moved by less may pass.
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        holds: int
+        distance_m: float
+        allowed_m: float
+
+        def __init__(
+            self, *, holds: bool | int = ..., distance_m: float = ..., allowed_m: float = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("holds", c_uint32),
+        ("distance_m", c_double),
+        ("allowed_m", c_double),
+    )
+
+
+class JointTouch(Struct):
+    """A tracked joint, in touches while its fingertip is on a mark. This struct never grows.
+
+    position_m: Position of the joint in the engine's world. Each within 1000.
+    rotation: Rotation of the joint: the unit quaternion x, y, z, w from its axes to the world's. Length 1
+        within 0.001.
+    """
+
+    if TYPE_CHECKING:
+        position_m: ctypes.Array[c_double]
+        rotation: ctypes.Array[c_double]
+
+        def __init__(
+            self, *, position_m: ArrayLike = ..., rotation: ArrayLike = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("position_m", c_double * 3),
+        ("rotation", c_double * 4),
+    )
+
+
+class Fingertip(Struct):
+    """Where the skin that touches is, in the joint's axes: at position + rotation * offset_m in the world. Of
+    one hand.
+
+    known: 1 if every deviation is below 5 mm; else 0: the joint was not turned enough, and the numbers are
+        0.
+    offset_m
+    sd_m: Its standard deviations.
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        known: int
+        offset_m: ctypes.Array[c_double]
+        sd_m: ctypes.Array[c_double]
+
+        def __init__(
+            self, *, known: bool | int = ..., offset_m: ArrayLike = ..., sd_m: ArrayLike = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("known", c_uint32),
+        ("offset_m", c_double * 3),
+        ("sd_m", c_double * 3),
+    )
+
+
+class Latency(Struct):
+    """Latency of a tracker.
+
+    known: 1 if the 95 % interval is at most 40 ms wide; else 0, and the numbers are 0.
+    latency_ns: For SessionConfig.tracker_latency_ns: the best fit, or 0 if that is negative.
+    lower_ns: Ends of the 95 % interval; the lower one may be negative.
+    upper_ns
+    residual_m: Standard deviation of a coordinate from the circle on which the finger was carried.
+    radius_m: Radius of that circle.
+    """
+
+    if TYPE_CHECKING:
+        struct_size: int
+        known: int
+        latency_ns: int
+        lower_ns: int
+        upper_ns: int
+        residual_m: float
+        radius_m: float
+
+        def __init__(
+            self, *, known: bool | int = ..., latency_ns: int = ..., lower_ns: int = ..., upper_ns: int = ...,
+            residual_m: float = ..., radius_m: float = ...,
+        ) -> None: ...
+
+    _fields_ = (
+        ("struct_size", c_uint32),
+        ("known", c_uint32),
+        ("latency_ns", c_int64),
+        ("lower_ns", c_int64),
+        ("upper_ns", c_int64),
+        ("residual_m", c_double),
+        ("radius_m", c_double),
+    )
+
+
 class SceneHandle(Struct):
     """A scene's handle. Zero is never a scene. Handles are never reused.
 
@@ -987,6 +1688,10 @@ class SceneHandle(Struct):
 
     if TYPE_CHECKING:
         value: int
+
+        def __init__(
+            self, *, value: int = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("value", c_uint64),
@@ -1013,6 +1718,11 @@ class SceneInfo(Struct):
         plate_max_speed_deg_s: float
         start_position_m: ctypes.Array[c_double]
 
+        def __init__(
+            self, *, target_count: int = ..., plate_position_m: ArrayLike = ..., plate_rotation: ArrayLike = ...,
+            plate_radius_m: float = ..., plate_max_speed_deg_s: float = ..., start_position_m: ArrayLike = ...,
+        ) -> None: ...
+
     _fields_ = (
         ("struct_size", c_uint32),
         ("target_count", c_uint32),
@@ -1024,6 +1734,7 @@ class SceneInfo(Struct):
     )
 
 
+@enumerated(role=Role)
 class SceneTarget(Struct):
     """A target of a scene.
 
@@ -1040,7 +1751,7 @@ class SceneTarget(Struct):
 
     if TYPE_CHECKING:
         struct_size: int
-        role: int
+        role: Role
         served_by: int
         reserved: int
         position_m: ctypes.Array[c_double]
@@ -1049,6 +1760,12 @@ class SceneTarget(Struct):
         distance_m: float
         radius_m: float
         name: bytes
+
+        def __init__(
+            self, *, role: Role = ..., served_by: int = ..., position_m: ArrayLike = ...,
+            world_position_m: ArrayLike = ..., direction_deg: float = ..., distance_m: float = ...,
+            radius_m: float = ..., name: str | bytes = ...,
+        ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
@@ -1072,6 +1789,10 @@ def declare(library: CDLL) -> None:
     library.hrt_last_error.restype = c_char_p
     library.hrt_get_version.argtypes = (POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
     library.hrt_get_version.restype = None
+    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
+    library.hrt_set_allocator.restype = c_int32
+    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
+    library.hrt_set_log_callback.restype = c_int32
     library.hrt_session_config_default.argtypes = (POINTER(SessionConfig), c_uint32)
     library.hrt_session_config_default.restype = c_int32
     library.hrt_session_create.argtypes = (POINTER(SessionConfig), POINTER(SessionHandle))
@@ -1082,6 +1803,8 @@ def declare(library: CDLL) -> None:
     library.hrt_session_get_state.restype = c_int32
     library.hrt_session_destroy.argtypes = (SessionHandle,)
     library.hrt_session_destroy.restype = c_int32
+    library.hrt_session_set_log_callback.argtypes = (SessionHandle, LogCallback, c_void_p)
+    library.hrt_session_set_log_callback.restype = c_int32
     library.hrt_session_get_config.argtypes = (SessionHandle, POINTER(SessionConfig))
     library.hrt_session_get_config.restype = c_int32
     library.hrt_session_set_config.argtypes = (SessionHandle, POINTER(SessionConfig))
@@ -1134,14 +1857,24 @@ def declare(library: CDLL) -> None:
     library.hrt_calibration_end_trial.restype = c_int32
     library.hrt_calibration_cancel_trial.argtypes = (CalibrationHandle,)
     library.hrt_calibration_cancel_trial.restype = c_int32
+    library.hrt_calibration_next_angle.argtypes = (CalibrationHandle, POINTER(c_double), POINTER(c_uint32))
+    library.hrt_calibration_next_angle.restype = c_int32
     library.hrt_calibration_solve.argtypes = (CalibrationHandle, POINTER(CalibrationResult))
     library.hrt_calibration_solve.restype = c_int32
+    library.hrt_calibration_get_residual.argtypes = (CalibrationHandle, c_uint32, POINTER(CalibrationSlide))
+    library.hrt_calibration_get_residual.restype = c_int32
+    library.hrt_calibration_compare.argtypes = (POINTER(CalibrationResult), POINTER(CalibrationResult), POINTER(CalibrationComparison))
+    library.hrt_calibration_compare.restype = c_int32
     library.hrt_calibration_apply.argtypes = (SessionHandle, POINTER(CalibrationResult))
     library.hrt_calibration_apply.restype = c_int32
-    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
-    library.hrt_set_allocator.restype = c_int32
-    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
-    library.hrt_set_log_callback.restype = c_int32
+    library.hrt_profile_set_conditions.argtypes = (SessionHandle, POINTER(Conditions))
+    library.hrt_profile_set_conditions.restype = c_int32
+    library.hrt_profile_get_conditions.argtypes = (SessionHandle, POINTER(Conditions))
+    library.hrt_profile_get_conditions.restype = c_int32
+    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
+    library.hrt_profile_save.restype = c_int32
+    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
+    library.hrt_profile_load.restype = c_int32
     library.hrt_recording_start.argtypes = (SessionHandle, c_char_p)
     library.hrt_recording_start.restype = c_int32
     library.hrt_recording_get_status.argtypes = (SessionHandle, POINTER(RecordingStatus))
@@ -1152,6 +1885,24 @@ def declare(library: CDLL) -> None:
     library.hrt_replay_text.restype = c_int32
     library.hrt_replay_file.argtypes = (c_char_p, POINTER(ReplayReport))
     library.hrt_replay_file.restype = c_int32
+    library.hrt_registration_config_default.argtypes = (POINTER(RegistrationConfig), c_uint32)
+    library.hrt_registration_config_default.restype = c_int32
+    library.hrt_registration_fit.argtypes = (POINTER(RegistrationConfig), POINTER(MarkTouch), c_uint64, c_uint64, POINTER(c_double), POINTER(Registration))
+    library.hrt_registration_fit.restype = c_int32
+    library.hrt_registration_advice.argtypes = (c_uint32,)
+    library.hrt_registration_advice.restype = c_char_p
+    library.hrt_registration_apply.argtypes = (SessionHandle, POINTER(Registration), c_int64)
+    library.hrt_registration_apply.restype = c_int32
+    library.hrt_registration_check.argtypes = (POINTER(Registration), POINTER(MarkTouch), POINTER(TouchCheck))
+    library.hrt_registration_check.restype = c_int32
+    library.hrt_registration_confirm.argtypes = (SessionHandle, POINTER(Registration), POINTER(MarkTouch), c_int64, POINTER(TouchCheck))
+    library.hrt_registration_confirm.restype = c_int32
+    library.hrt_fingertip_fit.argtypes = (POINTER(RegistrationConfig), POINTER(JointTouch), c_uint64, POINTER(Fingertip))
+    library.hrt_fingertip_fit.restype = c_int32
+    library.hrt_fingertip_place.argtypes = (POINTER(Fingertip), POINTER(JointTouch), POINTER(Sample))
+    library.hrt_fingertip_place.restype = c_int32
+    library.hrt_latency_fit.argtypes = (POINTER(Sample), c_uint64, POINTER(Latency))
+    library.hrt_latency_fit.restype = c_int32
     library.hrt_scene_load_file.argtypes = (c_char_p, POINTER(SceneHandle))
     library.hrt_scene_load_file.restype = c_int32
     library.hrt_scene_load_memory.argtypes = (c_void_p, c_uint64, c_char_p, POINTER(SceneHandle))
@@ -1164,7 +1915,3 @@ def declare(library: CDLL) -> None:
     library.hrt_scene_get_target.restype = c_int32
     library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint64, POINTER(TargetHandle))
     library.hrt_scene_register.restype = c_int32
-    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
-    library.hrt_profile_save.restype = c_int32
-    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
-    library.hrt_profile_load.restype = c_int32

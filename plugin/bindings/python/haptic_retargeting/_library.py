@@ -6,6 +6,7 @@ import ctypes
 import functools
 import os
 import sys
+from pathlib import Path
 
 from . import _abi
 
@@ -30,8 +31,9 @@ def _default_name() -> str:
 
 @functools.cache
 def library() -> ctypes.CDLL:
-    """The library, loaded once: the file that HRT_LIBRARY names, or what the system's loader finds."""
-    name = os.environ.get("HRT_LIBRARY") or _default_name()
+    """The library, loaded once: the file that HRT_LIBRARY names, that of the wheel, or what the system's loader finds."""
+    in_wheel = Path(__file__).parent / _default_name()
+    name = os.environ.get("HRT_LIBRARY") or (str(in_wheel) if in_wheel.exists() else _default_name())
     try:
         loaded = ctypes.CDLL(name)
     except OSError as error:

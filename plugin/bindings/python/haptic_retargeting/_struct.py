@@ -1,30 +1,66 @@
-"""What all structs of the interface share: fields by keyword, checked as they are set, shown by name."""
+"""What all structs and enumerations of the interface share: fields by keyword, checked as they are set, shown by name
+and in short."""
 
 from __future__ import annotations
 
 import ctypes
 import functools
 import operator
-from typing import Any
+from collections.abc import Callable, Sequence
+from enum import IntEnum, IntFlag
+from html import escape
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, Union
 
 import numpy as np
+from numpy.typing import NDArray
+
+Numbers = Union[Sequence[float], NDArray[Any]]
+"""What a field of several numbers takes."""
 
 _INTEGERS = (ctypes.c_int32, ctypes.c_uint32, ctypes.c_int64, ctypes.c_uint64)
 _HIDDEN = ("struct_size", "reserved")
 
 
-class Struct(ctypes.Structure):
+class Choice(IntEnum):
+    """One of several values."""
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}.{self.name}"
+
+
+class Flags(IntFlag):
+    """Any of several bits."""
+
+    def names(self) -> list[str]:
+        """Those that are set; what this version does not know as a number."""
+        known = [member for member in type(self) if member & self]
+        rest = int(self) & ~sum(int(member) for member in known)
+        return [str(member.name) for member in known] + ([hex(rest)] if rest else [])
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}.{'|'.join(self.names())}" if self else f"{type(self).__name__}(0)"
+
+
+if TYPE_CHECKING:
+    _Base = ctypes._CData  # a Structure has any attribute, as type checkers see it
+else:
+    _Base = ctypes.Structure
+
+
+class Struct(_Base):
     """A struct of the C interface. Its `struct_size` is set."""
+
+    _fields_: ClassVar[Sequence[tuple[str, Any]]]
 
     def __init__(self, **fields: Any) -> None:
         super().__init__()
         if hasattr(type(self), "struct_size"):
-            ctypes.Structure.__setattr__(self, "struct_size", ctypes.sizeof(self))
+            super().__setattr__("struct_size", ctypes.sizeof(self))
         for name, value in fields.items():
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:
-        ctypes.Structure.__setattr__(self, name, self._checked(name, value))
+        super().__setattr__(name, self._checked(name, value))
 
     def _checked(self, name: str, value: Any) -> Any:
         """`value` as ctypes takes it; ctypes itself would cut off what doesn't fit."""
@@ -46,7 +82,12 @@ class Struct(ctypes.Structure):
         return {name: _plain(getattr(self, name)) for name in self.names()}
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self.as_dict().items())})"
+        return f"{type(self).__name__}({', '.join(f'{k}={short(v)}' for k, v in self.as_dict().items())})"
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        rows = "".join(f"<tr><td>{k}</td><td>{escape(short(v))}</td></tr>" for k, v in self.as_dict().items())
+        return f"<table>{rows}</table>"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):
@@ -54,6 +95,53 @@ class Struct(ctypes.Structure):
         return self.as_dict() == other.as_dict()
 
     __hash__ = None  # type: ignore[assignment]
+
+
+_S = TypeVar("_S", bound=Struct)
+
+
+def enumerated(**kinds: type[Choice] | type[Flags]) -> Callable[[type[_S]], type[_S]]:
+    """Has fields of a struct read as their enumeration."""
+    def decorate(struct: type[_S]) -> type[_S]:
+        for name, kind in kinds.items():
+            setattr(struct, name, _Enumerated(getattr(struct, name), kind))
+        return struct
+    return decorate
+
+
+class _Enumerated:
+    """A field of ctypes, read as an enumeration; as a number if this version does not know the value."""
+
+    def __init__(self, field: Any, kind: type[Choice] | type[Flags]) -> None:
+        self._field, self._kind = field, kind
+        self.offset, self.size = field.offset, field.size
+
+    def __get__(self, struct: Struct | None, owner: type[Struct]) -> Any:
+        if struct is None:
+            return self
+        number = self._field.__get__(struct, owner)
+        try:
+            return self._kind(number)
+        except ValueError:
+            return number
+
+    def __set__(self, struct: Struct, value: int) -> None:
+        self._field.__set__(struct, value)
+
+
+def short(value: Any) -> str:
+    """A value as a reader of a notebook wants it: six digits, names of flags, long arrays by their size."""
+    if isinstance(value, Flags):
+        return "|".join(value.names()) or "0"
+    if isinstance(value, Choice):
+        return value.name
+    if isinstance(value, float):
+        return f"{value:.6g}"
+    if isinstance(value, list):
+        if len(value) <= 4:
+            return f"[{', '.join(short(item) for item in value)}]"
+        return f"<{len(value)} numbers>" if any(value) else f"<{len(value)} zeros>"
+    return repr(value)
 
 
 @functools.cache
@@ -64,18 +152,29 @@ def _kinds(struct: type[Struct]) -> dict[str, Any]:
 
 def _converted(kind: Any, value: Any) -> Any:
     if kind in _INTEGERS:
-        number = operator.index(value)
+        try:
+            number = operator.index(value)
+        except TypeError:
+            raise TypeError("a whole number is needed") from None
         if kind(number).value != number:
             raise ValueError(f"beyond {kind.__name__[2:]}")
         return number
     if kind is ctypes.c_double:
         if isinstance(value, (str, bytes)):
             raise TypeError("a number is needed")
-        return float(value)
+        try:
+            return float(value)
+        except TypeError:
+            raise TypeError("a number is needed") from None
+    if isinstance(kind, type) and issubclass(kind, ctypes.Structure) and not isinstance(value, kind):
+        raise TypeError(f"a {kind.__name__} is needed")
     if issubclass(kind, ctypes.Array) and kind._type_ is ctypes.c_char:
         return _text(kind, value)
     if issubclass(kind, ctypes.Array):
-        numbers = np.asarray(value, dtype=np.float64)
+        try:
+            numbers = np.asarray(value, dtype=np.float64)
+        except (TypeError, ValueError):
+            raise TypeError(f"{kind._length_} numbers are needed") from None
         if numbers.shape != (kind._length_,):
             raise ValueError(f"{kind._length_} numbers are needed")
         return kind(*numbers)

@@ -34,6 +34,8 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
     A number that is NaN is not known then: a finger without place or direction is a dropout.
     """
     times = np.asarray(time_ns)
+    if times.size == 0:
+        raise ValueError("time_ns is empty; at least one sample is needed")
     if times.ndim != 1 or times.dtype.kind not in "iu":
         raise ValueError(f"time_ns must be one row of whole numbers, not {times.dtype} of the shape {times.shape}")
     out: Array = np.zeros(len(times), SAMPLE)
@@ -44,14 +46,20 @@ def samples(time_ns: ArrayLike, *, direction_deg: ArrayLike | None = None, posit
     _put(out, "finger_position_m", world_position_m, SampleFlag.WORLD_POSITION)
     _put(out, "plate_orientation_deg", plate_orientation_deg, SampleFlag.PLATE_ORIENTATION)
     if lifted is not None:
-        out["flags"][np.broadcast_to(np.asarray(lifted, bool), out.shape)] |= np.uint32(SampleFlag.LIFTED)
+        where = np.asarray(lifted, bool)
+        if where.shape != out.shape and where.ndim != 0:
+            raise ValueError(f"lifted must have the shape {out.shape}, as time_ns has, not {where.shape}")
+        out["flags"][np.broadcast_to(where, out.shape)] |= np.uint32(SampleFlag.LIFTED)
     return out
 
 
 def _put(out: Array, field: str, values: ArrayLike | None, flag: SampleFlag) -> None:
     if values is None:
         return
-    given = np.asarray(values, np.float64)
+    try:
+        given = np.asarray(values, np.float64)
+    except (TypeError, ValueError) as error:
+        raise TypeError(f"{field} must be numbers: {error}") from None
     column: Array = out[field]
     if given.shape != column.shape and given.ndim != 0:
         raise ValueError(f"{field} must have the shape {column.shape}, as time_ns has, not {given.shape}")
@@ -70,7 +78,17 @@ def commands(n: int) -> Array:
 
 def expect_rows(array: Array, name: str, dtype: np.dtype[Any]) -> None:
     """Raises unless the library can be given the array's memory."""
+    if not isinstance(array, np.ndarray):
+        raise TypeError(f"{name} is a {type(array).__name__}: an array is needed, as samples() makes")
     if array.dtype != dtype or array.ndim != 1 or not array.flags.c_contiguous:
-        raise TypeError(f"{name} must be one contiguous row of {dtype}, as haptic_retargeting.samples() makes")
+        kind = "SAMPLE" if dtype == SAMPLE else "COMMAND"
+        raise TypeError(f"{name} must be one contiguous row of haptic_retargeting.{kind}, as {kind.lower()}s() makes")
     if (array["struct_size"] != dtype.itemsize).any():
         raise ValueError(f"{name} must have struct_size {dtype.itemsize} in each row")
+
+
+def expect_samples(samples: Array) -> None:
+    """Raises unless this is a whole slide or reach."""
+    expect_rows(samples, "samples", SAMPLE)
+    if len(samples) == 0:
+        raise ValueError("samples is empty; at least one is needed")

@@ -8,18 +8,22 @@ from ctypes import byref
 from typing import Any
 
 from . import _abi
-from ._abi import CalibrationConfig, CalibrationResult
+from ._abi import CalibrationComparison, CalibrationConfig, CalibrationResult, CalibrationSlide
+from ._keywords import CalibrationKeywords
 from ._library import Error, check, library
-from .arrays import SAMPLE, Array, expect_rows
+from .arrays import SAMPLE, Array, expect_samples
 from .session import Session
 
 
-class Calibration:
+class Calibration(CalibrationKeywords):
     """Slides of one user, and the parameters fitted to them.
 
         with Calibration(session) as calibration:
-            for plate_deg, samples in slides:      # eight to ten at each of -60, -30, 0, 30 and 60 degrees
-                calibration.add_trial(plate_deg, samples)
+            while True:
+                plate_deg, enough = calibration.next_angle()
+                if enough:
+                    break
+                calibration.add_trial(plate_deg, slide(plate_deg))   # yours: turns the plate, returns samples
             result = calibration.solve()
         session.apply_calibration(result)
 
@@ -27,7 +31,9 @@ class Calibration:
     those of the session as it is now. One thread at a time.
     """
 
-    def __init__(self, session: Session, **fields: Any) -> None:
+    def _create(self, session: Session, fields: dict[str, Any]) -> None:
+        if not isinstance(session, Session):
+            raise TypeError(f"session is {session!r}: a Session is needed")
         config = CalibrationConfig()
         check(library().hrt_calibration_config_default(byref(config), ctypes.sizeof(config)))
         for name, value in fields.items():
@@ -49,7 +55,7 @@ class Calibration:
 
     def add_trial(self, plate_orientation_deg: float, samples: Array) -> None:
         """Adds one slide: an array of SAMPLE, with the plate at rest. After an error the trial is forgotten."""
-        expect_rows(samples, "samples", SAMPLE)
+        expect_samples(samples)
         check(library().hrt_calibration_begin_trial(self.handle, plate_orientation_deg))
         for row in range(len(samples)):
             sample = _abi.Sample.from_address(samples.ctypes.data + row * SAMPLE.itemsize)
@@ -60,8 +66,30 @@ class Calibration:
                 raise error
         check(library().hrt_calibration_end_trial(self.handle))
 
+    def next_angle(self) -> tuple[float, bool]:
+        """Plate orientation for the next slide, degrees, and whether the slides so far are enough."""
+        angle = ctypes.c_double()
+        enough = ctypes.c_uint32()
+        check(library().hrt_calibration_next_angle(self.handle, byref(angle), byref(enough)))
+        return angle.value, enough.value != 0
+
+    def residual(self, slide: int) -> CalibrationSlide:
+        """A slide of the last solve(), from 0 to trials_used - 1: seen and fitted direction, and whether it
+        was left out."""
+        out = CalibrationSlide()
+        check(library().hrt_calibration_get_residual(self.handle, slide, byref(out)))
+        return out
+
     def solve(self) -> CalibrationResult:
         """Fits the user to the trials, which stay. Takes some 50 microseconds a sample."""
         result = CalibrationResult()
         check(library().hrt_calibration_solve(self.handle, byref(result)))
         return result
+
+
+def compare_calibrations(first: CalibrationResult, second: CalibrationResult) -> CalibrationComparison:
+    """Test and retest: which values of two calibrations differ, and the differences, second less first, with their
+    95 % intervals."""
+    out = CalibrationComparison()
+    check(library().hrt_calibration_compare(byref(first), byref(second), byref(out)))
+    return out

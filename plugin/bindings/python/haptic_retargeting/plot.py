@@ -15,6 +15,8 @@ REAL, VIRTUAL, FINGER, PLATE = "#0072B2", "#D55E00", "#000000", "#009E73"
 
 def reach(record: ReachRecord, title: str = "") -> Any:
     """A figure of one reach: seen from above, and its angles over time. Returns the matplotlib figure."""
+    if len(record.samples) == 0:
+        raise ValueError("the record has no samples, so there is nothing to draw")
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(11, 4.8), layout="constrained")

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import ctypes
 import time
-from collections.abc import Sequence
 from ctypes import byref
 from typing import Protocol
 
 from . import _abi
 from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
+from ._struct import Numbers
 from ._library import Error, check, library
 from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
 
@@ -43,15 +43,24 @@ class HasHandle(Protocol):
     handle: _abi.TargetHandle
 
 
+def handle_of(target: HasHandle, name: str) -> _abi.TargetHandle:
+    """The handle of what should be a Target; TypeError names the argument that is none."""
+    handle = getattr(target, "handle", None)
+    if not isinstance(handle, _abi.TargetHandle):
+        raise TypeError(f"{name} is {target!r}: a Target is needed, as add_real(), add_virtual() and target() return")
+    return handle
+
+
 class Reach:
     """A running reach, made by Session.reach(). Leaving its context ends it and fills in `summary`."""
 
     def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
-                 plate_orientation_deg: float | None, start_at_finger: bool, pace: Pace | None) -> None:
+                 plate_orientation_deg: float | None, start_at_finger: bool, duration_s: float, pace: Pace | None) -> None:
         config = ReachConfig()
         check(library().hrt_reach_config_default(byref(config), ctypes.sizeof(config)))
         config.real_target = real
         config.virtual_target = virtual
+        config.duration_s = duration_s
         if plate_orientation_deg is not None:
             config.flags |= ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
@@ -62,11 +71,17 @@ class Reach:
         self._pace = pace
         self._command = Command()
         self._cancelled = False
-        self.summary: ReachSummary | None = None
-        """What became of the reach, once it has ended."""
+        self._summary: ReachSummary | None = None
 
-    def update(self, time_ns: int, *, direction_deg: float | None = None, position_m: Sequence[float] | None = None,
-               world_position_m: Sequence[float] | None = None, plate_orientation_deg: float | None = None,
+    @property
+    def summary(self) -> ReachSummary:
+        """What became of the reach. RuntimeError before its end, and of a reach that was cancelled."""
+        if self._summary is None:
+            raise RuntimeError("the reach was cancelled" if self._cancelled else "the reach has not ended")
+        return self._summary
+
+    def update(self, time_ns: int, *, direction_deg: float | None = None, position_m: Numbers | None = None,
+               world_position_m: Numbers | None = None, plate_orientation_deg: float | None = None,
                lifted: bool = False) -> Command:
         """Processes one sample and returns the command for the plate. The arguments are those of samples(); without
         a direction or position the finger is not seen."""
@@ -124,7 +139,8 @@ class Reach:
 
     def retarget(self, real: HasHandle, virtual: HasHandle) -> None:
         """Leads the reach to other targets from now on, or to the same ones after they were moved."""
-        check(library().hrt_reach_retarget(self._session, real.handle, virtual.handle))
+        check(library().hrt_reach_retarget(
+            self._session, handle_of(real, "real"), handle_of(virtual, "virtual")))
 
     def cancel(self) -> None:
         """Ends the reach without a summary; nothing is learnt from it."""
@@ -135,14 +151,14 @@ class Reach:
         """Ends the reach and returns its summary."""
         summary = ReachSummary()
         check(library().hrt_reach_end(self._session, byref(summary)))
-        self.summary = summary
+        self._summary = summary
         return summary
 
     def __enter__(self) -> Reach:
         return self
 
     def __exit__(self, kind: object, *_: object) -> None:
-        if self.summary is None and not self._cancelled:
+        if self._summary is None and not self._cancelled:
             try:
                 self.end()
             except Error:

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _abi
+from . import _abi, view
 from ._abi import Place, ReachSummary, ReplayReport, SampleFlag, SessionConfig, TargetConfig
 from ._library import check, library
 from .arrays import Array, COMMAND, SAMPLE
@@ -20,7 +20,7 @@ from .arrays import Array, COMMAND, SAMPLE
 Numbers = NDArray[np.float64]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False, eq=False)
 class ReachRecord:
     """One reach, as it was run or read from a recording. Rows of the three arrays belong together."""
 
@@ -40,6 +40,20 @@ class ReachRecord:
     """Of the finger in the last step; NaN if the reach did not end."""
     summary: ReachSummary | None = None
     """The library's own account; None of a reach that was read."""
+
+    def __repr__(self) -> str:
+        duration = float(self.time_s[-1]) if len(self.samples) else 0.0
+        return (f"<{type(self).__name__}: {len(self.samples)} samples in {duration:.2f} s, real target "
+                f"{self.real_direction_deg:+.2f} deg, virtual {self.virtual_direction_deg:+.2f} deg, "
+                f"last step {self.final_direction_deg:+.2f} deg>")
+
+    def _repr_html_(self) -> str:
+        """What a notebook shows."""
+        return view.html(self)
+
+    def _repr_svg_(self) -> str:
+        """The reach, seen from above."""
+        return view.svg(self)
 
     @property
     def final_miss_deg(self) -> float:
@@ -72,6 +86,13 @@ class ReachRecord:
         """Where the plate said that it stands; NaN where it did not."""
         known = (self.samples["flags"] & SampleFlag.PLATE_ORIENTATION) != 0
         return np.where(known, self.samples["plate_orientation_deg"], np.nan)
+
+
+@dataclass(frozen=True, repr=False, eq=False)
+class RunRecord(ReachRecord):
+    """A reach that was run here, and so has its summary."""
+
+    summary: ReachSummary = field(default_factory=ReachSummary)
 
 
 def world_to_plate(position_m: ArrayLike, plate_position_m: ArrayLike, plate_rotation: ArrayLike) -> Numbers:
@@ -123,6 +144,7 @@ _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
 _TEXTS = ("call", "refused_argument")
+_OPTIONAL_TEXTS = ("calibration_result",)
 _CALLS = ("begin", "update", "retarget", "cancel", "end")
 
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
@@ -236,7 +258,7 @@ def _row(header: list[str], line: str) -> _Row:
     cells = line.split(",")
     if len(cells) != len(header):
         raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
-    return {name: cell if name in _TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
+    return {name: cell if name in _TEXTS + _OPTIONAL_TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
 
 
 def _number(name: str, cell: str) -> float | None:
@@ -254,6 +276,8 @@ def _number(name: str, cell: str) -> float | None:
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
         raise ValueError("a row before the configuration")
+    if str(row["call"]).startswith("calibration_"):
+        return  # replay() repeats them
     if row["call"] not in _CALLS:
         raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")
     if row["call"] == "begin" and row["result"] == _abi.OK:

@@ -15,14 +15,19 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _abi
-from ._abi import Authority, CalibrationResult, Place, RecordingStatus, Role, SessionConfig, StateFlag, TargetConfig
+from ._abi import (
+    AssignFlag, Authority, CalibrationResult, Conditions, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
+    TargetConfig, TouchCheck,
+)
+from ._keywords import SessionKeywords, TargetKeywords
 from ._library import Error, check, library
-from .reach import Pace, Reach
-from .record import ReachRecord, target_place
-from .arrays import Array
+from ._struct import short
+from .arrays import Array, expect_samples
+from .reach import Pace, Reach, handle_of
+from .record import RunRecord, target_place
 
 
-class Target:
+class Target(TargetKeywords):
     """What the user feels that they go to (virtual), or what the hand is led to (real)."""
 
     def __init__(self, session: Session, handle: _abi.TargetHandle) -> None:
@@ -49,9 +54,9 @@ class Target:
     @property
     def role(self) -> Role:
         """Real or virtual."""
-        return Role(self.config.role)
+        return self.config.role
 
-    def configure(self, **fields: Any) -> None:
+    def _configure(self, fields: dict[str, Any]) -> None:
         """Sets fields of TargetConfig; the others stay. A running reach keeps the former target until
         Reach.retarget()."""
         config = self.config
@@ -74,14 +79,17 @@ class Target:
             config = self.config
         except Error:
             return f"<Target {self.id}, removed>"
-        return f"<Target {config.name.decode()!r}, {Role(config.role).name.lower()}>"
+        name = f" {config.name.decode()!r}" if config.name else ""
+        place = (f"{config.direction_deg:g} deg, {config.distance_m:g} m" if config.place == Place.DIRECTION else
+                 f"{[round(x, 4) for x in config.position_m]} m {Place(config.place).name.split('_')[0].lower()}")
+        return f"<Target{name}, {Role(config.role).name.lower()}, {place}>"
 
 
-def _handles(targets: Sequence[Target]) -> ctypes.Array[_abi.TargetHandle]:
-    return (_abi.TargetHandle * len(targets))(*(target.handle for target in targets))
+def _handles(targets: Sequence[Target], name: str) -> ctypes.Array[_abi.TargetHandle]:
+    return (_abi.TargetHandle * len(targets))(*(handle_of(target, f"{name}[{i}]") for i, target in enumerate(targets)))
 
 
-class Session:
+class Session(SessionKeywords):
     """One user, one plate, and what the controller assumes of both.
 
         with Session(horizon=20, adaptation=Adaptation.REACH) as session:
@@ -93,7 +101,7 @@ class Session:
     thread at a time; other sessions may be used by other threads at the same time.
     """
 
-    def __init__(self, **fields: Any) -> None:
+    def _create(self, fields: dict[str, Any]) -> None:
         config = SessionConfig()
         check(library().hrt_session_config_default(byref(config), ctypes.sizeof(config)))
         for name, value in fields.items():
@@ -108,6 +116,11 @@ class Session:
         if self._destroy.alive:
             check(self._destroy() or _abi.OK)
 
+    def __repr__(self) -> str:
+        if not self._destroy.alive:
+            return "<Session, closed>"
+        return f"<Session: {len(self.targets())} targets, {short(self.state) if self.state else 'idle'}>"
+
     def __enter__(self) -> Session:
         return self
 
@@ -121,7 +134,7 @@ class Session:
         check(library().hrt_session_get_config(self.handle, byref(config)))
         return config
 
-    def configure(self, **fields: Any) -> None:
+    def _configure(self, fields: dict[str, Any]) -> None:
         """Sets fields of SessionConfig, between reaches; the others stay."""
         config = self.config
         for name, value in fields.items():
@@ -167,6 +180,8 @@ class Session:
 
     def target(self, name: str) -> Target:
         """The target of this name."""
+        if not isinstance(name, str):
+            raise TypeError(f"name is {name!r}: a text is needed")
         handle = _abi.TargetHandle()
         check(library().hrt_target_find(self.handle, name.encode(), byref(handle)))
         return Target(self, handle)
@@ -185,13 +200,14 @@ class Session:
     def authority(self, real: Target, virtual: Target) -> Authority:
         """The largest gap that the plate can sustain for a pair, computed before a reach."""
         authority = Authority()
-        check(library().hrt_authority_query(self.handle, real.handle, virtual.handle, byref(authority)))
+        check(library().hrt_authority_query(
+            self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"), byref(authority)))
         return authority
 
     def best_authority(self, virtual: Target) -> tuple[Target, Authority]:
         """The real target that serves a virtual one with the greatest margin, and what can be held for the pair."""
         authority = Authority()
-        check(library().hrt_authority_query_best(self.handle, virtual.handle, byref(authority)))
+        check(library().hrt_authority_query_best(self.handle, handle_of(virtual, "virtual"), byref(authority)))
         return Target(self, _abi.TargetHandle(value=authority.real_target.value)), authority
 
     def authorities(self) -> Array:
@@ -213,8 +229,8 @@ class Session:
         each real one serves one at most if `exclusive`. What cannot be served is not `reachable` and has no real target."""
         out = (Authority * len(virtuals))(*(Authority() for _ in virtuals))
         check(library().hrt_target_assign(
-            self.handle, _handles(virtuals), len(virtuals), _handles(reals), len(reals),
-            _abi.ASSIGN_EXCLUSIVE if exclusive else 0, len(out), out))
+            self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
+            AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
         return list(out)
 
     # Reaches
@@ -227,26 +243,30 @@ class Session:
         return StateFlag(state.value)
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
-              start_at_finger: bool = False) -> Reach:
+              start_at_finger: bool = False, duration_s: float = 0.0) -> Reach:
         """Begins a reach. `plate_orientation_deg` is where the plate stands; without it, where the session's last
-        command left it. With `start_at_finger` directions are measured from the first position.
+        command left it. With `start_at_finger` directions are measured from the first position. `duration_s` is the
+        expected duration of the motion, 0 if unknown.
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
             print(reach.summary.bearing_error_deg)
         """
-        return Reach(self.handle, real.handle, virtual.handle, plate_orientation_deg, start_at_finger, self._pace)
+        return Reach(self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"), plate_orientation_deg,
+                     start_at_finger, duration_s, self._pace)
 
     def run_reach(self, real: Target, virtual: Target, samples: Array, *,
-                  plate_orientation_deg: float | None = None) -> ReachRecord:
+                  plate_orientation_deg: float | None = None) -> RunRecord:
         """Runs a whole reach over an array of SAMPLE, without copying it."""
+        expect_samples(samples)
+        handle_of(real, "real"), handle_of(virtual, "virtual")
         config = self.config
         real_deg, real_distance_m = target_place(real.config, config)
         virtual_deg, _ = target_place(virtual.config, config)
         with self.reach(real, virtual, plate_orientation_deg=plate_orientation_deg) as reach:
             commands = reach.run(samples)
             summary = reach.end()
-        return ReachRecord(
+        return RunRecord(
             config=config, real_direction_deg=real_deg, virtual_direction_deg=virtual_deg,
             real_distance_m=real_distance_m, start_position_m=np.array(config.start_position_m), samples=samples,
             commands=commands, results=np.zeros(len(samples), np.int32),
@@ -286,11 +306,42 @@ class Session:
     def apply_calibration(self, result: CalibrationResult) -> None:
         """Takes what a Calibration has found into the configuration, and so into the profile. What it does not know
         stays as it is."""
+        if not isinstance(result, CalibrationResult):
+            raise TypeError(f"result is a {type(result).__name__}: a CalibrationResult is needed")
         check(library().hrt_calibration_apply(self.handle, byref(result)))
+
+    def apply_registration(self, registration: Registration, time_ns: int) -> None:
+        """Takes a registered pose (register()) and its uncertainty into the configuration: the touches were made at
+        `time_ns`, on the clock of the samples."""
+        check(library().hrt_registration_apply(self.handle, byref(registration), time_ns))
+
+    def confirm_registration(self, registration: Registration, mark_m: ArrayLike, touched_m: ArrayLike,
+                             time_ns: int) -> TouchCheck:
+        """Checks the registration that was applied by a touch of a mark, as before each reach. One that agrees counts as
+        made at `time_ns`; one that does not makes the session unregistered."""
+        out = TouchCheck()
+        touch = _abi.MarkTouch(mark_m=mark_m, touched_m=touched_m)
+        check(library().hrt_registration_confirm(self.handle, byref(registration), byref(touch), time_ns, byref(out)))
+        return out
+
+    def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
+        """Names the plate, the tracker and the time (seconds since 1970) of now: a calibration is measured under them,
+        and a profile compared with them. Empty and 0: unknown."""
+        conditions = Conditions(plate=plate, tracker=tracker, time_s=time_s)
+        check(library().hrt_profile_set_conditions(self.handle, byref(conditions)))
+
+    @property
+    def conditions(self) -> Conditions:
+        """Under which conditions the person of the profile was measured, and which of them are others now."""
+        out = Conditions()
+        check(library().hrt_profile_get_conditions(self.handle, byref(out)))
+        return out
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
         """Takes a profile into the configuration: a mapping, or JSON text. What it lacks stays as it is."""
         if isinstance(profile, Mapping):
             profile = json.dumps(dict(profile))
         text = profile.encode() if isinstance(profile, str) else profile
+        if not isinstance(text, bytes):
+            raise TypeError(f"profile is a {type(profile).__name__}: a mapping or a JSON text is needed")
         check(library().hrt_profile_load(self.handle, text, len(text)))

@@ -1,5 +1,4 @@
-// The reach that every host runs (plugin/bindings/README.md), for node and for a browser's page.
-//   usage: node reach.mjs FOLDER_OF_THE_PACKAGE reach.csv
+// The reach that every host runs (plugin/bindings/README.md), for a page and for node.
 
 export function runReach(hrt, library, recording) {
   const session = library.createSession({
@@ -56,14 +55,4 @@ function hashed(hash, command) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);
   }
   return hash;
-}
-
-if (globalThis.process?.argv?.[1] === decodeURIComponent(new URL(import.meta.url).pathname)) {
-  const [, , folder, recording] = process.argv;
-  const { readFile } = await import("node:fs/promises");
-  const { pathToFileURL } = await import("node:url");
-  const hrt = await import(pathToFileURL(`${folder}/index.mjs`));
-  const { hash, summary } = runReach(hrt, await hrt.load(), await readFile(recording, "utf8"));
-  console.log(`hash ${hash}`);
-  console.log(`miss ${summary.bearing_error_deg.toFixed(2)} deg (simulated)`);
 }

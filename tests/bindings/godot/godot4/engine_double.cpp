@@ -40,8 +40,8 @@ const std::string& text(const gde_string* string) {
 }
 
 int32_t type_of(const Any& any) {
-  constexpr int32_t kTypes[] = {GDE_NIL,     GDE_BOOL,        GDE_INT,    GDE_FLOAT,     GDE_STRING,
-                                GDE_VECTOR3, GDE_TRANSFORM3D, GDE_OBJECT, GDE_DICTIONARY};
+  constexpr int32_t kTypes[] = {GDE_NIL,     GDE_BOOL,        GDE_INT,    GDE_FLOAT,      GDE_STRING,
+                                GDE_VECTOR3, GDE_TRANSFORM3D, GDE_OBJECT, GDE_DICTIONARY, GDE_STRING_NAME};
   return kTypes[any.index()];
 }
 
@@ -56,6 +56,8 @@ Any read(int32_t type, const void* value) {
       return *static_cast<const double*>(value);
     case GDE_STRING:
       return *held<std::string>(value);
+    case GDE_STRING_NAME:
+      return StringName{*held<std::string>(value)};
     case GDE_VECTOR3:
       return *static_cast<const Vector3*>(value);
     case GDE_TRANSFORM3D:
@@ -83,6 +85,9 @@ void write(void* out, const Any& any) {
     case GDE_STRING:
       emplace(out, std::get<std::string>(any));
       break;
+    case GDE_STRING_NAME:
+      emplace(out, std::get<StringName>(any).text);
+      break;
     case GDE_VECTOR3:
       *static_cast<Vector3*>(out) = std::get<Vector3>(any);
       break;
@@ -101,7 +106,7 @@ void write(void* out, const Any& any) {
 }
 
 void destroy(int32_t type, void* value) {
-  if (type == GDE_STRING) release<std::string>(value);
+  if (type == GDE_STRING || type == GDE_STRING_NAME) release<std::string>(value);
   if (type == GDE_DICTIONARY) release<Dictionary>(value);
 }
 
@@ -133,6 +138,8 @@ void type_from_variant(void* out, const gde_variant* variant) {
       return function<GDE_FLOAT>;                                            \
     case GDE_STRING:                                                         \
       return function<GDE_STRING>;                                           \
+    case GDE_STRING_NAME:                                                    \
+      return function<GDE_STRING_NAME>;                                      \
     case GDE_VECTOR3:                                                        \
       return function<GDE_VECTOR3>;                                          \
     case GDE_TRANSFORM3D:                                                    \
@@ -150,13 +157,14 @@ gde_variant_from_type get_variant_from_type_constructor(int32_t type){
     get_variant_to_type_constructor(int32_t type){FOR_EACH_TYPE(type, type_from_variant)}
 
 gde_constructor variant_get_ptr_constructor(int32_t type, int32_t index) {
+  if (type == GDE_STRING && index == GDE_STRING_OF_STRING_NAME)
+    return [](void* out, const void* const* arguments) { emplace(out, *held<std::string>(arguments[0])); };
   if (type != GDE_DICTIONARY || index != 0) throw std::logic_error("a constructor that the double lacks");
   return [](void* out, const void* const*) { emplace(out, std::make_shared<DictionaryData>()); };
 }
 
 gde_destructor variant_get_ptr_destructor(int32_t type) {
-  constexpr int32_t kStringName = 21;
-  if (type == GDE_STRING || type == kStringName) return release<std::string>;
+  if (type == GDE_STRING || type == GDE_STRING_NAME) return release<std::string>;
   if (type == GDE_DICTIONARY) return release<Dictionary>;
   throw std::logic_error("a destructor of a type that has none");
 }
@@ -263,6 +271,15 @@ void classdb_register_extension_class_signal(gde_library*, const gde_string_name
                                              int64_t argument_count) {
   auto& signal = current->classes.at(text(class_name)).signals[text(name)];
   for (int64_t i = 0; i < argument_count; ++i) signal.push_back(describe(arguments[i]));
+}
+
+void classdb_register_extension_class_integer_constant(gde_library*, const gde_string_name* class_name,
+                                                       const gde_string_name* enumeration,
+                                                       const gde_string_name* name, int64_t value, gde_bool) {
+  if (!current->classes.at(text(class_name))
+           .constants.try_emplace(text(name), text(enumeration), value)
+           .second)
+    throw std::logic_error(text(name) + " is registered twice");
 }
 
 void classdb_unregister_extension_class(gde_library*, const gde_string_name* name) {

@@ -21,8 +21,11 @@ struct DictionaryData;
 using Vector3 = std::array<float, 3>;
 using Transform3D = std::array<float, 12>;
 using Dictionary = std::shared_ptr<DictionaryData>;
+struct StringName {
+  std::string text;
+};
 using Any = std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Transform3D, Object*,
-                         Dictionary>;
+                         Dictionary, StringName>;
 
 struct DictionaryData {
   ~DictionaryData();
@@ -57,6 +60,7 @@ struct Class {
   std::map<std::string, std::pair<std::string, std::string>> accessors;  ///< setter and getter of a property
   std::map<std::string, Property> properties;
   std::map<std::string, std::vector<Property>> signals;
+  std::map<std::string, std::pair<std::string, int64_t>> constants;  ///< enumeration and value
 };
 
 /** There is one at a time. */

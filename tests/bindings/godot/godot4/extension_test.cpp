@@ -44,18 +44,20 @@ class Extension : public testing::Test {
   void begin() {
     const Any real = call("add_real_target", {"cylinder", -5.0, 0.1});
     const Any felt = call("add_virtual_target", {"cup", 5.0, 0.1});
-    ASSERT_EQ(call_int("begin", {real, felt}), kOk);
+    targets_ = {real, felt};
+    ASSERT_EQ(call_int("begin", targets_), kOk);
   }
 
   Engine engine_;
   Object* node_ = nullptr;
+  std::vector<Any> targets_;
 };
 
 TEST_F(Extension, RegistersTheClass) {
   const godot4_double::Class& registered = engine_.classes.at(kClass);
   EXPECT_EQ(registered.parent, "Node3D");
   EXPECT_TRUE(registered.info.is_exposed);
-  EXPECT_EQ(registered.properties.size(), 29u);
+  EXPECT_GE(registered.properties.size(), 29u);  // and whatever the headers have added
   EXPECT_EQ(registered.properties.at("control").hint_string, "MPC,Fixed Plate");
   EXPECT_EQ(registered.properties.at("tactile_weight").type, GDE_FLOAT);
   EXPECT_EQ(registered.properties.at("start_position_m").type, GDE_VECTOR3);
@@ -63,6 +65,22 @@ TEST_F(Extension, RegistersTheClass) {
   EXPECT_EQ(registered.methods.at("get_command").return_type, GDE_DICTIONARY);
   ASSERT_EQ(registered.signals.size(), 3u);
   EXPECT_EQ(registered.signals.at("plate_commanded").at(0).name, "orientation_deg");
+}
+
+TEST_F(Extension, BindsTheConstantsOfTheHeaders) {
+  const auto& constants = engine_.classes.at(kClass).constants;
+  EXPECT_EQ(constants.at("COMMAND_SATURATED"),
+            std::pair(std::string("Command"), int64_t{HRT_COMMAND_SATURATED}));
+  EXPECT_EQ(constants.at("GUIDANCE_ARRIVAL").second, HRT_GUIDANCE_ARRIVAL);
+  EXPECT_FALSE(constants.contains("ERROR_BUSY"));  // methods return Godot's own errors
+}
+
+// The name of a node is a StringName; variants reach the extension as they are.
+TEST_F(Extension, TakesStringNamesAsStrings) {
+  const Any real = call("add_real_target", {godot4_double::StringName{"cylinder"}, -5.0, 0.1});
+  EXPECT_NE(std::get<int64_t>(real), 0) << last_error();
+  EXPECT_EQ(call_int("add_real_target", {"cylinder", -4.0, 0.1}), 0);  // the name is taken
+  EXPECT_NE(last_error().find("cylinder"), std::string::npos) << last_error();
 }
 
 TEST_F(Extension, PropertiesHoldWhatTheyAreSetTo) {
@@ -138,11 +156,37 @@ TEST_F(Extension, RefusesWhatIsWrong) {
   EXPECT_TRUE(std::get<Dictionary>(call("get_authority", {int64_t{1}, int64_t{2}}))->values.empty());
 }
 
+TEST_F(Extension, NamesARefusalOfSamplesOnceAReach) {
+  for (int reach = 1; reach <= 2; ++reach) {
+    begin();
+    ASSERT_EQ(call_int("update", {Vector3{}, int64_t{1'000'000}}), kOk);
+    for (int64_t frame = 0; frame < 90; ++frame) ASSERT_EQ(call_int("update", {Vector3{}, frame}), 30);
+    for (int frame = 0; frame < 90; ++frame)
+      ASSERT_NE(call_int("update", {Vector3{2000, 0, 0}, int64_t{2'000'000}}), kOk);
+    EXPECT_EQ(engine_.errors.size(), size_t(2 * reach)) << last_error();
+    ASSERT_EQ(call_int("end"), kOk);
+    ASSERT_EQ(call_int("remove_target", {targets_[0]}), kOk);
+    ASSERT_EQ(call_int("remove_target", {targets_[1]}), kOk);
+  }
+}
+
 TEST_F(Extension, RefusesACalibrationWithTooFewData) {
   ASSERT_EQ(call_int("begin_calibration", {0.0}), kOk);
   ASSERT_EQ(call_int("begin_trial", {30.0}), kOk);
   ASSERT_EQ(call_int("add_trial_sample", {Vector3{0, 0, 0.05f}, int64_t{0}}), kOk);
   ASSERT_EQ(call_int("end_trial"), kOk);
+  const Dictionary next = std::get<Dictionary>(call("get_next_angle"));
+  EXPECT_EQ(next->values.size(), 2u);
+  EXPECT_TRUE(std::get<Dictionary>(call("get_slide", {int64_t{0}}))->values.empty());
+  EXPECT_NE(last_error().find("has no solution"), std::string::npos) << last_error();
+  EXPECT_EQ(call_int("set_conditions", {std::string("desk 1"), std::string("Ultraleap"), int64_t{5}}), kOk);
+  EXPECT_EQ(call_int("set_conditions", {std::string(64, 'x'), std::string(), int64_t{5}}),
+            5);  // ERR_PARAMETER_RANGE_ERROR
+  EXPECT_NE(last_error().find("plate is not ended by a zero"), std::string::npos) << last_error();
+  EXPECT_EQ(std::get<Dictionary>(call("get_conditions"))->values.size(), 2u);
+  EXPECT_TRUE(std::get<Dictionary>(call("get_recording_status"))->values.empty());
+  ASSERT_EQ(call_int("begin_calibration_within", {0.0, -30.0, 0.0, 0.02}), 5);
+  EXPECT_NE(last_error().find("upper_plate_deg is 0"), std::string::npos) << last_error();
   EXPECT_TRUE(std::get<Dictionary>(call("solve_calibration"))->values.empty());
   EXPECT_NE(last_error().find("hrt_calibration_solve"), std::string::npos) << last_error();
   EXPECT_EQ(call_int("apply_calibration"), 2);  // ERR_UNAVAILABLE; and the node ends its calibration

@@ -45,6 +45,20 @@ namespace UnityEngine
         }
     }
 
+    public class RangeAttribute : Attribute
+    {
+        public RangeAttribute(float min, float max)
+        {
+        }
+    }
+
+    public class MinAttribute : Attribute
+    {
+        public MinAttribute(float min)
+        {
+        }
+    }
+
     public struct Vector3
     {
         public float x, y, z;
@@ -336,19 +350,42 @@ namespace UnityEngine
 
     public enum KeyCode
     {
+        None = 0,
         Alpha1 = 49
     }
 
-    public static class Input
+    public struct Vector2
     {
-        /// <summary>Of the stub: what is pressed and released in this frame.</summary>
-        public static bool pressed, released;
-        public static KeyCode? key;
+        public float x, y;
 
-        public static Vector3 mousePosition { get; set; }
-        public static bool GetMouseButtonDown(int button) => button == 0 && pressed;
-        public static bool GetMouseButtonUp(int button) => button == 0 && released;
-        public static bool GetKeyDown(KeyCode code) => key == code;
+        public Vector2(float x, float y)
+        {
+            this.x = x;
+            this.y = y;
+        }
+    }
+
+    public enum EventType
+    {
+        MouseDown = 0,
+        MouseUp = 1,
+        KeyDown = 4,
+        Repaint = 7
+    }
+
+    public sealed class Event
+    {
+        public static Event current { get; set; }
+        public EventType type { get; set; }
+        public KeyCode keyCode { get; set; }
+        public int button { get; set; }
+        public Vector2 mousePosition { get; set; }
+    }
+
+    public static class Screen
+    {
+        /// <summary>Of the stub: in metres, as its rays are.</summary>
+        public static int height => 1;
     }
 
     public static class Time

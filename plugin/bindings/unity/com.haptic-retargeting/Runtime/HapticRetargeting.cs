@@ -47,31 +47,6 @@ namespace Hrt
         [Tooltip("Virtual objects, which the user goes to.")]
         public List<Transform> virtualTargets = new List<Transform>();
 
-        [Header("Plate")]
-        [Tooltip("Metres, 0.001 to 1000.")]
-        public double plateRadiusM = 0.075;
-
-        [Tooltip("Of the servo, degrees a second; 0: no limit.")]
-        public double plateMaxSpeedDegS;
-
-        [Tooltip("From a command to the plate's first motion, 0 to 1000 milliseconds.")]
-        public double plateLatencyMs;
-
-        [Tooltip("Of the servo, degrees, the upper at least 180 above the lower; both 0: it turns freely.")]
-        public double plateLowerStopDeg;
-
-        public double plateUpperStopDeg;
-
-        [Header("User")]
-        [Tooltip("Share of touch in the direction that the user feels, 0.001 to 0.499.")]
-        public double tactileWeight = 0.2;
-
-        [Tooltip("Whether the user is learnt: not, within each reach, or carried from reach to reach.")]
-        public Adaptation adaptation = Adaptation.Carried;
-
-        [Tooltip("Arrival: the controller for people, which leads to the real target. FixedDirection: the paper's.")]
-        public Guidance guidance = Guidance.Arrival;
-
         [Header("Events")]
         [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
@@ -292,20 +267,6 @@ namespace Hrt
         {
             if (target != null && ids.TryGetValue(target, out TargetId id)) return id;
             throw new ArgumentException($"{name}: not one of the component's targets of this role", argument);
-        }
-
-        SessionConfig Configuration()
-        {
-            SessionConfig config = SessionConfig.Default;
-            config.guidance = guidance;
-            config.adaptation = adaptation;
-            config.tactileWeight = tactileWeight;
-            config.plateRadiusM = plateRadiusM;
-            config.plateMaxSpeedDegS = plateMaxSpeedDegS;
-            config.plateLatencyNs = (long)(plateLatencyMs * 1e6);
-            config.plateLowerStopDeg = plateLowerStopDeg;
-            config.plateUpperStopDeg = plateUpperStopDeg;
-            return config;
         }
 
         // The configuration with plate and start where the Transforms are now.

@@ -3,10 +3,10 @@ using System;
 namespace Hrt
 {
     /// <summary>
-    /// Who is this user? Their share of touch, bias and variances, and the tracker's noise, from slides over a
-    /// plate that stands still. Have them slide to one target, with the plate at rest at one of -60, -30, 0, 30 and
-    /// 60 degrees, eight to ten times at each, in random order, each after half a second at rest; for each slide
-    /// begin a trial, add samples, end it; then solve and apply. Tried on simulated people only.
+    /// Who is this user? The curve of their illusion, bias and habit, and the tracker's noise, from slides over a
+    /// plate that stands still. Have them slide to one target; <see cref="NextAngle"/> has the plate's orientation for
+    /// each slide, and whether the slides are enough. Each is after half a second at rest: begin a trial, add samples,
+    /// end it; then solve and apply. Tried on simulated people only.
     ///
     /// <see cref="BeginTrial"/>, <see cref="AddSample"/>, <see cref="EndTrial"/> and <see cref="CancelTrial"/> make
     /// no garbage.
@@ -62,6 +62,35 @@ namespace Hrt
             var result = new CalibrationResult { structSize = SizeOf<CalibrationResult>.Value };
             Check(Native.hrt_calibration_solve(Handle, ref result));
             return result;
+        }
+
+        /// <summary>Plate orientation for the next slide, degrees, by what it is expected to show; and whether the
+        /// slides so far are enough. Takes some tenths of a second, as <see cref="Solve"/>.</summary>
+        public double NextAngle(out bool enough)
+        {
+            Check(Native.hrt_calibration_next_angle(Handle, out double orientationDeg, out uint isEnough));
+            enough = isEnough != 0;
+            return orientationDeg;
+        }
+
+        /// <summary>A slide of the last <see cref="Solve"/>, from 0 to trialsUsed - 1: seen and fitted direction,
+        /// and whether it was left out.</summary>
+        public CalibrationSlide Residual(uint slide)
+        {
+            var result = new CalibrationSlide { structSize = SizeOf<CalibrationSlide>.Value };
+            Check(Native.hrt_calibration_get_residual(Handle, slide, ref result));
+            return result;
+        }
+
+        /// <summary>Test and retest: which values of two calibrations differ, and the differences, second less first,
+        /// with their 95 % intervals.</summary>
+        public static CalibrationComparison Compare(CalibrationResult first, CalibrationResult second)
+        {
+            HapticRetargetingLibrary.Load();
+            first.structSize = second.structSize = SizeOf<CalibrationResult>.Value;
+            var comparison = new CalibrationComparison { structSize = SizeOf<CalibrationComparison>.Value };
+            HapticRetargetingLibrary.Check(Native.hrt_calibration_compare(ref first, ref second, ref comparison));
+            return comparison;
         }
 
         CalibrationHandle Handle => new CalibrationHandle { value = Value };

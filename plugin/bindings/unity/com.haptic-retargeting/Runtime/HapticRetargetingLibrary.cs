@@ -2,13 +2,12 @@ using System;
 using System.Collections.Generic;
 using System.Text;
 using AOT;
-using UnityEngine;
 
 namespace Hrt
 {
     /// <summary>The native library: its version, its log, and what must be put away before managed code
     /// goes.</summary>
-    public static class HapticRetargetingLibrary
+    public static partial class HapticRetargetingLibrary
     {
         // What this application domain has made and not destroyed, and how to destroy it. Guarded by itself.
         static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
@@ -60,7 +59,7 @@ namespace Hrt
         }
 
         /// <summary>Comes before the first call into the library: refuses one that is missing or of another
-        /// version, and sends its log to Unity's console.</summary>
+        /// version, and takes its log.</summary>
         internal static void Load()
         {
             if (loaded) return;
@@ -74,8 +73,7 @@ namespace Hrt
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
                 Result result = Native.hrt_set_log_callback(onLog, IntPtr.Zero);
                 if (result != Result.Ok)
-                    Debug.LogWarning("Haptic retargeting: the library's log does not come to this console: " +
-                                     Utf8.Read(Native.hrt_last_error()));
+                    Log(LogLevel.Warning, "the library's log does not come here: " + Utf8.Read(Native.hrt_last_error()));
                 loaded = true;
             }
         }
@@ -106,8 +104,8 @@ namespace Hrt
             catch (DllNotFoundException e)
             {
                 throw new DllNotFoundException(
-                    $"The native library {Native.Library} was not found. This package needs it in " +
-                    "Runtime/Plugins for the platform that it runs on; its documentation says how to put it there.",
+                    $"The native library {Native.Library} was not found. The package needs it for " +
+                    "the platform that it runs on; its documentation says where to put it.",
                     e);
             }
             if (major != Constants.VersionMajor || minor < Constants.VersionMinor)
@@ -126,15 +124,16 @@ namespace Hrt
             }
         }
 
+        /// <summary>Where the library's log goes: Unity's console, or what .NET programs choose.</summary>
+        static partial void Log(LogLevel level, string message);
+
         [MonoPInvokeCallback(typeof(LogCallback))]
         static void OnLog(IntPtr context, uint level, IntPtr text)
         {
             // Called by a thread of the library's own, which no exception may get into.
             try
             {
-                string message = "Haptic retargeting: " + Utf8.Read(text);
-                if (level == (uint)LogLevel.Error) Debug.LogError(message);
-                else Debug.LogWarning(message);
+                Log((LogLevel)level, Utf8.Read(text));
             }
             catch (Exception)
             {

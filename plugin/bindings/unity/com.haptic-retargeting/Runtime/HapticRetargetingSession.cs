@@ -166,9 +166,10 @@ namespace Hrt
             if (realTargets == null) throw new ArgumentNullException(nameof(realTargets));
             var authorities = new Authority[virtualTargets.Length];
             if (authorities.Length > 0) authorities[0].structSize = SizeOf<Authority>.Value;
+            AssignFlags flags = exclusive ? AssignFlags.Exclusive : AssignFlags.None;
             Check(Native.hrt_target_assign(Handle, virtualTargets, (ulong)virtualTargets.Length, realTargets,
-                                           (ulong)realTargets.Length, exclusive ? Constants.AssignExclusive : 0u,
-                                           (ulong)authorities.Length, authorities));
+                                           (ulong)realTargets.Length, (uint)flags, (ulong)authorities.Length,
+                                           authorities));
             return authorities;
         }
 
@@ -234,12 +235,51 @@ namespace Hrt
             Check(Native.hrt_profile_load(Handle, text, (ulong)text.Length));
         }
 
+        /// <summary>Plate, tracker and time of now: what a calibration is measured under, and profiles are compared with.
+        /// Refused during a reach.</summary>
+        public void SetConditions(Conditions now)
+        {
+            now.structSize = SizeOf<Conditions>.Value;
+            Check(Native.hrt_profile_set_conditions(Handle, ref now));
+        }
+
+        /// <summary>Under which conditions the person of the profile was measured, and which of them are others now.
+        /// </summary>
+        public Conditions MeasuredUnder
+        {
+            get
+            {
+                var conditions = new Conditions { structSize = SizeOf<Conditions>.Value };
+                Check(Native.hrt_profile_get_conditions(Handle, ref conditions));
+                return conditions;
+            }
+        }
+
         /// <summary>Copies the known values of a calibration into the configuration, and so into the profile.
         /// Refused during a reach.</summary>
         public void Apply(CalibrationResult calibrated)
         {
             calibrated.structSize = SizeOf<CalibrationResult>.Value;
             Check(Native.hrt_calibration_apply(Handle, ref calibrated));
+        }
+
+        /// <summary>Copies a registered pose and its uncertainty into the configuration: the touches were made at this
+        /// time, on the clock of the samples. Refused during a reach.</summary>
+        public void Apply(Registration registered, long timeNs)
+        {
+            registered.structSize = SizeOf<Registration>.Value;
+            Check(Native.hrt_registration_apply(Handle, ref registered, timeNs));
+        }
+
+        /// <summary>Checks the registration that was applied by a touch of a mark, as before each reach. One that agrees
+        /// counts as made at this time; one that does not makes the session unregistered. Refused during a reach.
+        /// </summary>
+        public TouchCheck Confirm(Registration registered, MarkTouch touch, long timeNs)
+        {
+            registered.structSize = SizeOf<Registration>.Value;
+            var check = new TouchCheck { structSize = SizeOf<TouchCheck>.Value };
+            Check(Native.hrt_registration_confirm(Handle, ref registered, ref touch, timeNs, ref check));
+            return check;
         }
 
         /// <summary>Records all that crosses the interface into a CSV file, which is created or replaced; not

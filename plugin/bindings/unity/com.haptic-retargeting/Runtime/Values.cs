@@ -45,34 +45,6 @@ namespace Hrt
         public override string ToString() => $"({x}, {y}, {z}, {w})";
     }
 
-    /// <summary>The traits of a person, in the order of Constants.PersonWeight to PersonFading.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
-    public struct PersonMean
-    {
-        public double weight;
-        public double curve;
-        public double gain;
-        public double bias;
-        public double habit;
-        public double evenness;
-        public double heading;
-        public double logRate;
-        public double fading;
-    }
-
-    /// <summary>Their covariance: the lower triangle, row by row. Profiles hold and restore it.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
-    public struct PersonCovariance
-    {
-        public double value0, value1, value2, value3, value4, value5, value6, value7, value8, value9,
-            value10, value11, value12, value13, value14, value15, value16, value17, value18, value19,
-            value20, value21, value22, value23, value24, value25, value26, value27, value28, value29,
-            value30, value31, value32, value33, value34, value35, value36, value37, value38, value39,
-            value40, value41, value42, value43, value44;
-    }
-
     /// <summary>A name of at most 63 bytes of UTF-8, ended by a zero: the library's char[64], as eight words of
     /// eight bytes, the first byte lowest.</summary>
     [Serializable]
@@ -127,71 +99,6 @@ namespace Hrt
         public static bool operator ==(TargetId left, TargetId right) => left.Equals(right);
         public static bool operator !=(TargetId left, TargetId right) => !left.Equals(right);
         public override string ToString() => $"target {value}";
-    }
-
-    public partial struct SessionConfig
-    {
-        /// <summary>Every field with its default.</summary>
-        public static SessionConfig Default
-        {
-            get
-            {
-                HapticRetargetingLibrary.Load();
-                var config = default(SessionConfig);
-                Result result = Native.hrt_session_config_default(ref config, SizeOf<SessionConfig>.Value);
-                HapticRetargetingLibrary.Check(result);
-                return config;
-            }
-        }
-    }
-
-    public partial struct TargetConfig
-    {
-        /// <summary>Every field with its default.</summary>
-        public static TargetConfig Default
-        {
-            get
-            {
-                HapticRetargetingLibrary.Load();
-                var config = default(TargetConfig);
-                Result result = Native.hrt_target_config_default(ref config, SizeOf<TargetConfig>.Value);
-                HapticRetargetingLibrary.Check(result);
-                return config;
-            }
-        }
-    }
-
-    public partial struct ReachConfig
-    {
-        /// <summary>Every field with its default.</summary>
-        public static ReachConfig Default
-        {
-            get
-            {
-                HapticRetargetingLibrary.Load();
-                var config = default(ReachConfig);
-                Result result = Native.hrt_reach_config_default(ref config, SizeOf<ReachConfig>.Value);
-                HapticRetargetingLibrary.Check(result);
-                return config;
-            }
-        }
-    }
-
-    public partial struct CalibrationConfig
-    {
-        /// <summary>Every field with its default.</summary>
-        public static CalibrationConfig Default
-        {
-            get
-            {
-                HapticRetargetingLibrary.Load();
-                var config = default(CalibrationConfig);
-                Result result =
-                    Native.hrt_calibration_config_default(ref config, SizeOf<CalibrationConfig>.Value);
-                HapticRetargetingLibrary.Check(result);
-                return config;
-            }
-        }
     }
 
     public partial struct Interval

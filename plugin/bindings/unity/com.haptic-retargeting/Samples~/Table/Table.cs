@@ -7,8 +7,8 @@ namespace HrtSamples
     /// A plate, a real cylinder and three virtual objects, made from code, to see how the component is used. Put
     /// this on an empty object in a new scene, which has a camera, and press play. The mouse is the finger: choose
     /// an object with 1, 2 or 3, press the button near the start, drag towards the object, release there. A mouse
-    /// feels no ridges, so the plate turns and the hand is not bent. Needs the Input Manager (Active Input Handling:
-    /// old, or both).
+    /// feels no ridges, so the plate turns and the hand is not bent. Works with any Active Input Handling: the
+    /// events are those of OnGUI.
     /// </summary>
     public sealed class Table : MonoBehaviour
     {
@@ -36,17 +36,21 @@ namespace HrtSamples
             Camera.main.nearClipPlane = 0.01f;
         }
 
-        void Update()
+        void OnGUI()
         {
-            for (int i = 0; i < virtualNames.Length; ++i)
-                if (Input.GetKeyDown(KeyCode.Alpha1 + i)) chosen = i;
+            Event input = Event.current;
+            int key = input.type == EventType.KeyDown ? input.keyCode - KeyCode.Alpha1 : -1;
+            if (key >= 0 && key < virtualNames.Length) chosen = key;
 
             var face = new Plane(retargeting.plate.up, retargeting.plate.position);
-            Ray pointed = Camera.main.ScreenPointToRay(Input.mousePosition);
+            // The pixels of OnGUI are counted from the top.
+            Ray pointed = Camera.main.ScreenPointToRay(
+                new Vector3(input.mousePosition.x, Screen.height - input.mousePosition.y, 0));
             if (face.Raycast(pointed, out float distance)) retargeting.finger.position = pointed.GetPoint(distance);
 
-            if (Input.GetMouseButtonDown(0)) retargeting.BeginReach(retargeting.virtualTargets[chosen]);
-            if (Input.GetMouseButtonUp(0) && retargeting.IsReaching) retargeting.EndReach();
+            if (input.type == EventType.MouseDown && input.button == 0)
+                retargeting.BeginReach(retargeting.virtualTargets[chosen]);
+            if (input.type == EventType.MouseUp && input.button == 0 && retargeting.IsReaching) retargeting.EndReach();
         }
 
         void Report(ReachSummary summary)

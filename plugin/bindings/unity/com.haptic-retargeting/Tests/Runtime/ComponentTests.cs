@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Reflection;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -271,6 +272,41 @@ namespace Hrt.Tests
             UnityEngine.Object.DestroyImmediate(other.gameObject);
             component.BeginReach(virtualTarget);
             Assert.AreEqual(2, component.Session.GetTargets().Length);
+        }
+
+        [Test]
+        public void SettingsAreTheLibrarysDefaults()
+        {
+            object config = Make("fresh").AddComponent<HapticRetargeting>().Session.Config;
+            object defaults = SessionConfig.Default;
+            foreach (FieldInfo field in typeof(SessionConfig).GetFields())
+                Assert.AreEqual(field.GetValue(defaults), field.GetValue(config), field.Name);
+        }
+
+        // Each in turn is set to something else, which is allowed: the field of this name must show it.
+        [Test]
+        public void EverySettingReachesTheConfiguration()
+        {
+            object defaults = SessionConfig.Default;
+            int settings = 0;
+            foreach (FieldInfo field in typeof(HapticRetargeting).GetFields())
+            {
+                string name = field.Name.EndsWith("Ms") ? field.Name.Substring(0, field.Name.Length - 2) + "Ns" : field.Name;
+                FieldInfo configured = typeof(SessionConfig).GetField(name);
+                if (configured == null) continue;
+                var fresh = Make(name).AddComponent<HapticRetargeting>();
+                fresh.enabled = false;
+                object value = field.GetValue(fresh);
+                if (value is double number) field.SetValue(fresh, number > 0 ? number * 0.9 : 0.01);
+                else if (value is int steps) field.SetValue(fresh, steps + 1);
+                else field.SetValue(fresh, Enum.ToObject(field.FieldType, Convert.ToInt32(value) == 1 ? 0 : 1));
+                if (name.EndsWith("StopDeg")) fresh.plateUpperStopDeg = 190 + (fresh.plateLowerStopDeg = -10);
+                fresh.enabled = true;
+                object config = fresh.Session.Config;
+                Assert.AreNotEqual(configured.GetValue(defaults), configured.GetValue(config), name);
+                ++settings;
+            }
+            Assert.Greater(settings, 20);
         }
 
         [Test]

@@ -4,12 +4,15 @@
 // towards the user. So (x, y, z) = (Y, Z, -X) / 100, a reflection, under which a rotation's axis changes its sign too.
 #pragma once
 
-#include "HapticRetargetingTypes.h"
-#include "haptic_retargeting/haptic_retargeting.h"
+#include "HapticStructs.h"
 
 namespace HapticConversions
 {
+	constexpr double CentimetresPerMetre = 100.0;
+	constexpr double NanosecondsPerSecond = 1e9;
+
 	void ToMetres(const FVector& Centimetres, double (&OutMetres)[3]);
+	FVector FromMetres(const double (&Metres)[3]);
 	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4]);
 	int64_t ToNanoseconds(double Seconds);
 	/** A yaw as a direction, and the other way round; never -0. */
@@ -17,15 +20,10 @@ namespace HapticConversions
 
 	/** Whether a transform only moves and turns. */
 	bool IsPose(const FTransform& Transform);
-	hrt_session_config ToConfig(const FHapticSettings& Settings, const FTransform& Plate);
-	/** What a configuration has of the user and the tracker. */
-	void TakeUser(const hrt_session_config& Config, FHapticSettings& Settings);
 	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name);
 	inline hrt_target ToTarget(const FHapticTarget& Target) { return {static_cast<uint64_t>(Target.Id)}; }
-
 	FHapticTarget FromTarget(hrt_target Target);
-	FHapticCommand FromCommand(const hrt_command& Command);
-	FHapticSummary FromSummary(const hrt_reach_summary& Summary);
-	FHapticCalibration FromCalibration(const hrt_calibration_result& User);
-	FHapticAuthority FromAuthority(const hrt_authority& Authority);
+	FHapticInterval FromInterval(const hrt_interval& Interval, double Scale);
+	/** Of a direction, whose ends change places. */
+	FHapticInterval FromMirrored(const hrt_interval& Interval);
 }

@@ -1,6 +1,7 @@
 #include "HapticRetargetingComponent.h"
 
 #include "HapticConversions.h"
+#include "HapticRetargetingModule.h"
 
 #include <algorithm>
 #include <cstring>
@@ -21,9 +22,31 @@ bool UHapticRetargetingComponent::Succeeded(hrt_result Result) const
 	return false;
 }
 
+/** Whether the library is there; otherwise the log has it, once. */
+bool UHapticRetargetingComponent::HasLibrary() const
+{
+	if (HapticLibraryIsLoaded())
+	{
+		return true;
+	}
+	if (!bSaidMissing)
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the plugin's library is missing: see what the log says of haptic_retargeting.dll"));
+	}
+	bSaidMissing = true;
+	return false;
+}
+
+/** A call of the plugin, not made without its library. */
+#define HAPTIC_CALL(Call) (HasLibrary() && Succeeded(Call))
+
 /** Brings the session to the settings and the component's place, between reaches. */
 bool UHapticRetargetingComponent::Configure()
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	if (bReaching)
 	{
 		return true;
@@ -33,20 +56,17 @@ bool UHapticRetargetingComponent::Configure()
 		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: moved and turned"));
 		return false;
 	}
-	hrt_session_config Config = ToConfig(Settings, GetComponentTransform());
-	// The settings show only some of what is believed of the user; profiles hold all of it.
-	std::memcpy(Config.person_mean, Configured.person_mean, sizeof Config.person_mean);
-	std::memcpy(Config.person_covariance, Configured.person_covariance, sizeof Config.person_covariance);
+	hrt_session_config Config = ToConfig(Settings, GetComponentTransform(), Configured);
 	if (Session.value == 0)
 	{
-		if (!Succeeded(hrt_session_create(&Config, &Session)))
+		if (!HAPTIC_CALL(hrt_session_create(&Config, &Session)))
 		{
 			return false;
 		}
 	}
 	else if (std::memcmp(&Config, &Configured, sizeof Config) != 0)
 	{
-		if (!Succeeded(hrt_session_set_config(Session, &Config)))
+		if (!HAPTIC_CALL(hrt_session_set_config(Session, &Config)))
 		{
 			return false;
 		}
@@ -58,7 +78,7 @@ bool UHapticRetargetingComponent::Configure()
 bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTarget& OutTarget)
 {
 	hrt_target Target{};
-	if (!Configure() || !Succeeded(hrt_target_add(Session, &Config, &Target)))
+	if (!Configure() || !HAPTIC_CALL(hrt_target_add(Session, &Config, &Target)))
 	{
 		return false;
 	}
@@ -69,6 +89,10 @@ bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTa
 bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance,
 	FHapticTarget& OutTarget)
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	hrt_target_config Config = ToTarget(Role, Name);
 	Config.direction_deg = Turned(Yaw);
 	Config.distance_m = Distance / 100.0;
@@ -78,6 +102,10 @@ bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FStrin
 bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location,
 	FHapticTarget& OutTarget)
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	hrt_target_config Config = ToTarget(Role, Name);
 	Config.place = HRT_PLACE_WORLD_POSITION;
 	ToMetres(Location, Config.position_m);
@@ -88,18 +116,18 @@ bool UHapticRetargetingComponent::MoveTarget(const FHapticTarget& Target, const 
 {
 	hrt_target_config Config{};
 	Config.struct_size = sizeof Config;
-	if (!Configure() || !Succeeded(hrt_target_get(Session, ToTarget(Target), &Config)))
+	if (!Configure() || !HAPTIC_CALL(hrt_target_get(Session, ToTarget(Target), &Config)))
 	{
 		return false;
 	}
 	Config.place = HRT_PLACE_WORLD_POSITION;
 	ToMetres(Location, Config.position_m);
-	return Succeeded(hrt_target_set(Session, ToTarget(Target), &Config));
+	return HAPTIC_CALL(hrt_target_set(Session, ToTarget(Target), &Config));
 }
 
 bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
 {
-	return Succeeded(hrt_target_remove(Session, ToTarget(Target)));
+	return HAPTIC_CALL(hrt_target_remove(Session, ToTarget(Target)));
 }
 
 bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual,
@@ -107,7 +135,7 @@ bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const 
 {
 	hrt_authority Authority{};
 	Authority.struct_size = sizeof Authority;
-	if (!Configure() || !Succeeded(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
+	if (!Configure() || !HAPTIC_CALL(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
 	{
 		return false;
 	}
@@ -119,7 +147,7 @@ bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual,
 {
 	hrt_authority Authority{};
 	Authority.struct_size = sizeof Authority;
-	if (!Configure() || !Succeeded(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
+	if (!Configure() || !HAPTIC_CALL(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
 	{
 		return false;
 	}
@@ -129,10 +157,35 @@ bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual,
 
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	hrt_reach_config Config = hrt_reach_config_init();
 	Config.real_target = ToTarget(Real);
 	Config.virtual_target = ToTarget(Virtual);
-	if (!Configure() || !Succeeded(hrt_reach_begin(Session, &Config)))
+	return Begin(Config);
+}
+
+bool UHapticRetargetingComponent::BeginReachAt(const FHapticTarget& Real, const FHapticTarget& Virtual, double PlateYaw,
+	double Duration)
+{
+	if (!HasLibrary())
+	{
+		return false;
+	}
+	hrt_reach_config Config = hrt_reach_config_init();
+	Config.real_target = ToTarget(Real);
+	Config.virtual_target = ToTarget(Virtual);
+	Config.flags = HRT_REACH_PLATE_ORIENTATION;
+	Config.plate_orientation_deg = Turned(PlateYaw);
+	Config.duration_s = Duration;
+	return Begin(Config);
+}
+
+bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
+{
+	if (!Configure() || !HAPTIC_CALL(hrt_reach_begin(Session, &Config)))
 	{
 		return false;
 	}
@@ -159,6 +212,14 @@ bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double T
 	return UpdateSample(FingerSample(Location, Time));
 }
 
+bool UHapticRetargetingComponent::UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time)
+{
+	hrt_sample Sample = FingerSample(Location, Time);
+	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+	Sample.plate_orientation_deg = Turned(PlateYaw);
+	return UpdateSample(Sample);
+}
+
 bool UHapticRetargetingComponent::UpdateLost(double Time)
 {
 	hrt_sample Sample{};
@@ -172,7 +233,7 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 	Sample.struct_size = sizeof Sample;
 	hrt_command Decided{};
 	Decided.struct_size = sizeof Decided;
-	if (!Succeeded(hrt_reach_update(Session, &Sample, &Decided)))
+	if (!HAPTIC_CALL(hrt_reach_update(Session, &Sample, &Decided)))
 	{
 		return false;
 	}
@@ -191,12 +252,12 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 
 bool UHapticRetargetingComponent::RetargetReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
 {
-	return Succeeded(hrt_reach_retarget(Session, ToTarget(Real), ToTarget(Virtual)));
+	return HAPTIC_CALL(hrt_reach_retarget(Session, ToTarget(Real), ToTarget(Virtual)));
 }
 
 bool UHapticRetargetingComponent::CancelReach()
 {
-	if (!Succeeded(hrt_reach_cancel(Session)))
+	if (!HAPTIC_CALL(hrt_reach_cancel(Session)))
 	{
 		return false;
 	}
@@ -208,14 +269,14 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 {
 	hrt_reach_summary Summary{};
 	Summary.struct_size = sizeof Summary;
-	if (!Succeeded(hrt_reach_end(Session, &Summary)))
+	if (!HAPTIC_CALL(hrt_reach_end(Session, &Summary)))
 	{
 		return false;
 	}
 	bReaching = false;
 	if (Configured.adaptation == HRT_ADAPTATION_CARRIED)
 	{
-		TakeUserFromSession();
+		TakeFromSession();
 	}
 	OutSummary = FromSummary(Summary);
 	OnReachEnded.Broadcast(OutSummary);
@@ -224,15 +285,36 @@ bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 
 FHapticCommand UHapticRetargetingComponent::GetCommand() const
 {
-	return Command.struct_size == 0 ? FHapticCommand() : FromCommand(Command);
+	FHapticCommand None;
+	None.Step = -1;
+	return Command.struct_size == 0 ? None : FromCommand(Command);
 }
 
 bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	hrt_calibration_config Config = hrt_calibration_config_init();
 	Config.goal_direction_deg = Turned(GoalYaw);
+	return CreateCalibration(Config);
+}
+
+bool UHapticRetargetingComponent::BeginCalibrationWithin(double GoalYaw, double LargestPlateAngle, double EnoughWeightWidth)
+{
+	hrt_calibration_config Config = hrt_calibration_config_init();
+	Config.goal_direction_deg = Turned(GoalYaw);
+	Config.lower_plate_deg = -LargestPlateAngle;
+	Config.upper_plate_deg = LargestPlateAngle;
+	Config.enough_weight_width = EnoughWeightWidth;
+	return CreateCalibration(Config);
+}
+
+bool UHapticRetargetingComponent::CreateCalibration(const hrt_calibration_config& Config)
+{
 	hrt_calibration Begun{};
-	if (!Configure() || !Succeeded(hrt_calibration_create(Session, &Config, &Begun)))
+	if (!Configure() || !HAPTIC_CALL(hrt_calibration_create(Session, &Config, &Begun)))
 	{
 		return false;
 	}
@@ -245,37 +327,62 @@ bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
 	return true;
 }
 
+bool UHapticRetargetingComponent::GetNextAngle(double& OutPlateYaw, bool& bOutEnough)
+{
+	double Orientation = 0;
+	uint32_t Enough = 0;
+	if (!Succeeded(hrt_calibration_next_angle(Calibration, &Orientation, &Enough)))
+	{
+		return false;
+	}
+	OutPlateYaw = Turned(Orientation);
+	bOutEnough = Enough != 0;
+	return true;
+}
+
 bool UHapticRetargetingComponent::BeginTrial(double PlateYaw)
 {
-	return Succeeded(hrt_calibration_begin_trial(Calibration, Turned(PlateYaw)));
+	return HAPTIC_CALL(hrt_calibration_begin_trial(Calibration, Turned(PlateYaw)));
 }
 
 bool UHapticRetargetingComponent::AddTrialSample(const FVector& Location, double Time)
 {
 	const hrt_sample Sample = FingerSample(Location, Time);
-	return Succeeded(hrt_calibration_add_sample(Calibration, &Sample));
+	return HAPTIC_CALL(hrt_calibration_add_sample(Calibration, &Sample));
 }
 
 bool UHapticRetargetingComponent::EndTrial()
 {
-	return Succeeded(hrt_calibration_end_trial(Calibration));
+	return HAPTIC_CALL(hrt_calibration_end_trial(Calibration));
 }
 
 bool UHapticRetargetingComponent::CancelTrial()
 {
-	return Succeeded(hrt_calibration_cancel_trial(Calibration));
+	return HAPTIC_CALL(hrt_calibration_cancel_trial(Calibration));
 }
 
 bool UHapticRetargetingComponent::SolveCalibration(FHapticCalibration& OutCalibration)
 {
 	hrt_calibration_result Solved{};
 	Solved.struct_size = sizeof Solved;
-	if (!Succeeded(hrt_calibration_solve(Calibration, &Solved)))
+	if (!HAPTIC_CALL(hrt_calibration_solve(Calibration, &Solved)))
 	{
 		return false;
 	}
 	User = Solved;
 	OutCalibration = FromCalibration(User);
+	return true;
+}
+
+bool UHapticRetargetingComponent::GetSlide(int32 Number, FHapticSlide& OutSlide)
+{
+	hrt_calibration_slide Slide{};
+	Slide.struct_size = sizeof Slide;
+	if (!Succeeded(hrt_calibration_get_residual(Calibration, static_cast<uint32_t>(Number), &Slide)))
+	{
+		return false;
+	}
+	OutSlide = FromSlide(Slide);
 	return true;
 }
 
@@ -286,17 +393,17 @@ bool UHapticRetargetingComponent::ApplyCalibration()
 		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("no calibration is solved; call SolveCalibration first"));
 		return false;
 	}
-	if (!Configure() || !Succeeded(hrt_calibration_apply(Session, &User)))
+	if (!Configure() || !HAPTIC_CALL(hrt_calibration_apply(Session, &User)))
 	{
 		return false;
 	}
-	TakeUserFromSession();
+	TakeFromSession();
 	return true;
 }
 
 bool UHapticRetargetingComponent::EndCalibration()
 {
-	if (!Succeeded(hrt_calibration_destroy(Calibration)))
+	if (!HAPTIC_CALL(hrt_calibration_destroy(Calibration)))
 	{
 		return false;
 	}
@@ -305,23 +412,24 @@ bool UHapticRetargetingComponent::EndCalibration()
 }
 
 /** Takes what the plugin has learnt of the user into the settings. */
-void UHapticRetargetingComponent::TakeUserFromSession()
+void UHapticRetargetingComponent::TakeFromSession()
 {
-	if (Succeeded(hrt_session_get_config(Session, &Configured)))
+	const hrt_session_config Before = Configured;
+	if (HAPTIC_CALL(hrt_session_get_config(Session, &Configured)))
 	{
-		TakeUser(Configured, Settings);
+		TakeChanges(Before, Configured, Settings);
 	}
 }
 
 bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
 {
 	uint64_t Length = 0;
-	if (!Configure() || !Succeeded(hrt_profile_save(Session, 0, nullptr, &Length)))
+	if (!Configure() || !HAPTIC_CALL(hrt_profile_save(Session, 0, nullptr, &Length)))
 	{
 		return false;
 	}
 	std::string Json(Length + 1, '\0');
-	if (!Succeeded(hrt_profile_save(Session, Json.size(), Json.data(), &Length)))
+	if (!HAPTIC_CALL(hrt_profile_save(Session, Json.size(), Json.data(), &Length)))
 	{
 		return false;
 	}
@@ -332,24 +440,65 @@ bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
 bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
 {
 	const std::string Text = TCHAR_TO_UTF8(*Json);
-	if (!Configure() || !Succeeded(hrt_profile_load(Session, Text.data(), Text.size())))
+	if (!Configure() || !HAPTIC_CALL(hrt_profile_load(Session, Text.data(), Text.size())))
 	{
 		return false;
 	}
-	TakeUserFromSession();
+	TakeFromSession();
+	return true;
+}
+
+bool UHapticRetargetingComponent::SetConditions(const FString& Plate, const FString& Tracker, int64 Time)
+{
+	hrt_conditions Now{};
+	Now.struct_size = sizeof Now;
+	Now.time_s = Time;
+	// A name that is too long fills its field without a zero, which the plugin refuses.
+	const std::string PlateName = TCHAR_TO_UTF8(*Plate), TrackerName = TCHAR_TO_UTF8(*Tracker);
+	PlateName.copy(Now.plate, sizeof Now.plate);
+	TrackerName.copy(Now.tracker, sizeof Now.tracker);
+	return Configure() && Succeeded(hrt_profile_set_conditions(Session, &Now));
+}
+
+bool UHapticRetargetingComponent::GetConditions(FString& OutPlate, FString& OutTracker, int64& OutTime, bool& bOutPlateDiffers, bool& bOutTrackerDiffers)
+{
+	hrt_conditions Measured{};
+	Measured.struct_size = sizeof Measured;
+	if (!Configure() || !Succeeded(hrt_profile_get_conditions(Session, &Measured)))
+	{
+		return false;
+	}
+	OutPlate = UTF8_TO_TCHAR(Measured.plate);
+	OutTracker = UTF8_TO_TCHAR(Measured.tracker);
+	OutTime = Measured.time_s;
+	bOutPlateDiffers = (Measured.differing & HRT_CONDITION_PLATE) != 0;
+	bOutTrackerDiffers = (Measured.differing & HRT_CONDITION_TRACKER) != 0;
 	return true;
 }
 
 bool UHapticRetargetingComponent::StartRecording(const FString& Path)
 {
-	return Configure() && Succeeded(hrt_recording_start(Session, TCHAR_TO_UTF8(*Path)));
+	return Configure() && HAPTIC_CALL(hrt_recording_start(Session, TCHAR_TO_UTF8(*Path)));
+}
+
+bool UHapticRetargetingComponent::GetRecordingStatus(int64& OutRowsWritten, int64& OutRowsLost)
+{
+	hrt_recording_status Status{};
+	Status.struct_size = sizeof Status;
+	if (!Succeeded(hrt_recording_get_status(Session, &Status)))
+	{
+		return false;
+	}
+	OutRowsWritten = static_cast<int64>(Status.rows_written);
+	OutRowsLost = static_cast<int64>(Status.rows_lost);
+	return true;
 }
 
 bool UHapticRetargetingComponent::StopRecording()
 {
 	hrt_recording_status Status{};
 	Status.struct_size = sizeof Status;
-	if (!Succeeded(hrt_recording_stop(Session, &Status)))
+	if (!HAPTIC_CALL(hrt_recording_stop(Session, &Status)))
 	{
 		return false;
 	}

@@ -64,9 +64,18 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
 
+	/** As Begin Reach, with the plate at Plate Yaw, as measured, and the expected duration of the motion in seconds; 0 if
+	 *  it is unknown. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool BeginReachAt(const FHapticTarget& Real, const FHapticTarget& Virtual, double PlateYaw, double Duration);
+
 	/** The fingertip in the world, at a time in seconds that does not run backwards. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateFinger(const FVector& Location, double Time);
+
+	/** As Update Finger, with the plate's yaw as its servo reports it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time);
 
 	/** The tracker does not see the finger. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
@@ -90,11 +99,20 @@ public:
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
 
-	/** Forgets a calibration that there may be, and begins another: the user is asked to go to Goal Yaw. Have them slide
-	 *  eight to ten times over the plate at rest at each of -60, -30, 0, 30 and 60 degrees, in random order, after half a
-	 *  second at rest. */
+	/** Forgets a calibration that there may be, and begins another: the user is asked to go to Goal Yaw. For each slide
+	 *  GetNextAngle() has the plate's yaw; the plate is at rest, and so is the finger for half a second before. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool BeginCalibration(double GoalYaw);
+
+	/** As above, with the range of GetNextAngle() about Goal Yaw, to either side, and the width of the 95 % interval of
+	 *  the share of touch that is enough. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool BeginCalibrationWithin(double GoalYaw, double LargestPlateAngle, double EnoughWeightWidth);
+
+	/** Where the plate should stand for the next slide, and whether the slides so far are enough. Takes some tenths of a
+	 *  second. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool GetNextAngle(double& OutPlateYaw, bool& bOutEnough);
 
 	/** The plate stands at Plate Yaw until the trial ends. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
@@ -115,6 +133,10 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool SolveCalibration(FHapticCalibration& OutCalibration);
 
+	/** A slide of the last solution, from 0 to Trials Used less 1: seen, fitted, and whether it was left out. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool GetSlide(int32 Number, FHapticSlide& OutSlide);
+
 	/** What was solved last becomes the settings. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool ApplyCalibration();
@@ -129,9 +151,22 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool LoadProfile(const FString& Json);
 
+	/** Plate and tracker of now, and the time in seconds since 1970: what a calibration is measured under. The log warns if
+	 *  those of the profile are others. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool SetConditions(const FString& Plate, const FString& Tracker, int64 Time);
+
+	/** Those of the profile, and whether plate or tracker are others now. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool GetConditions(FString& OutPlate, FString& OutTracker, int64& OutTime, bool& bOutPlateDiffers, bool& bOutTrackerDiffers);
+
 	/** Records all calls to a file that is created or replaced. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StartRecording(const FString& Path);
+
+	/** Rows so far. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool GetRecordingStatus(int64& OutRowsWritten, int64& OutRowsLost);
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool StopRecording();
@@ -145,10 +180,13 @@ public:
 
 private:
 	bool Succeeded(hrt_result Result) const;
+	bool HasLibrary() const;
 	bool Configure();
+	bool CreateCalibration(const hrt_calibration_config& Config);
+	bool Begin(const hrt_reach_config& Config);
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
-	void TakeUserFromSession();
+	void TakeFromSession();
 	void CloseSession();
 
 	hrt_session Session{};
@@ -158,4 +196,5 @@ private:
 	hrt_session_config Configured{};
 	hrt_command Command{};
 	bool bReaching = false;
+	mutable bool bSaidMissing = false;
 };

@@ -1,0 +1,9 @@
+# Android on 64-bit ARM by Google's NDK, which ANDROID_NDK_HOME names. Never run: no NDK and no device was at hand.
+if(NOT EXISTS "$ENV{ANDROID_NDK_HOME}/build/cmake/android.toolchain.cmake")
+  message(FATAL_ERROR "ANDROID_NDK_HOME is \"$ENV{ANDROID_NDK_HOME}\"; it must name the folder of an NDK, r23 or later")
+endif()
+set(ANDROID_ABI arm64-v8a)
+set(ANDROID_PLATFORM android-29)
+set(ANDROID_STL c++_static)
+include($ENV{ANDROID_NDK_HOME}/build/cmake/android.toolchain.cmake)
+include(${CMAKE_CURRENT_LIST_DIR}/debian_headers.cmake)

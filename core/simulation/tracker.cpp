@@ -1,0 +1,50 @@
+#include "core/simulation/tracker.h"
+
+#include <cmath>
+
+#include "core/exponential.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+
+Tracker::Tracker(const TrackerModel& model, const PlatePoint& about, Draws draws)
+    : model_(model), about_(about), draws_(draws) {
+  right_m_ = model.correlated_m * draws_.normal();
+  away_m_ = model.correlated_m * draws_.normal();
+}
+
+void Tracker::look(double time_s, const PlatePoint& finger) {
+  if (time_s < next_s_) return;
+  const double period_s = 1.0 / model_.rate_hz;
+  next_s_ += period_s * (1.0 + model_.jitter_share * (2.0 * draws_.uniform() - 1.0));
+  const double kept = exponential(-period_s / model_.correlation_s);
+  const double fresh_m = model_.correlated_m * std::sqrt(1.0 - kept * kept);
+  right_m_ = kept * right_m_ + fresh_m * draws_.normal();
+  away_m_ = kept * away_m_ + fresh_m * draws_.normal();
+  const double away_m = model_.scale * (finger.away_m - about_.away_m);
+  const double right_m = model_.scale * (finger.right_m - about_.right_m) + model_.shear * away_m;
+  const double sine = sin_deg(model_.turned_deg);
+  const double cosine = cos_deg(model_.turned_deg);
+  PlatePoint seen{
+      about_.right_m + cosine * right_m - sine * away_m + right_m_ + model_.white_m * draws_.normal(),
+      about_.away_m + sine * right_m + cosine * away_m + away_m_ + model_.white_m * draws_.normal()};
+  if (draws_.uniform() < model_.outlier_share) {
+    seen.right_m += 0.03 * draws_.normal();
+    seen.away_m += 0.03 * draws_.normal();
+  }
+  lost_ = lost_ ? draws_.uniform() >= 0.1 : draws_.uniform() < model_.dropout_share;
+  double latency_s = model_.latency_s;
+  if (model_.late_s > 0.0) latency_s += model_.late_s * draws_.uniform();
+  under_way_.push_back({.time_ns = std::llround((time_s + latency_s) * 1e9),
+                        .observation = lost_ ? Observation::none : Observation::position,
+                        .position = seen});
+}
+
+std::optional<FingerSample> Tracker::arrived(std::int64_t time_ns) {
+  if (under_way_.empty() || under_way_.front().time_ns > time_ns) return std::nullopt;
+  const FingerSample sample = under_way_.front();
+  under_way_.pop_front();
+  return sample;
+}
+
+}  // namespace hrt

@@ -1,0 +1,82 @@
+"""Godot's tables: fields as properties and Dictionary keys, and the constants of scripts."""
+
+from __future__ import annotations
+
+import settings
+from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
+
+# What a script gets as a Dictionary, by the function of fields.h that returns its table.
+_RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "authority": "hrt_authority",
+            "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
+            "recording": "hrt_recording_status"}
+_KINDS = {"int32_t": "kInt32", "uint32_t": "kUint32", "int64_t": "kInt64", "uint64_t": "kInt64", "double": "kDouble",
+          "hrt_target": "kInt64"}
+# Of no property or Dictionary: methods return Godot's own errors.
+_NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
+_ACRONYMS = {"MPC"}
+
+
+def render_tables(abi: Abi, notice: str) -> str:
+    tables = {"config": _table(abi, settings.STRUCT, settings.shown(abi))}
+    for name, struct in _RECORDS.items():
+        tables[name] = _table(abi, struct, [f for f in abi.struct(struct).fields
+                                            if f.name not in ("struct_size", "reserved")])
+    return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <cstring>\n\n"
+            "namespace hrt_godot {\nnamespace {\n\n"
+            + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
+            + "constexpr Constant kConstants[] = {\n"
+            + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
+                      f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) for m in e.members)
+            + "};\n\n}  // namespace\n\n"
+            + "".join(f"std::span<const Field> {name}_fields() {{\n  return k{name.capitalize()};\n}}\n\n"
+                      for name in tables)
+            + "std::span<const Constant> constants() {\n  return kConstants;\n}\n\n"
+            + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
+            + "".join(f"  std::memcpy(to.{f.name}, from.{f.name}, sizeof to.{f.name});\n" for f in settings.hidden(abi))
+            + "}\n\n}  // namespace hrt_godot\n")
+
+
+def _table(abi: Abi, struct: str, fields: list[Field]) -> str:
+    return "".join(_rows(abi, struct, field) for field in fields)
+
+
+def _rows(abi: Abi, struct: str, field: Field, path: str = "", name: str = "") -> str:
+    name, path = name or field.name, path or field.name
+    if field.type.name == "hrt_interval" and not field.length:
+        inner: Struct = abi.struct("hrt_interval")
+        return "".join(_rows(abi, struct, f, f"{path}.{f.name}", name if f.name == "value" else f"{name}_{f.name}")
+                       for f in inner.fields if f.name != "reserved")
+    kind = "kVector3" if (field.type.name, field.length) == ("double", 3) else _KINDS.get(field.type.name)
+    in_record = struct in _RECORDS.values()
+    if kind is None or field.length not in ((0,) if in_record else (0, 3)):
+        raise HeaderError(f"{struct}::{field.name} is of a type that Godot's tables do not have; "
+                          "generator/godot.py says which there are")
+    choices = ""
+    if field.enumeration:
+        enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
+        if not enumeration.flags:
+            choices = f', "{_choices(enumeration)}"'
+    return f'    {{"{name}", FieldKind::{kind}, offsetof({struct}, {path}){choices}}},\n'
+
+
+def _shown(abi: Abi) -> list[Enumeration]:
+    return [e for e in abi.enumerations if e.prefix not in _NO_CONSTANTS]
+
+
+def _choices(enumeration: Enumeration) -> str:
+    """As the inspector offers them: "MPC,Fixed Plate"; with its number where that is not the place: "Real:1"."""
+    texts = []
+    for i, member in enumerate(enumeration.distinct):
+        short = enumeration.short(member)
+        text = " ".join(word if word in _ACRONYMS else pascal(word) for word in short.split("_"))
+        texts.append(text if member.value == i else f"{text}:{member.value}")
+    return ",".join(texts)
+
+
+def render_constants(abi: Abi, notice: str) -> str:
+    text = (f"# {notice}\n# The numbers of properties and flags; session.h and reach.h of the plugin say what they mean.\n"
+            "#\n#   const HRT = preload(\"res://addons/haptic_retargeting/constants.gd\")\n"
+            "#   if flags & HRT.COMMAND_SATURATED: ...\n")
+    for enumeration in _shown(abi):
+        text += "\n" + "".join(f"const {m.name.removeprefix('HRT_')} = {m.value}\n" for m in enumeration.members)
+    return text

@@ -1,0 +1,77 @@
+"""What each host's own code uses of the C interface: functions, fields of the structs that it fills, and in Godot the
+errors. A name that a host neither uses nor leaves out, with a reason, is reported; so is a reason that no longer holds."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from abi import Abi
+
+_SOURCES = {
+    "godot": ("godot/*.cpp", "godot/*/*.cpp"),
+    "python": ("python/haptic_retargeting/*.py",),
+    "unity": ("unity/com.haptic-retargeting/Runtime/*.cs",),
+    "unreal": ("unreal/HapticRetargeting/Source/HapticRetargeting/Private/*.cpp",),
+    "web": ("web/*.mjs",),
+}
+# Structs that a host's own code fills, field by field; the others are generated there.
+_FILLED = {
+    "godot": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
+    "unreal": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
+    "python": ("hrt_reach_config", "hrt_sample"),
+}
+_COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
+
+_ALL = "godot python unity unreal web"
+_SCENES = ("hrt_scene_load_file hrt_scene_load_memory hrt_scene_destroy hrt_scene_get_info hrt_scene_get_target "
+           "hrt_scene_register")
+# Hosts, names, and why those hosts do without.
+_LEFT_OUT = (
+    (_ALL, "hrt_session_is_valid", "an object of the host knows whether it is open"),
+    (_ALL, "hrt_result_string", "an error has the text of hrt_last_error()"),
+    (_ALL, "hrt_set_allocator", "called on any thread, which only C and C++ allow"),
+    ("godot python unreal web", "hrt_set_log_callback", "what a recording has lost is reported when it stops"),
+    (_ALL, "hrt_session_set_log_callback", "lines of the process's log name the session"),
+    ("godot unreal", _SCENES, "a scene is the engine's own"),
+    ("python unity", "hrt_scene_load_memory", "scenes are files"),
+    ("unity", "hrt_scene_get_target", "a registered target is read from the session"),
+    ("web", "hrt_scene_load_file hrt_replay_file", "files are the page's: their contents are given"),
+    ("python", "hrt_replay_text", "recordings are files"),
+    ("godot unreal", "hrt_replay_file hrt_replay_text", "recordings are replayed in Python"),
+    ("godot unreal", "hrt_target_list hrt_target_find", "the script has the ids"),
+    ("godot unreal", "hrt_authority_query_all", "a script asks for the pairs that it has"),
+    ("godot unreal", "hrt_target_assign", "a script asks for the best real target of each virtual one"),
+    ("godot unreal", "hrt_calibration_compare", "a node or component has one calibration; two are compared in Python or C#"),
+    ("godot unreal", "hrt_registration_fit hrt_registration_advice hrt_registration_check hrt_registration_apply "
+     "hrt_registration_confirm hrt_fingertip_fit hrt_fingertip_place hrt_latency_fit", "the pose of the node or component is the plate's: register with hrt-reach, C, C# or "
+     "Python, and place it there"),
+    ("web", "hrt_fingertip_place", "setFinger() takes the skin's place: WebXR and three.js add the turned offset to the joint"),
+    ("godot unreal", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
+     "the defaults hold several times the slides that a calibration needs"),
+    ("godot unreal", "hrt_session_get_state", "the node or component knows whether a reach runs"),
+    ("unreal", "hrt_get_version", "the library is part of the plugin"),
+    ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
+    ("godot", "HRT_ERROR_STRUCT_SIZE HRT_ERROR_BUFFER_TOO_SMALL HRT_ERROR_INTERNAL", "a defect of the node: ERR_BUG"),
+)
+
+
+def missing(abi: Abi, bindings: Path, notice: str) -> Iterator[str]:
+    """A line for each name and host."""
+    # Defaults are part of what is generated.
+    functions = {f.name for f in abi.functions if not f.name.endswith("_default")}
+    for host, patterns in _SOURCES.items():
+        texts = [path.read_text(encoding="utf-8") for pattern in patterns for path in bindings.glob(pattern)]
+        text = "\n".join(t for t in texts if notice not in t.partition("\n")[0])  # what is generated uses nothing
+        wanted = functions | {c.name for c in abi.constants if host == "godot" and c.name.startswith("HRT_ERROR_")}
+        words = set(re.findall(r"\b\w+", _COMMENTS.sub(" ", text)))
+        fields = {f"{struct}::{f.name}": f.name for struct in _FILLED.get(host, ()) for f in abi.struct(struct).fields
+                  if f.name not in ("struct_size", "reserved")}
+        wanted |= set(fields)
+        used = words & wanted | {name for name, field in fields.items() if field in words}
+        left_out = {name for hosts, names, _ in _LEFT_OUT if host in hosts.split() for name in names.split()}
+        for name in sorted(wanted - used - left_out):
+            yield f"{host} does not use {name}: use it, or say in generator/wrappers.py why it is left out"
+        for name in sorted(left_out & used | left_out - wanted):
+            yield f"{host} uses {name}, or there is no such name: generator/wrappers.py lists it as left out"

@@ -1,0 +1,301 @@
+// Written by plugin/bindings/generate from the C headers.
+// clang-format off
+#include "fields.h"
+
+#include <cstring>
+
+namespace hrt_godot {
+namespace {
+
+constexpr Field kConfig[] = {
+    {"horizon", FieldKind::kUint32, offsetof(hrt_session_config, horizon)},
+    {"step_period_ns", FieldKind::kInt64, offsetof(hrt_session_config, step_period_ns)},
+    {"control", FieldKind::kUint32, offsetof(hrt_session_config, control), "MPC,Fixed Plate"},
+    {"guidance", FieldKind::kUint32, offsetof(hrt_session_config, guidance), "Fixed Direction,Arrival"},
+    {"adaptation", FieldKind::kUint32, offsetof(hrt_session_config, adaptation), "Off,Reach,Carried"},
+    {"flags", FieldKind::kUint32, offsetof(hrt_session_config, flags)},
+    {"perceived_weight", FieldKind::kDouble, offsetof(hrt_session_config, perceived_weight)},
+    {"actual_weight", FieldKind::kDouble, offsetof(hrt_session_config, actual_weight)},
+    {"plate_bound_deg", FieldKind::kDouble, offsetof(hrt_session_config, plate_bound_deg)},
+    {"plate_max_speed_deg_s", FieldKind::kDouble, offsetof(hrt_session_config, plate_max_speed_deg_s)},
+    {"plate_max_acceleration_deg_s2", FieldKind::kDouble, offsetof(hrt_session_config, plate_max_acceleration_deg_s2)},
+    {"plate_latency_ns", FieldKind::kInt64, offsetof(hrt_session_config, plate_latency_ns)},
+    {"plate_lower_stop_deg", FieldKind::kDouble, offsetof(hrt_session_config, plate_lower_stop_deg)},
+    {"plate_upper_stop_deg", FieldKind::kDouble, offsetof(hrt_session_config, plate_upper_stop_deg)},
+    {"fixed_plate_orientation_deg", FieldKind::kDouble, offsetof(hrt_session_config, fixed_plate_orientation_deg)},
+    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_session_config, tactile_weight)},
+    {"tactile_weight_sd", FieldKind::kDouble, offsetof(hrt_session_config, tactile_weight_sd)},
+    {"motor_variance_deg2", FieldKind::kDouble, offsetof(hrt_session_config, motor_variance_deg2)},
+    {"sensory_variance_deg2", FieldKind::kDouble, offsetof(hrt_session_config, sensory_variance_deg2)},
+    {"initial_variance_deg2", FieldKind::kDouble, offsetof(hrt_session_config, initial_variance_deg2)},
+    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_session_config, tracker_noise_m)},
+    {"start_position_m", FieldKind::kVector3, offsetof(hrt_session_config, start_position_m)},
+    {"plate_radius_m", FieldKind::kDouble, offsetof(hrt_session_config, plate_radius_m)},
+    {"lift_height_m", FieldKind::kDouble, offsetof(hrt_session_config, lift_height_m)},
+    {"bias_deg", FieldKind::kDouble, offsetof(hrt_session_config, bias_deg)},
+    {"motor_variance_sd_deg2", FieldKind::kDouble, offsetof(hrt_session_config, motor_variance_sd_deg2)},
+    {"max_felt_error_deg", FieldKind::kDouble, offsetof(hrt_session_config, max_felt_error_deg)},
+    {"motion_bound_deg", FieldKind::kDouble, offsetof(hrt_session_config, motion_bound_deg)},
+    {"tracker_latency_ns", FieldKind::kInt64, offsetof(hrt_session_config, tracker_latency_ns)},
+    {"plate_scale", FieldKind::kDouble, offsetof(hrt_session_config, plate_scale)},
+    {"registration_time_ns", FieldKind::kInt64, offsetof(hrt_session_config, registration_time_ns)},
+    {"max_registration_age_ns", FieldKind::kInt64, offsetof(hrt_session_config, max_registration_age_ns)},
+    {"max_registration_sd_deg", FieldKind::kDouble, offsetof(hrt_session_config, max_registration_sd_deg)},
+    {"tracker_correlated_noise_m", FieldKind::kDouble, offsetof(hrt_session_config, tracker_correlated_noise_m)},
+    {"tracker_correlation_s", FieldKind::kDouble, offsetof(hrt_session_config, tracker_correlation_s)},
+};
+
+constexpr Field kCommand[] = {
+    {"flags", FieldKind::kUint32, offsetof(hrt_command, flags)},
+    {"step", FieldKind::kInt64, offsetof(hrt_command, step)},
+    {"plate_orientation_deg", FieldKind::kDouble, offsetof(hrt_command, plate_orientation_deg)},
+    {"finger_direction_deg", FieldKind::kDouble, offsetof(hrt_command, finger_direction_deg)},
+    {"perceived_direction_deg", FieldKind::kDouble, offsetof(hrt_command, perceived_direction_deg)},
+    {"aimed_direction_deg", FieldKind::kDouble, offsetof(hrt_command, aimed_direction_deg)},
+    {"distance_to_go_m", FieldKind::kDouble, offsetof(hrt_command, distance_to_go_m)},
+    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_command, tactile_weight)},
+    {"tactile_weight_sd", FieldKind::kDouble, offsetof(hrt_command, tactile_weight_sd)},
+    {"time_to_go_s", FieldKind::kDouble, offsetof(hrt_command, time_to_go_s)},
+    {"felt_error_deg", FieldKind::kDouble, offsetof(hrt_command, felt_error_deg)},
+    {"predicted_miss_deg", FieldKind::kDouble, offsetof(hrt_command, predicted_miss_deg)},
+    {"normalised_innovation", FieldKind::kDouble, offsetof(hrt_command, normalised_innovation)},
+    {"bearing_error_sd_deg", FieldKind::kDouble, offsetof(hrt_command, bearing_error_sd_deg)},
+};
+
+constexpr Field kSummary[] = {
+    {"flags", FieldKind::kUint32, offsetof(hrt_reach_summary, flags)},
+    {"samples", FieldKind::kInt64, offsetof(hrt_reach_summary, samples)},
+    {"dropped_samples", FieldKind::kInt64, offsetof(hrt_reach_summary, dropped_samples)},
+    {"steps", FieldKind::kInt64, offsetof(hrt_reach_summary, steps)},
+    {"predicted_steps", FieldKind::kInt64, offsetof(hrt_reach_summary, predicted_steps)},
+    {"saturated_steps", FieldKind::kInt64, offsetof(hrt_reach_summary, saturated_steps)},
+    {"rate_limited_steps", FieldKind::kInt64, offsetof(hrt_reach_summary, rate_limited_steps)},
+    {"final_direction_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, final_direction_deg)},
+    {"final_miss_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, final_miss_deg)},
+    {"perceived_direction_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, perceived_direction_deg)},
+    {"perceived_error_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, perceived_error_deg)},
+    {"distance_to_target_m", FieldKind::kDouble, offsetof(hrt_reach_summary, distance_to_target_m)},
+    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_reach_summary, tactile_weight)},
+    {"tactile_weight_sd", FieldKind::kDouble, offsetof(hrt_reach_summary, tactile_weight_sd)},
+    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_reach_summary, tracker_noise_m)},
+    {"motor_variance_deg2", FieldKind::kDouble, offsetof(hrt_reach_summary, motor_variance_deg2)},
+    {"motor_variance_sd_deg2", FieldKind::kDouble, offsetof(hrt_reach_summary, motor_variance_sd_deg2)},
+    {"bearing_error_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, bearing_error_deg)},
+    {"peak_felt_error_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, peak_felt_error_deg)},
+    {"rms_felt_error_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, rms_felt_error_deg)},
+    {"normalised_innovation", FieldKind::kDouble, offsetof(hrt_reach_summary, normalised_innovation)},
+    {"illusion_curve", FieldKind::kDouble, offsetof(hrt_reach_summary, illusion_curve)},
+    {"illusion_curve_sd", FieldKind::kDouble, offsetof(hrt_reach_summary, illusion_curve_sd)},
+    {"gain_per_s", FieldKind::kDouble, offsetof(hrt_reach_summary, gain_per_s)},
+    {"gain_sd_per_s", FieldKind::kDouble, offsetof(hrt_reach_summary, gain_sd_per_s)},
+    {"bias_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, bias_deg)},
+    {"bias_sd_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, bias_sd_deg)},
+    {"habit_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, habit_deg)},
+    {"habit_sd_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, habit_sd_deg)},
+    {"duration_s", FieldKind::kDouble, offsetof(hrt_reach_summary, duration_s)},
+    {"bearing_error_sd_deg", FieldKind::kDouble, offsetof(hrt_reach_summary, bearing_error_sd_deg)},
+};
+
+constexpr Field kAuthority[] = {
+    {"reachable", FieldKind::kUint32, offsetof(hrt_authority, reachable)},
+    {"real_target", FieldKind::kInt64, offsetof(hrt_authority, real_target)},
+    {"virtual_target", FieldKind::kInt64, offsetof(hrt_authority, virtual_target)},
+    {"gap_deg", FieldKind::kDouble, offsetof(hrt_authority, gap_deg)},
+    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, largest_gap_deg)},
+    {"margin_deg", FieldKind::kDouble, offsetof(hrt_authority, margin_deg)},
+    {"plate_orientation_deg", FieldKind::kDouble, offsetof(hrt_authority, plate_orientation_deg)},
+    {"settling_direction_deg", FieldKind::kDouble, offsetof(hrt_authority, settling_direction_deg)},
+    {"paper_largest_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, paper_largest_gap_deg)},
+};
+
+constexpr Field kCalibration[] = {
+    {"trials", FieldKind::kUint32, offsetof(hrt_calibration_result, trials)},
+    {"trials_used", FieldKind::kUint32, offsetof(hrt_calibration_result, trials_used)},
+    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.value)},
+    {"tactile_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.lower)},
+    {"tactile_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.upper)},
+    {"tactile_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_result, tactile_weight.known)},
+    {"bias_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.value)},
+    {"bias_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.lower)},
+    {"bias_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.upper)},
+    {"bias_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, bias_deg.known)},
+    {"motor_variance_deg2", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.value)},
+    {"motor_variance_deg2_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.lower)},
+    {"motor_variance_deg2_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.upper)},
+    {"motor_variance_deg2_known", FieldKind::kUint32, offsetof(hrt_calibration_result, motor_variance_deg2.known)},
+    {"sensory_variance_deg2", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.value)},
+    {"sensory_variance_deg2_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.lower)},
+    {"sensory_variance_deg2_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.upper)},
+    {"sensory_variance_deg2_known", FieldKind::kUint32, offsetof(hrt_calibration_result, sensory_variance_deg2.known)},
+    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.value)},
+    {"tracker_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.lower)},
+    {"tracker_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.upper)},
+    {"tracker_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_result, tracker_noise_m.known)},
+    {"illusion", FieldKind::kUint32, offsetof(hrt_calibration_result, illusion), "Linear,Saturating,Sine,Tanh,Dead Band,Unequal,Cubic,None"},
+    {"lack_of_fit", FieldKind::kUint32, offsetof(hrt_calibration_result, lack_of_fit)},
+    {"slides_outlying", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_outlying)},
+    {"slides_along_ridges", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_along_ridges)},
+    {"illusion_scale_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, illusion_scale_deg)},
+    {"peak_offset_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, peak_offset_deg)},
+    {"person_weight", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.value)},
+    {"person_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.lower)},
+    {"person_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.upper)},
+    {"person_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_result, person_weight.known)},
+    {"person_curve", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.value)},
+    {"person_curve_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.lower)},
+    {"person_curve_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.upper)},
+    {"person_curve_known", FieldKind::kUint32, offsetof(hrt_calibration_result, person_curve.known)},
+    {"weight_curve_correlation", FieldKind::kDouble, offsetof(hrt_calibration_result, weight_curve_correlation)},
+    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.value)},
+    {"largest_gap_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.lower)},
+    {"largest_gap_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.upper)},
+    {"largest_gap_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, largest_gap_deg.known)},
+    {"habit_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.value)},
+    {"habit_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.lower)},
+    {"habit_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.upper)},
+    {"habit_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, habit_deg.known)},
+    {"correlated_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.value)},
+    {"correlated_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.lower)},
+    {"correlated_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.upper)},
+    {"correlated_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_result, correlated_noise_m.known)},
+    {"noise_correlation_s", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.value)},
+    {"noise_correlation_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.lower)},
+    {"noise_correlation_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.upper)},
+    {"noise_correlation_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, noise_correlation_s.known)},
+    {"angle_p", FieldKind::kDouble, offsetof(hrt_calibration_result, angle_p)},
+    {"order_p", FieldKind::kDouble, offsetof(hrt_calibration_result, order_p)},
+    {"path_p", FieldKind::kDouble, offsetof(hrt_calibration_result, path_p)},
+};
+
+constexpr Field kSlide[] = {
+    {"verdict", FieldKind::kUint32, offsetof(hrt_calibration_slide, verdict), "Used,Outlying,Along Ridges"},
+    {"trial", FieldKind::kUint32, offsetof(hrt_calibration_slide, trial)},
+    {"plate_deg", FieldKind::kDouble, offsetof(hrt_calibration_slide, plate_deg)},
+    {"direction_deg", FieldKind::kDouble, offsetof(hrt_calibration_slide, direction_deg)},
+    {"fitted_deg", FieldKind::kDouble, offsetof(hrt_calibration_slide, fitted_deg)},
+    {"residual_deg", FieldKind::kDouble, offsetof(hrt_calibration_slide, residual_deg)},
+};
+
+constexpr Field kRecording[] = {
+    {"system_error", FieldKind::kInt32, offsetof(hrt_recording_status, system_error)},
+    {"rows_written", FieldKind::kInt64, offsetof(hrt_recording_status, rows_written)},
+    {"rows_lost", FieldKind::kInt64, offsetof(hrt_recording_status, rows_lost)},
+};
+
+constexpr Constant kConstants[] = {
+    {"Assign", "ASSIGN_EXCLUSIVE", 1, true},
+    {"Illusion", "ILLUSION_LINEAR", 0, false},
+    {"Illusion", "ILLUSION_SATURATING", 1, false},
+    {"Illusion", "ILLUSION_SINE", 2, false},
+    {"Illusion", "ILLUSION_TANH", 3, false},
+    {"Illusion", "ILLUSION_DEAD_BAND", 4, false},
+    {"Illusion", "ILLUSION_UNEQUAL", 5, false},
+    {"Illusion", "ILLUSION_CUBIC", 6, false},
+    {"Illusion", "ILLUSION_NONE", 7, false},
+    {"LackOfFit", "LACK_OF_FIT_ANGLE", 1, true},
+    {"LackOfFit", "LACK_OF_FIT_ORDER", 2, true},
+    {"LackOfFit", "LACK_OF_FIT_PATH", 4, true},
+    {"Slide", "SLIDE_USED", 0, false},
+    {"Slide", "SLIDE_OUTLYING", 1, false},
+    {"Slide", "SLIDE_ALONG_RIDGES", 2, false},
+    {"Differs", "DIFFERS_TACTILE_WEIGHT", 1, true},
+    {"Differs", "DIFFERS_LARGEST_GAP", 2, true},
+    {"Differs", "DIFFERS_BIAS", 4, true},
+    {"Differs", "DIFFERS_HABIT", 8, true},
+    {"Differs", "DIFFERS_TRACKER_NOISE", 16, true},
+    {"Condition", "CONDITION_PLATE", 1, true},
+    {"Condition", "CONDITION_TRACKER", 2, true},
+    {"Reach", "REACH_PLATE_ORIENTATION", 1, true},
+    {"Reach", "REACH_START_AT_FINGER", 2, true},
+    {"Sample", "SAMPLE_DIRECTION", 1, true},
+    {"Sample", "SAMPLE_PLATE_POSITION", 2, true},
+    {"Sample", "SAMPLE_PLATE_ORIENTATION", 4, true},
+    {"Sample", "SAMPLE_LIFTED", 8, true},
+    {"Sample", "SAMPLE_WORLD_POSITION", 16, true},
+    {"Sample", "SAMPLE_PLATE_POSE", 32, true},
+    {"Command", "COMMAND_HELD", 1, true},
+    {"Command", "COMMAND_PREDICTED", 2, true},
+    {"Command", "COMMAND_SATURATED", 4, true},
+    {"Command", "COMMAND_RATE_LIMITED", 8, true},
+    {"Command", "COMMAND_UNREACHABLE", 16, true},
+    {"Command", "COMMAND_LIFTED", 32, true},
+    {"Command", "COMMAND_OFF_PLATE", 64, true},
+    {"Command", "COMMAND_MISFIT", 128, true},
+    {"Command", "COMMAND_OFF_TARGET", 256, true},
+    {"Command", "COMMAND_RESTING", 512, true},
+    {"Command", "COMMAND_APPROXIMATE", 1024, true},
+    {"Command", "COMMAND_FAULT", 2048, true},
+    {"Command", "COMMAND_REGISTRATION", 4096, true},
+    {"Ending", "ENDING_COMPLETE", 0, false},
+    {"Ending", "ENDING_CUT", 1, false},
+    {"Ending", "ENDING_LOST_ROWS", 2, false},
+    {"Ending", "ENDING_ALTERED", 3, false},
+    {"Register", "REGISTER_SCALE", 1, true},
+    {"Register", "REGISTER_UP", 2, true},
+    {"Registration", "REGISTRATION_HOLDS", 1, false},
+    {"Registration", "REGISTRATION_TOO_FEW", 2, false},
+    {"Registration", "REGISTRATION_DEGENERATE", 3, false},
+    {"Registration", "REGISTRATION_INCONSISTENT", 4, false},
+    {"Registration", "REGISTRATION_UPSIDE_DOWN", 5, false},
+    {"Control", "CONTROL_MPC", 0, false},
+    {"Control", "CONTROL_FIXED_PLATE", 1, false},
+    {"Guidance", "GUIDANCE_FIXED_DIRECTION", 0, false},
+    {"Guidance", "GUIDANCE_ARRIVAL", 1, false},
+    {"Guidance", "GUIDANCE_LINE_OF_SIGHT", 1, false},
+    {"Adaptation", "ADAPTATION_OFF", 0, false},
+    {"Adaptation", "ADAPTATION_REACH", 1, false},
+    {"Adaptation", "ADAPTATION_CARRIED", 2, false},
+    {"Session", "SESSION_PLATE_WAITS", 1, true},
+    {"Session", "SESSION_REGISTERED", 2, true},
+    {"State", "STATE_READY", 1, true},
+    {"State", "STATE_REACHING", 2, true},
+    {"State", "STATE_CALIBRATING", 4, true},
+    {"State", "STATE_RECORDING", 8, true},
+    {"Target", "TARGET_REAL", 1, false},
+    {"Target", "TARGET_VIRTUAL", 2, false},
+    {"Place", "PLACE_DIRECTION", 1, false},
+    {"Place", "PLACE_PLATE_POSITION", 2, false},
+    {"Place", "PLACE_WORLD_POSITION", 3, false},
+};
+
+}  // namespace
+
+std::span<const Field> config_fields() {
+  return kConfig;
+}
+
+std::span<const Field> command_fields() {
+  return kCommand;
+}
+
+std::span<const Field> summary_fields() {
+  return kSummary;
+}
+
+std::span<const Field> authority_fields() {
+  return kAuthority;
+}
+
+std::span<const Field> calibration_fields() {
+  return kCalibration;
+}
+
+std::span<const Field> slide_fields() {
+  return kSlide;
+}
+
+std::span<const Field> recording_fields() {
+  return kRecording;
+}
+
+std::span<const Constant> constants() {
+  return kConstants;
+}
+
+void copy_hidden(const hrt_session_config& from, hrt_session_config& to) {
+  std::memcpy(to.person_mean, from.person_mean, sizeof to.person_mean);
+  std::memcpy(to.person_covariance, from.person_covariance, sizeof to.person_covariance);
+  std::memcpy(to.plate_covariance, from.plate_covariance, sizeof to.plate_covariance);
+}
+
+}  // namespace hrt_godot

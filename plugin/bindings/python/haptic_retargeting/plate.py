@@ -1,0 +1,90 @@
+"""The device that turns the plate, by libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
+
+    with Plate("serial:/dev/ttyACM0") as plate:
+        plate.wait_until_ready()
+        plate.set(30.0)
+        print(plate.get().orientation_deg)
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+import os
+import sys
+import time
+from types import TracebackType
+
+from . import _abi, _plate_abi
+from ._library import Error
+from ._plate_abi import *
+
+__all__ = ["Plate", *_plate_abi.__all__]
+
+
+@functools.cache
+def _library() -> ctypes.CDLL:
+    """The library, loaded once: the file that HRT_PLATE_LIBRARY names, or what the system's loader finds."""
+    default = "hrt_plate.dll" if sys.platform == "win32" else f"libhrt_plate.so.{_abi.VERSION[0]}"
+    name = os.environ.get("HRT_PLATE_LIBRARY") or default
+    try:
+        loaded = ctypes.CDLL(name)
+        _plate_abi.declare(loaded)
+    except (OSError, AttributeError) as error:
+        raise ImportError(f"{name} cannot be loaded as the hrt_plate library: {error}. Install it, or set "
+                          "HRT_PLATE_LIBRARY to its file") from error
+    return loaded
+
+
+def _check(result: int) -> None:
+    if result != _abi.OK:
+        raise Error(result, _library().hrt_plate_last_error().decode(errors="replace"))
+
+
+class Plate:
+    """A plate, which a thread of the library talks to: no call waits for it, except wait_until_ready() and close()."""
+
+    def __init__(self, device: str, host_timeout_s: float = 0.3) -> None:
+        """Starts to open it: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1". Without a call for `host_timeout_s`
+        the plate stops."""
+        self._handle = _plate_abi.PlateHandle()
+        options = _plate_abi.PlateOptions(host_timeout_ns=round(host_timeout_s * 1e9))
+        _check(_library().hrt_plate_open(device.encode(), ctypes.byref(options), ctypes.byref(self._handle)))
+
+    def set(self, orientation_deg: float) -> None:
+        """Turns the plate there, or to an orientation that feels the same."""
+        _check(_library().hrt_plate_set(self._handle, orientation_deg))
+
+    def stop(self) -> None:
+        """Stops it where it is."""
+        _check(_library().hrt_plate_stop(self._handle))
+
+    def get(self) -> PlateReport:
+        """What is known of it."""
+        report = PlateReport()
+        _check(_library().hrt_plate_get(self._handle, ctypes.byref(report)))
+        return report
+
+    def wait_until_ready(self) -> PlateReport:
+        """Waits while it is being opened. RuntimeError with the reason if it has failed."""
+        while (report := self.get()).state == PlateState.OPENING:
+            time.sleep(0.01)
+        if report.state == PlateState.FAILED:
+            raise RuntimeError(report.message.decode(errors="replace"))
+        return report
+
+    def close(self) -> None:
+        """Stops it, and restores its line: within 0.5 s."""
+        handle, self._handle = self._handle, _plate_abi.PlateHandle()
+        _check(_library().hrt_plate_close(handle))
+
+    def __enter__(self) -> Plate:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None,
+                 trace: TracebackType | None) -> None:
+        self.close()
+
+    def __del__(self) -> None:
+        if getattr(self, "_handle", None) is not None and self._handle.value:
+            self.close()

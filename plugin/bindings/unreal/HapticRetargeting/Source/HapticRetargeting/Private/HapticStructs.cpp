@@ -1,0 +1,322 @@
+// Written by plugin/bindings/generate from the C headers.
+#include "HapticStructs.h"
+
+#include <cstring>
+
+#include "HapticConversions.h"
+
+namespace HapticConversions
+{
+	hrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, const hrt_session_config& Before)
+	{
+		hrt_session_config Config = hrt_session_config_init();
+		Config.horizon = static_cast<uint32_t>(S.Horizon);
+		Config.step_period_ns = ToNanoseconds(S.StepPeriod);
+		Config.control = static_cast<uint32_t>(S.Control);
+		Config.guidance = static_cast<uint32_t>(S.Guidance);
+		Config.adaptation = static_cast<uint32_t>(S.Adaptation);
+		Config.flags = (S.bPlateWaits ? HRT_SESSION_PLATE_WAITS : 0u) | (S.bRegistered ? HRT_SESSION_REGISTERED : 0u);
+		Config.perceived_weight = S.PerceivedWeight;
+		Config.actual_weight = S.ActualWeight;
+		Config.max_felt_error_deg = S.MaxFeltError;
+		Config.motion_bound_deg = S.MotionBound;
+		Config.max_registration_age_ns = ToNanoseconds(S.MaxRegistrationAge);
+		Config.max_registration_sd_deg = S.MaxRegistrationSd;
+		Config.plate_bound_deg = S.PlateBound;
+		Config.plate_max_speed_deg_s = S.PlateMaxSpeed;
+		Config.plate_max_acceleration_deg_s2 = S.PlateMaxAcceleration;
+		Config.plate_latency_ns = ToNanoseconds(S.PlateLatency);
+		Config.plate_lower_stop_deg = Turned(S.PlateUpperStopYaw);
+		Config.plate_upper_stop_deg = Turned(S.PlateLowerStopYaw);
+		Config.fixed_plate_orientation_deg = Turned(S.FixedPlateYaw);
+		ToMetres(S.StartPosition, Config.start_position_m);
+		Config.plate_radius_m = S.PlateRadius / CentimetresPerMetre;
+		Config.lift_height_m = S.LiftHeight / CentimetresPerMetre;
+		Config.plate_scale = S.PlateScale;
+		Config.tactile_weight = S.TactileWeight;
+		Config.tactile_weight_sd = S.TactileWeightSd;
+		Config.motor_variance_deg2 = S.MotorVariance;
+		Config.sensory_variance_deg2 = S.SensoryVariance;
+		Config.initial_variance_deg2 = S.InitialVariance;
+		Config.bias_deg = Turned(S.BiasYaw);
+		Config.motor_variance_sd_deg2 = S.MotorVarianceSd;
+		Config.tracker_noise_m = S.TrackerNoise / CentimetresPerMetre;
+		Config.tracker_latency_ns = ToNanoseconds(S.TrackerLatency);
+		Config.registration_time_ns = ToNanoseconds(S.RegistrationTime);
+		Config.tracker_correlated_noise_m = S.TrackerCorrelatedNoise / CentimetresPerMetre;
+		Config.tracker_correlation_s = S.TrackerCorrelation;
+		ToMetres(Plate.GetLocation(), Config.plate_position_m);
+		ToQuaternion(Plate.GetRotation(), Config.plate_rotation);
+		std::memcpy(Config.person_mean, Before.person_mean, sizeof Config.person_mean);
+		std::memcpy(Config.person_covariance, Before.person_covariance, sizeof Config.person_covariance);
+		std::memcpy(Config.plate_covariance, Before.plate_covariance, sizeof Config.plate_covariance);
+		return Config;
+	}
+
+	template <typename T>
+	static bool Differ(const T& A, const T& B)
+	{
+		return std::memcmp(&A, &B, sizeof A) != 0;
+	}
+
+	void TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S)
+	{
+		if (Differ(C.horizon, Before.horizon))
+		{
+			S.Horizon = static_cast<int32>(C.horizon);
+		}
+		if (Differ(C.step_period_ns, Before.step_period_ns))
+		{
+			S.StepPeriod = static_cast<double>(C.step_period_ns) / NanosecondsPerSecond;
+		}
+		if (Differ(C.control, Before.control))
+		{
+			S.Control = static_cast<EHapticControl>(C.control);
+		}
+		if (Differ(C.guidance, Before.guidance))
+		{
+			S.Guidance = static_cast<EHapticGuidance>(C.guidance);
+		}
+		if (Differ(C.adaptation, Before.adaptation))
+		{
+			S.Adaptation = static_cast<EHapticAdaptation>(C.adaptation);
+		}
+		if (Differ(C.flags, Before.flags))
+		{
+			S.bPlateWaits = (C.flags & HRT_SESSION_PLATE_WAITS) != 0;
+		}
+		if (Differ(C.flags, Before.flags))
+		{
+			S.bRegistered = (C.flags & HRT_SESSION_REGISTERED) != 0;
+		}
+		if (Differ(C.perceived_weight, Before.perceived_weight))
+		{
+			S.PerceivedWeight = C.perceived_weight;
+		}
+		if (Differ(C.actual_weight, Before.actual_weight))
+		{
+			S.ActualWeight = C.actual_weight;
+		}
+		if (Differ(C.max_felt_error_deg, Before.max_felt_error_deg))
+		{
+			S.MaxFeltError = C.max_felt_error_deg;
+		}
+		if (Differ(C.motion_bound_deg, Before.motion_bound_deg))
+		{
+			S.MotionBound = C.motion_bound_deg;
+		}
+		if (Differ(C.max_registration_age_ns, Before.max_registration_age_ns))
+		{
+			S.MaxRegistrationAge = static_cast<double>(C.max_registration_age_ns) / NanosecondsPerSecond;
+		}
+		if (Differ(C.max_registration_sd_deg, Before.max_registration_sd_deg))
+		{
+			S.MaxRegistrationSd = C.max_registration_sd_deg;
+		}
+		if (Differ(C.plate_bound_deg, Before.plate_bound_deg))
+		{
+			S.PlateBound = C.plate_bound_deg;
+		}
+		if (Differ(C.plate_max_speed_deg_s, Before.plate_max_speed_deg_s))
+		{
+			S.PlateMaxSpeed = C.plate_max_speed_deg_s;
+		}
+		if (Differ(C.plate_max_acceleration_deg_s2, Before.plate_max_acceleration_deg_s2))
+		{
+			S.PlateMaxAcceleration = C.plate_max_acceleration_deg_s2;
+		}
+		if (Differ(C.plate_latency_ns, Before.plate_latency_ns))
+		{
+			S.PlateLatency = static_cast<double>(C.plate_latency_ns) / NanosecondsPerSecond;
+		}
+		if (Differ(C.plate_upper_stop_deg, Before.plate_upper_stop_deg))
+		{
+			S.PlateLowerStopYaw = Turned(C.plate_upper_stop_deg);
+		}
+		if (Differ(C.plate_lower_stop_deg, Before.plate_lower_stop_deg))
+		{
+			S.PlateUpperStopYaw = Turned(C.plate_lower_stop_deg);
+		}
+		if (Differ(C.fixed_plate_orientation_deg, Before.fixed_plate_orientation_deg))
+		{
+			S.FixedPlateYaw = Turned(C.fixed_plate_orientation_deg);
+		}
+		if (Differ(C.start_position_m, Before.start_position_m))
+		{
+			S.StartPosition = FromMetres(C.start_position_m);
+		}
+		if (Differ(C.plate_radius_m, Before.plate_radius_m))
+		{
+			S.PlateRadius = C.plate_radius_m * CentimetresPerMetre;
+		}
+		if (Differ(C.lift_height_m, Before.lift_height_m))
+		{
+			S.LiftHeight = C.lift_height_m * CentimetresPerMetre;
+		}
+		if (Differ(C.plate_scale, Before.plate_scale))
+		{
+			S.PlateScale = C.plate_scale;
+		}
+		if (Differ(C.tactile_weight, Before.tactile_weight))
+		{
+			S.TactileWeight = C.tactile_weight;
+		}
+		if (Differ(C.tactile_weight_sd, Before.tactile_weight_sd))
+		{
+			S.TactileWeightSd = C.tactile_weight_sd;
+		}
+		if (Differ(C.motor_variance_deg2, Before.motor_variance_deg2))
+		{
+			S.MotorVariance = C.motor_variance_deg2;
+		}
+		if (Differ(C.sensory_variance_deg2, Before.sensory_variance_deg2))
+		{
+			S.SensoryVariance = C.sensory_variance_deg2;
+		}
+		if (Differ(C.initial_variance_deg2, Before.initial_variance_deg2))
+		{
+			S.InitialVariance = C.initial_variance_deg2;
+		}
+		if (Differ(C.bias_deg, Before.bias_deg))
+		{
+			S.BiasYaw = Turned(C.bias_deg);
+		}
+		if (Differ(C.motor_variance_sd_deg2, Before.motor_variance_sd_deg2))
+		{
+			S.MotorVarianceSd = C.motor_variance_sd_deg2;
+		}
+		if (Differ(C.tracker_noise_m, Before.tracker_noise_m))
+		{
+			S.TrackerNoise = C.tracker_noise_m * CentimetresPerMetre;
+		}
+		if (Differ(C.tracker_latency_ns, Before.tracker_latency_ns))
+		{
+			S.TrackerLatency = static_cast<double>(C.tracker_latency_ns) / NanosecondsPerSecond;
+		}
+		if (Differ(C.registration_time_ns, Before.registration_time_ns))
+		{
+			S.RegistrationTime = static_cast<double>(C.registration_time_ns) / NanosecondsPerSecond;
+		}
+		if (Differ(C.tracker_correlated_noise_m, Before.tracker_correlated_noise_m))
+		{
+			S.TrackerCorrelatedNoise = C.tracker_correlated_noise_m * CentimetresPerMetre;
+		}
+		if (Differ(C.tracker_correlation_s, Before.tracker_correlation_s))
+		{
+			S.TrackerCorrelation = C.tracker_correlation_s;
+		}
+	}
+
+	FHapticCommand FromCommand(const hrt_command& C)
+	{
+		FHapticCommand Result;
+		Result.Flags = static_cast<int32>(C.flags);
+		Result.Step = static_cast<int64>(C.step);
+		Result.PlateYaw = Turned(C.plate_orientation_deg);
+		Result.FingerYaw = Turned(C.finger_direction_deg);
+		Result.PerceivedYaw = Turned(C.perceived_direction_deg);
+		Result.AimedYaw = Turned(C.aimed_direction_deg);
+		Result.DistanceToGo = C.distance_to_go_m * CentimetresPerMetre;
+		Result.TactileWeight = C.tactile_weight;
+		Result.TactileWeightSd = C.tactile_weight_sd;
+		Result.TimeToGo = C.time_to_go_s;
+		Result.FeltErrorYaw = Turned(C.felt_error_deg);
+		Result.PredictedMissYaw = Turned(C.predicted_miss_deg);
+		Result.NormalisedInnovation = C.normalised_innovation;
+		Result.BearingErrorSd = C.bearing_error_sd_deg;
+		return Result;
+	}
+
+	FHapticSummary FromSummary(const hrt_reach_summary& C)
+	{
+		FHapticSummary Result;
+		Result.Flags = static_cast<int32>(C.flags);
+		Result.Samples = static_cast<int64>(C.samples);
+		Result.DroppedSamples = static_cast<int64>(C.dropped_samples);
+		Result.Steps = static_cast<int64>(C.steps);
+		Result.PredictedSteps = static_cast<int64>(C.predicted_steps);
+		Result.SaturatedSteps = static_cast<int64>(C.saturated_steps);
+		Result.RateLimitedSteps = static_cast<int64>(C.rate_limited_steps);
+		Result.FinalYaw = Turned(C.final_direction_deg);
+		Result.FinalMissYaw = Turned(C.final_miss_deg);
+		Result.PerceivedYaw = Turned(C.perceived_direction_deg);
+		Result.PerceivedErrorYaw = Turned(C.perceived_error_deg);
+		Result.DistanceToTarget = C.distance_to_target_m * CentimetresPerMetre;
+		Result.TactileWeight = C.tactile_weight;
+		Result.TactileWeightSd = C.tactile_weight_sd;
+		Result.TrackerNoise = C.tracker_noise_m * CentimetresPerMetre;
+		Result.MotorVariance = C.motor_variance_deg2;
+		Result.MotorVarianceSd = C.motor_variance_sd_deg2;
+		Result.BearingErrorYaw = Turned(C.bearing_error_deg);
+		Result.PeakFeltError = C.peak_felt_error_deg;
+		Result.RmsFeltError = C.rms_felt_error_deg;
+		Result.NormalisedInnovation = C.normalised_innovation;
+		Result.IllusionCurve = C.illusion_curve;
+		Result.IllusionCurveSd = C.illusion_curve_sd;
+		Result.Gain = C.gain_per_s;
+		Result.GainSd = C.gain_sd_per_s;
+		Result.BiasYaw = Turned(C.bias_deg);
+		Result.BiasSd = C.bias_sd_deg;
+		Result.HabitYaw = Turned(C.habit_deg);
+		Result.HabitSd = C.habit_sd_deg;
+		Result.Duration = C.duration_s;
+		Result.BearingErrorSd = C.bearing_error_sd_deg;
+		return Result;
+	}
+
+	FHapticAuthority FromAuthority(const hrt_authority& C)
+	{
+		FHapticAuthority Result;
+		Result.bReachable = C.reachable != 0;
+		Result.RealTarget = FromTarget(C.real_target);
+		Result.VirtualTarget = FromTarget(C.virtual_target);
+		Result.GapYaw = Turned(C.gap_deg);
+		Result.LargestGap = C.largest_gap_deg;
+		Result.Margin = C.margin_deg;
+		Result.PlateYaw = Turned(C.plate_orientation_deg);
+		Result.SettlingYaw = Turned(C.settling_direction_deg);
+		Result.PaperLargestGap = C.paper_largest_gap_deg;
+		return Result;
+	}
+
+	FHapticCalibration FromCalibration(const hrt_calibration_result& C)
+	{
+		FHapticCalibration Result;
+		Result.Trials = static_cast<int32>(C.trials);
+		Result.TrialsUsed = static_cast<int32>(C.trials_used);
+		Result.TactileWeight = FromInterval(C.tactile_weight, 1.0);
+		Result.BiasYaw = FromMirrored(C.bias_deg);
+		Result.MotorVariance = FromInterval(C.motor_variance_deg2, 1.0);
+		Result.SensoryVariance = FromInterval(C.sensory_variance_deg2, 1.0);
+		Result.TrackerNoise = FromInterval(C.tracker_noise_m, CentimetresPerMetre);
+		Result.Illusion = static_cast<EHapticIllusion>(C.illusion);
+		Result.LackOfFit = static_cast<int32>(C.lack_of_fit);
+		Result.SlidesOutlying = static_cast<int32>(C.slides_outlying);
+		Result.SlidesAlongRidges = static_cast<int32>(C.slides_along_ridges);
+		Result.IllusionScale = C.illusion_scale_deg;
+		Result.PeakOffset = C.peak_offset_deg;
+		Result.PersonWeight = FromInterval(C.person_weight, 1.0);
+		Result.PersonCurve = FromInterval(C.person_curve, 1.0);
+		Result.WeightCurveCorrelation = C.weight_curve_correlation;
+		Result.LargestGap = FromInterval(C.largest_gap_deg, 1.0);
+		Result.HabitYaw = FromMirrored(C.habit_deg);
+		Result.CorrelatedNoise = FromInterval(C.correlated_noise_m, CentimetresPerMetre);
+		Result.NoiseCorrelation = FromInterval(C.noise_correlation_s, 1.0);
+		Result.AngleP = C.angle_p;
+		Result.OrderP = C.order_p;
+		Result.PathP = C.path_p;
+		return Result;
+	}
+
+	FHapticSlide FromSlide(const hrt_calibration_slide& C)
+	{
+		FHapticSlide Result;
+		Result.Verdict = static_cast<EHapticSlide>(C.verdict);
+		Result.Trial = static_cast<int32>(C.trial);
+		Result.PlateYaw = Turned(C.plate_deg);
+		Result.Yaw = Turned(C.direction_deg);
+		Result.FittedYaw = Turned(C.fitted_deg);
+		Result.ResidualYaw = Turned(C.residual_deg);
+		return Result;
+	}
+}

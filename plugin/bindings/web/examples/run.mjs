@@ -1,0 +1,11 @@
+// Runs the reach in node.
+//   usage: node run.mjs FOLDER_OF_THE_PACKAGE reach.csv
+import { readFile } from "node:fs/promises";
+import { pathToFileURL } from "node:url";
+import { runReach } from "./reach.mjs";
+
+const [, , folder, recording] = process.argv;
+const hrt = await import(pathToFileURL(`${folder}/node.mjs`));
+const { hash, summary } = runReach(hrt, await hrt.load(), await readFile(recording, "utf8"));
+console.log(`hash ${hash}`);
+console.log(`miss ${summary.bearing_error_deg.toFixed(2)} deg (simulated)`);

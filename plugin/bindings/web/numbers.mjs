@@ -1,0 +1,45 @@
+// Numbers in the module's memory, checked where assigning would silently change them.
+
+// How a field's type is read and written; `least` and `most` are what is allowed of integers.
+export const types = {
+  u8: { size: 1 },
+  u32: { size: 4, least: 0, most: 2 ** 32 - 1, get: "getUint32", set: "setUint32" },
+  i32: { size: 4, least: -(2 ** 31), most: 2 ** 31 - 1, get: "getInt32", set: "setInt32" },
+  u64: { size: 8, least: 0n, most: 2n ** 64n - 1n, get: "getBigUint64", set: "setBigUint64" },
+  i64: { size: 8, least: -(2n ** 63n), most: 2n ** 63n - 1n, get: "getBigInt64", set: "setBigInt64" },
+  f64: { size: 8, get: "getFloat64", set: "setFloat64" },
+};
+
+// Checks here what assigning to memory would silently change; ranges are the library's to check.
+export function checked(name, type, value) {
+  const { least, most } = types[type];
+  if (type === "f64") {
+    if (typeof value !== "number") throw new TypeError(`${name} is ${String(value)}; a number is needed`);
+    return value;
+  }
+  const wide = typeof least === "bigint";
+  const whole = typeof value === "bigint" || Number.isSafeInteger(value);
+  if (!whole || value < least || value > most) {
+    throw new RangeError(`${name} is ${String(value)}; a whole number from ${least} to ${most} is needed`);
+  }
+  return wide ? BigInt(value) : Number(value);
+}
+
+// For every frame: 64-bit integers as numbers, which are exact to 2^53. A double that is not a number is NaN, which the
+// library refuses.
+export function writeU32(view, at, name, value) {
+  if (value >>> 0 !== value) throw new RangeError(`${name} is ${String(value)}; a whole number from 0 is needed`);
+  view.setUint32(at, value, true);
+}
+export function writeI64(view, at, name, value) {
+  const rounded = Math.round(value);
+  if (!Number.isSafeInteger(rounded)) throw new RangeError(`${name} is ${String(value)}; up to 2^53 is allowed`);
+  const high = Math.floor(rounded / 2 ** 32);
+  view.setInt32(at + 4, high, true);
+  view.setUint32(at, rounded - high * 2 ** 32, true);
+}
+export function readI64(view, at) { return view.getInt32(at + 4, true) * 2 ** 32 + view.getUint32(at, true); }
+export function writeF64s(view, at, name, values, length) {
+  if (values?.length !== length) throw new TypeError(`${name} is not an array of ${length} numbers`);
+  for (let i = 0; i < length; ++i) view.setFloat64(at + 8 * i, values[i], true);
+}

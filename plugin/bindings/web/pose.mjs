@@ -1,0 +1,42 @@
+// Poses as WebXR and 3D libraries have them.
+
+/** A fingertip's { x, y, z }, or undefined if tracking has lost it. */
+export function fingertipOf(pose) {
+  if (pose === null || pose === undefined) return undefined;
+  const at = pose.transform?.position ?? pose.position ?? pose;
+  if (typeof at.x === "number" && typeof at.y === "number" && typeof at.z === "number") return at;
+  throw new TypeError("the pose has neither transform.position nor position nor x, y, z");
+}
+
+/** Place and rotation of a plate out of a matrix of 4 x 4, column by column, from plate coordinates to the world. */
+export function plateOf(matrix) {
+  const m = matrix?.elements ?? matrix?.matrix ?? matrix;  // of three.js, of an XRRigidTransform
+  if (m?.length !== 16 || !Array.prototype.every.call(m, Number.isFinite)) {
+    throw new TypeError("the matrix is not 16 finite numbers, or an object with these as elements or matrix");
+  }
+  const x = [m[0], m[1], m[2]], y = [m[4], m[5], m[6]], z = [m[8], m[9], m[10]];
+  const rigid = [x, y, z].every((axis) => near(dot(axis, axis), 1)) && near(dot(x, y), 0) && near(dot(y, z), 0) &&
+                near(dot(z, x), 0) && near(dot(cross(x, y), z), 1);
+  if (!rigid || m[3] !== 0 || m[7] !== 0 || m[11] !== 0 || m[15] !== 1) {
+    throw new RangeError("the matrix is not a rotation and a translation alone: scale, shear and mirrors are not allowed");
+  }
+  return { plate_position_m: [m[12], m[13], m[14]], plate_rotation: quaternion(x, y, z) };
+}
+
+function near(value, wanted) { return Math.abs(value - wanted) < 1e-3; }
+function dot(a, b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+function cross(a, b) { return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]; }
+
+// Shepperd 1978: a row of 4 q q', the one with the largest diagonal, is q times a number that is not small.
+function quaternion(x, y, z) {
+  const squares = [1 + x[0] - y[1] - z[2], 1 - x[0] + y[1] - z[2], 1 - x[0] - y[1] + z[2], 1 + x[0] + y[1] + z[2]];
+  const largest = squares.indexOf(Math.max(...squares));
+  const q = [
+    [squares[0], x[1] + y[0], z[0] + x[2], y[2] - z[1]],
+    [x[1] + y[0], squares[1], y[2] + z[1], z[0] - x[2]],
+    [z[0] + x[2], y[2] + z[1], squares[2], x[1] - y[0]],
+    [y[2] - z[1], z[0] - x[2], x[1] - y[0], squares[3]],
+  ][largest];
+  const length = Math.hypot(...q);
+  return q.map((part) => part / length);
+}

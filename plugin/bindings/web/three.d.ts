@@ -1,0 +1,53 @@
+// The part of the package for three.js 0.150 or later: "haptic-retargeting/three".
+import type { Group, Material } from "three";
+import type { Session } from "./index.mjs";
+
+export interface HapticPlateOptions {
+  /** Default 0.075. */
+  radius_m?: number;
+  /** From ridge to ridge. Default 0.01. */
+  ridgeSpacing_m?: number;
+  /** Default 0.001. */
+  ridgeWidth_m?: number;
+  /** Default 0.001. */
+  ridgeHeight_m?: number;
+  discMaterial?: Material;
+  ridgeMaterial?: Material;
+  /** Of the notch on the rim where the normal of the ridges points: half turns of the ridges look alike. */
+  markMaterial?: Material;
+}
+
+/** The ridged plate. This object is its mount, whose axes are the plugin's plate coordinates: origin at the centre of
+ *  rotation on the surface, +Y up, -Z the mid-line away from the user, in metres. Place and turn it in the scene as the
+ *  apparatus stands; do not scale it. Only the ridged disc within turns with `orientation_deg`. */
+export class HapticPlate extends Group {
+  constructor(options?: HapticPlateOptions);
+  /** Direction of the normal of the ridges, counter-clockwise from the mid-line, seen from above. Default 0. */
+  orientation_deg: number;
+}
+
+/** What updateFromHand() needs of an XRFrame, so that no types of WebXR are. */
+export interface HandFrame<Joint, Space> {
+  readonly predictedDisplayTime: number;
+  getJointPose(joint: Joint, space: Space): HandPose | null | undefined;
+}
+export interface HandPose {
+  readonly transform: { readonly position: { readonly x: number; readonly y: number; readonly z: number } };
+}
+
+/** A reach of a hand that WebXR tracks. The session's reach is begun and ended by its own calls. */
+export class HandReach {
+  constructor(session: Session, plate: HapticPlate);
+  /** The last frame had no index fingertip: the plate was held. True before the first frame. */
+  readonly lost: boolean;
+  /** Set before each update, if the plate reports where it is: its orientation. Default NaN: not reported. */
+  measuredPlate_deg: number;
+  /** Set before each update, if the host knows that the finger does not touch the plate: the model waits. A fingertip above
+   *  the session's lift_height_m counts as lifted anyway. Default false. */
+  lifted: boolean;
+  /** Once in each frame of an XRSession, while a reach is under way: `hand` is inputSource.hand, `referenceSpace` the space
+   *  in which the scene is drawn. Updates the session with the index fingertip, or with a dropout, and shows the plate's
+   *  command. Makes no objects of its own. Errors are those of Session.update(). */
+  updateFromHand<Joint, Space>(frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
+                               referenceSpace: Space): Session["command"];
+}

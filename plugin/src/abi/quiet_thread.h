@@ -1,0 +1,28 @@
+// Threads of ours in the host's process.
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#if !defined(_WIN32)
+#include <csignal>
+#endif
+
+namespace hrt {
+
+/// Starts a thread that leaves the process's signals to the host's threads.
+template <class Run>
+std::thread start_quiet_thread(Run run) {
+#if defined(_WIN32)
+  return std::thread(run);
+#else
+  sigset_t all, before;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, &before);
+  const auto restore = [](const sigset_t* mask) { pthread_sigmask(SIG_SETMASK, mask, nullptr); };
+  const std::unique_ptr<const sigset_t, decltype(restore)> restored(&before, restore);  // also if it throws
+  return std::thread(run);
+#endif
+}
+
+}  // namespace hrt

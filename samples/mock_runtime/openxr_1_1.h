@@ -1,0 +1,115 @@
+// What OpenXR 1.1 and newer extensions add to the 1.0.20 of Debian 12's header, as far as this runtime has
+// it. Layouts and numbers are those of the Khronos registry.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#ifndef XR_API_VERSION_1_1
+
+inline constexpr auto XR_TYPE_SPACES_LOCATE_INFO = static_cast<XrStructureType>(1000471000);
+inline constexpr auto XR_TYPE_SPACE_LOCATIONS = static_cast<XrStructureType>(1000471001);
+inline constexpr auto XR_TYPE_SPACE_VELOCITIES = static_cast<XrStructureType>(1000471002);
+inline constexpr auto XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR = static_cast<XrReferenceSpaceType>(1000426000);
+
+struct XrSpacesLocateInfo {
+  XrStructureType type;
+  const void* XR_MAY_ALIAS next;
+  XrSpace baseSpace;
+  XrTime time;
+  uint32_t spaceCount;
+  const XrSpace* spaces;
+};
+
+struct XrSpaceLocationData {
+  XrSpaceLocationFlags locationFlags;
+  XrPosef pose;
+};
+
+struct XrSpaceLocations {
+  XrStructureType type;
+  void* XR_MAY_ALIAS next;
+  uint32_t locationCount;
+  XrSpaceLocationData* locations;
+};
+
+struct XrSpaceVelocityData {
+  XrSpaceVelocityFlags velocityFlags;
+  XrVector3f linearVelocity;
+  XrVector3f angularVelocity;
+};
+
+struct XrSpaceVelocities {
+  XrStructureType type;
+  void* XR_MAY_ALIAS next;
+  uint32_t velocityCount;
+  XrSpaceVelocityData* velocities;
+};
+
+using PFN_xrLocateSpaces = XrResult(XRAPI_PTR*)(XrSession session, const XrSpacesLocateInfo* locateInfo,
+                                                XrSpaceLocations* spaceLocations);
+
+#endif  // XR_API_VERSION_1_1
+
+#ifndef XR_KHR_locate_spaces
+#define XR_KHR_locate_spaces 1
+#define XR_KHR_locate_spaces_SPEC_VERSION 1
+#define XR_KHR_LOCATE_SPACES_EXTENSION_NAME "XR_KHR_locate_spaces"
+using PFN_xrLocateSpacesKHR = PFN_xrLocateSpaces;
+#endif
+
+#ifndef XR_EXT_local_floor
+#define XR_EXT_local_floor 1
+#define XR_EXT_local_floor_SPEC_VERSION 1
+#define XR_EXT_LOCAL_FLOOR_EXTENSION_NAME "XR_EXT_local_floor"
+#endif
+
+#ifndef XR_EXT_hand_tracking_data_source
+#define XR_EXT_hand_tracking_data_source 1
+#define XR_EXT_hand_tracking_data_source_SPEC_VERSION 1
+#define XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME "XR_EXT_hand_tracking_data_source"
+
+inline constexpr auto XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT = static_cast<XrStructureType>(1000428000);
+inline constexpr auto XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT = static_cast<XrStructureType>(1000428001);
+
+enum XrHandTrackingDataSourceEXT {
+  XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT = 1,
+  XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT = 2,
+  XR_HAND_TRACKING_DATA_SOURCE_MAX_ENUM_EXT = 0x7FFFFFFF
+};
+
+struct XrHandTrackingDataSourceInfoEXT {
+  XrStructureType type;
+  const void* XR_MAY_ALIAS next;
+  uint32_t requestedDataSourceCount;
+  XrHandTrackingDataSourceEXT* requestedDataSources;
+};
+
+struct XrHandTrackingDataSourceStateEXT {
+  XrStructureType type;
+  void* XR_MAY_ALIAS next;
+  XrBool32 isActive;
+  XrHandTrackingDataSourceEXT dataSource;
+};
+#endif
+
+#ifndef XR_EXT_user_presence
+#define XR_EXT_user_presence 1
+#define XR_EXT_user_presence_SPEC_VERSION 1
+#define XR_EXT_USER_PRESENCE_EXTENSION_NAME "XR_EXT_user_presence"
+
+inline constexpr auto XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT = static_cast<XrStructureType>(1000470000);
+inline constexpr auto XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT = static_cast<XrStructureType>(1000470001);
+
+struct XrEventDataUserPresenceChangedEXT {
+  XrStructureType type;
+  const void* XR_MAY_ALIAS next;
+  XrSession session;
+  XrBool32 isUserPresent;
+};
+
+struct XrSystemUserPresencePropertiesEXT {
+  XrStructureType type;
+  void* XR_MAY_ALIAS next;
+  XrBool32 supportsUserPresence;
+};
+#endif

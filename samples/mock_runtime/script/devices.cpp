@@ -1,0 +1,105 @@
+// The devices of a script: hand tracker, servo, hands, head, controllers.
+#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/world/world.h"
+
+namespace hrt::mock {
+
+TrackerSettings read_tracker(Members& members) {
+  TrackerSettings settings;
+  settings.noise_m = members.number("noise_mm", 0.0, 0.0, 1000.0) * 1e-3;
+  settings.latency_ns = members.nanoseconds("latency_ms", 0.0);
+  if (members.has("rate_hz"))
+    settings.period_ns = std::llround(1e9 / members.number("rate_hz", 0.0, 0.1, 10'000.0));
+  if (members.has("velocities"))
+    settings.velocities = members.choice<Velocities>("velocities", {{"none", Velocities::none},
+                                                                    {"zero", Velocities::zero},
+                                                                    {"linear", Velocities::linear},
+                                                                    {"full", Velocities::full}});
+  return settings;
+}
+
+PlateDynamics read_servo(Members& members) {
+  PlateDynamics settings;
+  settings.max_speed_deg_s = members.number("speed_deg_per_s", settings.max_speed_deg_s, 1.0, 1e6);
+  settings.latency_ns = members.nanoseconds("latency_ms", 0.0, 0.0, 1000.0);
+  return settings;
+}
+
+namespace {
+
+Keyframe read_keyframe(Members& members, const Eigen::Quaterniond& orientation) {
+  const std::vector<double> position = members.numbers("position_m", 3, -100.0, 100.0);
+  Keyframe keyframe{members.nanoseconds("time_ms", 0.0),
+                    {orientation, {position[0], position[1], position[2]}}};
+  if (members.has("orientation")) {
+    const std::vector<double> q = members.numbers("orientation", 4, -1.0, 1.0);
+    keyframe.pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+    if (std::abs(keyframe.pose.orientation.norm() - 1.0) > 0.01)
+      refuse(members.where("orientation"), "must be a quaternion x, y, z, w of unit length");
+    keyframe.pose.orientation.normalize();
+  }
+  return keyframe;
+}
+
+// `further(point)` reads what else a keyframe has.
+template <typename Further>
+void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path,
+               Further further) {
+  members.each("path", [&](Members& point) {
+    path.push_back(read_keyframe(point, orientation));
+    if (path.size() > 1 && path.back().time_ns <= path[path.size() - 2].time_ns)
+      refuse(point.where("time_ms"), "must be later than the keyframe before");
+    further(point);
+  });
+}
+
+// What is not given is as in the keyframe before.
+Fingers read_fingers(Members& members, Fingers fingers) {
+  if (members.has("curl")) {
+    fingers.curl.emplace();
+    if (members.at("curl").is_array()) {
+      const std::vector<double> curls = members.numbers("curl", 5, 0.0, 1.0);
+      std::copy(curls.begin(), curls.end(), fingers.curl->begin());
+    } else {
+      fingers.curl->fill(members.number("curl", 0.0, 0.0, 1.0));
+    }
+  }
+  fingers.pinch = members.number("pinch", fingers.pinch, 0.0, 1.0);
+  return fingers;
+}
+
+}  // namespace
+
+void read_hand(Members& members, HandSettings& hand) {
+  // A path is there to be seen.
+  hand.tracked = members.boolean("tracked", hand.tracked || members.has("path"));
+  if (members.has("data_source"))
+    hand.source = members.choice<HandSource>(
+        "data_source", {{"unobstructed", HandSource::unobstructed}, {"controller", HandSource::controller}});
+  read_path(members, resting_hand_orientation(), hand.path, [&](Members& point) {
+    const Fingers before = hand.fingers.empty() ? Fingers{} : hand.fingers.back().fingers;
+    hand.fingers.push_back({hand.path.back().time_ns, read_fingers(point, before)});
+  });
+}
+
+void read_head(Members& members, std::vector<Keyframe>& path) {
+  read_path(members, Eigen::Quaterniond::Identity(), path, [](Members&) {});
+}
+
+void read_controller(Members& members, ControllerSettings& controller) {
+  controller.profile = read_profile(members);
+  read_path(members, Eigen::Quaterniond::Identity(), controller.path, [](Members&) {});
+}
+
+std::string read_profile(Members& members) {
+  const Json& name = members.at("profile");
+  if (name.is_null()) return {};
+  if (!name.is_string() || find_profile(name.get<std::string>(), true) == nullptr)
+    refuse(members.where("profile"),
+           "must be null or an interaction profile of OpenXR 1.1, such as "
+           "\"/interaction_profiles/khr/simple_controller\"");
+  return name.get<std::string>();
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,133 @@
+// The events and the call faults of a script.
+#include "samples/mock_runtime/api/call_log.h"
+#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/script/parts.h"
+
+namespace hrt::mock {
+
+namespace {
+
+Scope read_scope(Members& members) {
+  return {members.count("instance", 0, 1), members.count("session", 0, 1)};
+}
+
+// Spaces are upright: of rotations there is the yaw alone.
+Recenter read_recenter(Members& members) {
+  Recenter recenter;
+  if (members.has("space"))
+    recenter.space = members.choice<XrReferenceSpaceType>(
+        "space", {{"LOCAL", XR_REFERENCE_SPACE_TYPE_LOCAL}, {"STAGE", XR_REFERENCE_SPACE_TYPE_STAGE}});
+  recenter.delay_ns = members.nanoseconds("delay_ms", 0.0);
+  if (members.has("position_m")) {
+    const std::vector<double> position = members.numbers("position_m", 3, -100.0, 100.0);
+    recenter.pose.position_m = {position[0], position[1], position[2]};
+  }
+  recenter.pose.orientation = turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY());
+  recenter.pose_valid = members.boolean("pose_valid", true);
+  return recenter;
+}
+
+std::string read_device(Members& members) {
+  return members.choice<std::string>("device", {{"left", "/user/hand/left"},
+                                                {"right", "/user/hand/right"},
+                                                {"gamepad", "/user/gamepad"},
+                                                {"head", "/user/head"}});
+}
+
+// A source of any profile; one that the device does not have at the time is without effect.
+InputEvent read_input(Members& members) {
+  InputEvent input{read_device(members), {}};
+  const Json& name = members.at("source");
+  const std::string path = input.device + "/input/" + (name.is_string() ? name.get<std::string>() : "");
+  const Source* source = find_source(path);
+  if (source != nullptr && source->kind == SourceKind::boolean) {
+    members.at("value");
+    input.values = {{path, members.boolean("value", false) ? 1.0F : 0.0F}};
+  } else if (source != nullptr && source->kind == SourceKind::scalar) {
+    members.at("value");
+    input.values = {{path, static_cast<float>(members.number("value", 0.0, -1.0, 1.0))}};
+  } else if (find_source(path + "/x") != nullptr) {
+    const std::vector<double> value = members.numbers("value", 2, -1.0, 1.0);
+    input.values = {{path + "/x", static_cast<float>(value[0])}, {path + "/y", static_cast<float>(value[1])}};
+  } else {
+    refuse(members.where("source"),
+           "must be an input of the device, such as \"trigger/value\", \"menu/click\" or \"thumbstick\"");
+  }
+  return input;
+}
+
+}  // namespace
+
+ScriptEvent read_event(Members& members) {
+  ScriptEvent event{};
+  event.scope = read_scope(members);
+  if (members.has("frame") == members.has("time_ms"))
+    refuse(members.where(), "must have either a frame or a time_ms");
+  event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
+  event.time_ns = members.nanoseconds("time_ms", 0.0);
+  event.what =
+      members.choice<decltype(event.what)>("do", {{"lose_tracking", HandEvent{HandFault::lose_tracking}},
+                                                  {"regain_tracking", HandEvent{HandFault::regain_tracking}},
+                                                  {"freeze", HandEvent{HandFault::freeze}},
+                                                  {"unfreeze", HandEvent{HandFault::unfreeze}},
+                                                  {"jump", HandEvent{HandFault::jump}},
+                                                  {"session_state", StateEvent{}},
+                                                  {"recenter", Recenter{}},
+                                                  {"interaction_profile", DeviceEvent{}},
+                                                  {"input", InputEvent{}},
+                                                  {"user_presence", PresenceEvent{}},
+                                                  {"repeat_session_state", RepeatState{}},
+                                                  {"lose_session", LoseSession{}},
+                                                  {"lose_instance", LoseInstance{}},
+                                                  {"instance_loss_pending", InstanceLossPending{}}});
+  if (auto* state = std::get_if<StateEvent>(&event.what))
+    state->state = members.choice<XrSessionState>("state", {{"SYNCHRONIZED", XR_SESSION_STATE_SYNCHRONIZED},
+                                                            {"VISIBLE", XR_SESSION_STATE_VISIBLE},
+                                                            {"FOCUSED", XR_SESSION_STATE_FOCUSED},
+                                                            {"STOPPING", XR_SESSION_STATE_STOPPING},
+                                                            {"LOSS_PENDING", XR_SESSION_STATE_LOSS_PENDING}});
+  if (auto* device = std::get_if<DeviceEvent>(&event.what))
+    *device = {read_device(members), read_profile(members)};
+  if (auto* input = std::get_if<InputEvent>(&event.what)) *input = read_input(members);
+  if (auto* presence = std::get_if<PresenceEvent>(&event.what)) {
+    members.at("present");
+    presence->present = members.boolean("present", true);
+  }
+  if (auto* recenter = std::get_if<Recenter>(&event.what)) *recenter = read_recenter(members);
+  if (auto* hand = std::get_if<HandEvent>(&event.what)) {
+    hand->hand =
+        members.choice<XrHandEXT>("hand", {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}});
+    if (hand->fault == HandFault::jump) {
+      const std::vector<double> by = members.numbers("by_mm", 3, -1e5, 1e5);
+      hand->jump_m = Eigen::Vector3d(by[0], by[1], by[2]) * 1e-3;
+    }
+  }
+  return event;
+}
+
+CallFault read_call(Members& members) {
+  const Json& name = members.at("function");
+  const auto function = name.is_string() ? find_function(name.get<std::string>()) : std::nullopt;
+  if (!function) refuse(members.where("function"), "must be the name of a function of this runtime");
+  CallFault fault{*function,
+                  read_scope(members),
+                  members.count("call", 1, 1),
+                  members.count("count", 1, 1),
+                  std::chrono::nanoseconds(members.nanoseconds("delay_ms", 0.0)),
+                  members.boolean("block", false),
+                  std::nullopt};
+  if (!members.has("result")) {
+    if (fault.delay.count() == 0 && !fault.blocks)
+      refuse(members.where(), "must have a result, a delay_ms above 0, or a block that is true");
+    return fault;
+  }
+  if (fault.blocks) refuse(members.where(), "has both a block and a result: a blocked call has none");
+  const std::vector<XrResult> legal = legal_errors(*function);
+  if (legal.empty()) refuse(members.where("function"), "must be the name of a function that may fail");
+  Names<XrResult> names;
+  for (const XrResult result : legal) names.emplace_back(result_name(result), result);
+  fault.result = members.choice("result", names);
+  return fault;
+}
+
+}  // namespace hrt::mock

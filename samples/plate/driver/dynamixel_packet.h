@@ -1,0 +1,65 @@
+// Packets of Dynamixel Protocol 2.0 (ROBOTIS e-manual, "DYNAMIXEL Protocol 2.0"): fields to bytes and back.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace hrt::plate::dynamixel {
+
+enum Instruction : std::uint8_t { ping = 0x01, read = 0x02, write = 0x03, status = 0x55 };
+
+/// Number of the error in a status, without its alert bit.
+enum class StatusError : std::uint8_t {
+  none,
+  result_fail,
+  instruction,
+  crc,
+  data_range,
+  data_length,
+  data_limit,
+  access
+};
+/// What the protocol calls it; "unknown error" of an unknown number.
+const char* name_of(StatusError error);
+
+struct Packet {
+  std::uint8_t id = 0;
+  std::uint8_t instruction = 0;
+  std::uint8_t error = 0;  ///< of a status: StatusError, and the alert bit
+  std::string parameters;  ///< without stuffing
+
+  static constexpr std::uint8_t alert = 0x80;  ///< the servo has a hardware error
+};
+
+/// CRC-16: polynomial 0x8005, start 0, no reflection; of "123456789" it is 0xFEE8.
+std::uint16_t crc_of(std::string_view bytes);
+
+/// The bytes of a packet: header, stuffing and CRC are added.
+std::string encode(const Packet& packet);
+
+/// `count` bytes of a number, least first; and back.
+std::string little_endian(std::int64_t value, int count);
+std::int64_t number_at(std::string_view bytes, std::size_t at, int count);
+
+/// Cuts a stream of bytes into packets, in bounded memory. What lies between packets is passed over; after a
+/// damaged packet it looks for the next header behind that one's.
+class PacketReader {
+ public:
+  static constexpr std::size_t max_length = 250;  ///< that the length field may have
+
+  /// Takes bytes in.
+  void take(std::string_view bytes) { bytes_ += bytes; }
+  /// The next whole packet; nothing if more bytes are needed.
+  std::optional<Packet> next();
+  /// Packets with a wrong length or CRC so far.
+  std::uint64_t damaged() const { return damaged_; }
+
+ private:
+  std::string bytes_;
+  std::uint64_t damaged_ = 0;
+};
+
+}  // namespace hrt::plate::dynamixel

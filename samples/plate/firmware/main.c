@@ -1,0 +1,240 @@
+/* The board: ATmega328P at 16 MHz (Arduino Uno, Nano). Pins: README.md. */
+#include <avr/eeprom.h>
+#include <avr/interrupt.h>
+#include <avr/io.h>
+#include <avr/sleep.h>
+#include <stddef.h>
+#include <util/atomic.h>
+
+#include "samples/plate/firmware/plate.h"
+
+enum { FRAME_TICKS = 40000 }; /* between two pulses, 20 ms: timer 1 counts half microseconds */
+
+/* Serial line: 115200 baud, both ways through rings. */
+
+enum { RING = 128, RING_MASK = RING - 1 };
+
+static volatile char received[RING];
+static volatile uint8_t received_head, received_tail;
+static volatile char unsent[RING];
+static volatile uint8_t unsent_head, unsent_tail;
+
+ISR(USART_RX_vect) {
+  const uint8_t status = UCSR0A;
+  char byte = (char)UDR0;
+  if ((status & (_BV(FE0) | _BV(DOR0))) != 0) byte = 0; /* no line with this byte is valid */
+  const uint8_t next = (received_head + 1) & RING_MASK;
+  if (next == received_tail) return;
+  received[received_head] = byte;
+  received_head = next;
+}
+
+ISR(USART_UDRE_vect) {
+  if (unsent_head == unsent_tail) {
+    UCSR0B &= (uint8_t)~_BV(UDRIE0);
+    return;
+  }
+  UDR0 = (uint8_t)unsent[unsent_tail];
+  unsent_tail = (unsent_tail + 1) & RING_MASK;
+}
+
+static void start_line(void) {
+  UCSR0A = _BV(U2X0);
+  UBRR0 = 16; /* 117647 baud: 2.1 % fast, as all boards with 16 MHz are */
+  UCSR0C = _BV(UCSZ01) | _BV(UCSZ00);
+  UCSR0B = _BV(RXEN0) | _BV(TXEN0) | _BV(RXCIE0);
+}
+
+static bool send(const char* line, uint8_t length) {
+  const uint8_t used = (uint8_t)(unsent_head - unsent_tail) & RING_MASK;
+  if (length == 0 || length >= RING - used) return false;
+  for (uint8_t i = 0; i < length; ++i) {
+    unsent[unsent_head] = line[i];
+    unsent_head = (unsent_head + 1) & RING_MASK;
+  }
+  ATOMIC_BLOCK(ATOMIC_RESTORESTATE) UCSR0B |= _BV(UDRIE0);
+  return true;
+}
+
+/* Servo pulses: the compare unit sets and clears pin OC1A itself, so that no interrupt's delay moves an
+ * edge. The interrupt after an edge prepares the next one, at least 500 us ahead. */
+
+static volatile uint16_t wanted_ticks; /* 0: no pulse */
+
+ISR(TIMER1_COMPA_vect) {
+  static uint16_t width_ticks = 0;
+  static bool rising = false; /* the edge that has just been is the start of a pulse */
+  if (rising) {
+    /* A pulse that has begun is ended in its time: a cut one would send the servo elsewhere. */
+    if (wanted_ticks != 0) width_ticks = wanted_ticks;
+    TCCR1A = _BV(COM1A1); /* clears */
+    OCR1A += width_ticks;
+    rising = false;
+    return;
+  }
+  const uint16_t rest_ticks = FRAME_TICKS - width_ticks;
+  width_ticks = wanted_ticks;
+  rising = width_ticks != 0;
+  TCCR1A = rising ? _BV(COM1A1) | _BV(COM1A0) : 0; /* sets; or leaves the pin to the port, which is low */
+  OCR1A += rest_ticks;
+  if (!rising) width_ticks = 0;
+}
+
+static void start_pulses(void) {
+  DDRB |= _BV(DDB1) | _BV(DDB5);
+  OCR1A = FRAME_TICKS;
+  TIMSK1 = _BV(OCIE1A);
+  TCCR1B = _BV(CS11);
+}
+
+static volatile uint8_t ticks;
+
+ISR(TIMER0_COMPA_vect) {
+  if (ticks < 255) ++ticks;
+}
+
+static void start_clock(void) {
+  TCCR0A = _BV(WGM01);
+  OCR0A = 249;
+  TIMSK0 = _BV(OCIE0A);
+  TCCR0B = _BV(CS01) | _BV(CS00);
+}
+
+/* The settings in EEPROM: two copies, so that one is whole whenever the power fails. */
+
+enum { COPIES = 2, COPY_BYTES = 64 };
+
+static uint8_t to_save[SETTINGS_BYTES];
+static uint8_t save_at, save_copy = COPIES;
+
+static uint8_t* eeprom_at(uint8_t copy, uint8_t at) {
+  return (uint8_t*)(uintptr_t)(copy * COPY_BYTES + at);
+}
+
+static bool load(Settings* settings) {
+  for (uint8_t copy = 0; copy < COPIES; ++copy) {
+    uint8_t bytes[SETTINGS_BYTES];
+    eeprom_read_block(bytes, eeprom_at(copy, 0), sizeof bytes);
+    if (settings_unpack(settings, bytes)) return true;
+  }
+  return false;
+}
+
+static void save(const uint8_t bytes[SETTINGS_BYTES]) {
+  for (uint8_t i = 0; i < SETTINGS_BYTES; ++i) to_save[i] = bytes[i];
+  save_at = 0;
+  save_copy = 0;
+}
+
+static bool is_saved(void) {
+  for (uint8_t copy = 0; copy < COPIES; ++copy)
+    for (uint8_t i = 0; i < SETTINGS_BYTES; ++i)
+      if (eeprom_read_byte(eeprom_at(copy, i)) != to_save[i]) return false;
+  return true;
+}
+
+/* One byte at a time: a write takes 3.4 ms, in which the plate is served. */
+static void continue_to_save(Plate* plate) {
+  if (save_copy == COPIES || !eeprom_is_ready()) return;
+  if (save_at < SETTINGS_BYTES) {
+    eeprom_update_byte(eeprom_at(save_copy, save_at), to_save[save_at]);
+    ++save_at;
+    return;
+  }
+  save_at = 0;
+  if (++save_copy == COPIES) plate_saved(plate, is_saved());
+}
+
+/* Where the plate was, across a reset that keeps the memory: a brown-out, or the host opening the line. */
+
+typedef struct Retained {
+  int32_t position, inverted;
+} Retained;
+
+static Retained retained[2] __attribute__((section(".noinit")));
+
+static bool recall(int32_t* position) {
+  for (uint8_t i = 0; i < 2; ++i) {
+    if (retained[i].position != ~retained[i].inverted) continue;
+    *position = retained[i].position;
+    return true;
+  }
+  return false;
+}
+
+/* Of the two, at most one is half written when a reset comes. */
+static void retain(int32_t position) {
+  for (uint8_t i = 0; i < 2; ++i) {
+    retained[i].position = position;
+    retained[i].inverted = ~position;
+  }
+}
+
+static void start_inputs(void) {
+  PORTD = _BV(PORTD2);
+  ADMUX = _BV(REFS0);
+  ADCSRA = _BV(ADEN) | _BV(ADPS2) | _BV(ADPS1) | _BV(ADPS0);
+}
+
+/* The reading that was begun a millisecond ago; begins the next one. */
+static int16_t read_adc(void) {
+  static bool begun = false;
+  if ((ADCSRA & _BV(ADSC)) != 0) return -1;
+  const int16_t reading = begun ? (int16_t)ADC : -1;
+  begun = true;
+  ADCSRA |= _BV(ADSC);
+  return reading;
+}
+
+static const PlateBoard board = {send, save};
+
+static void tick(Plate* plate) {
+  const PlateInputs inputs = {(PIND & _BV(PIND2)) != 0, read_adc()};
+  plate_tick(plate, &inputs);
+  const uint16_t wanted = plate_pulse_ticks(plate);
+  ATOMIC_BLOCK(ATOMIC_RESTORESTATE) wanted_ticks = wanted;
+  if (wanted != 0) {
+    PORTB |= _BV(PORTB5);
+  } else {
+    PORTB &= (uint8_t)~_BV(PORTB5);
+  }
+  retain(plate->position_microdeg);
+  continue_to_save(plate);
+}
+
+int main(void) {
+  static Plate plate;
+  Settings settings;
+  int32_t position = 0;
+  const bool loaded = load(&settings);
+  const bool known = recall(&position);
+  plate_start(&plate, &board, loaded ? &settings : NULL, known ? &position : NULL);
+  start_inputs();
+  start_line();
+  start_pulses();
+  start_clock();
+  set_sleep_mode(SLEEP_MODE_IDLE);
+  sei();
+  for (;;) {
+    while (received_tail != received_head) {
+      const char byte = received[received_tail];
+      received_tail = (received_tail + 1) & RING_MASK;
+      plate_hear(&plate, byte);
+    }
+    uint8_t passed;
+    ATOMIC_BLOCK(ATOMIC_RESTORESTATE) {
+      passed = ticks;
+      ticks = 0;
+    }
+    if (passed > plate.loop_ms) plate.loop_ms = passed;
+    for (; passed > 0; --passed) tick(&plate);
+    cli();
+    if (received_tail == received_head && ticks == 0) {
+      sleep_enable();
+      sei(); /* the instruction after it runs before any interrupt */
+      sleep_cpu();
+      sleep_disable();
+    }
+    sei();
+  }
+}

@@ -1,0 +1,63 @@
+// The ridged plate and its mount: one part, ready to print, or all of them in place.
+//
+//   openscad -o plate.stl -D 'part="plate"' apparatus.scad
+//
+// README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
+
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, bearing, servo, horn, tables]
+
+include <parameters.scad>
+include <lettering.scad>
+include <plate.scad>
+include <marks.scad>
+include <hub.scad>
+include <deck.scad>
+include <drum.scad>
+include <servo_mount.scad>
+include <bridge.scad>
+include <bought.scad>
+
+// Each part with the height that lies on the printer's bed, and whether it is turned over for that.
+parts = [
+  ["plate", plate_bottom_z, false],
+  ["hub", plate_bottom_z, true],
+  ["retainer", bearing_bottom_z, true],
+  ["deck", deck_bottom_z, false],
+  ["drum", drum_bottom_z, false],
+  ["servo_mount", mount_bottom_z, false],
+  ["bridge", head_top_z, true],
+  ["object", object_bottom_z, false],
+];
+
+module installed(name) {
+  if (name == "plate") plate();
+  else if (name == "hub") hub();
+  else if (name == "retainer") retainer();
+  else if (name == "deck") deck();
+  else if (name == "drum") drum();
+  else if (name == "servo_mount") servo_mount();
+  else if (name == "bridge") bridge();
+  else if (name == "object") object();
+  else if (name == "bearing") bearing();
+  else if (name == "servo") servo();
+  else if (name == "horn") horn();
+  else assert(false, str("part is \"", name, "\"; it must be one of the list in apparatus.scad"));
+}
+
+if (part == "all") {
+  for (row = parts) installed(row[0]);
+  bearing();
+  servo();
+  horn();
+} else if (part == "tables") {
+  marks_table();
+  for (row = parts) echo(str("bed,", row[0], ",", row[1], ",", row[2]));
+} else {
+  found = search([part], parts)[0];
+  if (is_num(found)) {
+    // Turned over about Y: the mid-line stays.
+    rotate([0, parts[found][2] ? 180 : 0, 0]) translate([0, 0, -parts[found][1]]) installed(part);
+  } else {
+    installed(part);
+  }
+}

@@ -1,0 +1,27 @@
+// Hangs the servo under the deck, its shaft on the plate's axis.
+
+module posts(diameter_mm) {
+  for (x_mm = [-post_x_mm, post_x_mm], y_mm = post_y_mm) translate([x_mm, y_mm]) disc(diameter_mm, 2 * hole_facets);
+}
+
+module mount_outline(hole_mm) {
+  difference() {
+    hull() posts(2 * post_radius_mm + 2);
+    posts(hole_mm);
+    translate([0, -servo_shaft_offset_mm]) {
+      square([servo_width_mm + 0.6, servo_length_mm + 0.6], center = true);
+      for (x_mm = [-0.5, 0.5] * servo_hole_width_mm, y_mm = [-0.5, 0.5] * servo_hole_length_mm)
+        translate([x_mm, y_mm]) disc(m3_pilot_mm, hole_facets);
+    }
+  }
+}
+
+module servo_mount() {
+  recess_z = mount_bottom_z + mount_recess_mm;
+  layer(mount_bottom_z, recess_z) mount_outline(post_washer_mm);
+  layer(recess_z, mount_top_z) mount_outline(post_hole_mm);
+  layer(mount_top_z, deck_bottom_z) difference() {
+    posts(2 * post_radius_mm);
+    posts(post_hole_mm);
+  }
+}

@@ -1,0 +1,27 @@
+// The commands of hrt-plate.
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "samples/plate/driver/line.h"
+#include "samples/plate/tool/trim.h"
+
+namespace hrt::plate {
+
+/// What the commands need of the computer.
+struct Surroundings {
+  std::function<std::vector<std::string>()> devices;                     ///< that may be plates
+  std::function<std::unique_ptr<Line>(const std::string& device)> open;  ///< throws PlateFailure
+  std::function<Entry()> read;  ///< a line of the person, without waiting for one
+  std::ostream& out;
+  std::ostream& err;
+};
+
+/// Runs a command line; returns the exit code. Throws std::runtime_error if a file cannot be written.
+int run_tool(int argc, const char* const* argv, const Surroundings& around);
+
+}  // namespace hrt::plate

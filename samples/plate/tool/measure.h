@@ -1,0 +1,39 @@
+// What a plate does, measured through its own reports.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/plate/driver/plate_link.h"
+
+namespace hrt::plate {
+
+/// One stop of the sweep, approached from below or from above.
+struct SweepPoint {
+  double commanded_deg;
+  double reported_deg;  ///< mean over 0.2 s
+  bool upwards;
+};
+
+/// Of a plate whose reports are measured by a sensor; of another one only the line and the sweep say
+/// something.
+struct Measurements {
+  PlateGreeting greeting;
+  PlateInfo info;
+  std::chrono::nanoseconds round_trip{};  ///< of a line and its echo, median
+  std::vector<SweepPoint> sweep;
+  double largest_error_deg = 0.0;           ///< reported less commanded, in the sweep
+  std::optional<double> backlash_deg;       ///< mean difference of the two directions of the sweep
+  std::optional<double> repeatability_deg;  ///< standard deviation of returns to 0 from below
+  std::optional<double> speed_deg_s;        ///< median of steps, from 20 to 80 % of each
+  std::optional<double>
+      latency_ms;  ///< from a line to the first report of motion, less the line's round trip; median
+};
+
+/// Homes the plate, then moves it through its whole range for about half a minute. `note` gets a line at each
+/// stage. Throws PlateFailure; also if the plate does not come to rest near a command within three seconds.
+Measurements measure(PlateLink& link, const std::function<void(const std::string&)>& note);
+
+}  // namespace hrt::plate

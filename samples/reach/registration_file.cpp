@@ -1,0 +1,140 @@
+#include "samples/reach/registration_file.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <span>
+#include <sstream>
+#include <string>
+
+#include "samples/reach/exit_code.h"
+
+namespace hrt::reach {
+namespace {
+
+constexpr const char* first_line = "hrt-reach registration, version 1";
+constexpr std::size_t longest_line = 2000;
+
+struct SpaceName {
+  const char* name;
+  XrReferenceSpaceType space;
+};
+constexpr SpaceName spaces[] = {{"STAGE", XR_REFERENCE_SPACE_TYPE_STAGE},
+                                {"LOCAL", XR_REFERENCE_SPACE_TYPE_LOCAL}};
+
+// The numbers of a registered plate, by the names of their lines.
+struct Numbers {
+  const char* name;
+  std::span<double> values;
+};
+std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
+  hrt_registration& r = plate.registration;
+  return {{"position_m", r.plate_position_m},   {"rotation", r.plate_rotation},
+          {"scale", {&r.plate_scale, 1}},       {"covariance", r.covariance},
+          {"touch_sd_m", {&r.touch_sd_m, 1}},   {"residual_m", {&r.residual_m, 1}},
+          {"turn_sd_deg", {&r.turn_sd_deg, 1}}, {"check_m", plate.check.position_m}};
+}
+
+class Reader {
+ public:
+  explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file) {
+    if (!stream_) throw Failure(ExitCode::registration, file.string() + " cannot be read");
+  }
+
+  std::string line() {
+    std::string text;
+    ++number_;
+    if (!std::getline(stream_, text)) refuse("the file ends here");
+    if (!text.empty() && text.back() == '\r') text.pop_back();
+    if (text.size() > longest_line) refuse("the line is too long");
+    return text;
+  }
+
+  /// What follows the name.
+  std::string rest(const std::string& name) {
+    const std::string text = line();
+    if (!text.starts_with(name + " ")) refuse("\"" + name + "\" is needed here");
+    return text.substr(name.size() + 1);
+  }
+
+  void numbers(const char* name, std::span<double> values) {
+    std::istringstream words(rest(name));
+    std::string word;
+    for (double& value : values) {
+      words >> word;
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+      if (!words || error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
+        refuse(std::string(name) + " is not " + std::to_string(values.size()) + " numbers");
+    }
+    if (words >> word)
+      refuse(std::string(name) + " has more than " + std::to_string(values.size()) + " numbers");
+  }
+
+  [[noreturn]] void refuse(const std::string& what) const {
+    throw Failure(ExitCode::registration, file_.string() + ", line " + std::to_string(number_) + ": " + what);
+  }
+
+ private:
+  std::filesystem::path file_;
+  std::ifstream stream_;
+  int number_ = 0;
+};
+
+[[noreturn]] void fail_to_write(const std::filesystem::path& file) {
+  throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(errno));
+}
+
+}  // namespace
+
+void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate) {
+  RegisteredPlate copy = plate;
+  std::string text = std::string(first_line) + "\n";
+  for (const SpaceName& known : spaces)
+    if (known.space == plate.space) text += std::string("space ") + known.name + "\n";
+  text += "check " + plate.check.name + "\n";
+  for (const Numbers& numbers : numbers_of(copy)) {
+    text += numbers.name;
+    for (const double value : numbers.values) {
+      char digits[40];
+      text += " " + std::string(digits, std::to_chars(std::begin(digits), std::end(digits), value).ptr);
+    }
+    text += "\n";
+  }
+  // A reader finds the old file or the whole new one.
+  std::filesystem::path fresh = file;
+  fresh += ".new";
+  errno = 0;
+  std::ofstream stream(fresh);
+  if (!(stream << text << std::flush)) fail_to_write(fresh);
+  stream.close();
+  std::error_code error;
+  std::filesystem::rename(fresh, file, error);
+  if (!error) return;
+  std::filesystem::remove(fresh, error);
+  fail_to_write(file);
+}
+
+RegisteredPlate read_registration(const std::filesystem::path& file) {
+  Reader reader(file);
+  RegisteredPlate plate{};
+  plate.registration.struct_size = sizeof plate.registration;
+  plate.registration.verdict = HRT_REGISTRATION_HOLDS;
+  plate.registration.left_out = -1;
+  if (reader.line() != first_line) reader.refuse(std::string("\"") + first_line + "\" is needed here");
+  const std::string space = reader.rest("space");
+  const auto* known = std::find_if(std::begin(spaces), std::end(spaces),
+                                   [&](const SpaceName& candidate) { return space == candidate.name; });
+  if (known == std::end(spaces)) reader.refuse("the space is to be STAGE or LOCAL");
+  plate.space = known->space;
+  plate.check.name = reader.rest("check");
+  if (std::any_of(plate.check.name.begin(), plate.check.name.end(),
+                  [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+    reader.refuse("the mark's name has a control character");
+  for (const Numbers& numbers : numbers_of(plate)) reader.numbers(numbers.name, numbers.values);
+  return plate;
+}
+
+}  // namespace hrt::reach

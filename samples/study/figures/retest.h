@@ -1,0 +1,34 @@
+// Test and retest of a person: two calibrations compared, as text, JSON and a picture.
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "core/retest.h"
+#include "samples/study/figures/calibration.h"
+
+namespace hrt::study {
+
+struct ComparedValue {
+  const char* name;   ///< in JSON
+  const char* words;  ///< with unit
+  int decimals;
+  RetestDifference difference;
+};
+
+struct RetestReport {
+  CalibrationReport first;
+  CalibrationReport second;
+  std::vector<ComparedValue> values;
+};
+
+RetestReport compare_calibrations(CalibrationReport first, CalibrationReport second);
+
+std::string retest_text(const RetestReport& report);
+nlohmann::ordered_json retest_json(const RetestReport& report);
+
+/// Both curves, and each difference over half its interval.
+Figure retest_figure(const RetestReport& report);
+
+}  // namespace hrt::study

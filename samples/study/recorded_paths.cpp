@@ -1,0 +1,260 @@
+#include "samples/study/recorded_paths.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "samples/study/arguments.h"
+#include "samples/study/output.h"
+#include "samples/study/participants.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr std::string_view recording_start = "# haptic retargeting recording, version ";
+constexpr std::string_view readable_version = "3";
+constexpr std::string_view config_start = "# config ";
+constexpr std::size_t longest_shown = 40;
+
+// Of a sample's flags: plugin/include/haptic_retargeting/reach.h.
+constexpr unsigned direction_flag = 1;
+constexpr unsigned plate_position_flag = 2;
+constexpr unsigned measured_plate_flag = 4;
+constexpr unsigned lifted_flag = 8;
+constexpr unsigned world_position_flag = 16;
+
+constexpr std::array column_names{"call",
+                                  "result",
+                                  "time_ns",
+                                  "sample_flags",
+                                  "sample_x_m",
+                                  "sample_y_m",
+                                  "sample_z_m",
+                                  "measured_plate_deg",
+                                  "real_direction_deg",
+                                  "virtual_direction_deg",
+                                  "real_distance_m",
+                                  "start_right_m",
+                                  "start_away_m",
+                                  "plate_orientation_deg"};
+enum Column {
+  call,
+  result,
+  time,
+  flags,
+  x,
+  y,
+  z,
+  measured,
+  real,
+  seen,
+  distance,
+  start_right,
+  start_away,
+  plate
+};
+
+class Reader {
+ public:
+  explicit Reader(const std::string& name) : name_(name) {}
+
+  void read_line(std::string_view line) {
+    ++line_;
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (line.starts_with(config_start)) return read_config(line.substr(config_start.size()));
+    if (line.empty() || line.front() == '#') return;
+    const std::vector<std::string_view> fields = split(line, ',');
+    if (fields_ == 0) return read_header(fields);
+    if (fields.size() != fields_)
+      throw wrong("columns", std::to_string(fields.size()),
+                  "as many as the header has, " + std::to_string(fields_));
+    read_row(fields);
+  }
+
+  RecordedPaths finish() {
+    end_reach();
+    return std::move(recorded_);
+  }
+
+ private:
+  UsageError wrong(const std::string& what, std::string_view text, const std::string& allowed) const {
+    std::string shown(text.substr(0, longest_shown));
+    if (text.size() > longest_shown) shown += "...";
+    return UsageError(not_allowed(name_ + ", line " + std::to_string(line_) + ", " + what, shown, allowed));
+  }
+
+  void read_config(std::string_view text) {
+    const auto config = nlohmann::json::parse(text, nullptr, false);
+    const auto value = [&](const char* key, NumberRange range, double standard) {
+      if (!config.contains(key)) return standard;
+      const nlohmann::json& field = config[key];
+      if (!field.is_number() || !range.contains(field.get<double>()))
+        throw wrong(std::string("config, ") + key, field.dump(), range.text());
+      return field.get<double>();
+    };
+    if (!config.is_object()) throw wrong("config", text, "a JSON object");
+    const auto or_infinite = [](double limit) {
+      return limit > 0.0 ? limit : std::numeric_limits<double>::infinity();
+    };
+    PlateDynamics& dynamics = recorded_.plate;
+    dynamics.max_speed_deg_s = or_infinite(value("plate_max_speed_deg_s", {0.0, 1e9}, 0.0));
+    dynamics.max_acceleration_deg_s2 = or_infinite(value("plate_max_acceleration_deg_s2", {0.0, 1e9}, 0.0));
+    dynamics.latency_ns = std::llround(value("plate_latency_ns", {0.0, 8e8}, 0.0));
+    recorded_.tracker_latency_ns = std::llround(value("tracker_latency_ns", {0.0, 5e8}, 0.0));
+    lift_height_m_ = value("lift_height_m", {0.0, 10.0}, 0.015);
+  }
+
+  void read_header(const std::vector<std::string_view>& fields) {
+    for (std::size_t i = 0; i < column_names.size(); ++i) {
+      const auto found = std::find(fields.begin(), fields.end(), column_names[i]);
+      if (found == fields.end())
+        throw UsageError(name_ + ", line " + std::to_string(line_) + ", column " + column_names[i] +
+                         ": it is missing; the line must be the header of a recording");
+      places_[i] = static_cast<std::size_t>(found - fields.begin());
+    }
+    fields_ = fields.size();
+  }
+
+  double number_in(const std::vector<std::string_view>& fields, Column column, NumberRange range) const {
+    const std::string_view text = fields[places_[column]];
+    if (text.empty()) return 0.0;  // as recordings leave out zeros
+    double value = 0.0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !range.contains(value))
+      throw wrong(std::string("column ") + column_names[column], text, range.text());
+    return value;
+  }
+
+  void read_row(const std::vector<std::string_view>& fields) {
+    const std::string_view what = fields[places_[call]];
+    if (number_in(fields, result, {-1e9, 1e9}) != 0.0) return;  // a refused call
+    if (what == "begin") return begin(fields);
+    if (what == "update") return update(fields);
+    if (what == "end" || what == "cancel") return end_reach();
+    if (what == "retarget") why_ = "its targets moved";
+  }
+
+  void begin(const std::vector<std::string_view>& fields) {
+    end_reach();
+    path_ = RecordedPath{.file = name_, .number = ++number_};
+    path_->reach = {
+        .real_direction_deg = number_in(fields, real, direction_range),
+        .virtual_direction_deg = number_in(fields, seen, direction_range),
+        .plate_orientation_deg = number_in(fields, plate, plate_range),
+        .start = {number_in(fields, start_right, place_range), number_in(fields, start_away, place_range)},
+        .real_distance_m = number_in(fields, distance, place_range)};
+    if (!is_valid(path_->reach, Participant{})) why_ = "its targets are not those of a reach";
+    plate_.emplace(recorded_.plate, path_->reach.plate_orientation_deg);
+    measured_ = 0;
+  }
+
+  void update(const std::vector<std::string_view>& fields) {
+    if (!path_) return;
+    const double time_ns = number_in(fields, time, {-9e18, 9e18});
+    const auto sample_flags =
+        static_cast<unsigned>(number_in(fields, flags, {.low = 0, .high = 1e9, .whole = true}));
+    FingerSample sample{.time_ns = static_cast<std::int64_t>(time_ns)};
+    if (!path_->samples.empty() && sample.time_ns < path_->samples.back().time_ns)
+      throw wrong("column time_ns", fields[places_[time]], "not before that of the row before");
+    const double right_m = number_in(fields, x, place_range);
+    const double height_m = number_in(fields, y, place_range);
+    const double towards_m = number_in(fields, z, place_range);
+    if ((sample_flags & world_position_flag) != 0) why_ = "its positions are in the engine's world";
+    if ((sample_flags & direction_flag) != 0) why_ = "it has directions and no positions";
+    if ((sample_flags & lifted_flag) != 0) {
+      sample.observation = Observation::lifted;
+    } else if ((sample_flags & plate_position_flag) != 0) {
+      sample.observation = height_m > lift_height_m_ ? Observation::lifted : Observation::position;
+      sample.position = {.right_m = right_m, .away_m = -towards_m};
+    }
+    plate_->advance(sample.time_ns);
+    if ((sample_flags & measured_plate_flag) != 0) {
+      plate_->report(number_in(fields, measured, plate_range));
+      ++measured_;
+    }
+    sample.plate_orientation_deg = plate_->orientation_deg();
+    plate_->command(number_in(fields, plate, plate_range));
+    path_->samples.push_back(sample);
+  }
+
+  void end_reach() {
+    if (!path_) return;
+    const auto positions =
+        std::count_if(path_->samples.begin(), path_->samples.end(),
+                      [](const FingerSample& sample) { return sample.observation == Observation::position; });
+    if (why_.empty() && positions < 2) why_ = "it has fewer than two positions";
+    path_->plate_source =
+        2 * measured_ > path_->samples.size() ? PlateSource::measured : PlateSource::commanded;
+    if (why_.empty())
+      recorded_.paths.push_back(std::move(*path_));
+    else
+      recorded_.left_out.push_back(name_ + ", reach " + std::to_string(path_->number) + ": left out, " +
+                                   why_);
+    path_.reset();
+    why_.clear();
+  }
+
+  static constexpr NumberRange plate_range{-1e9, 1e9};
+  static constexpr NumberRange place_range{-10.0, 10.0};
+
+  const std::string& name_;
+  std::size_t line_ = 0;
+  std::size_t fields_ = 0;
+  std::array<std::size_t, column_names.size()> places_{};
+  double lift_height_m_ = 0.015;
+  int number_ = 0;
+  RecordedPaths recorded_;
+  std::optional<RecordedPath> path_;
+  std::optional<PlateModel> plate_;
+  std::size_t measured_ = 0;
+  std::string why_;  // the reach is left out
+};
+
+RecordedPaths read_calibration(const std::string& name, std::string_view text) {
+  RecordedPaths recorded;
+  recorded.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
+  int number = 0;
+  for (const CalibrationTrial& trial : parse_calibration_csv(name, text)) {
+    ++number;
+    if (trial.samples.size() < 2) {
+      recorded.left_out.push_back(name + ", slide " + std::to_string(number) +
+                                  ": left out, it has fewer than two positions");
+      continue;
+    }
+    RecordedPath path{.file = name, .number = number, .plate_source = PlateSource::resting};
+    path.reach = {.real_direction_deg = -assumed_gap_deg,
+                  .virtual_direction_deg = 0.0,
+                  .plate_orientation_deg = trial.plate_orientation_deg,
+                  .start = trial.samples.front().position,
+                  .real_distance_m = assumed_distance_m};
+    for (const TimedPoint& point : trial.samples)
+      path.samples.push_back({.time_ns = point.time_ns,
+                              .observation = Observation::position,
+                              .position = point.position,
+                              .plate_orientation_deg = trial.plate_orientation_deg});
+    recorded.paths.push_back(std::move(path));
+  }
+  return recorded;
+}
+
+}  // namespace
+
+RecordedPaths parse_recorded_paths(const std::string& name, std::string_view text) {
+  if (!text.starts_with(recording_start)) return read_calibration(name, text);
+  const std::string_view version = text.substr(recording_start.size(), 1);
+  if (version != readable_version)
+    throw UsageError(not_allowed(name + ", line 1, version", version, std::string(readable_version)));
+  Reader reader(name);
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    reader.read_line(text.substr(0, end));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return reader.finish();
+}
+
+}  // namespace hrt::study

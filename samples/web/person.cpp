@@ -1,0 +1,220 @@
+// The simulated side of the page, as one WebAssembly module: a person of core/simulation who slides a finger
+// over the plate, the plate's servo or a connected plate in its place, and a tracker with white noise. The
+// page has the controller, and what it draws.
+//
+// Units are in the names. Coordinates are those of plate_frame.h: right and away of the centre of the plate.
+// The plate's orientation is the direction of the normal of the ridges, counter-clockwise from the mid-line.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "core/plate_model.h"
+#include "core/simulation/people.h"
+#include "core/simulation/person.h"
+
+#define HRT_WEB_EXPORT(name) __attribute__((export_name(#name)))
+
+namespace {
+
+constexpr std::int64_t tick_ns = 1'000'000;
+constexpr std::int64_t plate_latency_ns = 30'000'000;
+constexpr double rest_s = 0.6;  // before the motion
+constexpr double tail_s = 0.3;  // tracked at rest after it
+
+// As Stream of people.cpp names them.
+constexpr std::uint32_t steering_stream = 1;
+constexpr std::uint32_t tracking_stream = 2;
+
+struct World {
+  hrt::PersonCondition condition;
+  std::uint64_t seed = 1;
+  std::int64_t now_ns = 0;
+  hrt::PlateModel plate{hrt::PlateDynamics{}, 0.0};
+  std::optional<hrt::SlidingPerson> person;
+  std::optional<hrt::Draws> tracker;
+  double peak_felt_error_deg = 0.0;
+  double ended_s = -1.0;
+  hrt::PlatePoint seen{};
+};
+
+World world;
+
+void place_plate(double orientation_deg) {
+  world.now_ns = 0;
+  world.plate = hrt::PlateModel(world.condition.plate, orientation_deg);
+  world.plate.advance(0);
+}
+
+}  // namespace
+
+extern "C" {
+
+/// Another person, with a linear illusion: gain, delay and first direction are drawn from `seed`, the rest is
+/// given. A tactile weight above 0 and below 0.5; a duration of a reach above 0.
+HRT_WEB_EXPORT(set_person)
+void hrt_web_set_person(double seed, double tactile_weight, double duration_s) {
+  world.seed = static_cast<std::uint64_t>(seed);
+  const hrt::PersonCondition drawn = hrt::draw_person(hrt::people_families().front(), 1.5, world.seed, 0);
+  world.condition.person = drawn.person;
+  world.condition.person.illusion.tactile_weight = tactile_weight;
+  world.condition.person.duration_s = duration_s;
+  // Of the way from the mid-line to the virtual target; begin_reach() knows where that is.
+  world.condition.person.start_direction_deg = drawn.person.start_direction_deg / drawn.virtual_direction_deg;
+}
+
+/// The tracker's white noise, standard deviation of a coordinate, and the servo's greatest speed, above 0.
+/// The servo's latency is plate_latency_ms().
+HRT_WEB_EXPORT(set_apparatus)
+void hrt_web_set_apparatus(double noise_m, double max_speed_deg_s) {
+  world.condition.tracker.white_m = noise_m;
+  world.condition.plate = {.max_speed_deg_s = max_speed_deg_s, .latency_ns = plate_latency_ns};
+}
+
+HRT_WEB_EXPORT(plate_latency_ms)
+double hrt_web_plate_latency_ms() {
+  return 1e-6 * static_cast<double>(plate_latency_ns);
+}
+
+/// Time starts anew, with the plate at rest at `plate_deg` and the finger at the start. The person will go
+/// `distance_m` to the virtual target; `number` chooses the reach's noise.
+HRT_WEB_EXPORT(begin_reach)
+void hrt_web_begin_reach(double number, double start_right_m, double start_away_m, double virtual_deg,
+                         double distance_m, double plate_deg) {
+  place_plate(plate_deg);
+  const auto reach = static_cast<std::uint32_t>(number);
+  hrt::Person person = world.condition.person;
+  person.start_direction_deg *= virtual_deg;
+  const hrt::PlatePoint start{start_right_m, start_away_m};
+  world.person.emplace(person, start, virtual_deg, distance_m,
+                       hrt::Draws(world.seed, steering_stream, 0, reach));
+  world.tracker.emplace(world.seed, tracking_stream, 0, reach);
+  world.peak_felt_error_deg = 0.0;
+  world.ended_s = -1.0;
+}
+
+/// Time starts anew without a person: only the plate moves.
+HRT_WEB_EXPORT(begin_hand)
+void hrt_web_begin_hand(double plate_deg) {
+  world.person.reset();
+  place_plate(plate_deg);
+}
+
+/// One millisecond.
+HRT_WEB_EXPORT(advance)
+void hrt_web_advance() {
+  world.now_ns += tick_ns;
+  world.plate.advance(world.now_ns);
+  const double now_s = 1e-9 * static_cast<double>(world.now_ns);
+  if (!world.person || now_s <= rest_s || world.person->done()) return;
+  hrt::SlidingPerson& person = *world.person;
+  person.advance(world.plate.orientation_deg());
+  if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
+    world.peak_felt_error_deg = std::max(world.peak_felt_error_deg, std::abs(person.felt_error_deg()));
+  if (person.done()) world.ended_s = now_s;
+}
+
+/// The tracker looks at the finger: seen_*() change.
+HRT_WEB_EXPORT(look)
+void hrt_web_look() {
+  if (!world.person || !world.tracker) return;
+  const double noise_m = world.condition.tracker.white_m;
+  world.seen.right_m = world.person->position().right_m + noise_m * world.tracker->normal();
+  world.seen.away_m = world.person->position().away_m + noise_m * world.tracker->normal();
+}
+
+HRT_WEB_EXPORT(command)
+void hrt_web_command(double plate_deg) {
+  world.plate.command(plate_deg);
+}
+
+/// The plate stands there, as a connected one reports, until the next of these or of command().
+HRT_WEB_EXPORT(set_plate)
+void hrt_web_set_plate(double plate_deg) {
+  world.plate = hrt::PlateModel(world.condition.plate, plate_deg);
+  world.plate.advance(world.now_ns);
+}
+
+HRT_WEB_EXPORT(time_ms)
+double hrt_web_time_ms() {
+  return 1e-6 * static_cast<double>(world.now_ns);
+}
+
+HRT_WEB_EXPORT(plate_deg)
+double hrt_web_plate_deg() {
+  return world.plate.orientation_deg();
+}
+
+/// What follows is 0 without a person. Moving: 1 from the first motion to the last; over: 1 once the rest
+/// after it is over too.
+HRT_WEB_EXPORT(moving)
+double hrt_web_moving() {
+  return world.person && !world.person->done() && world.person->elapsed_s() > 0.0 ? 1.0 : 0.0;
+}
+
+HRT_WEB_EXPORT(over)
+double hrt_web_over() {
+  const double now_s = 1e-9 * static_cast<double>(world.now_ns);
+  return world.ended_s >= 0.0 && now_s > world.ended_s + tail_s ? 1.0 : 0.0;
+}
+
+HRT_WEB_EXPORT(finger_right_m)
+double hrt_web_finger_right_m() {
+  return world.person ? world.person->position().right_m : 0.0;
+}
+
+HRT_WEB_EXPORT(finger_away_m)
+double hrt_web_finger_away_m() {
+  return world.person ? world.person->position().away_m : 0.0;
+}
+
+HRT_WEB_EXPORT(felt_right_m)
+double hrt_web_felt_right_m() {
+  return world.person ? world.person->felt_position().right_m : 0.0;
+}
+
+HRT_WEB_EXPORT(felt_away_m)
+double hrt_web_felt_away_m() {
+  return world.person ? world.person->felt_position().away_m : 0.0;
+}
+
+HRT_WEB_EXPORT(finger_deg)
+double hrt_web_finger_deg() {
+  return world.person ? world.person->direction_deg() : 0.0;
+}
+
+/// Felt direction less the virtual target's.
+HRT_WEB_EXPORT(felt_error_deg)
+double hrt_web_felt_error_deg() {
+  return world.person ? world.person->felt_error_deg() : 0.0;
+}
+
+HRT_WEB_EXPORT(peak_felt_error_deg)
+double hrt_web_peak_felt_error_deg() {
+  return world.person ? world.peak_felt_error_deg : 0.0;
+}
+
+HRT_WEB_EXPORT(seen_right_m)
+double hrt_web_seen_right_m() {
+  return world.seen.right_m;
+}
+
+HRT_WEB_EXPORT(seen_away_m)
+double hrt_web_seen_away_m() {
+  return world.seen.away_m;
+}
+
+/// Felt less true direction of a finger that moves in `finger_deg` over a plate at `plate_deg`, for the
+/// person.
+HRT_WEB_EXPORT(felt_shift_deg)
+double hrt_web_felt_shift_deg(double plate_deg, double finger_deg) {
+  return hrt::felt_shift_deg(world.condition.person.illusion, plate_deg - finger_deg);
+}
+
+/// The largest gap that a plate within `bound_deg` of the motion can sustain for the person.
+HRT_WEB_EXPORT(largest_gap_deg)
+double hrt_web_largest_gap_deg(double bound_deg) {
+  return hrt::largest_shift_deg(world.condition.person.illusion, bound_deg, 1.0);
+}
+
+}  // extern "C"

@@ -1,0 +1,40 @@
+// Where a sliding finger would feel itself: each piece of its motion, turned by what the ridges add.
+import { ahead, direction_deg, type Place } from "./geometry";
+
+/** A direction is the mean over about this time: tracked positions and a mouse's pixels are coarse. */
+const smoothing_ms = 60;
+const leastSpeed_m_s = 0.004;
+
+export class Felt {
+  readonly place: Place = { right_m: 0, away_m: 0 };
+  /** Of the motion; NaN at rest. */
+  finger_deg = NaN;
+  felt_deg = NaN;
+  speed_m_s = 0;
+  #speedRight_m_s = 0;
+  #speedAway_m_s = 0;
+
+  /** At rest there: nothing has been felt. */
+  begin(at: Readonly<Place>): void {
+    Object.assign(this.place, at);
+    this.#speedRight_m_s = this.#speedAway_m_s = this.speed_m_s = 0;
+    this.finger_deg = this.felt_deg = NaN;
+  }
+
+  /** A motion in a time above 0. `shift_deg`: felt less true direction of a motion in `finger_deg`. */
+  move(right_m: number, away_m: number, milliseconds: number, shift_deg: (finger_deg: number) => number): void {
+    const share = 1 - Math.exp(-milliseconds / smoothing_ms);
+    this.#speedRight_m_s += share * ((1000 * right_m) / milliseconds - this.#speedRight_m_s);
+    this.#speedAway_m_s += share * ((1000 * away_m) / milliseconds - this.#speedAway_m_s);
+    this.speed_m_s = Math.hypot(this.#speedRight_m_s, this.#speedAway_m_s);
+    let added_deg = 0;
+    if (this.speed_m_s < leastSpeed_m_s) {
+      this.finger_deg = this.felt_deg = NaN;
+    } else {
+      this.finger_deg = direction_deg(this.#speedRight_m_s, this.#speedAway_m_s);
+      added_deg = shift_deg(this.finger_deg);
+      this.felt_deg = this.finger_deg + added_deg;
+    }
+    Object.assign(this.place, ahead(this.place, direction_deg(right_m, away_m) + added_deg, Math.hypot(right_m, away_m)));
+  }
+}

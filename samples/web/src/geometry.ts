@@ -1,0 +1,54 @@
+// Places and directions on the plate. Right and away of the plate's centre, in metres; directions in degrees
+// counter-clockwise from the mid-line, seen from above: positive is left.
+
+export interface Place {
+  right_m: number;
+  away_m: number;
+}
+
+/** Where reaches start: the plugin's default. */
+export const start: Readonly<Place> = { right_m: 0, away_m: -0.05 };
+/** From the start to either target. */
+export const distance_m = 0.1;
+/** Radius of the plate. */
+export const radius_m = 0.075;
+/** From ridge to ridge. */
+export const ridgeSpacing_m = 0.01;
+
+/** Where a reach leads: directions and distances from its start. */
+export interface Course {
+  readonly start: Readonly<Place>;
+  readonly real_deg: number;
+  readonly real_m: number;
+  readonly virtual_deg: number;
+  readonly virtual_m: number;
+}
+
+const degree = Math.PI / 180;
+
+export function ahead(from: Readonly<Place>, direction_deg: number, length_m: number): Place {
+  return { right_m: from.right_m - length_m * Math.sin(direction_deg * degree),
+           away_m: from.away_m + length_m * Math.cos(direction_deg * degree) };
+}
+
+/** Direction of a motion, within 180. */
+export function direction_deg(right_m: number, away_m: number): number {
+  return Math.atan2(-right_m, away_m) / degree;
+}
+
+export function length_m(from: Readonly<Place>, to: Readonly<Place>): number {
+  return Math.hypot(to.right_m - from.right_m, to.away_m - from.away_m);
+}
+
+/** Bearing of `place`, seen from the course's start, less the real target's. */
+export function bearingError_deg(place: Readonly<Place>, course: Course): number {
+  return direction_deg(place.right_m - course.start.right_m, place.away_m - course.start.away_m) - course.real_deg;
+}
+
+export function realPlace(course: Course): Place { return ahead(course.start, course.real_deg, course.real_m); }
+export function virtualPlace(course: Course): Place { return ahead(course.start, course.virtual_deg, course.virtual_m); }
+
+/** The same ridges, within 90 degrees of the mid-line. */
+export function folded_deg(orientation_deg: number): number {
+  return orientation_deg - 180 * Math.round(orientation_deg / 180);
+}

@@ -1,0 +1,185 @@
+// The page: loads plugin and simulation, connects settings, modes, picture and chart, and runs the frames.
+import { load } from "haptic-retargeting";
+import pluginModule from "haptic-retargeting/haptic_retargeting.wasm";
+import { Chart } from "./chart";
+import { motionBound_deg, pageCourse } from "./controller";
+import { Desk } from "./desk";
+import { Hand } from "./hand";
+import { Now } from "./now";
+import { element, radios, say } from "./page";
+import { Panel } from "./panel";
+import { createWorld } from "./person";
+import { Replaying } from "./replaying";
+import { Results } from "./results";
+import { fromLink, onSlider, toLink } from "./settings";
+import { Sliding } from "./sliding";
+import { TakeAway } from "./takeaway";
+import { onSchemeChange, readColours } from "./theme";
+import { Connecting } from "./plate/connecting";
+import { Voice } from "./voice";
+import { Wear } from "./wear/wear";
+import { Wearing } from "./wear/wearing";
+import { HapticPlate } from "haptic-retargeting/three";
+import { Viewing } from "./viewing";
+import { Watch } from "./watch";
+import { Watching } from "./watching";
+
+const modes = ["watch", "hand", "wear", "replay", "scene"] as const;
+type Mode = (typeof modes)[number];
+
+async function main(): Promise<void> {
+  const library = await load(pluginModule);
+  const [watchWorld, handWorld, wearWorld, sceneWorld] = await Promise.all([createWorld(), createWorld(), createWorld(), createWorld()]);
+  const linked = fromLink(location.hash.slice(1));
+  showProblems(linked.problems);
+
+  const watch = new Watch(library, watchWorld, linked.settings);
+  const hand = new Hand(library, handWorld, linked.settings);
+  const desk = new Desk(), voice = new Voice(), plate = new Connecting(), now = new Now(), results = new Results(element("results", HTMLTableElement));
+  const chartCanvas = element("chart", HTMLCanvasElement), chart = new Chart(chartCanvas, readColours());
+  const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const watching = new Watching(watch, watchWorld, desk, now, results, linked.settings, voice, still);
+  const sliding = new Sliding(hand, handWorld, desk, now, voice, linked.settings);
+  const replaying = new Replaying(desk, now, still);
+  const viewing = new Viewing(library, sceneWorld, linked.settings, showMode);
+  const wear = new Wear(library, wearWorld, desk.stage?.plate ?? new HapticPlate(), linked.settings);
+  const wearing = new Wearing(wear, wearWorld, desk, now, voice, linked.settings);
+  let mode: Mode = "watch";
+
+  const goals = { real_deg: 0, virtual_deg: 0, weight: NaN };
+  const takeAway = new TakeAway(library, () => reaches().recording, () => (mode === "scene" ? viewing.watch : watch).profile, {
+    reach(reach) { replaying.show(reach); reveal("replay"); },
+    scene(scene) { viewing.show(scene); reveal("scene"); },
+  });
+
+  const panel = new Panel(linked.settings, () => {
+    const { settings } = panel;
+    if (mode === "replay") choose("watch");
+    watching.apply(settings);
+    sliding.apply(settings);
+    wearing.apply(settings);
+    showSettings();
+    history.replaceState(null, "", `#${toLink(settings)}`);
+  });
+
+  function showSettings(): void {
+    const { settings } = panel, reach = mode === "replay" ? replaying.reach : null;
+    const { real_deg, virtual_deg, real_m } = reach ?? (mode === "scene" && viewing.course || pageCourse(settings));
+    Object.assign(goals, { real_deg, virtual_deg, weight: reach ? NaN : settings.tactile_weight });
+    desk.setTargets(real_deg, virtual_deg, real_m);
+    panel.showLargestGap(watchWorld.largest_gap_deg(motionBound_deg));
+  }
+
+  function showMode(): void {
+    mode = modes.find((name) => radios("mode").some((radio) => radio.checked && radio.value === name)) ?? "watch";
+    sliding.active = mode === "hand";
+    const { frame } = desk;
+    frame.classList.toggle("hand", sliding.active);
+    frame.tabIndex = sliding.active ? 0 : -1;
+    if (sliding.active) frame.setAttribute("role", "application");
+    else frame.removeAttribute("role");
+    if (sliding.active) frame.setAttribute("aria-label", "The plate: arrow keys slide the finger, Enter ends the slide");
+    else frame.removeAttribute("aria-label");
+    for (const name of modes) {
+      for (const part of document.querySelectorAll<HTMLElement>(`.${name}-only`)) part.hidden = mode !== name;
+    }
+    const played = mode === "watch" || (mode === "scene" && viewing.course !== null);
+    for (const part of document.querySelectorAll<HTMLElement>(".played-only")) part.hidden = !played;
+    for (const part of document.querySelectorAll<HTMLElement>(".own-only")) part.hidden = mode === "scene";
+    element("legend", HTMLParagraphElement).hidden = mode === "replay";
+    say(element("now-title", HTMLHeadingElement), mode === "replay" ? "What the controller believed" : "What is felt now");
+    desk.setView(sliding.active ? "above" : "oblique");
+    desk.setScene(mode === "scene" ? viewing.scene : null);
+    desk.showFinger(true);
+    desk.showFelt(mode !== "replay");
+    if (mode === "scene") watching.play(viewing.watch, sceneWorld, viewing.scene?.scale ?? 1);
+    else watching.play(watch, watchWorld, 1);
+    resize();
+    showSettings();
+    if (mode === "hand") sliding.restart();
+    else if (mode === "watch") watching.resume();
+    else if (mode === "replay" && replaying.reach) replaying.show(replaying.reach);
+    else if (mode === "scene") watching.apply(panel.settings);
+  }
+
+  function choose(wanted: Mode): void {
+    for (const radio of radios("mode")) radio.checked = radio.value === wanted;
+    showMode();
+  }
+
+  function reveal(brought: "replay" | "scene"): void {
+    element(`${brought}-mode`, HTMLLabelElement).hidden = false;
+    choose(brought);
+  }
+
+  function resize(): void {
+    desk.resize();
+    chart.resize(chartCanvas.clientWidth, chartCanvas.clientHeight, devicePixelRatio);
+  }
+
+  function colour(): void {
+    const colours = readColours();
+    desk.setColours(colours);
+    chart.setColours(colours);
+  }
+
+  /** Whose reaches are shown. */
+  function reaches(): Watch | Hand | Wear { return { watch, hand, wear, replay: watch, scene: viewing.watch }[mode]; }
+
+  /** A connected plate does what the controller commands, and is felt where it is. */
+  function follow(elapsed_ms: number): void {
+    const shown = reaches();
+    plate.frame(elapsed_ms, performance.now(), shown.command.plate_orientation_deg);
+    // Reaches that are computed at once, or by steps, are not at the plate's time.
+    const stepped = (mode === "watch" || mode === "scene") && !watching.playing;
+    for (const each of [watch, hand, wear, viewing.watch]) each.plateConnected_deg = each === shown && !stepped ? plate.orientation_deg : NaN;
+  }
+
+  plate.onReady = ({ speed_deg_s }) => panel.replace({ ...panel.settings, plate_deg_s: onSlider("plate_deg_s", speed_deg_s) });
+  wearing.onFrame = follow;
+  wearing.onLeft = () => { desk.setView(mode === "hand" ? "above" : "oblique"); resize(); };
+
+  let before_ms = performance.now();
+  function frame(now_ms: number): void {
+    const elapsed_ms = Math.max(0, now_ms - before_ms);
+    before_ms = now_ms;
+    if (!wearing.worn) {
+      follow(elapsed_ms);
+      ({ watch: watching, hand: sliding, wear: wearing, replay: replaying, scene: watching })[mode].frame(elapsed_ms);
+    }
+    chart.draw({ watch, hand, wear, replay: replaying, scene: viewing.watch }[mode].trace, goals);
+    takeAway.allow(reaches().recording !== "");
+    requestAnimationFrame(frame);
+  }
+
+  for (const radio of radios("mode")) {
+    radio.addEventListener("change", () => {
+      if (wearing.worn) choose("wear");  // the headset's session goes first
+      else showMode();
+    });
+  }
+  new ResizeObserver(resize).observe(desk.canvas);
+  new ResizeObserver(resize).observe(chartCanvas);
+  onSchemeChange(colour);
+  window.addEventListener("hashchange", () => {
+    const { settings, problems } = fromLink(location.hash.slice(1));
+    showProblems(problems);
+    panel.replace(settings);
+  });
+  colour();
+  showMode();
+  document.documentElement.dataset.ready = "yes";
+  requestAnimationFrame(frame);
+}
+
+function showProblems(problems: readonly string[]): void {
+  const place = element("problem", HTMLParagraphElement);
+  place.hidden = problems.length === 0;
+  say(place, problems.length === 0 ? "" : `Left out of the link: ${problems.join("; ")}.`);
+}
+
+main().catch((error: unknown) => {
+  const caption = document.getElementById("caption");
+  if (caption) caption.textContent = `The page cannot start: ${error instanceof Error ? error.message : String(error)}`;
+  throw error;
+});

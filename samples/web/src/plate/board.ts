@@ -1,0 +1,117 @@
+// The plate's own firmware (samples/plate/firmware) on an emulated ATmega328P at 16 MHz, with a hobby servo on its pulse.
+// Simulation: no board and no servo has run it.
+import { AVRADC, AVREEPROM, AVRIOPort, AVRTimer, AVRUSART, adcConfig, avrInstruction, CPU, EEPROMMemoryBackend, portBConfig,
+         portDConfig, timer0Config, timer1Config, usart0Config } from "avr8js";
+
+const cpu_hz = 16e6;
+const flash_bytes = 32768;
+const sram_bytes = 2048;
+const sleepInstruction = 0x9588;
+const servoPin = 1, emergencyPin = 2;
+/** Of the emulated servo, at each pulse: 400 degrees a second. */
+const servoStep_deg = 8;
+
+export class Board {
+  /** Where the servo stands. */
+  servo_deg = 0;
+  /** The last pulse; 0: none since the start. */
+  pulse_us = 0;
+  /** Takes each byte that the board sends. */
+  onByte: (byte: number) => void = () => {};
+
+  readonly #cpu: CPU;
+  readonly #usart: AVRUSART;
+  readonly #portD: AVRIOPort;
+  readonly #toBoard: number[] = [];
+  #roseAt = 0;
+  #asleep = false;
+
+  /** `hex`: the firmware in Intel's format. Throws on one that is damaged. */
+  constructor(hex: string) {
+    const cpu = new CPU(readHex(hex), sram_bytes);
+    this.#cpu = cpu;
+    for (const timer of [timer0Config, timer1Config]) new AVRTimer(cpu, timer);
+    new AVREEPROM(cpu, new EEPROMMemoryBackend(1024));
+    new AVRADC(cpu, adcConfig);
+    this.#portD = new AVRIOPort(cpu, portDConfig);
+    this.openEmergencyStop(false);
+    this.#usart = new AVRUSART(cpu, usart0Config, cpu_hz);
+    // "Data register empty" is a level: avr8js clears it when its interrupt is taken, as no board does.
+    (this.#usart as unknown as { UDRE: { constant: boolean } }).UDRE.constant = true;
+    this.#usart.onByteTransmit = (byte) => this.onByte(byte);
+    this.#usart.onRxComplete = () => this.#feed();
+    new AVRIOPort(cpu, portBConfig).addListener((value, before) => {
+      if (!((value ^ before) & (1 << servoPin))) return;
+      if (value & (1 << servoPin)) this.#roseAt = cpu.cycles;
+      else this.#takePulse(((cpu.cycles - this.#roseAt) * 1e6) / cpu_hz);
+    });
+  }
+
+  get time_ms(): number { return (this.#cpu.cycles * 1000) / cpu_hz; }
+
+  /** Bytes arrive one after the other, at the line's speed. */
+  hear(text: string): void {
+    for (let i = 0; i < text.length; ++i) this.#toBoard.push(text.charCodeAt(i) & 0xff);
+    this.#feed();
+  }
+
+  openEmergencyStop(open: boolean): void { this.#portD.setPin(emergencyPin, open); }
+
+  /** The board runs on by this time. A board that sleeps costs little. */
+  run(milliseconds: number): void {
+    const cpu = this.#cpu, end = cpu.cycles + (milliseconds * cpu_hz) / 1000;
+    while (cpu.cycles < end) {
+      if (!this.#asleep) {
+        const sleeps = cpu.progMem[cpu.pc] === sleepInstruction, next = cpu.pc + 1;
+        avrInstruction(cpu);  // which does nothing for a sleep
+        cpu.tick();
+        this.#asleep = sleeps && cpu.pc === next;  // else an interrupt was waiting
+      } else {
+        this.#sleep(end);
+      }
+    }
+    this.#feed();
+  }
+
+  /** From one event of the peripherals to the next, until one interrupts. */
+  #sleep(end: number): void {
+    const cpu = this.#cpu as unknown as { pc: number; cycles: number; nextClockEvent: { cycles: number } | null; tick(): void };
+    const { pc } = cpu;
+    while (cpu.pc === pc && cpu.cycles < end) {
+      cpu.cycles = Math.max(cpu.cycles, Math.min(end, cpu.nextClockEvent?.cycles ?? end));
+      cpu.tick();
+    }
+    this.#asleep = cpu.pc === pc;
+  }
+
+  #feed(): void {
+    while (this.#toBoard.length > 0 && !this.#usart.rxBusy) {
+      const byte = this.#toBoard.shift();
+      // A byte that comes while the receiver is off is lost, as on a line.
+      if (byte !== undefined && this.#usart.writeByte(byte)) return;
+    }
+  }
+
+  /** 1000 us to either side of 1500 us are 90 degrees. */
+  #takePulse(width_us: number): void {
+    this.pulse_us = width_us;
+    const wanted_deg = ((width_us - 1500) * 90) / 1000;
+    this.servo_deg += Math.max(-servoStep_deg, Math.min(servoStep_deg, wanted_deg - this.servo_deg));
+  }
+}
+
+function readHex(text: string): Uint16Array {
+  const memory = new Uint8Array(flash_bytes);
+  for (const line of text.split(/\r?\n/)) {
+    if (line === "") continue;
+    const bytes = /^:([0-9A-Fa-f]{2})+$/.test(line) ? (line.slice(1).match(/../g) ?? []).map((pair) => parseInt(pair, 16)) : [];
+    const [count = 0, high = 0, low = 0, type] = bytes;
+    const sum = bytes.reduce((total, byte) => (total + byte) & 0xff, 0);
+    if (bytes.length !== count + 5 || sum !== 0) throw new Error(`the firmware's line "${line.slice(0, 20)}" is damaged`);
+    if (type !== 0) continue;
+    const at = 256 * high + low;
+    if (at + count > flash_bytes) throw new Error("the firmware does not fit into 32 KB");
+    memory.set(bytes.slice(4, -1), at);
+  }
+  return new Uint16Array(memory.buffer);
+}

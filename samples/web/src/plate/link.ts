@@ -1,0 +1,189 @@
+// The host's side of a plate's line: greeting, commands, heartbeats, and the checks of what the plate reports
+// (samples/plate/protocol.md, rules 1 to 6). Knows no clock and no port: both are given.
+import { angleText, decodeLine, encodeLine, LineReader, parseMessage, type PlateMessage } from "./line";
+
+const greetingLimit_ms = 5000;  // boards start when their line is opened, and need 2 s
+const greetingPeriod_ms = 200;
+const beatPeriod_ms = 50;
+const leastPeriod_ms = 8;  // between two commands
+const silenceLimit_ms = 500;
+const limitSlack_deg = 3;
+const far_deg = 10;
+const stuckLimit_ms = 1000;
+const moved_deg = 1;
+
+const stops: Readonly<Record<string, string>> = {
+  limit: "refused an angle beyond its limits",
+  fault: "reports a fault",
+  emergency: "was stopped by its emergency stop",
+  stuck: "reports that its servo is stuck",
+};
+
+/** What a plate said of itself. */
+export interface PlateFacts {
+  readonly least_deg: number;
+  readonly most_deg: number;
+  readonly speed_deg_s: number;
+  readonly latency_ms: number;
+  readonly measured: boolean;
+}
+
+export class PlateLink {
+  facts: PlateFacts | null = null;
+  /** As last reported; NaN before the first report. */
+  orientation_deg = NaN;
+  /** Why the plate was given up; empty: it was not. After that nothing is sent. */
+  failure = "";
+  /** From a line to its echo, the last one; NaN: none yet. */
+  roundTrip_ms = NaN;
+
+  readonly #send: (text: string) => void;
+  readonly #reader = new LineReader();
+  readonly #sentAt_ms = new Map<number, number>();
+  #began_ms = NaN;
+  #heard_ms = NaN;
+  #reported_ms = NaN;
+  #said_ms = -Infinity;
+  #unanswered = 0;
+  #sequence = 0;
+  #wanted_deg = NaN;
+  #sent_deg = NaN;
+  #held = false;
+  #movedAt_ms = NaN;
+  #movedFrom_deg = NaN;
+
+  /** `send` gets whole lines. */
+  constructor(send: (text: string) => void) { this.#send = send; }
+
+  /** Greeted, and heard of since. */
+  get ready(): boolean { return this.#held && this.failure === ""; }
+
+  /** Turn there: the nearest angle within the plate's limits that feels the same, or the nearest limit. */
+  turnTo(orientation_deg: number): void {
+    if (Number.isFinite(orientation_deg)) this.#wanted_deg = orientation_deg;
+  }
+
+  hear(bytes: Uint8Array, now_ms: number): void {
+    for (const byte of bytes) {
+      const line = this.#reader.take(byte), body = line === null ? null : decodeLine(line);
+      const message = body === null ? null : parseMessage(body);
+      if (message && !this.failure) this.#take(message, now_ms);
+    }
+  }
+
+  /** At least every 50 ms. */
+  service(now_ms: number): void {
+    if (this.failure) return;
+    if (Number.isNaN(this.#began_ms)) this.#began_ms = now_ms;
+    if (!this.facts) return this.#greet(now_ms);
+    if (now_ms - this.#heard_ms > silenceLimit_ms) return this.#fail("has not been heard for half a second");
+    if (now_ms - this.#reported_ms > silenceLimit_ms) {
+      return this.#fail(Number.isNaN(this.orientation_deg) ? "never reports its orientation" : "has not reported its orientation for half a second");
+    }
+    if (this.#held) this.#command(now_ms);
+    if (now_ms - this.#said_ms >= beatPeriod_ms) this.#drive("BEAT", now_ms);
+  }
+
+  /** The plate stops where it is; this link is over. */
+  stop(now_ms: number): void {
+    const heard = this.facts && !this.failure;
+    this.failure ||= "The plate was disconnected.";
+    if (heard) this.#drive("STOP", now_ms);
+  }
+
+  #greet(now_ms: number): void {
+    if (now_ms - this.#began_ms > greetingLimit_ms) return this.#fail("does not answer as a plate of protocol version 2 within 5 s");
+    if (now_ms - this.#said_ms < greetingPeriod_ms) return;
+    ++this.#unanswered;
+    this.#say("HELLO 2", now_ms);
+  }
+
+  #command(now_ms: number): void {
+    if (!this.facts || Number.isNaN(this.#wanted_deg) || now_ms - this.#said_ms < leastPeriod_ms) return;
+    const angle_deg = Number(nearest(this.#wanted_deg, this.orientation_deg, this.facts).toFixed(2));
+    if (angle_deg === this.#sent_deg) return;
+    this.#sent_deg = angle_deg;
+    this.#drive(`SET ${angleText(angle_deg)}`, now_ms);
+  }
+
+  #take(message: PlateMessage, now_ms: number): void {
+    this.#heard_ms = now_ms;
+    if (message.kind === "plate") return this.#takeGreeting(message, now_ms);
+    if (!this.facts) return;
+    if (message.kind === "at") return this.#takeReport(message.orientation_deg, message.sequence, now_ms);
+    const restarted = message.kind === "boot" || (message.kind === "error" && message.why === "greeting");
+    if (restarted) this.#fail("has restarted: its supply or its line failed");
+    if (message.kind !== "stopped") return;
+    const why = stops[message.why];
+    if (why) this.#fail(why);
+    else if (message.why === "heartbeat") this.#sent_deg = NaN;  // the same command is sent again
+  }
+
+  #takeGreeting(facts: PlateFacts, now_ms: number): void {
+    if (!this.facts) {
+      this.facts = facts;
+      this.#reported_ms = now_ms;
+    } else if (this.#unanswered <= 0) {
+      this.#fail("has announced itself anew: it was reset, or another plate answers");
+    }
+    --this.#unanswered;
+  }
+
+  #takeReport(orientation_deg: number, sequence: number, now_ms: number): void {
+    const facts = this.facts;
+    if (!facts) return;
+    if (orientation_deg < facts.least_deg - limitSlack_deg || orientation_deg > facts.most_deg + limitSlack_deg) {
+      return this.#fail(`reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.least_deg}° to ${facts.most_deg}°`);
+    }
+    this.orientation_deg = orientation_deg;
+    this.#reported_ms = now_ms;
+    const sent_ms = this.#sentAt_ms.get(sequence);
+    if (sent_ms !== undefined) {
+      this.roundTrip_ms = now_ms - sent_ms;
+      this.#sentAt_ms.clear();
+    }
+    // A plate gives no pulse until it has an angle: it holds its place first.
+    if (!this.#held) {
+      this.#held = true;
+      if (Number.isNaN(this.#wanted_deg)) this.#wanted_deg = orientation_deg;
+    }
+    this.#expectMotion(orientation_deg, now_ms);
+  }
+
+  #expectMotion(orientation_deg: number, now_ms: number): void {
+    const far = Math.abs(this.#sent_deg - orientation_deg) > far_deg;
+    if (!far || !(Math.abs(orientation_deg - this.#movedFrom_deg) < moved_deg)) {
+      this.#movedFrom_deg = orientation_deg;
+      this.#movedAt_ms = now_ms;
+    } else if (now_ms - this.#movedAt_ms > stuckLimit_ms) {
+      this.#fail(`is stuck at ${orientation_deg.toFixed(1)}°; it was sent to ${this.#sent_deg.toFixed(1)}°`);
+    }
+  }
+
+  #drive(words: string, now_ms: number): void {
+    this.#sequence = (this.#sequence + 1) & 0xffff;
+    if (this.#sentAt_ms.size < 64) this.#sentAt_ms.set(this.#sequence, now_ms);
+    this.#say(`${words} ${String(this.#sequence).padStart(5, "0")}`, now_ms);
+  }
+
+  #say(body: string, now_ms: number): void {
+    this.#said_ms = now_ms;
+    this.#send(encodeLine(body));
+  }
+
+  #fail(why: string): void {
+    if (this.failure) return;
+    this.failure = `The plate ${why}.`;
+    if (this.facts) this.#drive("STOP", this.#said_ms);
+  }
+}
+
+function nearest(wanted_deg: number, plate_deg: number, { least_deg, most_deg }: PlateFacts): number {
+  const first_deg = wanted_deg - 180 * Math.floor((wanted_deg - least_deg) / 180);
+  if (first_deg > most_deg) return Math.abs(first_deg - most_deg) < Math.abs(first_deg - 180 - least_deg) ? most_deg : least_deg;
+  let best_deg = first_deg;
+  for (let angle_deg = first_deg; angle_deg <= most_deg; angle_deg += 180) {
+    if (Math.abs(angle_deg - plate_deg) < Math.abs(best_deg - plate_deg)) best_deg = angle_deg;
+  }
+  return best_deg;
+}

@@ -1,0 +1,61 @@
+// A serial line by the browser's Web Serial. Its types are not among TypeScript's own.
+
+export interface SerialPort {
+  readonly readable: ReadableStream<Uint8Array> | null;
+  readonly writable: WritableStream<Uint8Array> | null;
+  open(options: { baudRate: number }): Promise<void>;
+  close(): Promise<void>;
+}
+interface Serial { requestPort(): Promise<SerialPort> }
+
+export const baudRate = 115200;
+/** Bytes that wait to be sent; a line that takes none is broken. */
+const mostUnsent = 4096;
+
+/** The browser's serial ports; null: it has none, or not on this address. */
+export function serial(): Serial | null {
+  return (navigator as { serial?: Serial }).serial ?? null;
+}
+
+export interface OpenLine {
+  send(text: string): void;
+  close(): Promise<void>;
+}
+
+/** `heard` gets bytes as they come; `ended` is called once if the line fails. */
+export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => void, ended: (why: string) => void): Promise<OpenLine> {
+  await port.open({ baudRate });
+  const reader = port.readable?.getReader(), writer = port.writable?.getWriter();
+  if (!reader || !writer) throw new Error("the port cannot be read and written");
+  const encoder = new TextEncoder();
+  let open = true, unsent = 0;
+  const fail = (error: unknown): void => {
+    if (open) ended(error instanceof Error ? error.message : String(error));
+    open = false;
+  };
+  const read = async (): Promise<void> => {
+    for (;;) {
+      const { value, done } = await reader.read();
+      if (done) throw new Error("it was closed");
+      heard(value);
+    }
+  };
+  const reading = read().catch(fail);
+  return {
+    send(text) {
+      if (!open) return;
+      if (unsent > mostUnsent) return fail("it takes no bytes");
+      unsent += text.length;
+      writer.write(encoder.encode(text)).then(() => { unsent -= text.length; }, fail);
+    },
+    async close() {
+      open = false;
+      // A line that hangs is not waited for: what is unsent is dropped, and rule 1 stops the plate.
+      const patience = new Promise((done) => setTimeout(done, 300));
+      await Promise.race([writer.close().catch(() => undefined), patience]);
+      await Promise.race([reader.cancel().then(() => reading).catch(() => undefined), patience]);
+      for (const lock of [writer, reader]) lock.releaseLock();
+      await port.close().catch(() => undefined);
+    },
+  };
+}

@@ -1,0 +1,62 @@
+// A recording of the plugin, read for the picture: the tracked finger, the commanded plate, and what the controller
+// made of them. Library.replay() checks it; this reads columns by their names.
+import { HRT_SAMPLE_PLATE_POSITION } from "haptic-retargeting";
+import { start } from "./geometry";
+
+export interface RecordedSample {
+  readonly time_ms: number;
+  readonly right_m: number;
+  readonly away_m: number;
+  readonly plate_deg: number;
+  readonly finger_deg: number;
+  readonly felt_deg: number;
+  readonly weight: number;
+  readonly weight_sd: number;
+}
+
+export interface RecordedReach {
+  readonly real_deg: number;
+  readonly virtual_deg: number;
+  readonly real_m: number;
+  /** With positions on the plate, in order of time, from 0. */
+  readonly samples: readonly RecordedSample[];
+}
+
+/** The first reach of a recording that replays. Throws if it has no positions on the plate. */
+export function readReach(recording: string): RecordedReach {
+  const lines = recording.split("\n").filter((line) => line !== "" && !line.startsWith("#"));
+  const columns = (lines[0] ?? "").split(","), samples: RecordedSample[] = [];
+  let begin: string[] | null = null, first_ms = NaN;
+  const number = (cells: readonly string[], column: string): number => {
+    const text = cells[columns.indexOf(column)];
+    return text === undefined || text === "" ? NaN : Number(text);
+  };
+  for (const line of lines.slice(1)) {
+    const cells = line.split(",");
+    if (number(cells, "result") !== 0) continue;
+    if (cells[0] === "begin") {
+      if (begin) break;
+      begin = cells;
+    } else if (cells[0] === "end" || cells[0] === "cancel") {
+      break;
+    } else if (begin && cells[0] === "update") {
+      const time_ms = number(cells, "time_ns") / 1e6, right_m = number(cells, "sample_x_m");
+      if (!(number(cells, "sample_flags") & HRT_SAMPLE_PLATE_POSITION)) continue;
+      if (Number.isNaN(first_ms)) first_ms = time_ms;
+      const moving = number(cells, "step") >= 0;
+      samples.push({
+        time_ms: time_ms - first_ms,
+        right_m: right_m - number(begin, "start_right_m") + start.right_m,
+        away_m: -number(cells, "sample_z_m") - number(begin, "start_away_m") + start.away_m,
+        plate_deg: number(cells, "plate_orientation_deg"),
+        finger_deg: moving ? number(cells, "finger_direction_deg") : NaN,
+        felt_deg: moving ? number(cells, "perceived_direction_deg") : NaN,
+        weight: number(cells, "tactile_weight"),
+        weight_sd: number(cells, "tactile_weight_sd"),
+      });
+    }
+  }
+  if (!begin || samples.length === 0) throw new Error("the recording has no reach with positions on the plate");
+  return { real_deg: number(begin, "real_direction_deg"), virtual_deg: number(begin, "virtual_direction_deg"),
+           real_m: number(begin, "real_distance_m"), samples };
+}

@@ -1,0 +1,48 @@
+// The table of reaches, the newest first.
+import { warnings } from "./controller";
+import type { ControllerName } from "./settings";
+import type { ReachResult } from "./watch";
+
+const rowsKept = 10;
+const arrived_deg = 1.5;
+export const controllerTexts: Readonly<Record<ControllerName, string>> = { off: "still", paper: "the paper's", ours: "ours" };
+
+export class Results {
+  readonly #body: HTMLTableSectionElement;
+
+  constructor(table: HTMLTableElement) {
+    const body = table.tBodies[0];
+    if (!body) throw new Error("the table of reaches has no body");
+    this.#body = body;
+  }
+
+  clear(): void { this.#body.replaceChildren(); }
+
+  add(result: Readonly<ReachResult>): void {
+    const row = this.#body.insertRow(0);
+    const off = `${Math.abs(result.bearingError_deg).toFixed(1)}°, ${result.toCylinder_mm.toFixed(1)} mm`;
+    const hit = Math.abs(result.bearingError_deg) <= arrived_deg;
+    const learns = result.weightSd > 0 && result.controller === "ours";
+    const believed = learns ? `${result.weight.toFixed(2)} ± ${(1.96 * result.weightSd).toFixed(2)}`
+      : result.controller === "paper" ? `${result.weight.toFixed(2)}, fixed` : "–";
+    const cells = [String(result.number), controllerTexts[result.controller], `${hit ? "✓" : "✗"} ${off}`,
+                   `${result.peakFeltError_deg.toFixed(1)}°`, believed,
+                   result.controller === "off" ? "" : warnings(result.flags).join("; ")];
+    for (const text of cells) row.insertCell().textContent = text;
+    for (const [name, value] of Object.entries(result)) row.dataset[inDataset(name)] = String(value);
+    while (this.#body.rows.length > rowsKept) this.#body.deleteRow(-1);
+  }
+}
+
+/** peakFeltError_deg as it is called in a dataset: peakFeltErrorDeg. */
+function inDataset(name: string): string {
+  return name.replace(/_(.)/g, (_, letter: string) => letter.toUpperCase());
+}
+
+/** What a reach came to, in a sentence. */
+export function resultText(result: Readonly<ReachResult>): string {
+  const end = `The finger is ${result.toCylinder_mm.toFixed(1)} mm from the real cylinder; its owner feels it ` +
+    `${result.feltToGhost_mm.toFixed(1)} mm from the ghost.`;
+  if (result.controller === "off") return `${end} The plate stood still.`;
+  return Math.abs(result.bearingError_deg) <= arrived_deg ? `Arrived. ${end}` : `Missed. ${end}`;
+}

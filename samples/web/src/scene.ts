@@ -1,0 +1,90 @@
+// A scene of the visitor's own: plate and targets of a glTF file, by the plugin's loader, and what can be held for whom.
+import * as hrt from "haptic-retargeting";
+import { motionBound_deg } from "./controller";
+import { direction_deg, length_m, radius_m, type Course, type Place } from "./geometry";
+import type { SceneMeshes } from "./stage/meshes";
+
+/** Weights of touch for which it is computed what can be held. */
+export const weights = [0.1, 0.15, 0.2, 0.25, 0.3] as const;
+
+export interface SceneTarget {
+  readonly name: string;
+  readonly real: boolean;
+  /** As drawn: the file's plate, brought to the size of the page's. */
+  readonly drawn: Place;
+}
+
+/** A virtual target with the real one that serves it. */
+export interface ScenePair {
+  readonly virtual: string;
+  readonly real: string;
+  readonly gap_deg: number;
+  /** In plate coordinates of the file, in metres. */
+  readonly course: Course;
+  /** The plate that sustains the gap, for each of `weights`; NaN: none can. */
+  readonly plates_deg: readonly number[];
+}
+
+export interface VisitorScene {
+  readonly name: string;
+  readonly plateRadius_m: number;
+  /** From the file's plate to the page's. */
+  readonly scale: number;
+  /** The file's own meshes; null: they cannot be drawn, as `meshProblem` says. */
+  meshes: SceneMeshes | null;
+  meshProblem: string;
+  readonly plate: { readonly position_m: readonly number[]; readonly rotation: readonly number[] };
+  readonly start: Place;
+  readonly targets: readonly SceneTarget[];
+  readonly pairs: readonly ScenePair[];
+}
+
+/** Throws the loader's error, which names file, node and property. */
+export function readScene(library: hrt.Library, bytes: ArrayBuffer, name: string): VisitorScene {
+  const scene = library.loadScene(bytes, name);
+  const session = library.createSession({ guidance: hrt.HRT_GUIDANCE_ARRIVAL, motion_bound_deg: motionBound_deg });
+  try {
+    const { info, targets } = scene, ids = scene.register(session), scale = radius_m / info.plate_radius_m;
+    const onPlate = ([x = 0, , z = 0]: readonly number[]): Place => ({ right_m: x, away_m: -z });
+    const place = (position_m: readonly number[]): Place => {
+      const { right_m, away_m } = onPlate(position_m);
+      return { right_m: scale * right_m, away_m: scale * away_m };
+    };
+    const from = onPlate(info.start_position_m);
+    const course = (real: Place, virtual: Place): Course => ({ start: from, ...seen(from, real, "real"), ...seen(from, virtual, "virtual") });
+    return {
+      name,
+      plateRadius_m: info.plate_radius_m,
+      scale,
+      meshes: null,
+      meshProblem: "",
+      plate: { position_m: info.plate_position_m, rotation: info.plate_rotation },
+      start: place(info.start_position_m),
+      targets: targets.map((target) => ({ name: target.name, real: target.role === hrt.HRT_TARGET_REAL, drawn: place(target.position_m) })),
+      pairs: targets.flatMap((target, i) => {
+        const real = targets[target.served_by], id = ids[i], realId = ids[target.served_by];
+        return real && id !== undefined && realId !== undefined
+          ? [{ virtual: target.name, real: real.name, course: course(onPlate(real.position_m), onPlate(target.position_m)), ...heldBy(session, realId, id) }] : [];
+      }),
+    };
+  } finally {
+    session.destroy();
+    scene.destroy();
+  }
+}
+
+function seen<Name extends "real" | "virtual">(from: Place, to: Place, name: Name) {
+  return { [`${name}_deg`]: direction_deg(to.right_m - from.right_m, to.away_m - from.away_m), [`${name}_m`]: length_m(from, to) } as
+    Record<`${Name}_deg` | `${Name}_m`, number>;
+}
+
+function heldBy(session: hrt.Session, real: hrt.TargetId, virtual: hrt.TargetId) {
+  let gap_deg = 0;
+  const plates_deg = weights.map((tactile_weight) => {
+    session.configure({ tactile_weight });
+    const authority = session.authority(real, virtual);
+    ({ gap_deg } = authority);
+    return authority.reachable ? authority.plate_orientation_deg : NaN;
+  });
+  return { gap_deg, plates_deg };
+}

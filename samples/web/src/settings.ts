@@ -1,0 +1,94 @@
+// What can be set on the page: ranges, defaults, and the link that carries them.
+
+export type ControllerName = "off" | "paper" | "ours";
+
+export interface Settings {
+  /** Share of touch in the direction that is felt; the controller does not know it. */
+  tactile_weight: number;
+  /** Between the real and the virtual target, seen from the start. */
+  gap_deg: number;
+  /** White noise of the tracker, standard deviation of a coordinate. */
+  noise_mm: number;
+  /** Duration of a reach; the controller does not know it. */
+  pace_s: number;
+  /** Greatest speed of the plate's servo. */
+  plate_deg_s: number;
+  controller: ControllerName;
+  /** Chooses the person: how fast they correct, how late they feel, where they set out. */
+  person: number;
+}
+
+export type SliderName = "tactile_weight" | "gap_deg" | "noise_mm" | "pace_s" | "plate_deg_s";
+
+export interface Range {
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  readonly start: number;
+}
+
+export const sliders: Readonly<Record<SliderName, Range>> = {
+  tactile_weight: { min: 0.05, max: 0.4, step: 0.01, start: 0.17 },
+  gap_deg: { min: 0, max: 20, step: 0.5, start: 10 },
+  noise_mm: { min: 0, max: 3, step: 0.1, start: 1.2 },
+  pace_s: { min: 0.6, max: 4, step: 0.1, start: 1.5 },
+  plate_deg_s: { min: 50, max: 800, step: 10, start: 400 },
+};
+export const sliderNames = Object.keys(sliders) as SliderName[];
+export const controllerNames: readonly ControllerName[] = ["off", "paper", "ours"];
+const largestPerson = 9999;
+
+export function defaultSettings(): Settings {
+  const settings: Settings = { tactile_weight: 0, gap_deg: 0, noise_mm: 0, pace_s: 0, plate_deg_s: 0,
+                               controller: "ours", person: 1 };
+  for (const name of sliderNames) settings[name] = sliders[name].start;
+  return settings;
+}
+
+/** The nearest value that the slider has. */
+export function onSlider(name: SliderName, value: number): number {
+  const { min, max, step } = sliders[name];
+  const steps = Math.round((Math.min(max, Math.max(min, value)) - min) / step);
+  return Number((min + steps * step).toFixed(3));
+}
+
+/** The part of a link after #: what differs from the defaults. */
+export function toLink(settings: Settings): string {
+  const defaults = defaultSettings(), parts = new URLSearchParams();
+  for (const name of [...sliderNames, "controller", "person"] as const) {
+    if (settings[name] !== defaults[name]) parts.set(name, String(settings[name]));
+  }
+  return parts.toString();
+}
+
+/** Settings of a link, and what in it was left out because it is unknown or not allowed. */
+export function fromLink(link: string): { settings: Settings; problems: string[] } {
+  const settings = defaultSettings(), problems: string[] = [];
+  for (const [name, text] of new URLSearchParams(link.slice(0, 500))) {
+    const value = /^\d{1,6}(\.\d{1,6})?$/.test(text) ? Number(text) : NaN;
+    if (isSlider(name)) {
+      const { min, max } = sliders[name];
+      if (value >= min && value <= max) settings[name] = onSlider(name, value);
+      else problems.push(`${name} is "${text.slice(0, 20)}"; allowed: ${min} to ${max}`);
+    } else if (name === "controller") {
+      const known = controllerNames.find((controller) => controller === text);
+      if (known) settings.controller = known;
+      else problems.push(`controller is "${text.slice(0, 20)}"; allowed: ${controllerNames.join(", ")}`);
+    } else if (name === "person") {
+      if (Number.isInteger(value) && value >= 1 && value <= largestPerson) settings.person = value;
+      else problems.push(`person is "${text.slice(0, 20)}"; allowed: 1 to ${largestPerson}`);
+    } else {
+      problems.push(`nothing is called "${name.slice(0, 20)}"`);
+    }
+  }
+  return { settings, problems };
+}
+
+/** Another person than `person`. */
+export function nextPerson(person: number): number {
+  return (person % largestPerson) + 1;
+}
+
+function isSlider(name: string): name is SliderName {
+  return Object.hasOwn(sliders, name);
+}

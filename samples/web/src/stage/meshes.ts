@@ -1,0 +1,112 @@
+// The meshes of a visitor's scene, to look at. The plugin's loader has read plate and targets before; this draws what else
+// the file has. Nothing is fetched: only what lies within the file is used, without textures, animations and skins.
+import { Group, Matrix4, Mesh, MeshBasicMaterial, MeshStandardMaterial, Object3D, Quaternion, Vector3 } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+
+const glbMagic = 0x46546c67, jsonChunk = 0x4e4f534a, binaryChunk = 0x004e4942;
+
+/** What is kept of a file, and of each material. */
+const kept = ["asset", "scene", "scenes", "nodes", "meshes", "accessors", "bufferViews", "buffers", "materials"] as const;
+const keptOfMaterial = ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"] as const;
+
+/** A page that holds more would stand still. */
+const mostNodes = 10_000, mostValues = 4_000_000;
+
+type Json = Record<string, unknown>;
+
+export interface SceneMeshes {
+  /** In plate coordinates, in metres. */
+  readonly group: Group;
+  /** Names of the targets that have a mesh of their own. */
+  readonly targets: ReadonlySet<string>;
+}
+
+/** The file's meshes, with its plate at the origin; the plate's own mesh is left out. Rejects if they cannot be read. */
+export async function readMeshes(bytes: ArrayBuffer, platePosition_m: readonly number[], plateRotation: readonly number[]): Promise<SceneMeshes> {
+  const { json, binary } = parts(bytes), file = pick(json, kept);
+  file.materials = list(json.materials).map((material) => ({ ...pick(material, keptOfMaterial), pbrMetallicRoughness: plain(material.pbrMetallicRoughness) }));
+  file.nodes = list(json.nodes).map((node) => pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]));
+  const values = list(json.accessors).reduce((sum, { count }) => sum + Number(count), 0);
+  if (!(values <= mostValues) || list(file.nodes).length > mostNodes) throw new Error(`they have more than ${mostValues} values or ${mostNodes} nodes`);
+  const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : embedded(uri)));
+  const views = list(json.bufferViews);
+
+  const loader = new GLTFLoader();
+  loader.register(() => ({
+    name: "embedded buffers",
+    loadBufferView: (index: number) => {
+      const { buffer, byteOffset = 0, byteLength } = views[index] ?? {}, from = Number(byteOffset);
+      return Promise.resolve((buffers[Number(buffer)] ?? new ArrayBuffer(0)).slice(from, from + Number(byteLength)));
+    },
+  }));
+  // A parsed file is allowed, which its types do not say.
+  const { scene } = await loader.parseAsync(file as unknown as string, "");
+
+  const names = new Set<string>(), left: Object3D[] = [];
+  scene.traverse((node) => {
+    const { haptic } = node.userData as { haptic?: { role?: unknown; name?: unknown } };
+    if (haptic?.role === "plate") left.push(...node.children.filter((child) => !child.userData.haptic), node);
+    else if (haptic && hasMesh(node)) names.add(typeof haptic.name === "string" ? haptic.name : node.name);
+  });
+  for (const node of left) if (node instanceof Mesh) node.visible = false;
+  const pose = new Matrix4().compose(new Vector3().fromArray(platePosition_m), new Quaternion().fromArray(plateRotation), new Vector3(1, 1, 1));
+  const group = new Group();
+  group.add(scene);
+  scene.applyMatrix4(pose.invert());
+  return { group, targets: names };
+}
+
+/** Targets in their colours: real ones solid, virtual ones as ghosts. */
+export function colourTargets(group: Group, real: string, felt: string): void {
+  group.traverse((node) => {
+    const { haptic } = node.userData as { haptic?: { role?: unknown } };
+    const role = haptic?.role;
+    if (role !== "real" && role !== "virtual") return;
+    node.traverse((part) => {
+      if (!(part instanceof Mesh)) return;
+      part.material = role === "real" ? new MeshStandardMaterial({ color: real, roughness: 0.4 })
+        : new MeshBasicMaterial({ color: felt, transparent: true, opacity: 0.5, depthWrite: false });
+    });
+  });
+}
+
+function hasMesh(node: Object3D): boolean {
+  let found = false;
+  node.traverse((part) => { found ||= part instanceof Mesh; });
+  return found;
+}
+
+function parts(bytes: ArrayBuffer): { json: Json; binary: ArrayBuffer } {
+  const view = new DataView(bytes);
+  if (bytes.byteLength < 20 || view.getUint32(0, true) !== glbMagic) {
+    return { json: JSON.parse(new TextDecoder().decode(bytes)) as Json, binary: new ArrayBuffer(0) };
+  }
+  let json: Json = {}, binary = new ArrayBuffer(0);
+  for (let at = 12; at + 8 <= bytes.byteLength;) {
+    const length = view.getUint32(at, true), type = view.getUint32(at + 4, true), chunk = bytes.slice(at + 8, at + 8 + length);
+    if (type === jsonChunk) json = JSON.parse(new TextDecoder().decode(chunk)) as Json;
+    else if (type === binaryChunk) binary = chunk;
+    at += 8 + length;
+  }
+  return { json, binary };
+}
+
+function embedded(uri: unknown): ArrayBuffer {
+  const base64 = typeof uri === "string" ? /^data:[^,]*;base64,(.*)$/s.exec(uri)?.[1] : undefined;
+  if (base64 === undefined) throw new Error("its meshes lie in another file, which the page does not load");
+  const text = atob(base64), bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+  return bytes.buffer;
+}
+
+function list(value: unknown): Json[] {
+  return Array.isArray(value) ? value.filter((entry): entry is Json => typeof entry === "object" && entry !== null) : [];
+}
+
+function pick(from: Json, names: readonly string[]): Json {
+  return Object.fromEntries(names.filter((name) => from[name] !== undefined).map((name) => [name, from[name]]));
+}
+
+function plain(value: unknown): Json {
+  return typeof value === "object" && value !== null ? pick(value as Json, ["baseColorFactor", "metallicFactor", "roughnessFactor"]) : {};
+}

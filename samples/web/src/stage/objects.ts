@@ -1,0 +1,88 @@
+// What lies and moves about the plate: the real cylinder, the ghost, the hand, the felt fingertip.
+import { CapsuleGeometry, CylinderGeometry, EdgesGeometry, Group, LatheGeometry, LineBasicMaterial, LineSegments, Mesh,
+         MeshBasicMaterial, MeshStandardMaterial, RingGeometry, SphereGeometry, Vector2, type ColorRepresentation } from "three";
+
+/** A solid cylinder that stands at its origin. */
+export class RealCylinder extends Group {
+  readonly #material = new MeshStandardMaterial({ roughness: 0.35, metalness: 0.2 });
+  constructor() {
+    super();
+    const cylinder = new Mesh(new CylinderGeometry(0.0055, 0.0055, 0.03, 32), this.#material);
+    cylinder.position.y = 0.015;
+    cylinder.castShadow = true;
+    this.add(cylinder);
+  }
+  setColour(colour: ColorRepresentation): void { this.#material.color.set(colour); }
+}
+
+/** A goblet that is seen, or imagined, and not there. */
+export class Ghost extends Group {
+  readonly #body = new MeshBasicMaterial({ transparent: true, opacity: 0.25, depthWrite: false });
+  readonly #lines = new LineBasicMaterial();
+  constructor() {
+    super();
+    const outline = [[0.006, 0], [0.006, 0.001], [0.0014, 0.003], [0.0012, 0.014], [0.0045, 0.018], [0.0062, 0.024],
+                     [0.0056, 0.03]] as const;
+    const shape = new LatheGeometry(outline.map(([r, y]) => new Vector2(r, y)), 12);
+    this.add(new Mesh(shape, this.#body), new LineSegments(new EdgesGeometry(shape, 1), this.#lines));
+  }
+  setColour(colour: ColorRepresentation): void {
+    this.#body.color.set(colour);
+    this.#lines.color.set(colour);
+  }
+}
+
+/** A finger whose tip touches its origin; it comes from the viewer's side. */
+export class Finger extends Group {
+  readonly #tip = new MeshStandardMaterial({ roughness: 0.7 });
+  readonly #rest = new MeshStandardMaterial({ roughness: 0.7, transparent: true, opacity: 0.7 });
+  constructor() {
+    super();
+    this.#addSegment(0.0062, 0, 0.016, 0.85, this.#tip);
+    this.#addSegment(0.0068, 0.021, 0.042, 0.95, this.#rest);
+    this.#addSegment(0.0075, 0.048, 0.085, 1.0, this.#rest);
+  }
+  setColour(colour: ColorRepresentation): void {
+    this.#tip.color.set(colour);
+    this.#rest.color.set(colour);
+  }
+  /** From `from_m` to `to_m` along a line that leans towards the viewer by `lean` from upright, in radians. */
+  #addSegment(radius_m: number, from_m: number, to_m: number, lean: number, material: MeshStandardMaterial): void {
+    const segment = new Mesh(new CapsuleGeometry(radius_m, to_m - from_m, 8, 20), material);
+    const middle_m = (from_m + to_m) / 2;
+    segment.position.set(0, 0.0062 + Math.cos(lean) * middle_m, Math.sin(lean) * middle_m);
+    segment.rotation.x = lean;
+    segment.castShadow = true;
+    this.add(segment);
+  }
+}
+
+/** Where the owner feels that the fingertip is: a ring, and a glassy ball. */
+export class FeltTip extends Group {
+  readonly #ball = new MeshBasicMaterial({ transparent: true, opacity: 0.4, depthWrite: false });
+  readonly #ring = new MeshBasicMaterial({ depthTest: false, transparent: true });
+  constructor() {
+    super();
+    const ball = new Mesh(new SphereGeometry(0.006, 20, 14), this.#ball);
+    ball.position.y = 0.006;
+    const ring = new Mesh(new RingGeometry(0.0062, 0.0078, 36), this.#ring);
+    ring.rotation.x = -Math.PI / 2;
+    ring.position.y = 0.003;
+    ring.renderOrder = 6;
+    this.add(ball, ring);
+  }
+  setColour(colour: ColorRepresentation): void {
+    this.#ball.color.set(colour);
+    this.#ring.color.set(colour);
+  }
+}
+
+/** Where a slide starts. */
+export class StartMark extends Mesh<RingGeometry, MeshBasicMaterial> {
+  constructor() {
+    super(new RingGeometry(0.0085, 0.0095, 40), new MeshBasicMaterial({ depthTest: false, transparent: true }));
+    this.rotation.x = -Math.PI / 2;
+    this.position.y = 0.003;
+    this.renderOrder = 4;
+  }
+}

@@ -1,0 +1,232 @@
+// The desk in three dimensions. Draws what it is given; knows no plugin and no person.
+import { HapticPlate } from "haptic-retargeting/three";
+import { AmbientLight, BoxGeometry, Color, DirectionalLight, Group, Mesh, MeshStandardMaterial, PerspectiveCamera, Plane,
+         Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { ahead, radius_m, ridgeSpacing_m, start, type Place } from "../geometry";
+import type { VisitorScene } from "../scene";
+import type { Colours } from "../theme";
+import { HandJoints, WordBoard } from "./headset";
+import { colourTargets } from "./meshes";
+import { FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
+import { Ribbon } from "./ribbon";
+
+const fieldOfView_deg = 40;  // from top to bottom, in a window at least this wide over its height:
+const leastAspect = 1.25;
+const headHeight_m = 0.034;  // of a target, for its label
+const pathHeight_m = 0.003;
+const eyes = {
+  oblique: { from: new Vector3(0.03, 0.16, 0.145), to: new Vector3(0, 0.004, -0.004) },
+  above: { from: new Vector3(0, 0.235, 0.05), to: new Vector3(0, 0, -0.001) },
+};
+
+/** What a label stands beside. */
+export type LabelName = "real" | "ghost" | "finger" | "felt";
+
+export class Stage {
+  readonly truePath = new Ribbon(0.0022, 0, pathHeight_m);
+  readonly feltPath = new Ribbon(0.0022, 0.004, pathHeight_m);
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  /** All that stands on or about the plate, in plate coordinates; in a headset, where the plate is. */
+  readonly mount = new Group();
+  readonly #ambient = new AmbientLight(0xffffff, 1.4);
+  readonly #eyes = new PerspectiveCamera(fieldOfView_deg, 1, 0.01, 50);  // a headset moves this one
+  readonly #camera = new PerspectiveCamera(fieldOfView_deg, 1, 0.01, 5);
+  readonly #disc = new MeshStandardMaterial({ roughness: 0.85 });
+  readonly #ridges = new MeshStandardMaterial({ roughness: 0.6 });
+  readonly #mark = new MeshStandardMaterial({ roughness: 0.6 });
+  // Ridges are drawn larger than they are: as a headset would have them, they could hardly be seen from here.
+  readonly plate = new HapticPlate({ radius_m, ridgeSpacing_m, ridgeWidth_m: 0.0016, ridgeHeight_m: 0.0022,
+                                      discMaterial: this.#disc, ridgeMaterial: this.#ridges, markMaterial: this.#mark });
+  readonly #desk = new Mesh(new BoxGeometry(1.2, 0.02, 0.9), new MeshStandardMaterial({ roughness: 1 }));
+  readonly #real = new RealCylinder();
+  readonly #ghost = new Ghost();
+  readonly #finger = new Finger();
+  readonly #felt = new FeltTip();
+  readonly #start = new StartMark();
+  readonly #visited = new Group();
+  readonly #joints = new HandJoints();
+  readonly #words = new WordBoard();
+  #colours: Colours | null = null;
+  readonly #lamp = new DirectionalLight(0xffffff, 2.2);
+  readonly #ray = new Raycaster();
+  readonly #surface = new Plane(new Vector3(0, 1, 0), 0);
+  readonly #point = new Vector3();
+  readonly #pointer = new Vector2();
+  #width = 1;
+  #height = 1;
+
+  /** Throws if the browser has no WebGL. */
+  constructor(canvas: HTMLCanvasElement) {
+    this.#renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.#renderer.shadowMap.enabled = true;
+    this.#desk.position.y = -0.018;
+    this.#desk.receiveShadow = true;
+    this.#start.position.x = start.right_m;
+    this.#start.position.z = -start.away_m;
+    this.#lamp.position.set(-0.25, 0.5, 0.15);
+    this.#lamp.castShadow = true;
+    this.#lamp.shadow.mapSize.set(1024, 1024);
+    Object.assign(this.#lamp.shadow.camera, { left: -0.2, right: 0.2, top: 0.2, bottom: -0.2, near: 0.1, far: 1.2 });
+    this.mount.add(this.#desk, this.plate, this.#real, this.#ghost, this.#finger, this.#felt, this.#start, this.#visited, this.truePath,
+                   this.feltPath, this.#lamp, this.#lamp.target);
+    this.mount.add(this.#words);
+    this.#scene.add(this.mount, this.#joints, this.#ambient);
+  }
+
+  setColours(colours: Colours): void {
+    this.#colours = colours;
+    colourTargets(this.#visited, colours.real, colours.felt);
+    for (const thing of this.#visited.children) {
+      if (thing instanceof RealCylinder) thing.setColour(colours.real);
+      else if (thing instanceof Ghost) thing.setColour(colours.felt);
+    }
+    this.#scene.background = new Color(colours.stage);
+    this.#desk.material.color.set(colours.desk);
+    this.#disc.color.set(colours.plate);
+    this.#ridges.color.set(colours.ridges);
+    this.#mark.color.set(colours.chartPlate);
+    this.#real.setColour(colours.real);
+    this.truePath.setColour(colours.real);
+    this.#ghost.setColour(colours.felt);
+    this.#felt.setColour(colours.felt);
+    this.feltPath.setColour(colours.felt);
+    this.#finger.setColour(colours.hand);
+    this.#joints.setColour(colours.hand);
+    this.#start.material.color.set(colours.text);
+  }
+
+  setTargets(real_deg: number, virtual_deg: number, distance_m: number): void {
+    const real = ahead(start, real_deg, distance_m), ghost = ahead(start, virtual_deg, distance_m);
+    this.#real.position.set(real.right_m, 0, -real.away_m);
+    this.#ghost.position.set(ghost.right_m, 0, -ghost.away_m);
+  }
+
+  /** A visitor's scene instead of the page's desk and targets, brought to the plate's size; null: the page's own. */
+  setScene(scene: VisitorScene | null): void {
+    this.#visited.clear();
+    for (const own of [this.#real, this.#ghost]) own.visible = !scene;
+    this.#desk.visible = !scene?.meshes;
+    if (scene?.meshes) {
+      const { group } = scene.meshes;
+      group.scale.setScalar(scene.scale);
+      this.#visited.add(group);
+      if (this.#colours) colourTargets(group, this.#colours.real, this.#colours.felt);
+    }
+    const from = scene?.start ?? start;
+    this.#start.position.set(from.right_m, this.#start.position.y, -from.away_m);
+    for (const { name, real, drawn } of scene?.targets ?? []) {
+      if (scene?.meshes?.targets.has(name)) continue;
+      const thing = real ? new RealCylinder() : new Ghost();
+      if (this.#colours) thing.setColour(real ? this.#colours.real : this.#colours.felt);
+      thing.position.set(drawn.right_m, 0, -drawn.away_m);
+      this.#visited.add(thing);
+    }
+  }
+
+  setView(view: keyof typeof eyes): void {
+    this.#camera.position.copy(eyes[view].from);
+    this.#camera.lookAt(eyes[view].to);
+  }
+
+  /** A finger whose true place is hidden is not drawn. */
+  showFinger(shown: boolean): void {
+    this.#finger.visible = shown;
+    this.truePath.visible = shown;
+  }
+
+  showFelt(shown: boolean): void {
+    this.#felt.visible = shown;
+    this.feltPath.visible = shown;
+  }
+
+  place(plate_deg: number, finger: Readonly<Place>, felt: Readonly<Place>): void {
+    this.plate.orientation_deg = plate_deg;
+    this.#finger.position.set(finger.right_m, 0.002, -finger.away_m);
+    this.#felt.position.set(felt.right_m, 0, -felt.away_m);
+  }
+
+  clearPaths(): void {
+    this.truePath.reset();
+    this.feltPath.reset();
+  }
+
+  /** The canvas has this size, in CSS pixels. */
+  resize(width: number, height: number, pixelRatio: number): void {
+    if (width < 1 || height < 1) return;
+    this.#width = width;
+    this.#height = height;
+    this.#renderer.setPixelRatio(Math.min(pixelRatio, 2));
+    this.#renderer.setSize(width, height, false);
+    this.#camera.aspect = width / height;
+    // The plate's width fits into a narrow window too.
+    const widening = Math.max(1, leastAspect / this.#camera.aspect);
+    this.#camera.fov = (360 / Math.PI) * Math.atan(Math.tan((fieldOfView_deg / 360) * Math.PI) * widening);
+    this.#camera.updateProjectionMatrix();
+  }
+
+  /** In a headset the tracked hand stands for the finger, and words for the page. */
+  showHeadset(worn: boolean): void {
+    this.#finger.visible = !worn;
+    this.#words.visible = worn;
+    if (!worn) this.#joints.visible = false;
+  }
+
+  showHand(frame: XRFrame, hand: XRHand | undefined, space: XRReferenceSpace, title: string, text: string): void {
+    this.#joints.show(frame as object, hand, space);
+    if (this.#colours) this.#words.say(title, text, this.#colours.text, this.#colours.panel);
+  }
+
+  /** Draws in a headset, until its session ends: `frame` is called before each picture, with the space in which `mount`
+   *  stands. Rejects if the browser cannot. */
+  async present(session: XRSession, passthrough: boolean, frame: (frame: XRFrame, space: XRReferenceSpace) => void): Promise<void> {
+    const { xr } = this.#renderer, background = this.#scene.background;
+    xr.enabled = true;
+    xr.setReferenceSpaceType("local");  // seated or standing: no floor is needed
+    session.addEventListener("end", () => {
+      this.#renderer.setAnimationLoop(null);
+      xr.enabled = false;
+      this.#scene.background = background;
+      this.#desk.visible = true;
+      this.mount.position.set(0, 0, 0);
+      this.mount.quaternion.identity();
+    });
+    await xr.setSession(session);
+    this.#desk.visible = !passthrough;
+    if (passthrough) this.#scene.background = null;
+    this.#renderer.setAnimationLoop((_time: number, xrFrame: XRFrame | undefined) => {
+      const space = xr.getReferenceSpace();
+      if (xrFrame && space) frame(xrFrame, space);
+      this.#renderer.render(this.#scene, this.#eyes);
+    });
+  }
+
+  draw(): void { this.#renderer.render(this.#scene, this.#camera); }
+
+  /** Where on the plate's plane a point of the canvas lies, in CSS pixels from its corner; false beyond the horizon. */
+  toPlate(x: number, y: number, out: Place): boolean {
+    this.#pointer.set((2 * x) / this.#width - 1, 1 - (2 * y) / this.#height);
+    this.#ray.setFromCamera(this.#pointer, this.#camera);
+    if (!this.#ray.ray.intersectPlane(this.#surface, this.#point)) return false;
+    out.right_m = this.#point.x;
+    out.away_m = -this.#point.z;
+    return true;
+  }
+
+  /** Where a label belongs on the canvas, in CSS pixels from its corner. */
+  toCanvas(label: LabelName, out: { x: number; y: number }): void {
+    const thing = { real: this.#real, ghost: this.#ghost, finger: this.#finger, felt: this.#felt }[label];
+    this.#toCanvas(thing.position.x, label === "real" || label === "ghost" ? headHeight_m : 0.006, thing.position.z, out);
+  }
+
+  /** The same for the label of a target of a visitor's scene. */
+  targetToCanvas(target: Readonly<Place>, out: { x: number; y: number }): void {
+    this.#toCanvas(target.right_m, headHeight_m, -target.away_m, out);
+  }
+
+  #toCanvas(x: number, y: number, z: number, out: { x: number; y: number }): void {
+    this.#point.set(x, y, z).project(this.#camera);
+    out.x = ((this.#point.x + 1) / 2) * this.#width;
+    out.y = ((1 - this.#point.y) / 2) * this.#height;
+  }
+}

@@ -1,0 +1,70 @@
+// Files of the plugin: the last reach and what was learnt, to take away; a recording, which is run again and compared bit
+// for bit, or a scene, to bring. What is refused is refused in the plugin's words.
+import { HRT_ENDING_COMPLETE, type Library } from "haptic-retargeting";
+import { onFile, save } from "./files";
+import { element, say } from "./page";
+import { readReach, type RecordedReach } from "./recording";
+import { readScene, type VisitorScene } from "./scene";
+import { readMeshes } from "./stage/meshes";
+
+const largest_bytes = 32 * 1024 * 1024;
+
+export interface Brought {
+  reach(reach: RecordedReach): void;
+  scene(scene: VisitorScene): void;
+}
+
+export class TakeAway {
+  readonly #library: Library;
+  readonly #saveRecording = element("save-recording", HTMLButtonElement);
+  readonly #problem = element("problem", HTMLParagraphElement);
+  readonly #replayed = element("replayed", HTMLParagraphElement);
+
+  /** `recording` and `profile` are asked when a button is pressed; `brought` gets what is to be shown. */
+  constructor(library: Library, recording: () => string, profile: () => string, brought: Brought) {
+    this.#library = library;
+    this.#saveRecording.addEventListener("click", () => save("reach.csv", "text/csv", recording()));
+    element("save-profile", HTMLButtonElement).addEventListener("click", () => save("profile.json", "application/json", profile()));
+    onFile(element("open-file", HTMLInputElement), (file) => { void this.#open(file, brought); });
+  }
+
+  /** Whether there is a reach to save. */
+  allow(recorded: boolean): void {
+    if (this.#saveRecording.disabled === recorded) this.#saveRecording.disabled = !recorded;
+  }
+
+  async #open(file: File, brought: Brought): Promise<void> {
+    try {
+      if (file.size > largest_bytes) throw new Error(`${Math.ceil(file.size / 1048576)} MB; up to ${largest_bytes / 1048576} are allowed`);
+      if (/\.(gltf|glb)$/i.test(file.name)) brought.scene(await this.#scene(file.name, await file.arrayBuffer()));
+      else brought.reach(this.#replay(file.name, await file.text()));
+      this.#problem.hidden = true;
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      this.#problem.hidden = false;
+      say(this.#problem, message.startsWith(file.name) ? message : `${file.name}: ${message}`);
+    }
+  }
+
+  /** Targets by the plugin's loader; then the meshes, without which the scene is shown too. */
+  async #scene(name: string, bytes: ArrayBuffer): Promise<VisitorScene> {
+    const scene = readScene(this.#library, bytes, name), { position_m, rotation } = scene.plate;
+    try {
+      scene.meshes = await readMeshes(bytes, position_m, rotation);
+    } catch (error) {
+      scene.meshProblem = error instanceof Error ? error.message : String(error);
+    }
+    return scene;
+  }
+
+  #replay(name: string, text: string): RecordedReach {
+    const report = this.#library.replay(text), reach = readReach(text);
+    const same = report.first_different_line === 0n
+      ? `All ${report.rows} calls gave the same numbers again, bit for bit.`
+      : `Line ${report.first_different_line} gave other numbers than those recorded.`;
+    const whole = report.ending === HRT_ENDING_COMPLETE ? "" : " The recording is not complete.";
+    say(this.#replayed, `${name}: ${same}${whole} A recording does not hold what was felt: the chart shows what the ` +
+      "controller believed.");
+    return reach;
+  }
+}

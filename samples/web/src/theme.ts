@@ -1,0 +1,19 @@
+// Colours, from the style sheet, so that light, dark and high contrast have one source. The pair for real and felt is
+// of Okabe and Ito's palette, which colour-blind people can separate; lines differ in their dashes too.
+
+const names = {
+  text: "--text", muted: "--muted", panel: "--panel", line: "--line", stage: "--stage", desk: "--desk", plate: "--plate",
+  ridges: "--ridges", hand: "--hand", real: "--real", felt: "--felt", chartPlate: "--chart-plate", weight: "--weight",
+} as const;
+
+export type Colours = Readonly<Record<keyof typeof names, string>>;
+
+export function readColours(): Colours {
+  const style = getComputedStyle(document.documentElement);
+  return Object.fromEntries(Object.entries(names).map(([key, name]) => [key, style.getPropertyValue(name).trim()])) as Colours;
+}
+
+/** Calls back when the system's colour scheme changes. */
+export function onSchemeChange(changed: () => void): void {
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", changed);
+}

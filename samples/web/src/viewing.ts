@@ -1,0 +1,51 @@
+// The mode "Your scene": a glTF file's plate and targets, the table of what can be held, and reaches of the simulated person
+// between its targets.
+import type { Library } from "haptic-retargeting";
+import { element, say, sideways } from "./page";
+import { pageCourse } from "./controller";
+import type { World } from "./person";
+import { weights, type VisitorScene } from "./scene";
+import type { Settings } from "./settings";
+import { Watch } from "./watch";
+
+export class Viewing {
+  scene: VisitorScene | null = null;
+  /** Reaches for the chosen pair. */
+  readonly watch: Watch;
+  readonly #about = element("scene-about", HTMLParagraphElement);
+  readonly #pair = element("scene-pair", HTMLSelectElement);
+
+  /** `changed`: another pair is chosen. */
+  constructor(library: Library, world: World, settings: Readonly<Settings>, changed: () => void) {
+    this.watch = new Watch(library, world, settings, (now) => this.course ?? pageCourse(now));
+    this.#pair.addEventListener("change", changed);
+  }
+
+  /** Where the chosen pair's reaches lead; null: no scene, or one without pairs. */
+  get course() { return this.scene?.pairs[this.#pair.selectedIndex]?.course ?? null; }
+
+  show(scene: VisitorScene): void {
+    this.scene = scene;
+    const table = element("held", HTMLTableElement), head = table.tHead, body = table.tBodies[0];
+    if (!head || !body) throw new Error("the table of targets has no head or no body");
+    head.replaceChildren();
+    body.replaceChildren();
+    const titles = head.insertRow();
+    for (const title of ["ghost", "real", "gap", ...weights.map((weight) => `w = ${weight}`)]) {
+      const cell = document.createElement("th");
+      cell.scope = "col";
+      cell.textContent = title;
+      titles.append(cell);
+    }
+    for (const { virtual, real, gap_deg, plates_deg } of scene.pairs) {
+      const row = body.insertRow();
+      const plates = plates_deg.map((plate_deg) => (Number.isNaN(plate_deg) ? "–" : sideways(plate_deg)));
+      for (const text of [virtual, real, `${gap_deg.toFixed(1)}°`, ...plates]) row.insertCell().textContent = text;
+    }
+    this.#pair.replaceChildren(...scene.pairs.map(({ virtual, real }) => new Option(`${virtual}, felt; ${real}, reached`)));
+    const real = scene.targets.filter((target) => target.real).length;
+    const meshes = scene.meshProblem ? ` Its meshes are not drawn: ${scene.meshProblem}.` : "";
+    say(this.#about, `${scene.name}: a plate of ${(1000 * scene.plateRadius_m).toFixed(0)} mm radius, ${real} real and ` +
+      `${scene.targets.length - real} virtual targets.${meshes}`);
+  }
+}

@@ -1,0 +1,251 @@
+// Reaches of a hand that a headset tracks: places the plate, waits at its start, leads the slide by the real plugin, and
+// says where it ended. Knows no page and no browser's session: frames are given to it.
+import type { Library } from "haptic-retargeting";
+import { HandReach, type HapticPlate } from "haptic-retargeting/three";
+import { Quaternion, Vector3 } from "three";
+import { Controller, pageCourse } from "../controller";
+import { Felt } from "../felt";
+import { length_m, realPlace, start, virtualPlace, type Place } from "../geometry";
+import type { World } from "../person";
+import type { Settings } from "../settings";
+import { Trace, tracePeriod_ms } from "../trace";
+import { Placing } from "./placing";
+import { Rest } from "./rest";
+
+const startRadius_m = 0.015;  // about the start, in each coordinate's plane
+const startHeight_m = 0.03;
+const startRest_ms = 400;
+const lostLimit_ms = 1000;  // a shorter loss is bridged: the plugin holds, and continues
+const shortest_m = 0.03, arrived_m = 0.085, beyond_m = 0.15;
+const stopSpeed_m_s = 0.012, stop_ms = 300, giveUp_ms = 1500;  // near the targets, and on the way
+const liftHeight_m = 0.05;  // without a plate nothing holds the finger down
+const longestFrame_ms = 100;
+
+export type WearPhase = "placing" | "ready" | "sliding" | "arrived";
+
+export interface WearResult {
+  readonly toCylinder_mm: number;
+  readonly toGhost_mm: number;
+  readonly feltToGhost_mm: number;
+}
+
+/** What wear needs of an XRFrame. */
+export interface WearFrame {
+  readonly predictedDisplayTime: number;
+  getJointPose?(joint: XRJointSpace, space: XRSpace): XRJointPose | undefined;
+  getViewerPose(space: XRReferenceSpace): XRViewerPose | undefined;
+}
+
+export class Wear {
+  readonly trace = new Trace();
+  readonly finger: Place = { ...start };
+  phase: WearPhase = "placing";
+  result: WearResult | null = null;
+  /** What the visitor is to do, or has done. */
+  text = "";
+  /** The reach's hand is not seen. */
+  lost = false;
+  recording = "";
+  /** Where a connected plate is; NaN: there is none, and the simulated one turns. */
+  plateConnected_deg = NaN;
+  /** Called when the plate has been placed: in the space of the frames. */
+  onPlaced: (position: Vector3, rotation: Quaternion) => void = () => {};
+
+  readonly #library: Library;
+  readonly #world: World;
+  readonly #plate: HapticPlate;
+  readonly #felt = new Felt();
+  readonly #shift_deg = (finger_deg: number): number => this.#world.felt_shift_deg(this.#world.plate_deg(), finger_deg);
+  readonly #rest = new Rest(startRadius_m, startRest_ms);
+  readonly #tip = new Vector3();
+  readonly #onPlate = new Vector3();
+  readonly #forward = new Vector3();
+  readonly #view = new Quaternion();
+  #settings: Settings;
+  #controller: Controller;
+  #reach: HandReach;
+  #placing: Placing;
+  #time_ms = NaN;
+  #owed_ms = 0;
+  #seen_ms = 0;
+  #stopped_ms = 0;
+
+  /** `plate` is the one that is drawn, in its place in the scene. */
+  constructor(library: Library, world: World, plate: HapticPlate, settings: Readonly<Settings>) {
+    this.#library = library;
+    this.#world = world;
+    this.#plate = plate;
+    this.#settings = { ...settings };
+    this.#controller = this.#create();
+    this.#reach = new HandReach(this.#controller.session, plate);
+    this.#placing = new Placing(library, false);
+    this.#restart();
+    this.phase = "placing";
+  }
+
+  get felt(): Readonly<Place> { return this.#felt.place; }
+  get finger_deg(): number { return this.#felt.finger_deg; }
+  get felt_deg(): number { return this.#felt.felt_deg; }
+  get command() { return this.#controller.session.command; }
+
+  /** Another session of a headset: the plate is placed anew. */
+  begin(byMarks: boolean): void {
+    this.#placing = new Placing(this.#library, byMarks);
+    this.#time_ms = NaN;
+    this.#restart();
+    this.phase = "placing";
+    this.text = this.#placing.text;
+  }
+
+  /** Other settings, with a hand that is unknown to the controller. */
+  apply(settings: Readonly<Settings>): void {
+    this.#settings = { ...settings };
+    this.#controller.destroy();
+    this.#controller = this.#create();
+    this.#reach = new HandReach(this.#controller.session, this.#plate);
+    this.#register();
+    if (this.phase !== "placing") this.#restart();
+  }
+
+  /** The session is over. A reach under way is cancelled. */
+  end(): void { this.#restart(); }
+
+  /** One frame of the headset. `hand`: the one that slides; undefined: it is not tracked. */
+  frame(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): void {
+    const now_ms = frame.predictedDisplayTime, elapsed_ms = Math.min(longestFrame_ms, Math.max(0, now_ms - this.#time_ms || 0));
+    this.#time_ms = now_ms;
+    this.#advance(elapsed_ms);
+    if (this.phase === "sliding") return this.#slide(frame, hand, space, elapsed_ms);
+    const tip = this.#locate(frame, hand, space);
+    if (this.phase === "placing") return this.#place(frame, tip, space);
+    const resting = this.#rest.update(now_ms, tip && this.#atStart(tip) ? tip : null);
+    if (resting) this.#start();
+  }
+
+  #create(): Controller {
+    const settings = this.#settings, controller = new Controller(this.#library, settings, pageCourse(settings), this.#world.plate_latency_ms());
+    controller.session.configure({ lift_height_m: liftHeight_m });
+    return controller;
+  }
+
+  /** The plate follows its command; time passes in whole milliseconds. */
+  #advance(elapsed_ms: number): void {
+    this.#owed_ms += elapsed_ms;
+    for (; this.#owed_ms >= 1; --this.#owed_ms) {
+      if (!Number.isNaN(this.plateConnected_deg)) this.#world.set_plate(this.plateConnected_deg);
+      this.#world.advance();
+      if (this.phase === "sliding" && this.#world.time_ms() % tracePeriod_ms === 0) this.#record();
+    }
+  }
+
+  #locate(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace): Vector3 | null {
+    const joint = hand?.get("index-finger-tip"), pose = joint && frame.getJointPose?.(joint, space);
+    if (!pose) return null;
+    const { x, y, z } = pose.transform.position;
+    return Number.isFinite(x + y + z) ? this.#tip.set(x, y, z) : null;
+  }
+
+  #place(frame: WearFrame, tip: Vector3 | null, space: XRReferenceSpace): void {
+    const viewer = frame.getViewerPose(space);
+    if (viewer) {
+      const { x, y, z, w } = viewer.transform.orientation;
+      this.#view.set(x, y, z, w);
+      this.#forward.set(0, 0, -1).applyQuaternion(this.#view);
+      // Of one who looks straight down, the top of the head points forward.
+      if (Math.hypot(this.#forward.x, this.#forward.z) < 0.3) this.#forward.set(0, 1, 0).applyQuaternion(this.#view);
+    }
+    const placed = this.#placing.update(this.#time_ms, tip, this.#forward);
+    this.text = this.#placing.text;
+    if (!placed) return;
+    this.onPlaced(this.#placing.position, this.#placing.rotation);
+    this.#register();
+    this.#restart();
+  }
+
+  #register(): void {
+    const { registration } = this.#placing;
+    if (registration) this.#controller.session.applyRegistration(registration, Math.round(1e6 * (this.#time_ms || 0)));
+  }
+
+  #restart(): void {
+    const settings = this.#settings;
+    this.#controller.cancel();
+    this.#controller.takeRecording();
+    this.#world.set_person(settings.person, settings.tactile_weight, settings.pace_s);
+    this.#world.set_apparatus(settings.noise_mm / 1000, settings.plate_deg_s);
+    this.#world.begin_hand(0);
+    this.#plate.orientation_deg = this.#world.plate_deg();
+    this.trace.clear();
+    Object.assign(this.finger, start);
+    this.#felt.begin(start);
+    this.#rest.reset();
+    this.phase = "ready";
+    this.result = null;
+    this.lost = false;
+    this.text = "Rest your index fingertip in the ring at the start.";
+  }
+
+  #atStart(tip: Vector3): boolean {
+    const { x, y, z } = this.#plate.worldToLocal(this.#onPlate.copy(tip));
+    return Math.hypot(x - start.right_m, z + start.away_m) < startRadius_m && Math.abs(y) < startHeight_m;
+  }
+
+  #start(): void {
+    this.#restart();
+    this.#controller.begin(this.#world.plate_deg());
+    this.#seen_ms = this.#time_ms;
+    this.#stopped_ms = 0;
+    this.phase = "sliding";
+    this.text = "Slide to the ghost, the blue goblet. Stop there.";
+  }
+
+  #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
+    const reach = this.#reach, { sample } = this.#controller.session;
+    reach.measuredPlate_deg = this.plateConnected_deg;
+    this.#world.command(reach.updateFromHand(frame as Required<WearFrame>, hand, space).plate_orientation_deg);
+    this.#plate.orientation_deg = this.#world.plate_deg();
+    this.lost = reach.lost;
+    if (reach.lost) {
+      if (this.#time_ms - this.#seen_ms <= lostLimit_ms) return;
+      this.#restart();
+      this.text = `The hand was not seen for a second. ${this.text}`;
+      return;
+    }
+    this.#seen_ms = this.#time_ms;
+    const position = sample.finger_position_m, x = position[0] ?? 0, y = position[1] ?? 0, z = position[2] ?? 0;
+    this.#felt.move(x - this.finger.right_m, -z - this.finger.away_m, Math.max(1, elapsed_ms), this.#shift_deg);
+    this.finger.right_m = x;
+    this.finger.away_m = -z;
+    this.#endIfOver(y, elapsed_ms);
+  }
+
+  #endIfOver(height_m: number, elapsed_ms: number): void {
+    const gone_m = length_m(start, this.finger), lifted = height_m > liftHeight_m;
+    this.#stopped_ms = gone_m > shortest_m && this.#felt.speed_m_s < stopSpeed_m_s ? this.#stopped_ms + elapsed_ms : 0;
+    if (lifted && gone_m < shortest_m) return this.#restart();
+    if (lifted || gone_m > beyond_m || this.#stopped_ms >= (gone_m > arrived_m ? stop_ms : giveUp_ms)) this.#arrive();
+  }
+
+  /** A hand that feels no plate teaches the controller nothing. */
+  #arrive(): void {
+    if (Number.isNaN(this.plateConnected_deg)) this.#controller.cancel();
+    else this.#controller.end();
+    this.recording = this.#controller.takeRecording();
+    const course = pageCourse(this.#settings), ghost = virtualPlace(course);
+    this.result = {
+      toCylinder_mm: 1000 * length_m(this.finger, realPlace(course)),
+      toGhost_mm: 1000 * length_m(this.finger, ghost),
+      feltToGhost_mm: 1000 * length_m(this.felt, ghost),
+    };
+    this.phase = "arrived";
+    this.#rest.reset();
+    const { toCylinder_mm, toGhost_mm, feltToGhost_mm } = this.result;
+    this.text = `Your finger ended ${toCylinder_mm.toFixed(0)} mm from the real cylinder and ${toGhost_mm.toFixed(0)} mm from the ` +
+      `ghost. On ridges it would be felt ${feltToGhost_mm.toFixed(0)} mm from the ghost. Back to the ring for the next one.`;
+  }
+
+  #record(): void {
+    const { tactile_weight, tactile_weight_sd } = this.command, learns = this.#settings.controller !== "off";
+    this.trace.add(this.#world.plate_deg(), this.finger_deg, this.felt_deg, learns ? tactile_weight : NaN, learns ? tactile_weight_sd : NaN);
+  }
+}

@@ -1,0 +1,173 @@
+// The mode "Wear it": asks the browser for a headset with hand tracking, and shows the visitor's reaches in it.
+import type { Desk } from "../desk";
+import type { Now } from "../now";
+import { element, radios, say } from "../page";
+import { pageCourse } from "../controller";
+import type { World } from "../person";
+import type { Settings } from "../settings";
+import type { Voice } from "../voice";
+import type { Wear } from "./wear";
+
+type Kind = "immersive-vr" | "immersive-ar";
+const kinds: readonly (readonly [Kind, string])[] = [["immersive-vr", "enter-vr"], ["immersive-ar", "enter-ar"]];
+/** Until the plate is placed, it is shown there, from the eyes. */
+const ahead_m = 0.45, below_m = 0.3;
+
+export class Wearing {
+  readonly #wear: Wear;
+  readonly #world: World;
+  readonly #desk: Desk;
+  readonly #now: Now;
+  readonly #voice: Voice;
+  readonly #caption = element("caption", HTMLParagraphElement);
+  readonly #leave = element("leave", HTMLButtonElement);
+  readonly #buttons = kinds.map(([kind, id]) => ({ kind, button: element(id, HTMLButtonElement), supported: false }));
+  #session: XRSession | null = null;
+  #handedness: XRHandedness = "none";
+  #before_ms = NaN;
+  #spoken = "";
+  #message = "Put a headset on, and be the finger. A headset's browser with hand tracking is needed.";
+  #settings: Readonly<Settings>;
+  /** The headset's own frames, for what else follows the controller. */
+  onFrame: (elapsed_ms: number) => void = () => {};
+  /** A session has ended: the page draws again. */
+  onLeft: () => void = () => {};
+
+  constructor(wear: Wear, world: World, desk: Desk, now: Now, voice: Voice, settings: Readonly<Settings>) {
+    this.#wear = wear;
+    this.#world = world;
+    this.#desk = desk;
+    this.#now = now;
+    this.#voice = voice;
+    this.#settings = settings;
+    const { stage } = desk;
+    wear.onPlaced = (position, rotation) => {
+      stage?.mount.position.copy(position);
+      stage?.mount.quaternion.copy(rotation);
+      stage?.mount.updateMatrixWorld(true);
+    };
+    for (const { kind, button } of this.#buttons) button.addEventListener("click", () => { void this.#enter(kind); });
+    this.#leave.addEventListener("click", () => { void this.#session?.end(); });
+    void this.#ask();
+    navigator.xr?.addEventListener("devicechange", () => { void this.#ask(); });
+  }
+
+  /** A headset shows the reaches now: the page must not draw. */
+  get worn(): boolean { return this.#session !== null; }
+
+  apply(settings: Readonly<Settings>): void {
+    this.#settings = settings;
+    this.#wear.apply(settings);
+    this.#desk.clearPaths();
+  }
+
+  /** A frame of the page, while no headset is worn. */
+  frame(): void {
+    this.#desk.frame.dataset.phase = this.#wear.phase;
+    this.#desk.draw(this.#world.plate_deg(), this.#wear.finger, this.#wear.felt);
+    this.#show();
+  }
+
+  async #ask(): Promise<void> {
+    for (const entry of this.#buttons) {
+      entry.supported = this.#desk.stage !== null && (await navigator.xr?.isSessionSupported(entry.kind).catch(() => false) ?? false);
+      entry.button.disabled = !entry.supported;
+    }
+    element("wear-unavailable", HTMLParagraphElement).hidden = this.#buttons.some(({ supported }) => supported);
+  }
+
+  async #enter(kind: Kind): Promise<void> {
+    const { stage } = this.#desk;
+    if (!stage || this.#session || !navigator.xr) return;
+    for (const { button } of this.#buttons) button.disabled = true;
+    let session: XRSession | null = null;
+    try {
+      session = await navigator.xr.requestSession(kind, { requiredFeatures: ["hand-tracking"], optionalFeatures: ["local-floor"] });
+      session.addEventListener("end", () => this.#left());
+      this.#session = session;
+      this.#leave.hidden = false;
+      this.#handedness = "none";
+      this.#before_ms = NaN;
+      this.#wear.begin(radios("placement").some((radio) => radio.checked && radio.value === "marks"));
+      this.#desk.clearPaths();
+      stage.showHeadset(true);
+      await stage.present(session, kind === "immersive-ar", (frame, space) => this.#frameWorn(frame, space));
+    } catch (error) {
+      this.#message = `The headset cannot be entered: ${error instanceof Error ? error.message : String(error)}`;
+      if (session && this.#session) await session.end().catch(() => this.#left());
+      else this.#left();
+    }
+  }
+
+  #left(): void {
+    const was = this.#session;
+    this.#session = null;
+    this.#wear.end();
+    this.#leave.hidden = true;
+    for (const { button, supported } of this.#buttons) button.disabled = !supported;
+    this.#desk.stage?.showHeadset(false);
+    if (!was) return;
+    this.#message = "You have left the headset.";
+    this.#desk.clearPaths();
+    this.onLeft();
+  }
+
+  #frameWorn(frame: XRFrame, space: XRReferenceSpace): void {
+    const { stage } = this.#desk, wear = this.#wear, now_ms = frame.predictedDisplayTime;
+    if (!stage || !this.#session) return;
+    if (Number.isNaN(this.#before_ms)) this.#standAhead(frame, space);
+    const elapsed_ms = Number.isNaN(this.#before_ms) ? 0 : now_ms - this.#before_ms, phase = wear.phase;
+    this.#before_ms = now_ms;
+    this.onFrame(elapsed_ms);
+    const hand = this.#hand(frame, space);
+    wear.frame(frame, hand, space);
+    if (wear.phase !== phase && wear.phase === "sliding") this.#desk.clearPaths();
+    if (wear.phase === "sliding" && !wear.lost) this.#desk.extendPaths(wear.finger, wear.felt);
+    stage.place(this.#world.plate_deg(), wear.finger, wear.felt);
+    stage.showHand(frame, hand, space, this.#title(), wear.text);
+    this.#desk.frame.dataset.phase = wear.phase;
+    this.#show();
+  }
+
+  #title(): string {
+    return Number.isNaN(this.#wear.plateConnected_deg) ? "SIMULATION: no plate is under your finger" : "A plate is connected";
+  }
+
+  /** Before the plate has a place, it stands ahead of the eyes, level. */
+  #standAhead(frame: XRFrame, space: XRReferenceSpace): void {
+    const eyes = frame.getViewerPose(space)?.transform, { stage } = this.#desk;
+    if (!eyes || !stage) return;
+    const { x, y, z, w } = eyes.orientation, yaw = Math.atan2(2 * (w * y + x * z), 1 - 2 * (x * x + y * y));
+    stage.mount.position.set(eyes.position.x - ahead_m * Math.sin(yaw), eyes.position.y - below_m, eyes.position.z - ahead_m * Math.cos(yaw));
+    stage.mount.rotation.set(0, yaw, 0);
+  }
+
+  /** The hand that slides: the one that began, or, before, the first whose fingertip is seen. */
+  #hand(frame: XRFrame, space: XRReferenceSpace): XRHand | undefined {
+    const sources = this.#session?.inputSources, keeps = this.#wear.phase === "sliding";
+    for (let i = 0; sources && i < sources.length; ++i) {
+      const source = sources[i];
+      if (!source?.hand || (keeps && source.handedness !== this.#handedness)) continue;
+      const joint = source.hand.get("index-finger-tip");
+      if (!keeps && !(joint && frame.getJointPose?.(joint, space))) continue;
+      this.#handedness = source.handedness;
+      return source.hand;
+    }
+    return undefined;
+  }
+
+  #show(): void {
+    const wear = this.#wear, { dataset } = this.#desk.frame;
+    this.#now.show(this.#world.plate_deg(), wear.finger_deg, wear.felt_deg, pageCourse(this.#settings).virtual_deg);
+    const text = this.#session ? wear.text : this.#message;
+    say(this.#caption, text);
+    dataset.lost = String(wear.lost);
+    if (this.#session && text !== this.#spoken) this.#voice.say(text);
+    this.#spoken = text;
+    for (const name of ["toCylinderMm", "toGhostMm", "feltToGhostMm"]) delete dataset[name];
+    if (!wear.result) return;
+    dataset.toCylinderMm = String(wear.result.toCylinder_mm);
+    dataset.toGhostMm = String(wear.result.toGhost_mm);
+    dataset.feltToGhostMm = String(wear.result.feltToGhost_mm);
+  }
+}

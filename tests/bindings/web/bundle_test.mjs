@@ -1,0 +1,117 @@
+// The package in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node,
+// and the reach of all hosts in headless Chromium. Vite's development server too.
+//   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.csv reach.hash FOLDER_TO_WORK_IN
+import assert from "node:assert/strict";
+import { cp, mkdir, readdir, readFile, rm, writeFile } from "node:fs/promises";
+import { extname, join, resolve } from "node:path";
+import { test } from "node:test";
+import { promisify } from "node:util";
+import esbuild from "esbuild";
+import * as vite from "vite";
+import webpack from "webpack";
+import { shownBy } from "./browser.mjs";
+
+const [packageFolder, exampleFolder, recording, hashFile, work] = process.argv.slice(2).map((path) => resolve(path));
+const expected = `hash ${(await readFile(hashFile, "utf8")).trim()}`;
+const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".csv": "text/csv" };
+
+// A project as a user has it, the package copied into its node_modules as npm does.
+const main = (load) => `import * as hrt from "haptic-retargeting";
+import { runReach } from "./reach.mjs";
+${load.startsWith("import") ? load : ""}
+const shown = document.getElementById("shown");
+try {
+  const library = await hrt.load(${load.startsWith("import") ? "wasm" : load});
+  const { hash } = runReach(hrt, library, await (await fetch("/reach.csv")).text());
+  shown.textContent = "hash " + hash;
+} catch (error) {
+  shown.textContent = String(error.stack ?? error);
+}
+await fetch(location.search.slice(1) || "/shown", { method: "POST", body: shown.textContent });
+`;
+const html = (script) => `<!doctype html><meta charset="utf-8"><title>reach</title><pre id="shown">running</pre>
+<script type="module" src="${script}"></script>`;
+
+async function project(name, load = "") {
+  const folder = join(work, name);
+  await rm(folder, { recursive: true, force: true });
+  await mkdir(join(folder, "node_modules"), { recursive: true });
+  await mkdir(join(folder, "public"));
+  await cp(packageFolder, join(folder, "node_modules/haptic-retargeting"), { recursive: true });
+  await cp(join(exampleFolder, "reach.mjs"), join(folder, "reach.mjs"));
+  await cp(recording, join(folder, "public/reach.csv"));
+  await writeFile(join(folder, "main.js"), main(load));
+  await writeFile(join(folder, "index.html"), html("/main.js"));
+  return folder;
+}
+
+async function runs(folder) {
+  for (const name of await readdir(folder, { recursive: true })) {
+    if (/\.m?js$/.test(name)) assert.doesNotMatch(await readFile(join(folder, name), "utf8"), /["'`]node:/, name);
+  }
+  assert.equal(await shownBy(async (path) => {
+    const file = join(folder, path === "/" ? "index.html" : path);
+    return types[extname(file)] && { type: types[extname(file)], body: await readFile(file) };
+  }), expected);
+}
+
+async function esbuildBundle(name, load, options) {
+  const folder = await project(name, load), out = join(folder, "dist");
+  const { warnings } = await esbuild.build({
+    absWorkingDir: folder, entryPoints: ["main.js"], outdir: out, bundle: true, minify: true, logLevel: "silent", ...options });
+  assert.deepEqual(warnings, []);
+  await writeFile(join(out, "index.html"), html("/main.js"));
+  await cp(join(folder, "public"), out, { recursive: true });
+  return out;
+}
+
+test("esbuild, with the module copied beside the bundle", async () => {
+  const out = await esbuildBundle("esbuild", "", { format: "esm" });
+  await cp(join(packageFolder, "haptic_retargeting.wasm"), join(out, "haptic_retargeting.wasm"));
+  await runs(out);
+});
+
+test("esbuild, with the module as a file of its own", async () => {
+  await runs(await esbuildBundle("esbuild_file", 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";',
+    { format: "esm", loader: { ".wasm": "file" } }));
+});
+
+test("esbuild, with the module inside the bundle", async () => {
+  await runs(await esbuildBundle("esbuild_inside", 'import wasm from "haptic-retargeting/haptic_retargeting.wasm";',
+    { format: "esm", loader: { ".wasm": "binary" } }));
+});
+
+function viteConfig(folder, warnings) {
+  const warn = (text) => warnings.push(text);
+  return { root: folder, configFile: false, logLevel: "warn", cacheDir: join(folder, ".vite"),
+    customLogger: { info() {}, warn, warnOnce: warn, error: warn, clearScreen() {}, hasErrorLogged: () => false, hasWarned: false } };
+}
+
+test("Vite, built", async () => {
+  const folder = await project("vite"), warnings = [];
+  await vite.build({ ...viteConfig(folder, warnings), build: { target: "es2022" } });
+  assert.deepEqual(warnings, []);
+  await runs(join(folder, "dist"));
+});
+
+test("Vite, served while developing", async () => {
+  const folder = await project("vite_served"), warnings = [];
+  const server = await vite.createServer({ ...viteConfig(folder, warnings), server: { host: "127.0.0.1", port: 0, hmr: false, ws: false },
+    optimizeDeps: { exclude: ["haptic-retargeting"] } });
+  await server.listen();
+  const shown = await shownBy(`http://127.0.0.1:${server.httpServer.address().port}/`);
+  await server.close();
+  assert.deepEqual(warnings, []);
+  assert.equal(shown, expected);
+});
+
+test("webpack", async () => {
+  const folder = await project("webpack"), out = join(folder, "dist");
+  const stats = await promisify(webpack)({ context: folder, entry: "./main.js", mode: "production", output: { path: out },
+    performance: { hints: false } });
+  assert.deepEqual(stats.toJson({ errors: true, warnings: true }).errors, []);
+  assert.deepEqual(stats.toJson({ errors: true, warnings: true }).warnings, []);
+  await writeFile(join(out, "index.html"), html("/main.js"));
+  await cp(join(folder, "public"), out, { recursive: true });
+  await runs(out);
+});

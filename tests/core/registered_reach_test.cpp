@@ -1,0 +1,109 @@
+// What the uncertainty of the plate's pose does to reaches of people.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/frame_error.h"
+#include "core/simulation/people.h"
+#include "tests/core/heap_guard.h"
+
+namespace hrt {
+namespace {
+
+constexpr double rad_per_deg = 0.017453292519943295;
+constexpr std::int64_t ms = 1'000'000;
+
+// About the plate's centre, which is the start of simulated people.
+FrameCovariance turn_of(double sd_deg) {
+  FrameCovariance covariance = FrameCovariance::Zero();
+  covariance(0, 0) = std::pow(sd_deg * rad_per_deg, 2);
+  return covariance;
+}
+
+RetargeterConfig registered(double turn_sd_deg) {
+  RetargeterConfig config = people_controller();
+  config.frame = turn_of(turn_sd_deg);
+  return config;
+}
+
+// 100 mm at 1 degree: 1.7 mm, which the command says before the finger moves.
+TEST(RegisteredReach, OneDegreeOfTheFrameIsOneDegreeOfBearing) {
+  Retargeter exact(registered(0.0));
+  Retargeter registered_by_touch(registered(1.0));
+  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_m = 0.1};
+  exact.begin(reach);
+  registered_by_touch.begin(reach);
+  EXPECT_EQ(exact.command().bearing_error_sd_deg, 0.0);
+  const double sd_deg = registered_by_touch.command().bearing_error_sd_deg;
+  EXPECT_NEAR(sd_deg, 1.0, 1e-9);
+  EXPECT_NEAR(0.1 * sd_deg * rad_per_deg, 0.001745, 1e-6);
+}
+
+// Where the plate leads does not depend on it.
+TEST(RegisteredReach, CommandsAreThoseOfAnExactPlate) {
+  Retargeter exact(registered(0.0));
+  Retargeter registered_by_touch(registered(2.0));
+  const Reach reach{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0, .real_distance_m = 0.1};
+  exact.begin(reach);
+  registered_by_touch.begin(reach);
+  for (int i = 0; i < 150; ++i) {
+    const double share = std::clamp((i - 30) / 90.0, 0.0, 1.0);
+    const FingerSample sample{.time_ns = i * 11 * ms,
+                              .observation = Observation::position,
+                              .position = point_ahead({}, 3.0, 0.1 * share * share * (3.0 - 2.0 * share))};
+    PlateCommand a, b;
+    {
+      const HeapGuard no_heap;
+      a = exact.update(sample);
+      b = registered_by_touch.update(sample);
+    }
+    EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
+    EXPECT_EQ(a.predicted_miss_deg, b.predicted_miss_deg);
+    EXPECT_NEAR(b.bearing_error_sd_deg, std::hypot(2.0, a.bearing_error_sd_deg), 1e-9);
+    EXPECT_LT(a.bearing_error_sd_deg, 2.0);
+  }
+  EXPECT_GT(exact.summary().bearing_error_sd_deg, 0.0);
+  EXPECT_EQ(registered_by_touch.summary().bearing_error_sd_deg,
+            registered_by_touch.command().bearing_error_sd_deg);
+}
+
+// The margin is 0.3 degrees less 0.9 deviations: the frame's variance adds to that of the person.
+TEST(RegisteredReach, AnUncertainGapIsCalledOutOfReachLater) {
+  const PeopleFamily& linear = *people_family("linear");
+  int exact_flags = 0, uncertain_flags = 0;
+  for (std::uint32_t i = 0; i < 60; ++i) {
+    PersonCondition condition = draw_person(linear, 2.0, 5, i);
+    condition.person.illusion.tactile_weight = 0.11;  // of 9.3 degrees at most
+    const RetargeterConfig exact = registered(0.0);
+    const RetargeterConfig uncertain = registered(4.0);
+    exact_flags += simulate_person(condition, &exact, 1, 5, i).front().summary.unreachable;
+    uncertain_flags += simulate_person(condition, &uncertain, 1, 5, i).front().summary.unreachable;
+  }
+  EXPECT_GT(exact_flags, uncertain_flags);
+  EXPECT_GT(exact_flags, 5);
+}
+
+// The deviation of the bearing covers the truth: of people seen in frames that are turned by as much as
+// registrations are off. Binomial bounds of four deviations about 95 %, and the filter's own part is
+// cautious.
+TEST(RegisteredReach, BearingIsCovered) {
+  for (const double frame_sd_deg : {1.0, 2.0}) {
+    int covered = 0;
+    constexpr int people = 300;
+    for (std::uint32_t i = 0; i < people; ++i) {
+      PersonCondition condition = draw_person(*people_family("linear"), 2.0, 6, i);
+      Draws draws(6, 9, i, 0);
+      condition.tracker.turned_deg = frame_sd_deg * draws.normal();
+      const RetargeterConfig config = registered(frame_sd_deg);
+      const PersonOutcome outcome = simulate_person(condition, &config, 1, 6, i).front();
+      const double off_deg = outcome.bearing_error_deg - outcome.summary.bearing_error_deg;
+      covered += std::abs(off_deg) <= 1.96 * outcome.summary.bearing_error_sd_deg;
+    }
+    EXPECT_GT(covered, 0.90 * people) << frame_sd_deg;
+    EXPECT_LT(covered, 0.995 * people) << frame_sd_deg;
+  }
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,110 @@
+// What leaves the library if the controller computes something that is not a number. The controller of this
+// program is a double: no input is known that makes the real one fail.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/reach_control.h"
+#include "fixture.h"
+
+namespace hrt {
+namespace {
+
+bool plans_fail = false;
+
+}  // namespace
+
+ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, const ReachAim&,
+                     const PlateOutlook&) {
+  const double value = plans_fail ? std::numeric_limits<double>::quiet_NaN() : 20.0;
+  return {.plate_deg = value,
+          .felt_error_deg = value,
+          .miss_mm = value,
+          .time_to_go_s = value,
+          .at_bound = false};
+}
+
+double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const ReachAim&) {
+  return 10.0;
+}
+
+namespace test {
+namespace {
+
+class FaultTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    ASSERT_OK(hrt_session_set_log_callback(session, hear, this));
+  }
+  void TearDown() override { SessionTest::TearDown(); }
+
+  // A slide of a second; the controller fails in its second half if asked to.
+  hrt_reach_summary reach(bool fails) {
+    for (int i = 0; i < 100; ++i) {
+      plans_fail = fails && i >= 50;
+      const hrt_command command = update(position_sample(time_ns_, 0.0, -0.05 + 0.001 * i));
+      time_ns_ += 10'000'000;
+      EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
+      EXPECT_TRUE(std::isfinite(command.felt_error_deg) && std::isfinite(command.predicted_miss_deg) &&
+                  std::isfinite(command.time_to_go_s));
+      faults_ += (command.flags & HRT_COMMAND_FAULT) != 0 ? 1 : 0;
+      if ((command.flags & HRT_COMMAND_FAULT) != 0) {
+        EXPECT_EQ(command.plate_orientation_deg, held_deg_);
+      }
+      held_deg_ = command.plate_orientation_deg;
+    }
+    plans_fail = false;
+    return end();
+  }
+
+  static void hear(void* context, uint32_t level, const char* text) {
+    EXPECT_EQ(level, static_cast<uint32_t>(HRT_LOG_ERROR));
+    static_cast<FaultTest*>(context)->log_ += std::string(text) + "\n";
+  }
+
+  std::int64_t time_ns_ = 0;
+  int faults_ = 0;
+  double held_deg_ = 0.0;
+  std::string log_;
+};
+
+TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
+  begin_reach();
+  const hrt_session_config before = config_of(session);
+  EXPECT_NE(reach(true).flags & HRT_COMMAND_FAULT, 0u);
+  EXPECT_GT(faults_, 10);
+  EXPECT_EQ(config_of(session).person_covariance[0], before.person_covariance[0]) << "it taught something";
+  EXPECT_EQ(log_, "") << "a call of a reach is real-time";
+  ASSERT_OK(hrt_session_set_config(session, &before));
+  EXPECT_EQ(log_,
+            "session " + std::to_string(session.value) +
+                ": a defect of the library made a value of a command or summary not finite; the plate was "
+                "held, and the reach taught nothing\n");
+  begin_reach();
+  reach(true);
+  ASSERT_OK(hrt_session_destroy(session));
+  session.value = 0;
+  EXPECT_EQ(std::count(log_.begin(), log_.end(), '\n'), 1);
+}
+
+TEST_F(FaultTest, DestroyedSessionLogsIt) {
+  begin_reach();
+  reach(true);
+  ASSERT_OK(hrt_session_destroy(session));
+  session.value = 0;
+  EXPECT_NE(log_.find("a defect of the library"), std::string::npos);
+}
+
+TEST_F(FaultTest, SoundControllerLogsNothing) {
+  begin_reach();
+  EXPECT_EQ(reach(false).flags & HRT_COMMAND_FAULT, 0u);
+  ASSERT_OK(hrt_session_destroy(session));
+  session.value = 0;
+  EXPECT_EQ(faults_, 0);
+  EXPECT_EQ(log_, "");
+}
+
+}  // namespace
+}  // namespace test
+}  // namespace hrt

@@ -1,0 +1,322 @@
+// Recordings in a host's process: its files, disks, signals and children.
+#if defined(__linux__)
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <set>
+#include <thread>
+#include <vector>
+#endif
+
+#include "recording_fixture.h"
+
+namespace hrt::test {
+namespace {
+
+#if !defined(__EMSCRIPTEN__)  // where one process has files of its own
+// Two recordings would write into each other. A file that is taken stays as it is.
+TEST_F(RecordingTest, FileOfAnotherRecordingIsRefused) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  begin_reach();
+  const hrt_session_config config = paper_config();
+  hrt_session other{};
+  ASSERT_OK(hrt_session_create(&config, &other));
+  const std::string same = (folder() / "." / "recording.csv").string();
+  expect_error(hrt_recording_start(other, same.c_str()), HRT_ERROR_SYSTEM,
+               ": another recording is written to this file");
+  EXPECT_NE(std::string(hrt_last_error()).find(same.substr(0, 64)), std::string::npos) << hrt_last_error();
+  end();
+  stop();
+  EXPECT_EQ(replay(read(path())).rows, 2u);
+  EXPECT_EQ(replay(read(path())).complete, 1u);
+  EXPECT_OK(hrt_recording_start(other, same.c_str()));
+  EXPECT_OK(hrt_session_destroy(other));
+}
+
+TEST_F(RecordingTest, WhatIsNoRegularFileIsRefused) {
+  const auto refused = [&](const std::string& path) {
+    expect_error(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, "");
+    EXPECT_NE(std::string(hrt_last_error()).find(path), std::string::npos) << hrt_last_error();
+  };
+  refused(folder().string());
+#if defined(_WIN32)
+  refused("NUL");
+#else
+  refused("/dev/null");
+#endif
+}
+#endif
+
+#if defined(__linux__)  // pipes, limits and processes as they are here
+
+// Neither waits for someone at the other end of the pipe.
+TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
+  ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
+  auto report = output<hrt_replay_report>();
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_replay_file(path().c_str(), &report), HRT_ERROR_SYSTEM, ": not a regular file");
+  const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
+  close(reader);
+  expect_error(hrt_replay_file("/dev/zero", &report), HRT_ERROR_SYSTEM, "/dev/zero: not a regular file");
+}
+
+/// Files that grow beyond a size are refused by the system while this lives.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t size) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    EXPECT_EQ(getrlimit(RLIMIT_FSIZE, &before_), 0);
+    const rlimit small{.rlim_cur = size, .rlim_max = before_.rlim_max};
+    EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+  }
+  ~FullDisk() { EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before_), 0); }
+  FullDisk(const FullDisk&) = delete;
+  FullDisk& operator=(const FullDisk&) = delete;
+  FullDisk(FullDisk&&) = delete;
+  FullDisk& operator=(FullDisk&&) = delete;
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
+  const FullDisk disk(100);
+  expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "File too large");
+  begin_reach();
+  update(direction_sample(0, 0.0));
+}
+
+// Hears a log while it lives: the process's, or that of one session.
+class Log {
+ public:
+  explicit Log(hrt_session session = {0}) : session_(session) { set(hear); }
+  ~Log() { set(nullptr); }
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+  Log(Log&&) = delete;
+  Log& operator=(Log&&) = delete;
+  std::string text;  // to be read once the recording has stopped
+
+ private:
+  void set(hrt_log_callback callback) {
+    EXPECT_OK(session_.value == 0 ? hrt_set_log_callback(callback, this)
+                                  : hrt_session_set_log_callback(session_, callback, this));
+  }
+  static void hear(void* context, uint32_t, const char* text) {
+    static_cast<Log*>(context)->text += std::string(text) + "\n";
+  }
+  hrt_session session_;
+};
+
+// The log is set while the session lives, and names session and file.
+TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
+  Log log;
+  hrt_recording_status status{};
+  {
+    const FullDisk disk(100'000);
+    ASSERT_OK(hrt_recording_start(session, path().c_str()));
+    begin_reach();
+    for (int i = 0; i < 5'000; ++i) {
+      update(direction_sample(i * ms, 0.0));
+      if (i % 1000 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    end();
+    status = stop();
+  }
+  EXPECT_EQ(status.system_error, EFBIG);
+  EXPECT_GT(status.rows_lost, 0u);
+  EXPECT_GE(status.rows_written + status.rows_lost, 5'002u);
+  EXPECT_TRUE(log.text.starts_with("session " + std::to_string(session.value) + ", " + path().substr(0, 64)))
+      << log.text;
+  EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n"))
+      << log.text;
+  EXPECT_EQ(replay(read(path())).complete, 0u);
+}
+
+// Each of a host's sessions may have a log of its own, with what the host wants to know it by.
+TEST_F(RecordingTest, LogOfASessionIsHeardInPlaceOfTheProcessOnes) {
+  Log of_process;
+  const hrt_session_config config = paper_config();
+  hrt_session other{};
+  ASSERT_OK(hrt_session_create(&config, &other));
+  const auto fill_both = [&] {
+    const FullDisk disk(20'000);
+    ASSERT_OK(hrt_recording_start(session, path().c_str()));
+    ASSERT_OK(hrt_recording_start(other, (folder() / "other.csv").c_str()));
+    for (int i = 0; i < 1'000; ++i) {
+      const hrt_reach_config none{};
+      EXPECT_NE(hrt_reach_begin(session, &none), HRT_OK);
+      EXPECT_NE(hrt_reach_begin(other, &none), HRT_OK);
+    }
+    stop();
+    auto status = output<hrt_recording_status>();
+    EXPECT_OK(hrt_recording_stop(other, &status));
+    EXPECT_EQ(status.system_error, EFBIG);
+  };
+  const std::string of_own = "session " + std::to_string(session.value) + ", ",
+                    of_other = "session " + std::to_string(other.value) + ", ";
+  {
+    const Log own(session);
+    fill_both();
+    EXPECT_TRUE(own.text.starts_with(of_own)) << own.text;
+    EXPECT_EQ(own.text.find(of_other), std::string::npos) << own.text;
+    EXPECT_TRUE(of_process.text.starts_with(of_other)) << of_process.text;
+    EXPECT_EQ(of_process.text.find(of_own), std::string::npos) << of_process.text;
+  }
+  fill_both();  // the session's own is gone
+  EXPECT_NE(of_process.text.find(of_own), std::string::npos) << of_process.text;
+  EXPECT_OK(hrt_session_destroy(other));
+  expect_error(hrt_session_set_log_callback(other, nullptr, nullptr), HRT_ERROR_INVALID_HANDLE,
+               "does not exist");
+}
+
+/// Descriptors of this process that are open on a file.
+std::vector<int> descriptors_of(const std::string& path) {
+  std::vector<int> found;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code gone;
+    if (std::filesystem::read_symlink(entry.path(), gone) == std::filesystem::canonical(path))
+      found.push_back(std::stoi(entry.path().filename().string()));
+  }
+  return found;
+}
+
+// A pipe in the file's place that nobody reads for a while is a disk that has stalled.
+TEST_F(RecordingTest, SlowDiskLosesRowsAndNoControl) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  const std::vector<int> files = descriptors_of(path());
+  ASSERT_EQ(files.size(), 1u);
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  ASSERT_EQ(dup2(ends[1], files[0]), files[0]);
+  close(ends[1]);
+  begin_reach();
+  for (int i = 0; i < 30'000; ++i) update(direction_sample(i * ms, 0.0));
+  auto status = output<hrt_recording_status>();
+  ASSERT_OK(hrt_recording_get_status(session, &status));
+  EXPECT_GT(status.rows_lost, 10'000u);
+  EXPECT_EQ(end().samples, 30'000);
+
+  std::string text = read(path());
+  std::thread slow([&] {
+    char block[4096];
+    for (ssize_t n = 0; (n = ::read(ends[0], block, sizeof block)) > 0;)
+      text.append(block, static_cast<size_t>(n));
+  });
+  status = stop();
+  slow.join();
+  close(ends[0]);
+  EXPECT_EQ(status.system_error, 0);
+  EXPECT_NE(text.find("\n# lost "), std::string::npos);
+  EXPECT_NE(text.find("\n# end "), std::string::npos);
+  EXPECT_EQ(ending(text), HRT_ENDING_LOST_ROWS);
+  EXPECT_EQ(replay(text).first_different_line, 0u);
+}
+
+/// Runs the body in a child of this process. Returns how it ended, as waitpid() has it.
+template <class Body>
+int status_in_child(Body&& body) {
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(20);  // instead of hanging
+    body();
+    std::exit(testing::Test::HasFailure() ? 1 : 0);
+  }
+  int status = 0;
+  EXPECT_EQ(waitpid(child, &status, 0), child);
+  return status;
+}
+
+// The thread that writes is the parent's. In a child the session works, and says that it is not recorded.
+TEST_F(RecordingTest, ChildrenAreNotRecordedAndSaySo) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  begin_reach();
+  update(direction_sample(0, 1.0));
+  const std::string of_child = (folder() / "child.csv").string();
+  const int child = status_in_child([&] {
+    Log log;
+    update(direction_sample(1, 1.0));
+    for (int i = 0; i < 10'000; ++i) update(direction_sample(2, 1.0));
+    auto status = output<hrt_recording_status>();
+    expect_error(hrt_recording_get_status(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
+    expect_error(hrt_recording_stop(session, &status), HRT_ERROR_WRONG_STATE, "was forked from");
+    end();
+    expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, "another recording");
+    ASSERT_OK(hrt_recording_start(session, of_child.c_str()));
+    EXPECT_NE(log.text.find(path().substr(0, 64)), std::string::npos) << log.text;
+    EXPECT_NE(log.text.find(": 10002 calls are not recorded"), std::string::npos) << log.text;
+    begin_reach();
+    end();
+    stop();
+    EXPECT_EQ(replay(read(of_child)).rows, 2u);
+  });
+  EXPECT_EQ(child, 0);
+  // One that takes no notice and leaves, by way of the library's destructors.
+  EXPECT_EQ(status_in_child([] {}), 0);
+  EXPECT_EQ(status_in_child([&] { EXPECT_OK(hrt_session_destroy(session)); }), 0);
+  update(direction_sample(1, 2.0));
+  end();
+  EXPECT_EQ(stop().rows_written, 6u);  // two targets too
+  const hrt_replay_report report = replay(read(path()));
+  EXPECT_EQ(report.rows, 4u);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+}
+
+// A child that lives longer holds no file of its parent's.
+TEST_F(RecordingTest, FileIsFreeOnceItsRecordingStopsWhateverChildrenDo) {
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  const pid_t child = fork();
+  if (child == 0) {
+    alarm(20);
+    pause();
+    _exit(0);
+  }
+  stop();
+  EXPECT_OK(hrt_recording_start(session, path().c_str()));
+  stop();
+  kill(child, SIGKILL);
+  waitpid(child, nullptr, 0);
+}
+
+std::set<std::string> threads() {
+  std::set<std::string> ids;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task"))
+    ids.insert(entry.path().filename().string());
+  return ids;
+}
+
+// The host's signals are for the host's threads, and its children inherit no file.
+TEST_F(RecordingTest, LeavesSignalsAndChildrenAlone) {
+  const std::set<std::string> before = threads();
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  int writers = 0;
+  for (const std::string& id : threads()) {
+    if (before.contains(id)) continue;
+    ++writers;
+    const std::string status = read("/proc/self/task/" + id + "/status");
+    const std::uint64_t blocked = std::stoull(status.substr(status.find("SigBlk:") + 7), nullptr, 16);
+    EXPECT_TRUE(blocked >> (SIGUSR1 - 1) & 1) << std::hex << blocked;
+    EXPECT_TRUE(blocked >> (SIGTERM - 1) & 1) << std::hex << blocked;
+  }
+  EXPECT_GE(writers, 1);  // the thread sanitizer adds one of its own
+  sigset_t own;
+  ASSERT_EQ(pthread_sigmask(SIG_SETMASK, nullptr, &own), 0);
+  EXPECT_EQ(sigismember(&own, SIGUSR1), 0);
+  const std::vector<int> files = descriptors_of(path());
+  ASSERT_EQ(files.size(), 1u);
+  EXPECT_NE(fcntl(files[0], F_GETFD) & FD_CLOEXEC, 0);
+  stop();
+}
+#endif
+
+}  // namespace
+}  // namespace hrt::test

@@ -1,0 +1,378 @@
+// Devices that a script moves and an unmodified application sees: head, controllers, fingers, presence.
+#include <algorithm>
+#include <cmath>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+namespace {
+
+double distance_m(const XrPosef& a, const XrPosef& b) {
+  return std::hypot(static_cast<double>(a.position.x - b.position.x),
+                    static_cast<double>(a.position.y - b.position.y),
+                    static_cast<double>(a.position.z - b.position.z));
+}
+
+class MockDevices : public MockRuntime {
+ protected:
+  void SetUp() override {
+    const std::vector<const char*> more{XR_MND_HEADLESS_EXTENSION_NAME,
+                                        XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                        XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME,
+                                        XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
+                                        XR_HRTX_MOCK_CONTROL_EXTENSION_NAME,
+                                        XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME,
+                                        XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME,
+                                        XR_EXT_USER_PRESENCE_EXTENSION_NAME,
+                                        XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,
+                                        XR_KHR_LOCATE_SPACES_EXTENSION_NAME};
+    const XrInstanceCreateInfo info = instance_info(more);
+    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+    functions.emplace(instance);
+    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+    ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  }
+
+  void apply(const std::string& script) {
+    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
+  }
+
+  XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr) {
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, velocity};
+    EXPECT_XR(XR_SUCCESS, xrLocateSpace(space, base, time, &location));
+    return location;
+  }
+
+  // The joints of the right hand, one second after the session began.
+  Hand hand_with(const std::string& keyframe) {
+    apply(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe +
+          "}]}}}");
+    begin_session();
+    const Hand hand =
+        locate_hand(create_hand_tracker(), create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame());
+    EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    return hand;
+  }
+};
+
+// By hand: 0.2 m to the right in one second, turning left by 90 degrees; half way it is 0.1 m, and 45
+// degrees.
+TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
+  apply(R"({"head": {"path": [
+    {"time_ms": 0, "position_m": [0, 0, 0]},
+    {"time_ms": 1000, "position_m": [0.2, 0, 0], "orientation": [0, 0.70710678, 0, 0.70710678]}]}})");
+  begin_session();
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrTime half = 1'500'000'000;  // the session was created at 1 s
+  XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+  const XrSpaceLocation location = located(view, local, half, &velocity);
+  EXPECT_NEAR(location.pose.position.x, 0.1F, 1e-6F);
+  EXPECT_NEAR(location.pose.orientation.y, std::sin(0.3926990817), 1e-6);
+  EXPECT_NEAR(velocity.linearVelocity.x, 0.2F, 1e-6F);
+  EXPECT_NEAR(velocity.angularVelocity.y, 1.5707963F, 1e-6F);
+  // The room, seen from the turning head, moves the other way, about the head.
+  located(local, view, half, &velocity);
+  EXPECT_NEAR(velocity.angularVelocity.y, -1.5707963F, 1e-6F);
+
+  XrViewState state{XR_TYPE_VIEW_STATE};
+  std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
+  std::uint32_t count = 0;
+  const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+                              half, local};
+  ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
+  EXPECT_NEAR((views[0].pose.position.x + views[1].pose.position.x) / 2.0F, 0.1F, 1e-6F);
+  EXPECT_NEAR(distance_m(views[0].pose, views[1].pose), 0.063, 1e-6);
+}
+
+class MockControllers : public MockDevices {
+ protected:
+  void attach(const std::vector<std::pair<const char*, const char*>>& profiles_and_triggers) {
+    XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
+    ASSERT_XR(XR_SUCCESS, xrCreateActionSet(instance, &set_info, &set));
+    XrActionCreateInfo info{
+        XR_TYPE_ACTION_CREATE_INFO, nullptr, "pull", XR_ACTION_TYPE_FLOAT_INPUT, 0, nullptr, "pull"};
+    ASSERT_XR(XR_SUCCESS, xrCreateAction(set, &info, &pull));
+    info = {XR_TYPE_ACTION_CREATE_INFO, nullptr, "aim", XR_ACTION_TYPE_POSE_INPUT, 0, nullptr, "aim"};
+    ASSERT_XR(XR_SUCCESS, xrCreateAction(set, &info, &aim));
+    for (const auto& [profile, trigger] : profiles_and_triggers) {
+      const XrActionSuggestedBinding bindings[] = {{pull, path(trigger)},
+                                                   {aim, path("/user/hand/right/input/aim/pose")}};
+      const XrInteractionProfileSuggestedBinding suggested{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING,
+                                                           nullptr, path(profile), 2, bindings};
+      ASSERT_XR(XR_SUCCESS, xrSuggestInteractionProfileBindings(instance, &suggested));
+    }
+    begin_session();
+    const XrSessionActionSetsAttachInfo attached{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
+    ASSERT_XR(XR_SUCCESS, xrAttachSessionActionSets(session, &attached));
+  }
+
+  float pulled() {
+    const XrActiveActionSet active{set, XR_NULL_PATH};
+    const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
+    EXPECT_XR(XR_SUCCESS, xrSyncActions(session, &sync));
+    const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, pull, XR_NULL_PATH};
+    XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
+    EXPECT_XR(XR_SUCCESS, xrGetActionStateFloat(session, &get, &state));
+    return state.isActive == XR_TRUE ? state.currentState : -1.0F;
+  }
+
+  std::string profile() {
+    XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
+    EXPECT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, path("/user/hand/right"), &state));
+    if (state.interactionProfile == XR_NULL_PATH) return "";
+    char text[XR_MAX_PATH_LENGTH];
+    std::uint32_t count = 0;
+    EXPECT_XR(XR_SUCCESS, xrPathToString(instance, state.interactionProfile, sizeof text, &count, text));
+    return text;
+  }
+
+  int profile_events() {
+    int events = 0;
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    while (xrPollEvent(instance, &event) == XR_SUCCESS) {
+      if (event.type == XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED) ++events;
+      event = {XR_TYPE_EVENT_DATA_BUFFER};
+    }
+    return events;
+  }
+
+  XrActionSet set = XR_NULL_HANDLE;
+  XrAction pull = XR_NULL_HANDLE;
+  XrAction aim = XR_NULL_HANDLE;
+};
+
+TEST_F(MockControllers, ButtonsAndPosesMoveAsTheScriptSays) {
+  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/oculus/touch_controller",
+      "path": [{"time_ms": 0, "position_m": [0.1, -0.3, -0.4]}, {"time_ms": 1000, "position_m": [0.1, -0.3, -0.6]}]}},
+    "events": [{"frame": 2, "do": "input", "device": "right", "source": "trigger/value", "value": 0.75},
+               {"frame": 3, "do": "input", "device": "right", "source": "thumbstick", "value": [0.5, -1]}]})");
+  attach({{"/interaction_profiles/oculus/touch_controller", "/user/hand/right/input/trigger/value"}});
+  frame();
+  EXPECT_EQ(pulled(), 0.0F);
+  frame();
+  EXPECT_EQ(pulled(), 0.75F);
+  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, aim, XR_NULL_PATH,
+                                     identity_pose};
+  XrSpace space = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+  XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+  const auto location = located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1'500'000'000, &velocity);
+  EXPECT_NEAR(location.pose.position.z, -0.55F, 1e-6F);  // 5 cm ahead of the grip at -0.5 m
+  EXPECT_NEAR(velocity.linearVelocity.z, -0.2F, 1e-6F);
+}
+
+TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {
+  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}, "events": [
+    {"frame": 2, "do": "interaction_profile", "device": "right",
+     "profile": "/interaction_profiles/valve/index_controller"},
+    {"frame": 3, "do": "interaction_profile", "device": "right", "profile": null}]})");
+  attach({{"/interaction_profiles/khr/simple_controller", "/user/hand/right/input/select/click"},
+          {"/interaction_profiles/valve/index_controller", "/user/hand/right/input/trigger/value"}});
+  for (const char* expected :
+       {"/interaction_profiles/khr/simple_controller", "/interaction_profiles/valve/index_controller", ""}) {
+    frame();
+    EXPECT_EQ(pulled(), *expected == '\0' ? -1.0F : 0.0F);
+    EXPECT_EQ(profile_events(), 1) << expected;
+    EXPECT_EQ(profile(), expected);
+  }
+}
+
+// "The length of a bone does not change": from joint to joint of each finger, for every curl and pinch.
+TEST_F(MockDevices, FingersBendWithTheirBonesAsLongAsEver) {
+  const Hand pointing = hand_with("");
+  for (const char* bent :
+       {R"(, "curl": 0)", R"(, "curl": 1)", R"(, "curl": [0.2, 0.4, 0.6, 0.8, 1])", R"(, "pinch": 1)",
+        R"(, "pinch": 0.3)", R"(, "curl": [0, 0, 1, 1, 1], "pinch": 1)"}) {
+    const Hand hand = hand_with(bent);
+    ASSERT_TRUE(hand.active);
+    for (int joint = XR_HAND_JOINT_WRIST_EXT + 1; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
+      const bool first = joint == XR_HAND_JOINT_THUMB_METACARPAL_EXT || (joint >= 6 && joint % 5 == 1);
+      const auto from = static_cast<std::size_t>(first ? XR_HAND_JOINT_WRIST_EXT : joint - 1);
+      const auto to = static_cast<std::size_t>(joint);
+      EXPECT_NEAR(distance_m(hand.joints[from].pose, hand.joints[to].pose),
+                  distance_m(pointing.joints[from].pose, pointing.joints[to].pose), 1e-6)
+          << bent << " joint " << joint;
+    }
+    // The path is the index tip's, however the hand is bent.
+    EXPECT_NEAR(hand.index_tip().z, -0.3F, 1e-6F) << bent;
+  }
+}
+
+TEST_F(MockDevices, CurledTipsComeToThePalmAndStraightOnesDoNot) {
+  const Hand straight = hand_with(R"(, "curl": 0)"), fist = hand_with(R"(, "curl": 1)");
+  for (const std::size_t tip : {XR_HAND_JOINT_INDEX_TIP_EXT, XR_HAND_JOINT_MIDDLE_TIP_EXT,
+                                XR_HAND_JOINT_RING_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
+    EXPECT_GT(distance_m(straight.joints[tip].pose, straight.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.09)
+        << tip;
+    EXPECT_LT(distance_m(fist.joints[tip].pose, fist.joints[XR_HAND_JOINT_PALM_EXT].pose), 0.065) << tip;
+    // On the side of the palm, not behind the hand.
+    EXPECT_LT(fist.joints[tip].pose.position.y, fist.joints[tip - 3].pose.position.y) << tip;
+  }
+}
+
+TEST_F(MockDevices, PinchBringsThumbAndIndexTipTogether) {
+  double last_m = 1.0;
+  for (const char* pinch : {"0", "0.25", "0.5", "0.75", "1"}) {
+    const Hand hand = hand_with(std::string(R"(, "pinch": )") + pinch);
+    const double gap_m = distance_m(hand.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose,
+                                    hand.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
+    EXPECT_LT(gap_m, last_m) << pinch;
+    last_m = gap_m;
+  }
+  EXPECT_NEAR(last_m, 0.008, 1e-4);
+}
+
+// The velocities of bending fingers are the rates of change.
+TEST_F(MockDevices, BendingFingersHaveTheirVelocities) {
+  apply(R"({"hands": {"right": {"path": [
+    {"time_ms": 0, "position_m": [0, -0.4, -0.3], "curl": 0},
+    {"time_ms": 1000, "position_m": [0, -0.4, -0.3], "curl": 1}]}}})");
+  begin_session();
+  const XrHandTrackerEXT tracker = create_hand_tracker();
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrTime time = 1'500'000'000;
+  const Hand before = locate_hand(tracker, local, time - 1'000'000), now = locate_hand(tracker, local, time),
+             after = locate_hand(tracker, local, time + 1'000'000);
+  for (const std::size_t joint : {XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
+    const float rate = (after.joints[joint].pose.position.y - before.joints[joint].pose.position.y) / 0.002F;
+    EXPECT_GT(std::abs(rate), 0.01F);
+    EXPECT_NEAR(now.velocities[joint].linearVelocity.y, rate, 2e-3F) << joint;
+  }
+}
+
+// XR_EXT_hand_joints_motion_range: around a held controller the fingers differ, and the wrist does not.
+TEST_F(MockDevices, FingersConformToAControllerWhereThereIsOne) {
+  for (const bool held : {false, true}) {
+    apply(held ? R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})"
+               : "{}");
+    begin_session();
+    const XrHandTrackerEXT tracker = create_hand_tracker();
+    const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrTime time = frame();
+    const Hand free = locate_hand(tracker, local, time);
+    const auto conforming = [&](XrHandJointsMotionRangeEXT range, Hand& hand) {
+      const XrHandJointsMotionRangeInfoEXT motion{XR_TYPE_HAND_JOINTS_MOTION_RANGE_INFO_EXT, nullptr, range};
+      const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, &motion, local, time};
+      XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
+                                        XR_HAND_JOINT_COUNT_EXT, hand.joints.data()};
+      return functions->locate_hand_joints(tracker, &info, &locations);
+    };
+    Hand around;
+    ASSERT_XR(XR_SUCCESS, conforming(XR_HAND_JOINTS_MOTION_RANGE_CONFORMING_TO_CONTROLLER_EXT, around));
+    const auto moved_m = [&](std::size_t joint) {
+      return distance_m(free.joints[joint].pose, around.joints[joint].pose);
+    };
+    EXPECT_LT(moved_m(XR_HAND_JOINT_WRIST_EXT), 1e-6);
+    EXPECT_EQ(moved_m(XR_HAND_JOINT_INDEX_TIP_EXT) > 0.01, held);
+    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, conforming(static_cast<XrHandJointsMotionRangeEXT>(3), around));
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
+}
+
+TEST_F(MockDevices, HandsOfASourceAreGivenToTrackersOfThatSource) {
+  apply(R"({"hands": {"right": {"data_source": "controller"}}})");
+  begin_session();
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const auto create = [&](std::vector<XrHandTrackingDataSourceEXT> sources, XrHandTrackerEXT& tracker) {
+    const XrHandTrackingDataSourceInfoEXT wanted{XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT, nullptr,
+                                                 static_cast<std::uint32_t>(sources.size()), sources.data()};
+    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, &wanted, XR_HAND_RIGHT_EXT,
+                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
+    return functions->create_hand_tracker(session, &info, &tracker);
+  };
+  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+  for (const auto source :
+       {XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT, XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT}) {
+    ASSERT_XR(XR_SUCCESS, create({source}, tracker));
+    XrHandTrackingDataSourceStateEXT state{XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT};
+    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &state, XR_FALSE,
+                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
+    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, frame()};
+    ASSERT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
+    const bool given = source == XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT;
+    EXPECT_EQ(locations.isActive, static_cast<XrBool32>(given));
+    EXPECT_EQ(state.isActive, static_cast<XrBool32>(given));
+    EXPECT_EQ(state.dataSource, XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT);
+  }
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, create({static_cast<XrHandTrackingDataSourceEXT>(7)}, tracker));
+  // "If the tracker was not created with XrHandTrackingDataSourceInfoEXT [...] XR_ERROR_VALIDATION_FAILURE".
+  XrHandTrackingDataSourceStateEXT state{XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT};
+  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &state, XR_FALSE,
+                                    XR_HAND_JOINT_COUNT_EXT, joints.data()};
+  const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, frame()};
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
+            functions->locate_hand_joints(create_hand_tracker(), &info, &locations));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
+            create({XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT, XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT},
+                   tracker));
+}
+
+// "The runtime must queue this event upon a successful call to xrBeginSession".
+TEST_F(MockDevices, PresenceIsReportedAtTheBeginningAndAtChanges) {
+  apply(R"({"events": [{"frame": 2, "do": "user_presence", "present": false},
+                       {"frame": 3, "do": "user_presence", "present": false},
+                       {"frame": 4, "do": "user_presence", "present": true}]})");
+  XrSystemUserPresencePropertiesEXT presence{XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT};
+  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &presence};
+  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
+  EXPECT_EQ(presence.supportsUserPresence, static_cast<XrBool32>(XR_TRUE));
+  create_session();
+  std::vector<bool> reported;
+  const auto read = [&] {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    while (xrPollEvent(instance, &event) == XR_SUCCESS) {
+      if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT)
+        reported.push_back(reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event).isUserPresent ==
+                           XR_TRUE);
+      event = {XR_TYPE_EVENT_DATA_BUFFER};
+    }
+  };
+  const XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                 XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &begin));
+  read();
+  EXPECT_EQ(reported, std::vector<bool>({true}));
+  for (int i = 0; i < 4; ++i) frame();
+  read();
+  EXPECT_EQ(reported, std::vector<bool>({true, false, true}));
+}
+
+// XR_EXT_local_floor and XR_KHR_locate_spaces, which OpenXR 1.1 promotes, in an application for 1.0.
+TEST_F(MockDevices, PromotedExtensionsServeOpenXR10) {
+  begin_session();
+  const XrSpace floor = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
+  const auto locate_spaces = fetch<PFN_xrLocateSpacesKHR>(instance, "xrLocateSpacesKHR");
+  ASSERT_NE(locate_spaces, nullptr);
+  XrSpaceLocationData data{};
+  XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
+  const XrSpacesLocateInfo info{
+      XR_TYPE_SPACES_LOCATE_INFO, nullptr, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame(), 1, &floor};
+  ASSERT_XR(XR_SUCCESS, locate_spaces(session, &info, &locations));
+  EXPECT_NEAR(data.pose.position.y, -1.2F, 1e-6F);
+}
+
+// The log: thread, handles and arguments.
+TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
+  begin_session();
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  char handle[32];
+  std::snprintf(handle, sizeof handle, "0x%llx", reinterpret_cast<unsigned long long>(local));
+  auto log = call_log();
+  EXPECT_STREQ(log.back().function, "xrCreateReferenceSpace");
+  const std::string arguments = log.back().arguments;
+  EXPECT_NE(arguments.find("{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"),
+            std::string::npos)
+      << arguments;
+  EXPECT_TRUE(arguments.ends_with(std::string(", ") + handle + ")")) << arguments;
+  EXPECT_GE(log.back().thread, 1U);
+  EXPECT_EQ(log.back().thread, log.front().thread);
+  // Of a refused call no pointer is followed.
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySpace(reinterpret_cast<XrSpace>(0x77)));
+  EXPECT_STREQ(call_log().back().arguments, "(0x77)");
+}
+
+}  // namespace
+}  // namespace hrt::mock

@@ -1,0 +1,97 @@
+// Faults of one session or one instance of the process, and calls that never return.
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/process.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockScope : public MockRuntime {
+ protected:
+  void apply(const char* script) {
+    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script)) << call_log().back().reason;
+  }
+  XrResult poll() {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    return xrPollEvent(instance, &event);
+  }
+};
+
+TEST_F(MockScope, EventHappensInItsSessionOnly) {
+  apply(R"({"events": [{"session": 2, "frame": 1, "do": "session_state", "state": "VISIBLE"}]})");
+  for (const int number : {1, 2, 3}) {
+    begin_session();
+    frame();
+    EXPECT_EQ(all_states().size(), number == 2 ? 1U : 0U) << number;
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
+}
+
+// Calls are counted within the session; between two sessions they belong to the next.
+TEST_F(MockScope, CallFailsInItsSessionOnly) {
+  apply(R"({"calls": [{"session": 2, "function": "xrPollEvent", "call": 2,
+                       "result": "XR_ERROR_RUNTIME_FAILURE"}]})");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  create_session();
+  for (int i = 0; i < 3; ++i) EXPECT_GE(poll(), XR_SUCCESS);
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  create_session();
+  EXPECT_XR(XR_ERROR_RUNTIME_FAILURE, poll());
+  EXPECT_GE(poll(), XR_SUCCESS);
+}
+
+TEST_F(MockScope, CreationOfASessionBelongsToTheSessionThatItWouldMake) {
+  apply(R"({"calls": [{"session": 2, "function": "xrCreateSession", "result": "XR_ERROR_LIMIT_REACHED"}]})");
+  create_session();
+  ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
+  EXPECT_XR(XR_ERROR_LIMIT_REACHED, xrCreateSession(instance, &info, &session));
+  EXPECT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
+}
+
+// Once in a process, whatever the number of instances.
+TEST(MockProcess, FaultOfTheEnvironmentHappensOnce) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "script.json") <<
+      R"({"calls": [{"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"},
+                    {"instance": 3, "function": "xrCreateInstance", "result": "XR_ERROR_RUNTIME_UNAVAILABLE"}]})";
+  setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+  const XrInstanceCreateInfo info = instance_info(default_extensions());
+  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+  XrInstance instance = XR_NULL_HANDLE;
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  for (const bool first : {true, false}) {
+    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+    EXPECT_XR(first ? XR_ERROR_FORM_FACTOR_UNAVAILABLE : XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    ASSERT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+  }
+  EXPECT_XR(XR_ERROR_RUNTIME_UNAVAILABLE, xrCreateInstance(&info, &instance));
+  EXPECT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+  unsetenv("HRT_MOCK_SCRIPT");
+}
+
+// Other calls proceed meanwhile.
+TEST_F(MockScope, BlockedCallNeverReturns) {
+  apply(R"({"calls": [{"function": "xrPollEvent", "call": 2, "block": true}]})");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  static std::atomic<bool> returned = false;
+  std::thread([blocked = instance] {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    xrPollEvent(blocked, &event);
+    returned = true;
+  }).detach();
+  while (call_log().back().result != XR_TIMEOUT_EXPIRED) std::this_thread::yield();
+  EXPECT_STREQ(call_log().back().reason, "the script blocks this call");
+  EXPECT_XR(XR_EVENT_UNAVAILABLE, poll());
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(returned);
+}
+
+}  // namespace
+}  // namespace hrt::mock

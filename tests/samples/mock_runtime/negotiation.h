@@ -1,0 +1,42 @@
+// The runtime without a loader in between, which hides some rules, and Debian's all of OpenXR 1.1.
+#pragma once
+
+#include <dlfcn.h>
+
+#include "samples/mock_runtime/api/negotiation.h"
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+
+class MockNegotiation : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    library = dlopen(HRT_MOCK_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(library, nullptr) << dlerror();
+    negotiate = reinterpret_cast<Negotiate>(dlsym(library, "xrNegotiateLoaderRuntimeInterface"));
+    ASSERT_NE(negotiate, nullptr);
+  }
+  void TearDown() override { dlclose(library); }
+
+  template <typename Function>
+  Function fetch_direct(XrInstance instance, const char* name) {
+    PFN_xrVoidFunction function = nullptr;
+    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(instance, name, &function));
+    return reinterpret_cast<Function>(function);
+  }
+
+  using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, NegotiateRuntimeRequest*);
+  void* library = nullptr;
+  Negotiate negotiate = nullptr;
+  NegotiateLoaderInfo loader{loader_info_type,
+                             struct_version,
+                             sizeof(NegotiateLoaderInfo),
+                             1,
+                             1,
+                             XR_MAKE_VERSION(1, 0, 0),
+                             XR_MAKE_VERSION(1, 1, 0xFFFFFFFF)};
+  NegotiateRuntimeRequest request{
+      runtime_request_type, struct_version, sizeof(NegotiateRuntimeRequest), 0, 0, nullptr};
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,164 @@
+// An application for OpenXR 1.1. Above each test stands the sentence that it tests, from the
+// specification 1.1.
+#include <algorithm>
+
+#include "tests/samples/mock_runtime/negotiation.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockVersion11 : public MockNegotiation {
+ protected:
+  void SetUp() override {
+    MockNegotiation::SetUp();
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+    const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
+    XrInstanceCreateInfo info = instance_info(names);
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
+    ASSERT_XR(XR_SUCCESS,
+              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+    XrSystemId system = XR_NULL_SYSTEM_ID;
+    ASSERT_XR(XR_SUCCESS, direct<PFN_xrGetSystem>("xrGetSystem")(instance, &get, &system));
+    const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
+    ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateSession>("xrCreateSession")(instance, &create, &session));
+    locate_spaces = direct<PFN_xrLocateSpaces>("xrLocateSpaces");
+    ASSERT_NE(locate_spaces, nullptr);
+  }
+  void TearDown() override {
+    EXPECT_XR(XR_SUCCESS, direct<PFN_xrDestroyInstance>("xrDestroyInstance")(instance));
+    MockNegotiation::TearDown();
+  }
+
+  template <typename Function>
+  Function direct(const char* name) {
+    return fetch_direct<Function>(instance, name);
+  }
+
+  XrSpace space(XrReferenceSpaceType type, const XrVector3f& at = {}) {
+    const XrReferenceSpaceCreateInfo info{
+        XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, {identity_pose.orientation, at}};
+    XrSpace made = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS,
+              direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &info, &made));
+    return made;
+  }
+
+  XrInstance instance = XR_NULL_HANDLE;
+  XrSession session = XR_NULL_HANDLE;
+  PFN_xrLocateSpaces locate_spaces = nullptr;
+};
+
+// "LOCAL_FLOOR [...] establishes a world-locked origin [...] at the floor level": right below LOCAL.
+TEST_F(MockVersion11, LocalFloorIsBelowLocal) {
+  std::uint32_t count = 0;
+  const auto enumerate = direct<PFN_xrEnumerateReferenceSpaces>("xrEnumerateReferenceSpaces");
+  ASSERT_XR(XR_SUCCESS, enumerate(session, 0, &count, nullptr));
+  std::vector<XrReferenceSpaceType> types(count);
+  ASSERT_XR(XR_SUCCESS, enumerate(session, count, &count, types.data()));
+  EXPECT_EQ(std::count(types.begin(), types.end(), XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR), 1);
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  ASSERT_XR(XR_SUCCESS,
+            direct<PFN_xrLocateSpace>("xrLocateSpace")(space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR),
+                                                       space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1, &location));
+  EXPECT_NEAR(location.pose.position.y, -1.2F, 1e-6F);
+}
+
+// "xrLocateSpaces [...] provides the physical location of one or more spaces in a base space at a specified
+// time"; velocities follow if they are chained.
+TEST_F(MockVersion11, ManySpacesAreLocatedAtOnce) {
+  const XrSpace base = space(XR_REFERENCE_SPACE_TYPE_LOCAL, {0.0F, 0.0F, -1.0F});
+  const std::array spaces{space(XR_REFERENCE_SPACE_TYPE_LOCAL, {2.0F, 0.0F, 0.0F}),
+                          space(XR_REFERENCE_SPACE_TYPE_STAGE)};
+  std::array<XrSpaceLocationData, 2> data{};
+  std::array<XrSpaceVelocityData, 2> velocity_data{};
+  velocity_data[1].linearVelocity = {7.0F, 7.0F, 7.0F};
+  XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 2, velocity_data.data()};
+  XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, &velocities, 2, data.data()};
+  const XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO, nullptr, base, 1, 2, spaces.data()};
+  ASSERT_XR(XR_SUCCESS, locate_spaces(session, &info, &locations));
+  EXPECT_EQ(data[0].locationFlags, 15U);
+  EXPECT_NEAR(data[0].pose.position.x, 2.0F, 1e-6F);
+  EXPECT_NEAR(data[0].pose.position.z, 1.0F, 1e-6F);
+  EXPECT_NEAR(data[1].pose.position.y, -1.2F, 1e-6F);
+  EXPECT_EQ(velocity_data[1].velocityFlags, 3U);
+  EXPECT_EQ(velocity_data[1].linearVelocity.x, 0.0F);
+}
+
+// "XR_ERROR_VALIDATION_FAILURE" for counts that differ, "XR_ERROR_TIME_INVALID", "XR_ERROR_HANDLE_INVALID".
+// What is refused writes nothing.
+TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
+  std::array spaces{space(XR_REFERENCE_SPACE_TYPE_LOCAL), space(XR_REFERENCE_SPACE_TYPE_STAGE)};
+  std::array<XrSpaceLocationData, 2> data{};
+  const auto refused = [&](XrResult expected, auto change) {
+    XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 1, nullptr};
+    XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 2, data.data()};
+    XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO, nullptr, spaces[0], 1, 2, spaces.data()};
+    change(info, locations, velocities);
+    EXPECT_XR(expected, locate_spaces(session, &info, &locations));
+    EXPECT_EQ(data[0].locationFlags, 0U);
+  };
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.type = XR_TYPE_FRAME_STATE; });
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.spaceCount = 0; });
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto& info, auto&, auto&) { info.spaces = nullptr; });
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locationCount = 1; });
+  refused(XR_ERROR_VALIDATION_FAILURE, [](auto&, auto& locations, auto&) { locations.locations = nullptr; });
+  refused(XR_ERROR_VALIDATION_FAILURE,
+          [](auto&, auto& locations, auto& velocities) { locations.next = &velocities; });
+  refused(XR_ERROR_TIME_INVALID, [](auto& info, auto&, auto&) { info.time = 0; });
+  refused(XR_ERROR_HANDLE_INVALID, [](auto& info, auto&, auto&) { info.baseSpace = XR_NULL_HANDLE; });
+  spaces[1] = XR_NULL_HANDLE;
+  refused(XR_ERROR_HANDLE_INVALID, [](auto&, auto&, auto&) {});
+}
+
+// "Interaction Profile Paths": each profile that 1.1 adds, with sources that distinguish it, and those of
+// which the profiles of 1.0 have more in 1.1.
+TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
+  const auto to_path = direct<PFN_xrStringToPath>("xrStringToPath");
+  const auto path = [&](const std::string& text) {
+    XrPath made = XR_NULL_PATH;
+    EXPECT_XR(XR_SUCCESS, to_path(instance, text.c_str(), &made));
+    return made;
+  };
+  const XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
+  XrActionSet set = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateActionSet>("xrCreateActionSet")(instance, &set_info, &set));
+  const XrActionCreateInfo action_info{
+      XR_TYPE_ACTION_CREATE_INFO, nullptr, "any", XR_ACTION_TYPE_FLOAT_INPUT, 0, nullptr, "any"};
+  XrAction any = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateAction>("xrCreateAction")(set, &action_info, &any));
+  const auto suggest = [&](const std::string& profile, const std::string& source) {
+    const XrActionSuggestedBinding binding{any, path(source)};
+    const XrInteractionProfileSuggestedBinding suggested{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING,
+                                                         nullptr, path("/interaction_profiles/" + profile), 1,
+                                                         &binding};
+    return direct<PFN_xrSuggestInteractionProfileBindings>("xrSuggestInteractionProfileBindings")(instance,
+                                                                                                  &suggested);
+  };
+  const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
+      {"oculus/touch_controller", {"left/input/trigger/proximity", "right/input/grip_surface/pose"}},
+      {"valve/index_controller", {"left/input/grip_surface/pose"}},
+      {"bytedance/pico_neo3_controller", {"left/input/x/touch", "right/input/menu/click"}},
+      {"bytedance/pico4_controller", {"left/input/menu/click", "right/input/squeeze/click"}},
+      {"bytedance/pico_g3_controller", {"left/input/trigger/click", "right/input/thumbstick/x"}},
+      {"hp/mixed_reality_controller", {"left/input/y/click", "right/input/squeeze/value"}},
+      {"htc/vive_cosmos_controller", {"left/input/shoulder/click", "right/input/system/click"}},
+      {"htc/vive_focus3_controller", {"left/input/squeeze/touch", "right/input/thumbrest/touch"}},
+      {"meta/touch_controller_rift_cv1", {"left/input/x/click"}},
+      {"meta/touch_controller_quest_1_rift_s", {"right/input/b/touch"}},
+      {"meta/touch_controller_quest_2", {"left/input/thumb_resting_surfaces/proximity"}},
+      {"meta/touch_plus_controller", {"left/input/trigger/force", "right/input/trigger_curl/value"}},
+      {"meta/touch_pro_controller", {"left/input/stylus/force", "right/output/haptic_thumb"}},
+      {"ml/ml2_controller", {"left/input/home/click", "right/input/trackpad/force"}},
+      {"samsung/odyssey_controller", {"left/input/squeeze/click", "right/input/trackpad/touch"}}};
+  for (const auto& [profile, sources] : profiles)
+    for (const std::string source : sources)
+      EXPECT_XR(XR_SUCCESS, suggest(profile, "/user/hand/" + source)) << profile << ' ' << source;
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            suggest("bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            suggest("meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
+}
+
+}  // namespace
+}  // namespace hrt::mock

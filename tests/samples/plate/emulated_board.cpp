@@ -1,0 +1,180 @@
+#include "tests/samples/plate/emulated_board.h"
+
+#include <avr_adc.h>
+#include <avr_eeprom.h>
+#include <avr_ioport.h>
+#include <avr_timer.h>
+#include <avr_uart.h>
+#include <sim_avr.h>
+#include <sim_elf.h>
+
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "samples/plate/driver/plate_line.h"
+
+namespace hrt::plate {
+namespace {
+
+constexpr std::uint32_t cpu_hz = 16'000'000;
+// simavr counts a parity bit that the line does not have: 11 bits of 17 * 8 cycles.
+constexpr std::uint64_t byte_cycles = 11 * 17 * 8;
+constexpr std::uint32_t supply_mv = 5000;
+// Instructions that run without a look at the peripherals, unless one is due: 4 us.
+constexpr std::uint64_t free_cycles = 64;
+constexpr std::size_t eicra = 0x69;  // its register of the external interrupts' modes
+
+thread_local std::vector<std::string> logged;
+
+void log_error(avr_t*, int level, const char* text, va_list values) {
+  if (level > LOG_ERROR) return;
+  char line[256];
+  std::vsnprintf(line, sizeof line, text, values);
+  logged.emplace_back(line);
+}
+
+// Simulated time is not the host's.
+void do_not_sleep(avr_t*, avr_cycle_count_t) {}
+
+std::chrono::nanoseconds time_of(std::uint64_t cycle) {
+  return std::chrono::nanoseconds(cycle * 1'000'000'000 / cpu_hz);
+}
+
+}  // namespace
+
+EmulatedBoard::EmulatedBoard(const std::vector<std::uint8_t>& eeprom)
+    : avr_(avr_make_mcu_by_name("atmega328p")) {
+  logged.clear();
+  avr_global_logger_set(log_error);
+  if (avr_ == nullptr || avr_init(avr_) != 0) throw std::runtime_error("simavr has no ATmega328P");
+  elf_firmware_t firmware{};
+  if (elf_read_firmware(HRT_FIRMWARE_ELF, &firmware) != 0)
+    throw std::runtime_error("no firmware at " HRT_FIRMWARE_ELF);
+  firmware.frequency = cpu_hz;
+  avr_load_firmware(avr_, &firmware);
+  avr_->frequency = cpu_hz;
+  avr_->vcc = avr_->avcc = avr_->aref = supply_mv;
+  avr_->sleep = do_not_sleep;
+
+  if (!eeprom.empty()) {
+    auto bytes = eeprom;
+    avr_eeprom_desc_t all{bytes.data(), 0, static_cast<std::uint32_t>(bytes.size())};
+    avr_ioctl(avr_, AVR_IOCTL_EEPROM_SET, &all);
+  }
+  std::uint32_t flags = 0;  // no sleeping, no echo on the terminal
+  avr_ioctl(avr_, AVR_IOCTL_UART_SET_FLAGS('0'), &flags);
+  start_line();
+  open_emergency_stop(false);
+  avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_TIMER_GETIRQ('1'), TIMER_IRQ_OUT_COMP), take_edge,
+                          this);
+  avr_irq_register_notify(avr_io_getirq(avr_, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_OUTPUT), take_byte, this);
+}
+
+EmulatedBoard::~EmulatedBoard() {
+  avr_terminate(avr_);
+  std::free(avr_);
+}
+
+std::chrono::nanoseconds EmulatedBoard::now() const {
+  return time_of(avr_->cycle);
+}
+
+void EmulatedBoard::run_until(std::chrono::nanoseconds time) {
+  const std::uint64_t end = static_cast<std::uint64_t>(time.count()) * (cpu_hz / 1'000'000) / 1000;
+  while (avr_->cycle < end) {
+    const int state = avr_run(avr_);
+    if (state == cpu_Crashed || state == cpu_Done) throw std::runtime_error("the firmware has crashed");
+  }
+}
+
+void EmulatedBoard::run_for(std::chrono::nanoseconds time) {
+  run_until(now() + time);
+}
+
+void EmulatedBoard::say(std::string_view body) {
+  send(encode_line(body, Version::two));
+}
+
+std::string EmulatedBoard::take_output() {
+  std::string output;
+  output.swap(output_);
+  return output;
+}
+
+std::vector<std::string> EmulatedBoard::take_lines() {
+  std::vector<std::string> lines;
+  const std::string output = take_output();
+  for (const char byte : output)
+    if (const auto line = reader_.take(byte))
+      if (const auto decoded = decode_line(*line)) lines.emplace_back(decoded->body);
+  return lines;
+}
+
+void EmulatedBoard::reset() {
+  avr_reset(avr_);
+  high_ = false;  // the pin floats
+  start_line();
+}
+
+void EmulatedBoard::open_emergency_stop(bool open) {
+  avr_ioport_external_t pin{};
+  pin.name = 'D';
+  pin.mask = 1U << 2;
+  pin.value = open ? 1U << 2 : 0U;
+  avr_ioctl(avr_, AVR_IOCTL_IOPORT_SET_EXTERNAL('D'), &pin);
+  avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_IOPORT_GETIRQ('D'), 2), open ? 1 : 0);
+}
+
+void EmulatedBoard::set_feedback_mv(std::uint32_t millivolts) {
+  avr_raise_irq(avr_io_getirq(avr_, AVR_IOCTL_ADC_GETIRQ, ADC_IRQ_ADC0), millivolts);
+}
+
+std::vector<std::uint8_t> EmulatedBoard::eeprom() const {
+  std::vector<std::uint8_t> bytes(1024);
+  avr_eeprom_desc_t all{bytes.data(), 0, static_cast<std::uint32_t>(bytes.size())};
+  avr_ioctl(avr_, AVR_IOCTL_EEPROM_GET, &all);
+  return bytes;
+}
+
+const std::vector<std::string>& EmulatedBoard::complaints() const {
+  return logged;
+}
+
+void EmulatedBoard::take_edge(avr_irq_t*, std::uint32_t value, void* board) {
+  auto& self = *static_cast<EmulatedBoard*>(board);
+  const bool high = (value & 1) != 0;
+  if (high == self.high_) return;
+  self.high_ = high;
+  if (high) {
+    self.rose_at_ = self.avr_->cycle;
+    return;
+  }
+  self.pulses_.push_back({time_of(self.rose_at_), time_of(self.avr_->cycle) - time_of(self.rose_at_)});
+  if (self.on_pulse) self.on_pulse(self.pulses_.back());
+}
+
+void EmulatedBoard::take_byte(avr_irq_t*, std::uint32_t value, void* board) {
+  static_cast<EmulatedBoard*>(board)->output_ += static_cast<char>(value);
+}
+
+void EmulatedBoard::start_line() {
+  avr_->run_cycle_limit = free_cycles;
+  // At a low level simavr looks at pin D2 every cycle, interrupt or not; at an edge it does not.
+  avr_->data[eicra] = 2;
+  avr_cycle_timer_register(avr_, byte_cycles, deliver_byte, this);
+}
+
+// A byte that comes while the receiver is off, in a reset, is lost as on a real line.
+std::uint64_t EmulatedBoard::deliver_byte(avr_t* avr, std::uint64_t when, void* board) {
+  auto& self = *static_cast<EmulatedBoard*>(board);
+  if (!self.to_board_.empty()) {
+    avr_raise_irq(avr_io_getirq(avr, AVR_IOCTL_UART_GETIRQ('0'), UART_IRQ_INPUT),
+                  static_cast<unsigned char>(self.to_board_.front()));
+    self.to_board_.erase(0, 1);
+  }
+  return when + byte_cycles;
+}
+
+}  // namespace hrt::plate

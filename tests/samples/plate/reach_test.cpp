@@ -1,0 +1,83 @@
+// A whole reach: scene, OpenXR runtime, plugin, serial line, the firmware's ELF, the servo's pulse, the
+// turned plate, felt by the simulated person, in real time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <thread>
+
+#include "tests/samples/plate/emulated_servo.h"
+#include "tests/samples/plate/pty_board.h"
+#include "tests/samples/reach/program.h"
+
+namespace hrt::plate {
+namespace {
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+const std::string real_time = R"({"clock": "real-time", )" + reach::calm + "}";
+
+double largest_turn_deg(PtyBoard& board) {
+  double turn_deg = 0.0;
+  for (const Pulse& pulse : board.pulses())
+    turn_deg = std::max(turn_deg, std::abs(pulse.width_us() - 1500.0) * 180.0 / 2000.0);
+  return turn_deg;
+}
+
+// A number of the last configuration in a recording.
+double planned(const std::string& recording, const std::string& name) {
+  const std::size_t config = recording.rfind("# config ");
+  const std::size_t at = recording.find("\"" + name + "\":", config);
+  if (config == std::string::npos || at == std::string::npos) return -1.0;
+  return std::stod(recording.substr(at + name.size() + 3, 30));
+}
+
+// The plate is felt where the servo is that follows the pulses, as its potentiometer reports it.
+TEST(ReachWithFirmware, ReachesTheTarget) {
+  std::optional<EmulatedServo> servo;
+  PtyBoard board([&](EmulatedBoard& emulated) { servo.emplace(emulated); }, eeprom_with_feedback());
+  const std::string recording = reach::scratch_folder() + "/reach.csv";
+  const Outcome outcome = reach::run_scripted(
+      real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
+  EXPECT_NE(outcome.out.find("protocol 2, firmware 1.0.0"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("orientation measured"), std::string::npos) << outcome.out;
+  EXPECT_GT(largest_turn_deg(board), 30.0);
+  // What was measured is what the controller planned with: 20 ms of the plate's own, and half of the line.
+  const std::string recorded = read_file(recording);
+  const double latency_ms = planned(recorded, "plate_latency_ns") * 1e-6;
+  EXPECT_GT(latency_ms, 21.0);
+  EXPECT_LT(latency_ms, 60.0);
+  EXPECT_EQ(planned(recorded, "plate_max_speed_deg_s"), 300.0);
+  EXPECT_EQ(planned(recorded, "plate_upper_stop_deg"), 90.0);
+  std::printf("%s", outcome.out.c_str());
+}
+
+// The board loses its power for an instant, or its line is opened by another program.
+TEST(ReachWithFirmware, IsEndedByAResetOfTheBoard) {
+  PtyBoard board;
+  reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
+                         reach::scripted_environment(real_time));
+  while (largest_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
+  board.with([](EmulatedBoard& emulated) { emulated.reset(); });
+  const std::size_t pulses = board.pulses().size();
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
+  EXPECT_NE(outcome.err.find("has restarted"), std::string::npos) << outcome.err;
+  EXPECT_EQ(board.pulses().size(), pulses);
+}
+
+TEST(ReachWithFirmware, IsEndedByTheEmergencyStop) {
+  PtyBoard board;
+  reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
+                         reach::scripted_environment(real_time));
+  while (largest_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
+  board.with([](EmulatedBoard& emulated) { emulated.open_emergency_stop(true); });
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
+  EXPECT_NE(outcome.err.find("was stopped by its emergency stop"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace hrt::plate

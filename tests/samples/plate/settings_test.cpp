@@ -1,0 +1,142 @@
+// The firmware's settings: ranges, pulses, and what EEPROM may hold.
+#include "samples/plate/firmware/settings.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace hrt::plate {
+namespace {
+
+Settings with(Setting setting, int32_t hundredths) {
+  Settings settings = settings_default();
+  settings.value[setting] = hundredths;
+  return settings;
+}
+
+TEST(PlateSettings, HaveDefaultsThatFit) {
+  const Settings settings = settings_default();
+  EXPECT_TRUE(settings_valid(&settings));
+  EXPECT_EQ(settings_least(&settings), -9000);
+  EXPECT_EQ(settings_most(&settings), 9000);
+  EXPECT_FALSE(settings_has_feedback(&settings));
+}
+
+TEST(PlateSettings, HaveRanges) {
+  const auto valid = [](Setting setting, int32_t value) {
+    const Settings settings = with(setting, value);
+    return settings_valid(&settings);
+  };
+  EXPECT_TRUE(valid(SETTING_ZERO_US, 50000));
+  EXPECT_FALSE(valid(SETTING_ZERO_US, 49900));
+  EXPECT_FALSE(valid(SETTING_ZERO_US, 150050));  // whole microseconds
+  EXPECT_TRUE(valid(SETTING_SPAN_US, -200000));
+  EXPECT_FALSE(valid(SETTING_SPAN_US, 0));
+  EXPECT_FALSE(valid(SETTING_SPAN_US, 49900));
+  EXPECT_FALSE(valid(SETTING_SPAN_US, 250100));
+  EXPECT_FALSE(valid(SETTING_LEAST_DEG, 1));
+  EXPECT_FALSE(valid(SETTING_MOST_DEG, -1));
+  EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 0));
+  EXPECT_FALSE(valid(SETTING_SPEED_DEG_S, 100100));
+  EXPECT_FALSE(valid(SETTING_ADC_MOST, 4900));  // less than 50 steps between the limits
+  EXPECT_TRUE(valid(SETTING_ADC_MOST, 5000));
+  EXPECT_FALSE(valid(SETTING_EMERGENCY, 200));
+  for (int i = 0; i < SETTING_COUNT; ++i) {
+    EXPECT_FALSE(valid(static_cast<Setting>(i), INT32_MAX)) << i;
+    EXPECT_FALSE(valid(static_cast<Setting>(i), INT32_MIN)) << i;
+  }
+}
+
+TEST(PlateSettings, AreFoundByName) {
+  for (int i = 0; i < SETTING_COUNT; ++i)
+    EXPECT_EQ(setting_named(setting_name(static_cast<Setting>(i))), static_cast<Setting>(i));
+  EXPECT_EQ(setting_named(""), SETTING_COUNT);
+  EXPECT_EQ(setting_named("zer"), SETTING_COUNT);
+  EXPECT_EQ(setting_named("zero1"), SETTING_COUNT);
+}
+
+// 1500 us +- 1000 us at +-90 degrees: in half microseconds 3000, 1000, 5000; 45 degrees: 4000.
+TEST(PlateSettings, MapAnglesToPulses) {
+  const Settings settings = settings_default();
+  EXPECT_EQ(settings_pulse_ticks(&settings, 0), 3000);
+  EXPECT_EQ(settings_pulse_ticks(&settings, 90000), 5000);
+  EXPECT_EQ(settings_pulse_ticks(&settings, -90000), 1000);
+  EXPECT_EQ(settings_pulse_ticks(&settings, 45000), 4000);
+  EXPECT_EQ(settings_pulse_ticks(&settings, 100000), 5000);  // never longer
+  const Settings clockwise = with(SETTING_SPAN_US, -200000);
+  EXPECT_EQ(settings_pulse_ticks(&clockwise, 45000), 2000);
+  for (int32_t millideg = -90000; millideg <= 90000; millideg += 7)
+    EXPECT_NEAR(settings_pulse_ticks(&settings, millideg), 3000.0 + millideg / 45.0, 0.5001) << millideg;
+}
+
+// A trim of 10 us moves both ends by 0.9 degrees; pulses stay within 500 to 2500 us.
+TEST(PlateSettings, LimitAnglesToWherePulsesReach) {
+  const Settings trimmed = with(SETTING_ZERO_US, 151000);
+  EXPECT_EQ(settings_least(&trimmed), -9000);
+  EXPECT_EQ(settings_most(&trimmed), 8910);
+  EXPECT_EQ(settings_pulse_ticks(&trimmed, 89100), 5000);
+  Settings clockwise = trimmed;
+  clockwise.value[SETTING_SPAN_US] = -200000;
+  EXPECT_EQ(settings_least(&clockwise), -8910);
+  EXPECT_EQ(settings_most(&clockwise), 9000);
+}
+
+TEST(PlateSettings, MapReadingsToAngles) {
+  Settings settings = with(SETTING_ADC_LEAST, 10000);
+  settings.value[SETTING_ADC_MOST] = 90000;
+  EXPECT_TRUE(settings_valid(&settings));
+  EXPECT_EQ(settings_measured_millideg(&settings, 100 * 16), -90000);
+  EXPECT_EQ(settings_measured_millideg(&settings, 500 * 16), 0);
+  EXPECT_EQ(settings_measured_millideg(&settings, 900 * 16), 90000);
+  EXPECT_NEAR(settings_measured_millideg(&settings, 1023 * 16), 90000 + 123 * 225, 10);
+}
+
+// A potentiometer far off its calibration: no more than a turn.
+TEST(PlateSettings, MapReadingsToATurnAtMost) {
+  Settings settings = with(SETTING_ADC_LEAST, 10000);
+  settings.value[SETTING_ADC_MOST] = 15000;
+  EXPECT_EQ(settings_measured_millideg(&settings, 1023 * 16), 360000);
+  settings.value[SETTING_ADC_LEAST] = 95000;
+  settings.value[SETTING_ADC_MOST] = 100000;
+  EXPECT_EQ(settings_measured_millideg(&settings, 0), -360000);
+}
+
+TEST(PlateSettings, ArePackedAndUnpacked) {
+  Settings settings = with(SETTING_SERIAL, 99999900);
+  settings.value[SETTING_SPAN_US] = -180000;
+  std::array<uint8_t, SETTINGS_BYTES> bytes{};
+  settings_pack(&settings, bytes.data());
+  Settings read = settings_default();
+  ASSERT_TRUE(settings_unpack(&read, bytes.data()));
+  for (int i = 0; i < SETTING_COUNT; ++i) EXPECT_EQ(read.value[i], settings.value[i]);
+}
+
+TEST(PlateSettings, NoticeEveryDamagedBitAndAnErasedMemory) {
+  const Settings settings = settings_default();
+  std::array<uint8_t, SETTINGS_BYTES> bytes{};
+  settings_pack(&settings, bytes.data());
+  Settings read = with(SETTING_SERIAL, 700);
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ (1U << bit % 8));
+    EXPECT_FALSE(settings_unpack(&read, bytes.data())) << bit;
+    bytes[bit / 8] = static_cast<uint8_t>(bytes[bit / 8] ^ (1U << bit % 8));
+  }
+  bytes.fill(0xFF);
+  EXPECT_FALSE(settings_unpack(&read, bytes.data()));
+  bytes.fill(0);
+  EXPECT_FALSE(settings_unpack(&read, bytes.data()));
+  EXPECT_EQ(read.value[SETTING_SERIAL], 700);
+}
+
+// Whole, with a right sum, and still not to be believed.
+TEST(PlateSettings, OutOfRangeAreNotUnpacked) {
+  const Settings settings = with(SETTING_ZERO_US, 300000);
+  std::array<uint8_t, SETTINGS_BYTES> bytes{};
+  settings_pack(&settings, bytes.data());
+  Settings read = settings_default();
+  EXPECT_FALSE(settings_unpack(&read, bytes.data()));
+}
+
+}  // namespace
+}  // namespace hrt::plate

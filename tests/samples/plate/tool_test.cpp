@@ -1,0 +1,213 @@
+// hrt-plate against the firmware's ELF: its commands in simulated time, and as a program over a
+// pseudo-terminal.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <sstream>
+
+#include "samples/plate/driver/serial_line.h"
+#include "samples/plate/tool/commands.h"
+#include "samples/plate/tool/measure.h"
+#include "samples/plate/tool/report.h"
+#include "samples/plate/tool/trim.h"
+#include "tests/samples/plate/board_line.h"
+#include "tests/samples/plate/emulated_servo.h"
+#include "tests/samples/plate/pty_board.h"
+#include "tests/samples/process.h"
+
+namespace hrt::plate {
+namespace {
+
+Outcome run_program(std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), HRT_PLATE_PROGRAM);
+  return Process(arguments, {}).wait();
+}
+
+// The commands, with the board at the line "board"; other lines are the computer's. The person enters
+// `entries`, and then goes away.
+Outcome run_with(EmulatedBoard& board, const std::vector<std::string>& arguments,
+                 std::vector<std::string> entries = {}) {
+  std::ostringstream out, err;
+  const auto open = [&](const std::string& device) -> std::unique_ptr<Line> {
+    if (device == "board") return std::make_unique<BoardLine>(board);
+    return open_serial_line(device, 115200);
+  };
+  const auto read = [&] {
+    if (entries.empty()) return Entry{.ended = true};
+    Entry entry{.line = entries.front()};
+    entries.erase(entries.begin());
+    return entry;
+  };
+  std::vector<const char*> words = {"hrt-plate"};
+  for (const std::string& argument : arguments) words.push_back(argument.c_str());
+  const auto devices = [] { return std::vector<std::string>{"/nonexistent", "board"}; };
+  const int code = run_tool(static_cast<int>(words.size()), words.data(), {devices, open, read, out, err});
+  return {code, out.str(), err.str()};
+}
+
+TEST(PlateTool, FindsThePlate) {
+  EmulatedBoard board(eeprom_with({{SETTING_SERIAL, 42}}));
+  const Outcome outcome = run_with(board, {"find"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out,
+            "/nonexistent cannot be opened: No such file or directory\n"
+            "board: plate, firmware 1.0.0, serial number 000042\n");
+  EXPECT_TRUE(board.pulses().empty());
+}
+
+TEST(PlateTool, SaysThatThereIsNoPlate) {
+  EmulatedBoard board;
+  const Outcome outcome = run_with(board, {"find", "/dev/null"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.out, "/dev/null is not a serial line\n");
+  EXPECT_EQ(outcome.err, "hrt-plate: no plate was found\n");
+}
+
+TEST(PlateTool, ShowsSettingsAndSelfTest) {
+  EmulatedBoard board;
+  const Outcome outcome = run_with(board, {"show", "board"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* line :
+       {"range -90 to 90 deg, 300 deg/s, latency 20 ms, orientation assumed", "setting zero 1500",
+        "setting serial 0", "test settings default", "test emergency closed"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+  EXPECT_TRUE(board.pulses().empty());
+}
+
+TEST(PlateTool, RefusesAWrongCommandLine) {
+  EmulatedBoard board;
+  EXPECT_EQ(run_with(board, {}).exit_code, 2);
+  EXPECT_EQ(run_with(board, {"measure"}).exit_code, 2);
+  EXPECT_EQ(run_with(board, {"paint", "/dev/null"}).exit_code, 2);
+}
+
+TEST(PlateTool, NamesWhatFails) {
+  const Outcome outcome = run_program({"measure", "/dev/null"});
+  EXPECT_EQ(outcome.exit_code, 9);
+  EXPECT_EQ(outcome.err, "hrt-plate: the plate at /dev/null is not a serial line\n");
+}
+
+TEST(PlateTool, IsAProgram) {
+  PtyBoard board;
+  const Outcome outcome = run_program({"find", board.device()});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out, board.device() + ": plate, firmware 1.0.0, serial number 000000\n");
+}
+
+// A servo of 240 degrees a second, 4.8 a pulse, whose potentiometer the plate reads.
+TEST(PlateTool, MeasuresAPlateWithASensor) {
+  EmulatedBoard board(eeprom_with_feedback());
+  const EmulatedServo servo(board, 0.0, 4.8);
+  const TemporaryFolder folder;
+  const Outcome outcome = run_with(
+      board, {"measure", "board", "--out", folder / "plate.json", "--plot", folder / "plate.svg", "--save"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto file = nlohmann::json::parse(read_file(folder / "plate.json"));
+  EXPECT_EQ(file.at("orientation"), "measured");
+  EXPECT_NEAR(file.at("speed_deg_s").get<double>(), 240.0, 40.0);
+  EXPECT_LT(std::abs(file.at("backlash_deg").get<double>()), 0.3);
+  EXPECT_LT(file.at("repeatability_deg").get<double>(), 0.3);
+  EXPECT_LT(file.at("largest_error_deg").get<double>(), 1.0);
+  // The line, a frame of 20 ms, the potentiometer's smoothing of 8 ms, a report's period of 20 ms.
+  EXPECT_GT(file.at("latency_ms").get<double>(), 2.0);
+  EXPECT_LT(file.at("latency_ms").get<double>(), 90.0);
+  EXPECT_EQ(file.at("sweep").size(), 25U);
+  const auto session = file.at("session");
+  EXPECT_EQ(session.at("plate_lower_stop_deg"), -90.0);
+  EXPECT_NEAR(session.at("plate_max_speed_deg_s").get<double>(), 240.0, 40.0);
+  EXPECT_EQ(file.at("scene").at("haptic").at("role"), "plate");
+  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+
+  const Outcome after = run_with(board, {"show", "board"});
+  EXPECT_NE(after.out.find("test settings saved"), std::string::npos) << after.out;
+  EXPECT_EQ(after.out.find("setting speed 300\n"), std::string::npos) << after.out;
+}
+
+// 5 degrees of the servo's gears: the plate turns only when they have been taken up.
+TEST(PlateTool, FindsBacklash) {
+  struct Loose {
+    explicit Loose(EmulatedBoard& board) {
+      board.on_pulse = [this, &board](const Pulse& pulse) {
+        gear_deg += std::clamp((pulse.width_us() - 1500.0) * 0.09 - gear_deg, -8.0, 8.0);
+        plate_deg = std::clamp(plate_deg, gear_deg - 2.5, gear_deg + 2.5);
+        board.set_feedback_mv(static_cast<std::uint32_t>(std::lround(2500.0 + plate_deg * 3000.0 / 180.0)));
+      };
+      board.set_feedback_mv(2500);
+    }
+    double gear_deg = 0.0, plate_deg = 0.0;
+  };
+  EmulatedBoard board(eeprom_with_feedback());
+  const Loose servo(board);
+  PlateLink link(std::make_unique<BoardLine>(board));
+  const Measurements found = measure(link, [](const std::string&) {});
+  ASSERT_TRUE(found.backlash_deg);
+  EXPECT_NEAR(*found.backlash_deg, 5.0, 0.5);
+  EXPECT_NEAR(found.largest_error_deg, 2.5, 0.6);
+}
+
+TEST(PlateTool, SaysWhatAPlateWithoutASensorCannotShow) {
+  Measurements found;
+  found.greeting = {Version::two, -90.0, 90.0, 300.0, 20.0, false};
+  found.round_trip = std::chrono::milliseconds(6);
+  found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
+  EXPECT_NE(text_of(found).find("backlash      not measurable: the plate has no sensor"), std::string::npos);
+  const auto file = nlohmann::json::parse(json_of(found));
+  EXPECT_TRUE(file.at("backlash_deg").is_null());
+  EXPECT_TRUE(file.at("speed_deg_s").is_null());
+  EXPECT_EQ(file.at("session").at("plate_latency_ns"), 23'000'000);  // its own 20 ms, and half of 6 ms
+  EXPECT_EQ(file.at("session").at("plate_max_speed_deg_s"), 300.0);
+  EXPECT_NE(svg_of(found).find("has no sensor"), std::string::npos);
+}
+
+TEST(PlateTool, WritesAFileWholeOrNotAtAll) {
+  const TemporaryFolder folder;
+  write_file(folder / "a", "one");
+  write_file(folder / "a", "two");
+  EXPECT_EQ(read_file(folder / "a"), "two");
+  EXPECT_THROW(write_file("/nonexistent/a", "x"), std::runtime_error);
+  EXPECT_THROW(write_file("/dev/full/a", "x"), std::runtime_error);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path), {}), 1);
+}
+
+// The mark is 3 degrees too far counter-clockwise: 33.3 us less. The person looks again, is content, and the
+// trim is there after power-off.
+TEST(PlateTool, TrimsAndSaves) {
+  EmulatedBoard board;
+  const Outcome outcome = run_with(board, {"trim", "board"}, {"x", "31", "3", ""});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\"x\" is not a number from -30 to 30"), std::string::npos);
+  EXPECT_NE(outcome.out.find("\"31\" is not a number"), std::string::npos);
+  EXPECT_NE(outcome.out.find("zero is now 1467 us\nsaved\n"), std::string::npos) << outcome.out;
+  const auto& pulses = board.pulses();
+  EXPECT_NEAR(pulses.back().width_us(), 1467.0, 0.6);
+  for (std::size_t i = 1; i < pulses.size(); ++i)
+    EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 21.0);
+  EmulatedBoard again(board.eeprom());
+  PlateLink link(std::make_unique<BoardLine>(again));
+  EXPECT_EQ(setting_of(link, "zero"), 1467.0);
+}
+
+TEST(PlateTool, AnAbandonedTrimChangesNothing) {
+  EmulatedBoard board;
+  const Outcome outcome = run_with(board, {"trim", "board"}, {"-2"});
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_NE(outcome.out.find("zero is now 1522 us\nnot saved: the old trim holds\n"), std::string::npos)
+      << outcome.out;
+  PlateLink link(std::make_unique<BoardLine>(board));
+  EXPECT_EQ(setting_of(link, "zero"), 1500.0);
+}
+
+TEST(PlateTool, TrimsFromStandardInput) {
+  PtyBoard board;
+  const Outcome saved =
+      Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + board.device()}, {})
+          .wait();
+  EXPECT_EQ(saved.exit_code, 0) << saved.out << saved.err;
+  EXPECT_NE(saved.out.find("zero is now 1511 us\nsaved\n"), std::string::npos) << saved.out;
+}
+
+}  // namespace
+}  // namespace hrt::plate

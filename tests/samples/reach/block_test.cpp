@@ -1,0 +1,122 @@
+// Whatever call the runtime blocks in, hrt-reach ends: by its limit, and within a second of a signal.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <thread>
+
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+
+// Every function that a run calls, as the runtime's own log has it, and those that the log leaves out.
+std::set<std::string> functions_of_a_run() {
+  auto environment = mock_environment();
+  const std::string log = scratch_folder() + "/calls";
+  environment["HRT_MOCK_CALL_LOG"] = log;
+  EXPECT_EQ(run_program({desk, "--target", "bottle"}, environment).exit_code, 0);
+  std::set<std::string> functions;
+  std::istringstream lines(read_file(log));
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t at = line.find("xr");
+    functions.insert(line.substr(at, line.find_first_of(" (", at) - at));
+  }
+  functions.insert("xrGetInstanceProcAddr");
+  return functions;
+}
+
+struct Blocked {
+  std::string function;
+  std::string folder;
+  std::unique_ptr<Program> program;
+
+  std::string record() const { return folder + "/r.csv"; }
+};
+
+// hrt-reach, which blocks in this call for a minute; other calls of the runtime proceed.
+Blocked start(const std::string& function, int call, const std::string& limit_s,
+              std::vector<std::string> more = {}) {
+  Blocked blocked{function, scratch_folder(), nullptr};
+  std::vector<std::string> arguments = {
+      desk,       "--target",       "bottle", "--runtime-limit",        limit_s,
+      "--record", blocked.record(), "--plot", blocked.folder + "/r.svg"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  blocked.program = std::make_unique<Program>(
+      arguments, scripted_environment("{" + calm + R"(, "calls": [{"function": ")" + function +
+                                      R"(", "call": )" + std::to_string(call) + R"(, "delay_ms": 60000}]})"));
+  return blocked;
+}
+
+void expect_whole_files(const Blocked& blocked) {
+  EXPECT_NE(read_file(blocked.record()).find("\n# end "), std::string::npos) << blocked.function;
+  EXPECT_NE(read_file(blocked.folder + "/r.svg").find("</svg>"), std::string::npos) << blocked.function;
+}
+
+TEST(ReachBlock, EveryCallEndsAtTheLimit) {
+  const std::set<std::string> functions = functions_of_a_run();
+  EXPECT_GE(functions.size(), 25U);
+  for (const char* named :
+       {"xrPollEvent", "xrLocateHandJointsEXT", "xrEndFrame", "xrBeginSession", "xrWaitFrame",
+        "xrCreateSession", "xrCreateInstance", "xrDestroyInstance", "xrDestroySession"})
+    EXPECT_EQ(functions.count(named), 1U) << named;
+  std::vector<Blocked> all;
+  for (const std::string& function : functions) all.push_back(start(function, 1, "0.3"));
+  for (const Blocked& blocked : all) {
+    const Outcome outcome = blocked.program->wait();
+    EXPECT_EQ(outcome.exit_code, 11) << blocked.function << outcome.err;
+    // The loader looks functions up within another call.
+    const std::string named = blocked.function == "xrGetInstanceProcAddr" ? "xr" : blocked.function + " ";
+    EXPECT_NE(outcome.err.find("has not returned from " + named), std::string::npos)
+        << blocked.function << outcome.err;
+    EXPECT_NE(outcome.err.find(" within 0.3 s"), std::string::npos) << outcome.err;
+    expect_whole_files(blocked);
+  }
+}
+
+TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
+  std::vector<Blocked> all;
+  for (const std::string& function : functions_of_a_run()) all.push_back(start(function, 1, "60"));
+  std::this_thread::sleep_for(2s);  // nearly all are blocked by now, on a machine that may be busy
+  const auto began = Clock::now();
+  bool interrupt = false;
+  for (const Blocked& blocked : all) {
+    blocked.program->send_signal(interrupt ? SIGINT : SIGTERM);
+    interrupt = !interrupt;
+  }
+  for (const Blocked& blocked : all) {
+    const Outcome outcome = blocked.program->wait();
+    EXPECT_EQ(outcome.exit_code, 130) << blocked.function << outcome.err;
+    EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << blocked.function << outcome.err;
+    expect_whole_files(blocked);
+  }
+  EXPECT_LT(Clock::now() - began, 20s);  // not the minute that a call takes
+}
+
+// In the middle of a reach, and with reaches before it: these are kept.
+TEST(ReachBlock, WhatWasReachedIsKept) {
+  struct Call {
+    const char* function;
+    int call;  // in the second reach
+  };
+  for (const auto& [function, call] :
+       {Call{"xrLocateHandJointsEXT", 400}, {"xrWaitFrame", 400}, {"xrGetReachTruthHRTX", 800}}) {
+    const Blocked blocked = start(function, call, "0.3", {"--repeat", "3"});
+    const Outcome outcome = blocked.program->wait();
+    EXPECT_EQ(outcome.exit_code, 11) << function << outcome.err;
+    EXPECT_EQ(rows_of(outcome).size(), 1U) << function << outcome.out;
+    expect_whole_files(blocked);
+    EXPECT_NE(read_file(blocked.folder + "/r.svg").find("bottle"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace hrt::reach

@@ -1,0 +1,310 @@
+// Reaches of a person: how they end, what is said of those that do not, keys and speech. The hand is
+// scripted.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "tests/samples/reach/hand_path.h"
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+const Place start{0.0, 0.05};
+
+std::vector<std::string> person_and(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {desk, "--person", "--plate", "servo"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void expect_said(const Outcome& outcome, const std::string& text) {
+  EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+}
+
+Outcome reach_along(const Path& path) {
+  return run_scripted(path.script(), person_and({"--target", "bottle", "--time-limit", "12"}));
+}
+
+TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
+  const Outcome outcome = reach_along(Path(plate_of_desk)
+                                          .hold(start, 2000)
+                                          .slide({0.0, 0.02}, 400)
+                                          .rest(700)
+                                          .slide({0.0, -0.02}, 3000)
+                                          .rest(700)
+                                          .slide({0.0, -0.05}, 1500));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_said(outcome, "Put your index finger on the start. Then slide it to \"bottle\", ");
+  expect_said(outcome, "6 degrees to the left of straight ahead");
+}
+
+TEST(ReachPerson, EndsWithARestAnywhere) {
+  const Outcome outcome =
+      reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, 0.01}, 800).rest(3000));
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 60.0, 1.0);
+}
+
+// Where it left the plate, not where it went afterwards.
+TEST(ReachPerson, EndsWithALift) {
+  const Outcome outcome = reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, -0.03}, 800).lift());
+  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 2.0);
+}
+
+struct Unmade {
+  const char* what;
+  Path path;
+  std::vector<std::string> arguments;
+  std::vector<std::string> said;
+};
+
+TEST(ReachPerson, WhatWasNotMadeIsExplained) {
+  PlatePose elsewhere = plate_of_desk;
+  elsewhere.x_m += 2.0;
+  PlatePose higher = plate_of_desk;
+  higher.y_m += 0.1;
+  const Unmade all[] = {
+      {"wrong hand",
+       Path(plate_of_desk).reach(),
+       {"--hand", "left"},
+       {"no index finger came to the start within 3 s",
+        "The left hand was not tracked, but the right one was", "--hand right"}},
+      {"elsewhere",
+       Path(elsewhere).reach(),
+       {},
+       {"tracked for 100 % of the time", "the plate is elsewhere", "--register"}},
+      {"above", Path(higher).hold(start, 9000), {}, {"100 mm above the plate"}},
+      {"beside the start",
+       Path(plate_of_desk).hold({0.06, 0.05}, 9000),
+       {},
+       {"60 mm right of the start", "within 15 mm"}},
+      {"stays",
+       Path(plate_of_desk).hold(start, 9000),
+       {},
+       {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
+  for (const Unmade& unmade : all) {
+    std::vector<std::string> arguments = person_and({"--target", "bottle", "--time-limit", "3"});
+    arguments.insert(arguments.end(), unmade.arguments.begin(), unmade.arguments.end());
+    const Outcome outcome = run_scripted(unmade.path.script(), arguments);
+    EXPECT_EQ(outcome.exit_code, 8) << unmade.what << outcome.err;
+    for (const std::string& said : unmade.said) expect_said(outcome, said);
+    EXPECT_NE(outcome.out.find("1 more did not begin or end in time"), std::string::npos) << outcome.out;
+  }
+  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})",
+                                      person_and({"--target", "bottle", "--time-limit", "3"}));
+  EXPECT_EQ(nobody.exit_code, 8);
+  expect_said(nobody, "The right hand was not tracked. Hold it where the headset's cameras see it.");
+}
+
+// The first reach gets no end in time, the second one does.
+TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
+  const Outcome outcome =
+      run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
+                   person_and({"--target", "bottle", "--target", "bottle", "--time-limit", "3.5"}));
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
+  EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("not made"), std::string::npos) << outcome.out;
+  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})",
+                                      person_and({"--repeat", "1000", "--time-limit", "1"}));
+  EXPECT_EQ(nobody.exit_code, 8) << nobody.err;
+  expect_said(nobody, "3 reaches in a row were not made");
+}
+
+// A simulated user's reach, too.
+TEST(ReachPerson, ASimulatedReachWithoutAnEndLeavesTheOthers) {
+  const Outcome outcome = run_program({desk, "--time-limit", "1"});
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
+  expect_said(outcome, "the reach to \"pawn\" did not end within 1 s");
+}
+
+// A program that writes what it is to speak into a file.
+struct Voice {
+  explicit Voice(const std::string& then = "") {
+    std::ofstream(program) << "#!/bin/sh\ncat >> " << heard_file << "\n" << then << "\n";
+    std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  }
+  std::string heard() const { return read_file(heard_file); }
+
+  std::string folder = scratch_folder();
+  std::string program = folder + "/voice", heard_file = folder + "/heard";
+};
+
+TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
+  const Voice voice;
+  const Outcome outcome =
+      run_scripted(R"({"clock": "real-time", )" +
+                       Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
+                   person_and({"--target", "bottle", "--speak-with", voice.program}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string heard = voice.heard();
+  for (const char* part : {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,",
+                           "Done.", "1 of 1 targets that can be held were reached"})
+    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+}
+
+TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
+  const std::string file = scratch_folder() + "/pid";
+  const Voice voice("echo $$ > " + file + "; exec sleep 60");
+  const Program program(person_and({"--target", "bottle", "--speak-with", voice.program, "--verbose"}),
+                        scripted_environment(Path(plate_of_desk).script(R"("clock": "real-time", )")));
+  const auto began = Clock::now();
+  while (read_file(file).empty() && Clock::now() - began < 20s) std::this_thread::sleep_for(10ms);
+  program.send_signal(SIGTERM);
+  const auto stopped = Clock::now();
+  EXPECT_EQ(program.wait().exit_code, 130);
+  EXPECT_LT(Clock::now() - stopped, 2s);
+  const std::string pid = read_file(file);
+  ASSERT_FALSE(pid.empty());
+  EXPECT_NE(kill(std::stoi(pid), 0), 0);
+}
+
+TEST(ReachSpeech, AMissingOrFailingVoiceIsNamed) {
+  const Outcome missing = run_program({desk, "--speak-with", "no-such-voice --fast"});
+  EXPECT_EQ(missing.exit_code, 2);
+  expect_said(missing, "\"no-such-voice\", which is to speak, is not a program");
+  const Voice voice("exit 3");
+  const Outcome failing = run_scripted(R"({"clock": "real-time", )" + Path(plate_of_desk).script().substr(1),
+                                       person_and({"--time-limit", "0.5", "--speak-with", voice.program}));
+  EXPECT_EQ(failing.exit_code, 8);
+  expect_said(failing, "the speech program failed: exit code 3");
+  EXPECT_EQ(run_program({desk, "--speak", "--speak-with", "cat"}).exit_code, 2);
+}
+
+// A terminal on standard input.
+class Terminal {
+ public:
+  Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
+    grantpt(master_);
+    unlockpt(master_);
+    slave_ = open(ptsname(master_), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  }
+  ~Terminal() {
+    close(slave_);
+    close(master_);
+  }
+  Terminal(const Terminal&) = delete;
+  Terminal& operator=(const Terminal&) = delete;
+  Terminal(Terminal&&) = delete;
+  Terminal& operator=(Terminal&&) = delete;
+
+  void type(const std::string& keys) const {
+    EXPECT_EQ(write(master_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
+  }
+  int end() const { return slave_; }
+
+ private:
+  int master_;
+  int slave_ = -1;
+};
+
+Outcome run_with_keys(const Path& path, const std::string& more_script, const std::string& keys,
+                      const std::vector<std::string>& arguments) {
+  const Terminal terminal;
+  terminal.type(keys);
+  const Program program(arguments, scripted_environment(path.script(more_script)), -1, terminal.end());
+  return program.wait();
+}
+
+TEST(ReachKeys, ListRepeatAndSayWhere) {
+  const Outcome outcome =
+      run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and({"--target", "bottle"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  std::size_t asked = 0;
+  for (std::size_t at = 0; (at = outcome.err.find("Put your index finger", at)) != std::string::npos; ++at)
+    ++asked;
+  EXPECT_EQ(asked, 2U) << outcome.err;
+  expect_said(outcome, "Keys: r repeats");
+  expect_said(outcome, "The right index finger is ");
+}
+
+TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
+  const Outcome next = run_with_keys(Path(plate_of_desk).reach(), "", "n",
+                                     person_and({"--target", "goblet", "--target", "bottle"}));
+  EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
+  ASSERT_EQ(rows_of(next).size(), 1U);
+  EXPECT_EQ(rows_of(next)[0].virtual_name, "bottle");
+  EXPECT_NE(next.out.find("1 more were skipped"), std::string::npos) << next.out;
+  const Outcome stop = run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and({}));
+  EXPECT_EQ(stop.exit_code, 130) << stop.err;
+  expect_said(stop, "interrupted");
+}
+
+TEST(ReachKeys, BackRepeatsTheLastTarget) {
+  const Terminal terminal;
+  const Program program(person_and({"--target", "bottle", "--target", "goblet"}),
+                        scripted_environment(Path(plate_of_desk)
+                                                 .hold(start, 1200)
+                                                 .slide({0.0, -0.05}, 500)
+                                                 .hold(start, 30000)
+                                                 .script(R"("clock": "real-time", )")),
+                        -1, terminal.end());
+  const auto give_up = Clock::now() + 30s;
+  while (program.out().find("reached") == std::string::npos && Clock::now() < give_up)
+    std::this_thread::sleep_for(5ms);
+  terminal.type("b");
+  std::size_t asked = 0;
+  while (asked != std::string::npos && Clock::now() < give_up) {
+    const std::string said = program.err();
+    asked = said.find("\"goblet\"");
+    if (asked != std::string::npos && said.find("\"bottle\"", asked) != std::string::npos) break;
+    asked = 0;
+    std::this_thread::sleep_for(5ms);
+  }
+  EXPECT_LT(Clock::now(), give_up) << program.err();
+  terminal.type("q");
+  EXPECT_EQ(program.wait().exit_code, 130);
+}
+
+TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
+  const Outcome outcome = run_with_keys(Path(plate_of_desk).reach(),
+                                        R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
+                                        "tall\n1.3\x7f"
+                                        "2\n",
+                                        person_and({"--target", "bottle"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_said(outcome, "How high are your eyes above the floor");
+  expect_said(outcome, "That is not a number from 0.3 to 2.5.");
+}
+
+// Registration and reaches, heard and answered by keys alone.
+TEST(ReachKeys, AWholeSessionWithoutSight) {
+  const Voice voice;
+  const std::string marks = voice.folder + "/marks.csv";
+  std::ofstream(marks) << "name,x_m,y_m,z_m\nstart,0,-0.001,0.05\nright,0.07,-0.001,0\nfar,0,-0.001,-0.07\n";
+  Path path;
+  for (const Place& mark : {start, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
+  path.hold(start, 1000).slide({0.0, -0.05}, 800);
+  const Terminal terminal;
+  const Program program(person_and({"--target", "bottle", "--register", voice.folder + "/plate.txt",
+                                    "--marks", marks, "--speak-with", voice.program}),
+                        scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
+  const auto give_up = Clock::now() + 20s;
+  while (voice.heard().find("(1 of 3)") == std::string::npos && Clock::now() < give_up)
+    std::this_thread::sleep_for(5ms);
+  terminal.type("rwn");
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string heard = voice.heard();
+  for (const char* part : {"Keys: r repeats", "Touch the mark  start ", "That key is for reaches.",
+                           "(3 of 3)", "The plate is registered", "Put your index finger on the start",
+                           "Done.", "1 of 1 targets that can be held were reached"})
+    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+}
+
+}  // namespace
+}  // namespace hrt::reach

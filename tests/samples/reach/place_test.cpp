@@ -1,0 +1,131 @@
+// Where the plate is that nobody registers, and where it stays when the runtime moves its spaces.
+#include <gtest/gtest.h>
+
+#include "tests/samples/reach/hand_path.h"
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+const std::vector<std::string> person = {desk, "--person", "--plate", "servo", "--target", "bottle"};
+
+std::vector<std::string> person_and(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = person;
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
+void expect_reached(const Outcome& outcome) {
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
+  EXPECT_TRUE(rows_of(outcome)[0].reached);
+}
+
+void expect_said(const Outcome& outcome, const std::string& text) {
+  EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
+}
+
+const std::string no_stage = R"("stage": false, )";
+const std::string no_floor = no_stage + R"("withhold_extensions": ["XR_EXT_local_floor"], )";
+
+// The finger is 0.75 m above the mock's floor, which is 1.2 m below its LOCAL space.
+TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
+  const Path path = Path(plate_of_desk).reach();
+  struct Case {
+    std::string script;
+    std::vector<std::string> arguments;
+    std::string said;
+  };
+  for (const auto& [script, arguments, said] :
+       {Case{"", person, "(STAGE space)"}, Case{no_stage, person, "(LOCAL_FLOOR space)"},
+        Case{no_floor, person_and({"--eye-height", "1.2"}), "(LOCAL space)"}}) {
+    const Outcome outcome = run_scripted(path.script(script), arguments);
+    expect_reached(outcome);
+    expect_said(outcome, said);
+    expect_said(outcome, "0.75 m above the floor, 0.12 m to the right and 0.32 m ahead");
+    expect_said(outcome, "--register FILE");
+  }
+  // By other eyes the plate is 0.2 m lower, where no finger comes.
+  EXPECT_EQ(
+      run_scripted(path.script(no_floor), person_and({"--eye-height", "1.4", "--time-limit", "4"})).exit_code,
+      8);
+}
+
+TEST(ReachPlace, NeedsTheHeightOfTheEyesWithoutAFloor) {
+  const Outcome outcome = run_scripted(Path(plate_of_desk).reach().script(no_floor), person);
+  EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+  expect_said(outcome, "--eye-height METRES");
+  for (const char* wrong : {"nan", "0.2", "3", "tall"})
+    EXPECT_EQ(run_program(person_and({"--eye-height", wrong})).exit_code, 2) << wrong;
+}
+
+std::string recentre(const std::string& more) {
+  return R"("events": [{"frame": 380, "do": "recenter", )" + more + "}], ";
+}
+
+// Frame 380 is in the reach. The hand's path is in the room.
+TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
+  const Path path = Path(plate_of_desk).reach();
+  const std::string far = R"("position_m": [0.6, 0.1, -0.4], "yaw_deg": 50)";
+  for (const std::string delay : {"0", "200"}) {
+    const Outcome outcome =
+        run_scripted(path.script(no_stage + recentre(far + R"(, "delay_ms": )" + delay)), person);
+    expect_reached(outcome);
+    EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
+    EXPECT_EQ(rows_of(outcome)[0].lost, 0);
+    expect_said(outcome, "The plate keeps its place in the room.");
+  }
+  const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person);
+  expect_reached(stage);
+  expect_said(stage, "The plate keeps its place in the room.");
+  // A space that is not the plate's.
+  const Outcome other = run_scripted(path.script(recentre(far)), person);
+  expect_reached(other);
+  EXPECT_EQ(other.err.find("keeps its place"), std::string::npos) << other.err;
+}
+
+TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
+  const std::string calm_person = "{" + calm;
+  const std::vector<Row> usual = rows_of(run_scripted(calm_person + "}", {desk}));
+  const std::string moves =
+      R"(, "events": [{"frame": 100, "do": "recenter", "space": "STAGE", "position_m": [0.3, 0, 0.2], "yaw_deg": -30},
+         {"frame": 150, "do": "recenter", "space": "STAGE", "position_m": [-0.3, 0.1, 0], "yaw_deg": 170},
+         {"frame": 400, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 1], "yaw_deg": 90}])";
+  const Outcome outcome = run_scripted(calm_person + moves + "}", {desk});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::vector<Row> rows = rows_of(outcome);
+  ASSERT_EQ(rows.size(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(rows[i].final_direction_deg, usual[i].final_direction_deg, 0.05);
+    EXPECT_NEAR(rows[i].miss_mm, usual[i].miss_mm, 0.1);
+  }
+}
+
+TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
+  const std::string folder = scratch_folder();
+  const Outcome outcome =
+      run_scripted(Path(plate_of_desk)
+                       .reach()
+                       .script(recentre(R"("space": "STAGE", "position_m": [1, 0, 0], "pose_valid": false)")),
+                   person_and({"--record", folder + "/r.csv"}));
+  EXPECT_EQ(outcome.exit_code, 12) << outcome.out << outcome.err;
+  expect_said(outcome, "moved its STAGE space");
+  expect_said(outcome, "register it (--register FILE)");
+  EXPECT_NE(read_file(folder + "/r.csv").find("\n# end "), std::string::npos);
+}
+
+// Between the touches: they are asked for again, and the pose is of the space as it is then.
+TEST(ReachRecentring, WhileRegisteringAsksForTheTouchesAgain) {
+  const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
+                                    {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
+  const Outcome outcome = run_scripted(
+      Path().touch(marks).touch(marks).reach().script(
+          R"("events": [{"frame": 300, "do": "recenter", "space": "STAGE", "position_m": [1, 0, 1]}], )"),
+      person_and({"--register", scratch_folder() + "/plate.txt"}));
+  expect_reached(outcome);
+  expect_said(outcome, "all marks are to be touched again");
+}
+
+}  // namespace
+}  // namespace hrt::reach

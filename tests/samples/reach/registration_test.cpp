@@ -1,0 +1,178 @@
+// hrt-reach --register: a scripted hand touches the marks of a plate that is not where the scene has it.
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "tests/samples/reach/hand_path.h"
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+
+// Of a plate of 75 mm, in the order in which they are asked for.
+const std::vector<Place> marks = {{0.0, 0.05},        {0.0, 0.075},        {0.06495, 0.0375},
+                                  {0.06495, -0.0375}, {-0.06495, -0.0375}, {-0.06495, 0.0375}};
+
+class ReachRegistration : public testing::Test {
+ protected:
+  Outcome run(const Path& path, std::vector<std::string> more) {
+    std::vector<std::string> arguments = {desk, "--person", "--plate", "servo", "--target", "bottle"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_scripted(path.script(), arguments);
+  }
+  static void expect_said(const Outcome& outcome, const std::string& part) {
+    EXPECT_NE(outcome.err.find(part), std::string::npos) << outcome.err;
+  }
+  std::string written(const std::string& text) const {
+    std::ofstream(file) << text;
+    return file;
+  }
+  static std::string text_of(const std::string& path) {
+    std::ifstream stream(path);
+    return {std::istreambuf_iterator<char>(stream), {}};
+  }
+
+  const std::string file = scratch_folder() + "/plate.txt";
+};
+
+TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
+  // Without it nobody comes to the start.
+  EXPECT_EQ(run(Path().reach(), {"--time-limit", "8"}).exit_code, 8);
+  const Outcome outcome = run(Path().touch(marks).reach(), {"--register", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  for (const char* part : {"\"start\" with your index finger and hold still (1 of 6)", "\"rim near left\"",
+                           "registered: residual 0.0 mm"})
+    expect_said(outcome, part);
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
+  EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
+  EXPECT_TRUE(rows_of(outcome)[0].reached);
+  // In STAGE, whose floor is 1.2 m below the eyes of LOCAL.
+  EXPECT_NE(text_of(file).find("\nspace STAGE\n"), std::string::npos) << text_of(file);
+  std::istringstream position(text_of(file).substr(text_of(file).find("position_m") + 10));
+  double x_m = 0.0, y_m = 0.0, z_m = 0.0;
+  position >> x_m >> y_m >> z_m;
+  EXPECT_NEAR(x_m, PlatePose{}.x_m, 1e-4);
+  EXPECT_NEAR(y_m, PlatePose{}.y_m + 0.008 + 1.2, 1e-4);
+  EXPECT_NEAR(z_m, PlatePose{}.z_m, 1e-4);
+}
+
+// 63 samples at rest a touch average 1.2 mm of noise.
+TEST_F(ReachRegistration, FindsItByANoisyTracker) {
+  const std::string script = Path().touch(marks).reach().script(R"("tracker": {"noise_mm": 1.2}, )");
+  const Outcome outcome =
+      run_scripted(script, {desk, "--person", "--plate", "servo", "--target", "bottle", "--register", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(rows_of(outcome)[0].reached);
+}
+
+TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
+  ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
+  const Outcome next = run(Path().hold(marks[0]).reach(), {"--registered", file});
+  EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
+  expect_said(next, "is the plate where it was registered?");
+  expect_said(next, "It is: the touch was 0 mm off.");
+  EXPECT_TRUE(rows_of(next)[0].reached);
+  PlatePose moved;
+  moved.x_m += 0.03;
+  const Outcome refused = run(Path(moved).hold(marks[0]).reach(), {"--registered", file});
+  EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
+  expect_said(refused, "touched 30 mm from where it was registered");
+  expect_said(refused, "register the plate anew (--register)");
+}
+
+TEST_F(ReachRegistration, OneBadTouchIsNamedAndLeftOut) {
+  std::vector<Place> touches = marks;
+  touches[2].right_m += 0.04;
+  const Outcome outcome = run(Path().touch(touches).reach(), {"--register", file});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_said(outcome, "The touch of \"rim near right\" did not fit and was left out.");
+  EXPECT_TRUE(rows_of(outcome)[0].reached);
+}
+
+TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
+  std::vector<Place> confused = marks;
+  std::swap(confused[2], confused[5]);
+  std::swap(confused[3], confused[4]);
+  const Outcome second = run(Path().touch(confused).touch(marks).reach(), {"--register", file});
+  EXPECT_EQ(second.exit_code, 0) << second.err;
+  expect_said(second, "left and right were confused");
+  const Outcome never =
+      run(Path().touch(confused).touch(confused).touch(confused), {"--register", file + "2"});
+  EXPECT_EQ(never.exit_code, 12) << never.err;
+  expect_said(never, "the plate could not be registered");
+  EXPECT_EQ(text_of(file + "2"), "");
+}
+
+TEST_F(ReachRegistration, WhoDoesNotTouchIsNotWaitedForForever) {
+  const Outcome outcome = run(Path(), {"--register", file, "--time-limit", "4"});
+  EXPECT_EQ(outcome.exit_code, 8);
+  expect_said(outcome, "no index finger came to rest within 4 s after: Touch the mark \"start\"");
+}
+
+TEST_F(ReachRegistration, TakesMarksFromAFile) {
+  const std::string own = scratch_folder() + "/marks.csv";
+  std::ofstream(own) << "name,x_m,y_m,z_m,plate_orientation\nstart,0,-0.001,0.05,0\nnear,0,-0.001,0.088,any\n"
+                        "near right,0.0762102,-0.001,0.044,any\nfar right,0.0762102,-0.001,-0.044,any\n"
+                        "far left,-0.0762102,-0.001,-0.044,any\n";
+  const std::vector<Place> there = {
+      {0.0, 0.05}, {0.0, 0.088}, {0.0762102, 0.044}, {0.0762102, -0.044}, {-0.0762102, -0.044}};
+  const Outcome outcome = run(Path().touch(there).reach(), {"--register", file, "--marks", own});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_said(outcome, "\"far left\" with your index finger and hold still (5 of 5)");
+}
+
+TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
+  const auto refused = [&](const std::string& text, const std::string& part, const std::string& option) {
+    std::vector<std::string> arguments = {option, written(text)};
+    if (option == "--marks") arguments.insert(arguments.end(), {"--register", file + ".out"});
+    const Outcome outcome = run(Path(), arguments);
+    EXPECT_EQ(outcome.exit_code, 12) << outcome.err;
+    expect_said(outcome, part);
+  };
+  const std::string header = "name,x_m,y_m,z_m\n";
+  refused("a,b\n", "line 1: the columns are to begin with name,x_m,y_m,z_m", "--marks");
+  refused(header + "a,0,0,0\nb,nan,0,0\n", "line 3: \"nan\" is not a number of metres within 1", "--marks");
+  refused(header + "a,0,0\n", "line 2: \"\" is not a number", "--marks");
+  refused(header + "a,0,0,2\n", "line 2: \"2\" is not a number of metres within 1", "--marks");
+  refused(header + ",0,0,0\n", "line 2: the mark has no name", "--marks");
+  refused(header + "a\x1b[2J,0,0,0\n", "line 2: this is not a line of marks", "--marks");
+  refused(header + "a,0,0,0\nb,0,0,0.1\n", "line 3: there are fewer than 3 marks", "--marks");
+
+  ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
+  const std::string good = text_of(file);
+  const auto with = [&](const std::string& part, const std::string& by) {
+    std::string text = good;
+    return text.replace(text.find(part), part.size(), by);
+  };
+  refused("", "line 1: the file ends here", "--registered");
+  refused("hello\n", "line 1: \"hrt-reach registration, version 1\" is needed here", "--registered");
+  refused(with("STAGE", "MOON"), "line 2: the space is to be STAGE or LOCAL", "--registered");
+  refused(with("scale 1", "scale"), "line 6: \"scale\" is needed here", "--registered");
+  refused(with("scale 1", "scale inf"), "line 6: scale is not 1 numbers", "--registered");
+  refused(with("scale 1", "scale 1 1"), "line 6: scale has more than 1 numbers", "--registered");
+  refused(good.substr(0, good.size() / 2), "line 7: covariance is not 28 numbers", "--registered");
+  const Outcome missing = run(Path(), {"--registered", "/nowhere/plate.txt"});
+  EXPECT_EQ(missing.exit_code, 12);
+  expect_said(missing, "/nowhere/plate.txt cannot be read");
+  // Numbers that are none of a plate are refused by the plugin.
+  const Outcome scaled = run(Path().hold(marks[0]), {"--registered", written(with("scale 1", "scale 9"))});
+  EXPECT_EQ(scaled.exit_code, 3) << scaled.err;
+  expect_said(scaled, "plate_scale is 9; allowed: 0.5 to 2");
+  const Outcome unwritten = run(Path().touch(marks), {"--register", "/nowhere/plate.txt"});
+  EXPECT_EQ(unwritten.exit_code, 10) << unwritten.err;
+}
+
+TEST_F(ReachRegistration, NeedsAPerson) {
+  const Outcome outcome = run_program({desk, "--register", file});
+  EXPECT_EQ(outcome.exit_code, 2);
+  expect_said(outcome, "a simulated user touches no marks");
+  EXPECT_EQ(run_program({desk, "--register", file, "--registered", file}).exit_code, 2);
+  EXPECT_EQ(run_program({desk, "--marks", file}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace hrt::reach

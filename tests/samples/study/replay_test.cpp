@@ -1,0 +1,170 @@
+#include "samples/study/replay.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "core/simulation/people.h"
+#include "samples/study/arguments.h"
+#include "samples/study/participants.h"
+#include "tests/samples/study/process.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr const char* header =
+    "# haptic retargeting recording, version 3\n"
+    "call,result,time_ns,sample_flags,sample_x_m,sample_y_m,sample_z_m,measured_plate_deg,real_direction_deg,"
+    "virtual_direction_deg,real_distance_m,start_right_m,start_away_m,plate_orientation_deg\n";
+
+constexpr const char* begin_row = "begin,0,,,,,,,-5,5,0.1,0,-0.05,0\n";
+
+std::string refusal(std::string_view text) {
+  try {
+    static_cast<void>(parse_recorded_paths("a.csv", text));
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+// Two samples 10 mm apart, the second lifted by its height, over a plate commanded to 20 and then measured.
+TEST(StudyReplay, ARecordingByHand) {
+  const RecordedPaths recorded =
+      parse_recorded_paths("a.csv", std::string(header) + begin_row +
+                                        "update,0,0,2,0.01,0.001,0.05,,,,,,,20\n"
+                                        "update,0,10000000,2,0.02,0,0.04,,,,,,,30\n"
+                                        "update,0,20000000,6,0.02,0.02,0.04,-7,,,,,,30\n"
+                                        "update,0,30000000,0,,,,,,,,,,30\n"
+                                        "end,0,,,,,,,,,,,,\n");
+  ASSERT_EQ(recorded.paths.size(), 1U);
+  EXPECT_TRUE(recorded.left_out.empty());
+  const RecordedPath& path = recorded.paths.front();
+  EXPECT_EQ(path.reach.real_direction_deg, -5.0);
+  EXPECT_EQ(path.reach.start.away_m, -0.05);
+  ASSERT_EQ(path.samples.size(), 4U);
+  EXPECT_EQ(path.samples[0].position.right_m, 0.01);
+  EXPECT_EQ(path.samples[0].position.away_m, -0.05);
+  EXPECT_EQ(path.samples[0].plate_orientation_deg, 0.0);   // before its command
+  EXPECT_EQ(path.samples[1].plate_orientation_deg, 20.0);  // the servo is not limited
+  EXPECT_EQ(path.samples[2].plate_orientation_deg, -7.0);
+  EXPECT_EQ(path.samples[2].observation, Observation::lifted);
+  EXPECT_EQ(path.samples[3].observation, Observation::none);
+  EXPECT_EQ(path.plate_source, PlateSource::commanded);
+}
+
+TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
+  const auto left_out = [](const std::string& rows) {
+    const RecordedPaths recorded = parse_recorded_paths("a.csv", std::string(header) + begin_row + rows);
+    EXPECT_TRUE(recorded.paths.empty());
+    return recorded.left_out.empty() ? "" : recorded.left_out.front();
+  };
+  EXPECT_NE(left_out("update,0,0,1,,,,,,,,,,0\n").find("a.csv, reach 1: left out, it has directions"),
+            std::string::npos);
+  EXPECT_NE(left_out("update,0,0,16,1,1,1,,,,,,,0\n").find("world"), std::string::npos);
+  EXPECT_NE(left_out("retarget,0,,,,,,,,,,,,\n").find("its targets moved"), std::string::npos);
+  EXPECT_NE(left_out("").find("fewer than two positions"), std::string::npos);
+}
+
+TEST(StudyReplay, RefusalsNameLineAndAllowedValues) {
+  EXPECT_NE(refusal("# haptic retargeting recording, version 2\n").find("line 1, version: '2'"),
+            std::string::npos);
+  EXPECT_NE(
+      refusal("# haptic retargeting recording, version 3\ncall,result\n").find("line 2, column time_ns"),
+      std::string::npos);
+  EXPECT_NE(refusal(std::string(header) + "begin,0\n").find("line 3, columns: '2'"), std::string::npos);
+  EXPECT_NE(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n")
+                .find("line 4, column time_ns: 'x'"),
+            std::string::npos);
+  EXPECT_NE(refusal(std::string(header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n").find("[-10, 10]"),
+            std::string::npos);
+  EXPECT_NE(refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n")
+                .find("line 2, config, plate_latency_ns: '-1'"),
+            std::string::npos);
+  EXPECT_NE(refusal("x,y\n").find("a.csv"), std::string::npos);
+}
+
+// A reach led by the controller itself, written down and passed through it again: the open loop believes
+// and commands the same, since the plate stood where it commands.
+TEST(StudyReplay, AReachOfTheControllersOwnIsCommandedAndBelievedAgain) {
+  RetargeterConfig config = people_controller();
+  config.plate = {};
+  const PersonCondition condition = draw_person(people_families().front(), 1.5, 1, 3);
+  const PlatePoint start{0.0, 0.0};
+  Retargeter retargeter(config);
+  retargeter.begin({.real_direction_deg = condition.real_direction_deg,
+                    .virtual_direction_deg = condition.virtual_direction_deg,
+                    .plate_orientation_deg = 0.0,
+                    .start = start,
+                    .real_distance_m = 0.1});
+  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, 0.1, Draws(1, 0, 0, 0));
+  const auto cell = [](double value) { return ',' + number(value); };
+  std::string text = std::string(header) + "begin,0,,,,,," + cell(condition.real_direction_deg) +
+                     cell(condition.virtual_direction_deg) + ",0.1,0,0,0\n";
+  double plate_deg = 0.0;
+  for (int ms = 0; ms < 2400; ++ms) {
+    if (ms > 500) person.advance(plate_deg);
+    if (ms % 10 != 0) continue;
+    const FingerSample sample{.time_ns = ms * 1'000'000LL,
+                              .observation = Observation::position,
+                              .position = person.position(),
+                              .plate_orientation_deg = std::nullopt};
+    plate_deg = retargeter.update(sample).plate_orientation_deg;
+    text += "update,0," + std::to_string(sample.time_ns) + ",2" + cell(sample.position.right_m) + ",0" +
+            cell(-sample.position.away_m) + ",,,,,," + cell(plate_deg) + '\n';
+  }
+  const std::vector<ReplayedPath> replayed =
+      replay(parse_recorded_paths("a.csv", text + "end,0,,,,,,,,,,,,\n"));
+  ASSERT_EQ(replayed.size(), 1U);
+  const ReachSummary closed = retargeter.summary();
+  const ReachSummary& open = replayed.front().summary;
+  EXPECT_NEAR(open.estimate.tactile_weight, closed.estimate.tactile_weight, 1e-3);
+  EXPECT_NEAR(open.person->bias_deg, closed.person->bias_deg, 0.05);
+  EXPECT_NEAR(replayed.front().peak_felt_error_deg, closed.peak_felt_error_deg, 0.1);
+  EXPECT_LT(replayed.front().command_change_deg.value, 0.5);
+  EXPECT_NEAR(replayed.front().bearing_error_deg, closed.bearing_error_deg, 0.2);
+}
+
+// Slides of a simulated person of w_T 0.15 over a resting plate: believed within three deviations, and as the
+// plate does not answer, commands differ from where it stood.
+TEST(StudyReplay, CalibrationSlidesShowThePerson) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(run_study({"participants", "--out", folder / "me.csv"}).exit_code, 0);
+  const StudyRun run = run_study({"robustness", "--replay", folder.path.string(), "--format", "json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto page = nlohmann::json::parse(run.out);
+  EXPECT_NE(page["open_loop"].get<std::string>().find("the finger could not answer"), std::string::npos);
+  ASSERT_EQ(page["paths"].size(), 55U);
+  const auto& last = page["paths"].back();
+  EXPECT_EQ(last["plate"], "resting");
+  EXPECT_EQ(last["file"], "me.csv");
+  EXPECT_NEAR(last["tactile_weight"].get<double>(), 0.15, 3.0 * last["tactile_weight_sd"].get<double>());
+  EXPECT_LT(last["tactile_weight_sd"], 0.05);
+  EXPECT_GT(page["paths"][0]["command_change_median_deg"], 1.0);
+
+  const StudyRun text = run_study({"robustness", "--replay", folder.path.string()});
+  EXPECT_NE(text.out.find("the finger could not answer"), std::string::npos);
+  for (const std::string& line : lines(text.out)) EXPECT_LE(line.size(), 140U) << line;
+  const auto rows = lines(run_study({"robustness", "--replay", folder.path.string(), "--format", "csv"}).out);
+  ASSERT_EQ(rows.size(), 57U);
+  EXPECT_EQ(fields(rows[1]).size(), fields(rows[2]).size());
+}
+
+TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
+  const TemporaryFolder folder;
+  const StudyRun none = run_study({"robustness", "--replay", folder / "none"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("--replay"), std::string::npos);
+  const StudyRun empty = run_study({"robustness", "--replay", folder.path.string()});
+  EXPECT_EQ(empty.exit_code, 2);
+  EXPECT_NE(empty.err.find("no file of that ending"), std::string::npos);
+  std::ofstream(folder / "x.csv") << "nothing";
+  EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);
+  EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string(), "--family", "linear"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace hrt::study

@@ -1,0 +1,110 @@
+// The page in headless Chromium, for the tests beside this file.
+//   usage of a test: node X_test.mjs FOLDER_OF_SAMPLES_WEB FOLDER_OF_THE_PAGE reach.csv desk.gltf FOLDER_OF_SCREENSHOTS
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import { mkdir, readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { join, resolve } from "node:path";
+import { after, before } from "node:test";
+
+export const [, , sources, pageFolder, recorded, desk, screenshots] = process.argv;
+export const require = createRequire(resolve(sources, "package.json"));
+const { chromium } = require("playwright-core");
+const axe = await readFile(require.resolve("axe-core/axe.min.js"), "utf8");
+export const desktop = { width: 1280, height: 900 }, phone = { width: 500, height: 900 };
+
+let server, address, browser;
+before(async () => {
+  await mkdir(screenshots, { recursive: true });
+  server = spawn(process.execPath, [join(sources, "serve.mjs"), pageFolder, "0"], { stdio: ["ignore", "pipe", "inherit"] });
+  address = await new Promise((ready, failed) => {
+    server.stdout.once("data", (line) => ready(String(line).trim()));
+    server.once("exit", (code) => failed(new Error(`serve.mjs ended with ${code}`)));
+  });
+  browser = await launch();
+});
+after(async () => {
+  await browser?.close();
+  server?.kill();
+});
+
+export function launch(...more) {
+  return chromium.launch({ executablePath: "/usr/bin/chromium", args: ["--no-sandbox", "--disable-dev-shm-usage",
+    "--use-angle=swiftshader", "--enable-unsafe-swiftshader", ...more] });
+}
+
+/** Opens the page, after `script` has run in it, and uses it once the element `ready` is there. With `motion` false each
+ *  change shows its reach at once; with `motion` true the page's time stands still until frames(). Fails at the end of `use`
+ *  on any error of the page, and on any request except those for its own files. */
+export async function visit(use, { motion = false, viewport = desktop, colorScheme = "light", link = "", from = browser,
+                            base = address, strict = true, script = null, ready = "html[data-ready=yes]" } = {}) {
+  const context = await from.newContext({ viewport, colorScheme, reducedMotion: motion ? "no-preference" : "reduce" });
+  const page = await context.newPage(), faults = [];
+  if (script) await page.addInitScript(script);
+  if (motion) await page.addInitScript(stopTime);
+  page.on("pageerror", (error) => faults.push(error.message));
+  page.on("console", (message) => { if (message.type() === "error") faults.push(message.text()); });
+  page.on("request", (request) => {
+    const url = request.url();
+    if (!url.startsWith(base) && !url.startsWith("data:")) faults.push(`request for ${url}`);
+  });
+  try {
+    await page.goto(base + link);
+    await page.waitForSelector(ready, { timeout: 60_000 });
+    await use(page);
+    if (strict) assert.deepEqual(faults, []);
+  } finally {
+    await context.close();
+  }
+}
+
+export const shoot = (page, name) => page.screenshot({ path: join(screenshots, `${name}.png`), fullPage: true });
+export const text = (page, selector) => page.locator(selector).textContent();
+
+/** In the page: frames come when drawFrame() is called, and no time passes between them. */
+function stopTime() {
+  let now_ms = 0, waiting = [];
+  performance.now = () => now_ms;
+  globalThis.requestAnimationFrame = (callback) => waiting.push(callback);
+  globalThis.drawFrame = (elapsed_ms) => {
+    now_ms += elapsed_ms;
+    const due = waiting;
+    waiting = [];
+    for (const callback of due) callback(now_ms);
+  };
+}
+
+/** Lets the page draw frames `elapsed_ms` apart. */
+export async function frames(page, elapsed_ms, count = 1) {
+  await page.evaluate(([elapsed, frameCount]) => {
+    for (let i = 0; i < frameCount; ++i) globalThis.drawFrame(elapsed);
+  }, [elapsed_ms, count]);
+}
+
+/** The page has drawn what the visitor has just changed. */
+export function drawn(page) {
+  return page.evaluate(() => new Promise((done) => { requestAnimationFrame(() => requestAnimationFrame(done)); }));
+}
+
+export async function accessible(page) {
+  await page.evaluate(axe);  // by the browser's tools: the page's policy allows no script but its own
+  const { violations } = await page.evaluate(() => globalThis.axe.run());
+  assert.deepEqual(violations.map(({ id, nodes }) => [id, nodes.map(({ html }) => html.slice(0, 120))]), []);
+}
+
+/** Drops a file on the page. */
+export function drop(page, name, content) {
+  return page.evaluate(([fileName, fileText]) => {
+    const dataTransfer = new DataTransfer();
+    dataTransfer.items.add(new File([fileText], fileName));
+    document.body.dispatchEvent(new DragEvent("drop", { dataTransfer, bubbles: true, cancelable: true }));
+  }, [name, content]);
+}
+
+/** What the newest row of the table stands for. */
+export async function newest(page) {
+  const row = await page.locator("#results tbody tr").first().evaluate((element) => ({ ...element.dataset }));
+  return Object.fromEntries(Object.entries(row).map(([name, text]) => [name, Number.isNaN(Number(text)) ? text : Number(text)]));
+}
+export const arrived = (result) => Math.abs(result.bearingErrorDeg) <= 1.5;
+export const phase = (page) => page.locator("#stage").getAttribute("data-phase");

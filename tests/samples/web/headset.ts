@@ -1,0 +1,23 @@
+// An emulated headset with tracked hands (iwer), for the page to find. Tests move the hand by its fingertip.
+import { metaQuest3, P_SPACE, XRDevice } from "iwer";
+
+const device = new XRDevice(metaQuest3);
+device.installRuntime({ forceInstall: true });
+device.primaryInputMode = "hand";
+device.hands.left.connected = false;
+const hand = device.hands.right;
+device.quaternion.set(-0.34, 0, 0, 0.94);  // it looks down by 40 degrees
+hand.poseId = "point";
+hand.updateHandPose();
+
+globalThis.headset = {
+  device,
+  /** The index fingertip is there, in the emulated room. */
+  moveTip(x, y, z) {
+    const at = hand.inputSource.hand.get("index-finger-tip")[P_SPACE].offsetMatrix;
+    hand.position.set(x - at[12], y - at[13], z - at[14]);
+  },
+  /** The headset sees the hand, or does not. */
+  see(seen) { hand.connected = seen; },
+  leave() { return device.activeSession.end(); },
+};

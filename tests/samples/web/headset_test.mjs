@@ -1,0 +1,187 @@
+// "Wear it" in an emulated headset (iwer) in headless Chromium. No headset has run this.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { accessible, frames, pageFolder, phase, shoot, sources, text, visit } from "./browser.mjs";
+import { headset } from "./emulated.mjs";
+
+const hrt = await import(pathToFileURL(join(pageFolder, "../npm/node.mjs"))), library = await hrt.load();
+
+const worn = { motion: true, viewport: { width: 500, height: 400 }, script: headset };
+const caption = (page) => text(page, "#caption");
+const start = [0.05, 1.2, -0.35];  // of the fingertip, in the emulated room
+
+async function enter(page, button = "#enter-vr") {
+  await page.locator("label:has(input[value=wear])").click();
+  await frames(page, 20, 2);
+  await page.locator(`${button}:enabled`).click();
+  assert.equal(await page.locator("#wear-unavailable").isVisible(), false);
+  await page.waitForFunction(() => globalThis.headset.device.activeSession?.renderState.baseLayer !== undefined, null, { polling: 20 });
+  await page.waitForTimeout(100);
+  await frames(page, 11, 3);
+}
+
+/** The fingertip rests there for two seconds. */
+async function rest(page, tip) {
+  await page.evaluate((place) => {
+    globalThis.headset.moveTip(...place);
+    for (let i = 0; i < 40; ++i) globalThis.drawFrame(50);
+  }, tip);
+}
+
+/** The fingertip slides by `length_m` in 1.5 s, first in `first_deg`; with `follows` it turns as what is felt asks. Frames in
+ *  `unseen` have no hand. Returns each position that was seen, right and away of the start. */
+function slide(page, { from = start, first_deg = 5, length_m = 0.1, follows = false, unseen = [0, 0], until = 1 } = {}) {
+  return page.evaluate((how) => {
+    const { headset, drawFrame } = globalThis, turn = document.getElementById("now-turn"), seen = [];
+    let x = 0, away = 0, heading_deg = how.first_deg;
+    const count = 135;
+    for (let i = 0; i <= count * how.until; ++i) {
+      const s = i / count, step_m = how.length_m * (30 * s ** 2 - 60 * s ** 3 + 30 * s ** 4) / count;
+      if (how.follows && turn.textContent === "left") heading_deg += 0.5;
+      if (how.follows && turn.textContent === "right") heading_deg -= 0.5;
+      x -= step_m * Math.sin(heading_deg * Math.PI / 180);
+      away += step_m * Math.cos(heading_deg * Math.PI / 180);
+      headset.see(i < how.unseen[0] || i >= how.unseen[1]);
+      headset.moveTip(how.from[0] + x, how.from[1], how.from[2] - away);
+      drawFrame(1000 / 90);
+      if (i < how.unseen[0] || i >= how.unseen[1]) seen.push([x, away]);
+    }
+    if (how.until === 1) for (let i = 0; i < 15; ++i) drawFrame(40);
+    return seen;
+  }, { from, first_deg, length_m, follows, unseen, until });
+}
+
+async function ended(page) {
+  assert.equal(await phase(page), "arrived", await caption(page));
+  const numbers = await page.locator("#stage").evaluate((stage) => ({ ...stage.dataset }));
+  return Object.fromEntries(Object.entries(numbers).map(([name, number]) => [name, Number(number)]));
+}
+
+/** The recording of the last reach, saved after the headset is left. */
+async function recorded(page) {
+  const [download] = await Promise.all([page.waitForEvent("download"), page.click("#save-recording")]);
+  return readFile(await download.path(), "utf8");
+}
+
+const leave = async (page) => {
+  await page.evaluate(() => globalThis.headset.leave());
+  await frames(page, 20, 2);
+};
+
+test("without a headset the page says so", () => visit(async (page) => {
+  await page.locator("label:has(input[value=wear])").click();
+  await page.locator("#wear-unavailable", { hasText: "Not available here" }).waitFor();
+  assert.deepEqual([await page.isEnabled("#enter-vr"), await page.isEnabled("#enter-ar")], [false, false]);
+  await accessible(page);
+  await shoot(page, "wear_unavailable");
+}));
+
+test("a hand that is worn makes a real reach, which the plugin repeats bit for bit", () => visit(async (page) => {
+  await enter(page);
+  assert.equal(await phase(page), "placing");
+  await shoot(page, "wear_placing");
+  await rest(page, start);
+  assert.equal(await phase(page), "sliding", await caption(page));
+  assert.match(await caption(page), /^Slide to the ghost/);
+  const places = await slide(page, { follows: true });
+  const { toCylinderMm, toGhostMm, feltToGhostMm } = await ended(page);
+  assert.ok(toCylinderMm < 9 && toGhostMm > 9, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the ghost`);
+  assert.ok(feltToGhostMm < 9, `felt ${feltToGhostMm} mm from the ghost`);
+  await shoot(page, "wear_arrived");
+  await leave(page);
+  assert.equal(await caption(page), "You have left the headset.");
+  assert.equal(await page.locator("#leave").isVisible(), false);
+
+  const csv = await recorded(page), report = library.replay(csv);
+  assert.equal(report.first_different_line, 0n);
+  const columns = csv.split("\n").find((line) => line.startsWith("call,")).split(",");
+  const rows = csv.split("\n").filter((line) => line.startsWith("update,")).map((line) => line.split(","));
+  const sample = (row, name) => Number(row[columns.indexOf(name)]);
+  const moved = rows.slice(-places.length - 20);
+  // The emulation has numbers of 32 bits.
+  const off = places.map(([right, away]) => Math.min(...moved.map((row) =>
+    Math.hypot(sample(row, "sample_x_m") - right, 0.05 - sample(row, "sample_z_m") - away))));
+  assert.ok(Math.max(...off) < 1e-6, `positions as recorded are ${Math.max(...off)} m off`);
+}, worn));
+
+test("a hand that goes straight to the ghost arrives there", () => visit(async (page) => {
+  await enter(page);
+  await rest(page, start);
+  await slide(page);
+  const { toGhostMm, feltToGhostMm } = await ended(page);
+  assert.ok(toGhostMm < 1 && feltToGhostMm > 5, `${toGhostMm} mm, felt ${feltToGhostMm} mm from the ghost`);
+}, worn));
+
+test("a hand lost for a moment is bridged, one lost for longer begins again", () => visit(async (page) => {
+  await enter(page);
+  await rest(page, start);
+  await slide(page, { unseen: [60, 80] });
+  const { toGhostMm } = await ended(page);
+  assert.ok(toGhostMm < 1, `${toGhostMm} mm from the ghost`);
+  await rest(page, start);
+  assert.equal(await phase(page), "sliding");
+  await slide(page, { unseen: [60, 999], until: 0.6 });
+  assert.equal(await page.locator("#stage").getAttribute("data-lost"), "true");
+  assert.equal(await phase(page), "sliding");
+  await frames(page, 50, 25);
+  assert.equal(await phase(page), "ready");
+  assert.match(await caption(page), /^The hand was not seen for a second/);
+  await page.evaluate(() => globalThis.headset.see(true));
+  await rest(page, start);
+  assert.equal(await phase(page), "sliding", "the next one");
+  await leave(page);
+  assert.deepEqual([await phase(page), library.replay(await recorded(page)).first_different_line], ["ready", 0n]);
+}, worn));
+
+test("a session that the user ends in the middle of a reach leaves a page that works", () => visit(async (page) => {
+  await enter(page, "#enter-ar");
+  await rest(page, start);
+  await slide(page, { until: 0.5 });
+  assert.equal(await phase(page), "sliding");
+  await shoot(page, "wear_passthrough");
+  await leave(page);
+  assert.equal(await caption(page), "You have left the headset.");
+  await page.locator("label:has(input[value=watch])").click();
+  await frames(page, 100, 50);
+  assert.equal(await page.locator("#results tbody tr").count(), 1);
+  await enter(page);
+  assert.equal(await phase(page), "placing", "and enters again");
+  await page.evaluate(() => document.getElementById("leave").click());  // the emulator's own picture lies over it
+  await page.waitForFunction(() => !globalThis.headset.device.activeSession, null, { polling: 20 });
+}, worn));
+
+// Of samples/plate/model/marks.csv, on a plate turned by 20 degrees to the left about its centre.
+test("a plate is placed by touches of its marks, and a bad touch is found", () => visit(async (page) => {
+  const marks = (await readFile(join(sources, "../plate/model/marks.csv"), "utf8")).trim().split("\n").slice(1)
+    .map((line) => line.split(",").slice(1, 4).map(Number));
+  const angle = 20 * Math.PI / 180, centre = [0.1, 1.1, -0.5];
+  const place = ([x, y, z]) => [centre[0] + x * Math.cos(angle) + z * Math.sin(angle), centre[1] + y, centre[2] - x * Math.sin(angle) + z * Math.cos(angle)];
+  const touch = async (touches) => {
+    for (const mark of touches) {
+      await rest(page, place(mark));
+      await page.evaluate((at) => {
+        for (let i = 0; i < 5; ++i) {
+          globalThis.headset.moveTip(at[0], at[1] + 0.02 * i, at[2]);
+          globalThis.drawFrame(50);
+        }
+      }, place(mark));
+    }
+  };
+  await page.locator("label:has(input[value=wear])").click();
+  await page.locator("label:has(input[value=marks])").click();
+  await enter(page);
+  assert.match(await caption(page), /^Touch the mark "start" .* \(1 of 6\)/);
+  await touch(marks.slice(0, 2));
+  assert.match(await caption(page), /\(3 of 6\)/);
+  await shoot(page, "wear_marks");
+  await touch(marks.slice(2).map(() => marks[3]));
+  assert.match(await caption(page), /^These touches place no plate: .*\(1 of 6\)/);
+  const bad = marks.map((mark, i) => (i === 4 ? [mark[0] + 0.03, mark[1], mark[2]] : mark));
+  await touch(bad);
+  assert.equal(await phase(page), "ready");
+  await rest(page, place([0, 0, 0.05]));
+  assert.equal(await phase(page), "sliding", "the ring is where the touches put it");
+}, worn));

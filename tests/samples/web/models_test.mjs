@@ -1,0 +1,320 @@
+// The page without its page: simulation, controllers, both modes, settings and links, under node.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { test } from "node:test";
+import { models, reachCsv, reachHash } from "./models.mjs";
+
+const library = await models.load(models.pluginModule);
+const world = await models.createWorld();
+
+const settings = (changes = {}) => ({ ...models.defaultSettings(), ...changes });
+const near = (value, expected, tolerance, what) =>
+  assert.ok(Math.abs(value - expected) <= tolerance, `${what}: ${value}, expected ${expected} within ${tolerance}`);
+
+/** The results of `count` reaches, one after another. */
+function watch(changes, count = 1) {
+  const reaches = new models.Watch(library, world, settings(changes)), results = [];
+  while (results.length < count) {
+    if (results.length > 0) reaches.begin();
+    while (reaches.phase !== "arrived") reaches.advance();
+    results.push(reaches.result);
+  }
+  return { results, trace: reaches.trace, watch: reaches };
+}
+const hits = (results) => results.filter((result) => Math.abs(result.bearingError_deg) <= 1.5).length;
+
+test("the world has core's illusion", () => {
+  world.set_person(1, 0.2, 1.5);
+  near(world.felt_shift_deg(40, 0), 8, 1e-12, "w t");
+  near(world.felt_shift_deg(-30, 10), -8, 1e-12, "t is the plate less the finger");
+  near(world.felt_shift_deg(100, 0), -16, 1e-12, "ridges repeat every half turn");
+  near(world.largest_gap_deg(75), 15, 1e-12, "75 w");
+});
+
+test("the plate follows after its latency at its speed", () => {
+  world.set_apparatus(0, 200);
+  world.begin_hand(0);
+  world.command(50);
+  const latency = world.plate_latency_ms();
+  for (let ms = 0; ms < latency + 100; ++ms) world.advance();
+  near(world.plate_deg(), 20, 0.41, "100 ms at 200 degrees a second");
+  for (let ms = 0; ms < 400; ++ms) world.advance();
+  near(world.plate_deg(), 50, 1e-9, "where it was sent");
+});
+
+test("a reach is a function of its settings and its number", () => {
+  const first = watch({ person: 3 }, 2).results, again = watch({ person: 3 }, 2).results;
+  assert.deepEqual(first, again);
+  assert.notEqual(first[0].toCylinder_mm, first[1].toCylinder_mm);
+  assert.notEqual(watch({ person: 4 }).results[0].toCylinder_mm, first[0].toCylinder_mm);
+});
+
+// At rest (1 - w) P + w T is the goal: over a still plate at 0 the person ends at V / (1 - w).
+test("over a still plate the hand goes to the ghost, and somewhat beyond", () => {
+  const { results } = watch({ controller: "off", pace_s: 3, gap_deg: 12, tactile_weight: 0.2 }, 20);
+  const mean = results.reduce((sum, result) => sum + result.bearingError_deg, 0) / results.length;
+  near(mean, 12 / 2 / 0.8 + 12 / 2, 0.8, "mean bearing from the cylinder");
+  assert.equal(hits(results), 0);
+  for (const result of results) near(result.plateFastest_deg_s, 0, 0, "a still plate");
+});
+
+test("our controller brings unknown people to the cylinder, while they feel the ghost", () => {
+  let arrived = 0;
+  for (let person = 1; person <= 20; ++person) {
+    const { results } = watch({ person }, 5);
+    arrived += hits(results.slice(-1));
+    near(results[4].feltToGhost_mm, 0, 8, `felt place of person ${person}`);
+  }
+  assert.ok(arrived >= 18, `${arrived} of 20 fifth reaches`);
+});
+
+test("the paper's controller assumes a weight of 0.15 and misses people with another one", () => {
+  const paper = [], ours = [];
+  for (let person = 1; person <= 20; ++person) {
+    paper.push(...watch({ person, controller: "paper", tactile_weight: 0.28 }).results);
+    ours.push(...watch({ person, tactile_weight: 0.28 }).results);
+  }
+  assert.ok(hits(paper) < hits(ours) - 5, `${hits(paper)} and ${hits(ours)} of 20`);
+  assert.deepEqual([...new Set(paper.map((result) => result.weight))], [0.15]);
+});
+
+test("what is learnt of a person stays for another gap and plate, and goes with another person", () => {
+  const { watch: reaches, results } = watch({ tactile_weight: 0.25 }, 4);
+  const learnt = results[3].weight;
+  reaches.apply(settings({ tactile_weight: 0.25, gap_deg: 6, plate_deg_s: 300, noise_mm: 0.5 }));
+  assert.equal(reaches.number, 5);
+  for (let ms = 0; ms < 20; ++ms) reaches.advance();
+  near(reaches.command.tactile_weight, learnt, 0.02, "the believed weight");
+  reaches.apply(settings({ tactile_weight: 0.26, gap_deg: 6 }));
+  assert.equal(reaches.number, 1);
+});
+
+test("a gap that cannot be held is missed, and the controller comes to say so", () => {
+  const { results } = watch({ tactile_weight: 0.08, gap_deg: 15 }, 5);
+  assert.equal(hits(results), 0);
+  assert.ok(results[4].flags & 16, `flags ${results[4].flags}`);
+});
+
+test("each slider does what it says", () => {
+  const base = watch({}).results[0];
+  near(base.motion_s, 1.5, 0.002, "pace");
+  near(watch({ pace_s: 3 }).results[0].motion_s, 3, 0.002, "pace");
+  near(base.plateFastest_deg_s, 400, 1, "speed of the plate");
+  near(watch({ plate_deg_s: 120 }).results[0].plateFastest_deg_s, 120, 1, "speed of the plate");
+  assert.equal(watch({ noise_mm: 0 }).results[0].trackerWorst_mm, 0);
+  const [little, much] = [0.5, 3].map((noise_mm) => watch({ noise_mm }).results[0].trackerWorst_mm);
+  near(much / little, 6, 1e-6, "the same draws, scaled by the noise");
+  near(watch({ controller: "off", gap_deg: 0 }).results[0].bearingError_deg, 0, 4, "no gap, no plate: straight ahead");
+});
+
+test("no frame makes the trace longer than its memory, and no number in it is infinite", () => {
+  const { trace } = watch({ pace_s: 4, plate_deg_s: 50 });
+  assert.equal(trace.length, 490);  // 0.6 s at rest, 4 s, 0.3 s at rest
+  for (let i = 0; i < trace.length; ++i) assert.ok(Math.abs(trace.plate_deg[i]) <= 90 && trace.weight[i] > 0);
+});
+
+// A visitor who watches the felt finger and steers it to the ghost.
+function steer(changes, frame_ms = 16) {
+  const hand = new models.Hand(library, world, settings(changes));
+  const ghost = models.virtualPlace(models.pageCourse(settings(changes)));
+  for (let i = 0; i < 40; ++i) hand.advance(frame_ms);
+  let heading_deg = 0;
+  for (let i = 0; i < 400 && models.length_m(models.start, hand.felt) < models.distance_m; ++i) {
+    const line_deg = models.direction_deg(ghost.right_m - hand.felt.right_m, ghost.away_m - hand.felt.away_m);
+    if (!Number.isNaN(hand.felt_deg)) heading_deg += 0.15 * (line_deg - hand.felt_deg);
+    const to = models.ahead(hand.finger, heading_deg, 0.05 * frame_ms / 1000);
+    hand.moveTo(to.right_m, to.away_m);
+    hand.advance(frame_ms);
+  }
+  hand.end();
+  return hand;
+}
+
+test("a visitor who keeps the felt finger on the ghost arrives at the cylinder", () => {
+  for (const changes of [{}, { gap_deg: 6 }, { tactile_weight: 0.25 }]) {
+    const hand = steer(changes);
+    assert.equal(hand.phase, "arrived");
+    near(hand.result.feltToGhost_mm, 0, 3, "felt finger");
+    near(hand.result.toCylinder_mm, 0, 5, `true finger with ${JSON.stringify(changes)}`);
+  }
+  near(steer({ controller: "off" }).result.toGhost_mm, 0, 4, "with a still plate, the ghost");
+});
+
+test("a visitor who goes straight to the ghost arrives there: nothing bends their hand", () => {
+  const hand = new models.Hand(library, world, settings());
+  const deg = models.pageCourse(settings()).virtual_deg;
+  for (let i = 0; i < 40; ++i) hand.advance(16);
+  for (let i = 1; i <= 125; ++i) {
+    const to = models.ahead(models.start, deg, (models.distance_m * i) / 125);
+    hand.moveTo(to.right_m, to.away_m);
+    hand.advance(16);
+  }
+  hand.end();
+  near(hand.result.toGhost_mm, 0, 0.001, "true finger");
+  assert.ok(hand.result.feltToGhost_mm > 8, `felt finger ${hand.result.feltToGhost_mm} mm off`);
+});
+
+test("a hand does as it should at its limits", () => {
+  const hand = new models.Hand(library, world, settings());
+  hand.moveTo(NaN, 1);
+  hand.advance(16);
+  assert.deepEqual({ ...hand.finger }, { ...models.start });
+  hand.end();
+  assert.equal(hand.phase, "waiting");
+  hand.moveTo(50, -50);
+  hand.advance(16);
+  assert.ok(models.length_m(models.start, hand.finger) <= 0.1300001);
+  for (const value of Object.values(hand.felt)) assert.ok(Number.isFinite(value));
+  hand.begin();
+  const back = models.ahead(models.start, 180, 0.01);
+  hand.moveTo(back.right_m, back.away_m);
+  hand.advance(16);
+  hand.end();
+  assert.equal(hand.phase, "waiting", "a short slide starts anew");
+});
+
+/** A reach of a straight, slow slide: `see(frame, place)` gives the plugin each position, in plate coordinates. */
+function slide(see) {
+  const { hrt } = models, session = library.createSession();
+  const real = session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 });
+  const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
+  session.beginReach(real, virtual);
+  const seeing = see(session), commands = [];
+  for (let i = 0; i < 200; ++i) {
+    seeing(i * 11, new models.Vector3(0.0001 * i, 0.002, 0.05 - 0.0005 * Math.max(0, i - 40)));
+    commands.push([session.command.plate_orientation_deg, session.command.step, session.command.flags]);
+  }
+  session.destroy();
+  return commands;
+}
+
+// three.js and the package's entry for it. Frames are made here: no headset, and no emulation of one.
+test("a hand that is tracked in the world makes the same reach as positions on the plate", () => {
+  const direct = slide((session) => (time_ms, place) => {
+    session.sample.flags = models.hrt.HRT_SAMPLE_PLATE_POSITION;
+    session.sample.time_ns = time_ms * 1e6;
+    session.sample.finger_position_m.set(place.toArray());
+    session.update();
+  });
+  const scene = new models.Scene(), plate = new models.HapticPlate();
+  plate.position.set(0.3, 0.75, -0.4);
+  plate.rotation.set(0.1, 0.8, -0.05);
+  scene.add(plate);
+  const tracked = slide((session) => {
+    const reach = new models.HandReach(session, plate), hand = new Map([["index-finger-tip", "tip"]]);
+    return (time_ms, place) => {
+      const frame = { predictedDisplayTime: time_ms, getJointPose: (joint, space) => {
+        assert.deepEqual([joint, space], ["tip", "local"]);
+        return { transform: { position: plate.localToWorld(place) } };
+      } };
+      const command = reach.updateFromHand(frame, hand, "local");
+      assert.equal(reach.lost, false);
+      assert.equal(plate.orientation_deg, command.plate_orientation_deg);
+    };
+  });
+  assert.ok(Math.abs(direct[199][0]) > 10, "the plate turned");
+  for (const [i, [plate_deg, step, flags]] of tracked.entries()) {
+    near(plate_deg, direct[i][0], 1e-6, `plate in frame ${i}`);
+    assert.deepEqual([step, flags], direct[i].slice(1));
+  }
+});
+
+// The reach of plugin/bindings/reach.csv, given as frames of a headset: a plate at the origin, so that no digit is lost.
+test("a hand makes the reach of all hosts, to the golden hash", async () => {
+  const { runReach } = await import("../../../plugin/bindings/web/examples/reach.mjs");
+  const plate = new models.HapticPlate();
+  const tracked = { createSession: (config) => {
+    const session = library.createSession(config), reach = new models.HandReach(session, plate), hand = new Map([["index-finger-tip", 1]]);
+    const given = { finger_position_m: [0, 0, 0] };
+    return { addTarget: (target) => session.addTarget(target), beginReach: (...pair) => session.beginReach(...pair), sample: given,
+             command: session.command, endReach: () => session.endReach(), destroy: () => session.destroy(),
+             update() {
+               const [x, y, z] = given.finger_position_m;
+               reach.measuredPlate_deg = given.flags & models.hrt.HRT_SAMPLE_PLATE_ORIENTATION ? given.plate_orientation_deg : NaN;
+               reach.lifted = (given.flags & models.hrt.HRT_SAMPLE_LIFTED) !== 0;
+               const seen = given.flags & models.hrt.HRT_SAMPLE_PLATE_POSITION ? { transform: { position: { x, y, z } } } : null;
+               reach.updateFromHand({ predictedDisplayTime: given.time_ns / 1e6, getJointPose: () => seen }, hand, 0);
+             } };
+  } };
+  assert.equal(runReach(models.hrt, tracked, await readFile(reachCsv, "utf8")).hash, (await readFile(reachHash, "utf8")).trim());
+});
+
+test("a frame of a hand makes no objects", (t) => {
+  const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
+  const hand = new Map([["index-finger-tip", 1]]), frame = { predictedDisplayTime: 0, getJointPose: () => pose };
+  const { hrt } = models, session = library.createSession();
+  session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
+                     session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }));
+  const reach = new models.HandReach(session, plate);
+  const run = (count) => {
+    for (let i = 0; i < count; ++i) {
+      frame.predictedDisplayTime += 11;
+      reach.updateFromHand(frame, hand, 0);
+    }
+  };
+  run(20_000);
+  globalThis.gc();
+  const before = process.memoryUsage().heapUsed, began = performance.now();
+  run(100_000);
+  const us = (performance.now() - began) / 100;
+  const bytes = (process.memoryUsage().heapUsed - before) / 100_000;
+  t.diagnostic(`${bytes.toFixed(1)} bytes and ${us.toFixed(1)} us a frame`);
+  assert.ok(us < 1000, `${us} us a frame`);
+  assert.ok(bytes < 24, `${bytes} bytes a frame`);  // the time, as one boxed number
+  session.destroy();
+});
+
+test("a hand that is lost is a dropout, and comes back", () => {
+  const plate = new models.HapticPlate();
+  slide((session) => {
+    const reach = new models.HandReach(session, plate), hand = new Map([["index-finger-tip", 1]]);
+    return (time_ms, position) => {
+      const i = Math.round(time_ms / 11), before_deg = plate.orientation_deg;
+      const pose = [null, undefined, { transform: { position: { x: NaN, y: 0, z: 0 } } }][i % 3];
+      const lost = i >= 90 && i < 100, noHand = i === 95 ? [null, undefined, new Map()][i % 3] : hand;
+      reach.updateFromHand({ predictedDisplayTime: time_ms, getJointPose: () => (lost ? pose : { transform: { position } }) },
+                           noHand, 0);
+      assert.equal(reach.lost, lost);
+      if (lost) assert.equal(plate.orientation_deg, before_deg, "the plate is held");
+    };
+  });
+});
+
+test("the plate turns counter-clockwise seen from above, within its mount", () => {
+  const plate = new models.HapticPlate();
+  plate.orientation_deg = 30;
+  const mark = plate.children[0].children[2].getWorldPosition(new models.Vector3());
+  const expected = models.ahead({ right_m: 0, away_m: 0 }, 30, 0.075);
+  near(mark.x, expected.right_m, 1e-12, "to the left");
+  near(-mark.z, expected.away_m, 1e-12, "away");
+  near(plate.rotation.y, 0, 0, "the mount");
+});
+
+test("a link carries the settings, and its faults are named", () => {
+  const chosen = settings({ tactile_weight: 0.3, gap_deg: 7.5, controller: "paper", person: 12 });
+  assert.equal(models.toLink(settings()), "");
+  assert.equal(models.toLink(chosen), "tactile_weight=0.3&gap_deg=7.5&controller=paper&person=12");
+  assert.deepEqual(models.fromLink(models.toLink(chosen)), { settings: chosen, problems: [] });
+  for (const bad of ["gap_deg=21", "gap_deg=-1", "gap_deg=1e1", "gap_deg=NaN", "noise_mm=", "controller=mine", "person=0",
+                     "person=1.5", "toString=1", "__proto__=1", "tactile_weight=<b>"]) {
+    const { settings: got, problems } = models.fromLink(bad);
+    assert.deepEqual(got, settings(), bad);
+    assert.equal(problems.length, 1, bad);
+  }
+  assert.match(models.fromLink("gap_deg=21").problems[0], /gap_deg is "21"; allowed: 0 to 20/);
+});
+
+test("a frame's work is short", (t) => {
+  const reaches = new models.Watch(library, world, settings({ pace_s: 4 }));
+  let frames = 0, worst_ms = 0;
+  const began = performance.now();
+  while (reaches.phase !== "arrived") {
+    const before = performance.now();
+    for (let ms = 0; ms < 16 && reaches.phase !== "arrived"; ++ms) reaches.advance();
+    worst_ms = Math.max(worst_ms, performance.now() - before);
+    ++frames;
+  }
+  const mean_ms = (performance.now() - began) / frames;
+  t.diagnostic(`person, plate, tracker and plugin: ${mean_ms.toFixed(3)} ms a frame of 16 ms, at worst ${worst_ms.toFixed(2)} ms`);
+  assert.ok(mean_ms < 4, `${mean_ms} ms`);
+});

@@ -1,0 +1,322 @@
+// The page in headless Chromium, as a visitor has it: by mouse, by keyboard, on a desktop and at 500 pixels, light and
+// dark. Screenshots of each state go to FOLDER_OF_SCREENSHOTS, for people to look at.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { join, resolve } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+import { accessible, arrived, desk, desktop, drawn, drop, frames, launch, newest, pageFolder, phase, phone, recorded, shoot, text, visit } from "./browser.mjs";
+
+async function handEnd(page) {
+  assert.equal(await phase(page), "arrived");
+  const numbers = await page.locator("#stage").evaluate((stage) => ({ ...stage.dataset }));
+  return Object.fromEntries(Object.entries(numbers).map(([name, number]) => [name, Number(number)]));
+}
+
+test("the first words say that this is simulation", () => visit(async (page) => {
+  assert.match((await page.innerText("body")).trim(), /^This is a simulation\./);
+}));
+
+test("a reach arrives at the cylinder while the ghost is felt", () => visit(async (page) => {
+  const result = await newest(page);
+  assert.equal(result.controller, "ours");
+  assert.ok(arrived(result), `bearing error ${result.bearingErrorDeg}`);
+  assert.ok(result.feltToGhostMm < 8 && result.toCylinderMm < 8);
+  await drawn(page);
+  assert.match(await text(page, "#caption"), /^Arrived\. The finger is \d+\.\d mm from the real cylinder/);
+}));
+
+test("without a plate that turns, and with the paper's for another person, the reach misses", () => visit(async (page) => {
+  await page.locator("input[value=ours]").focus();
+  await page.keyboard.press("ArrowLeft");
+  const paper = await newest(page);
+  assert.deepEqual([paper.controller, arrived(paper)], ["paper", false]);
+  await page.keyboard.press("ArrowLeft");
+  const off = await newest(page);
+  assert.deepEqual([off.controller, arrived(off), off.plateFastestDegS], ["off", false, 0]);
+  assert.ok(off.bearingErrorDeg > 8, "towards the ghost");
+  await drawn(page);
+  assert.match(await text(page, "#caption"), /^The finger is 2\d\.\d mm from the real cylinder/);
+  await shoot(page, "watch_still_plate");
+}, { link: "#tactile_weight=0.3" }));
+
+test("each slider moves by keyboard, and the next reach shows it", () => visit(async (page) => {
+  const set = async (slider, key) => {
+    await page.locator(`#${slider}`).focus();
+    await page.keyboard.press(key);
+    return newest(page);
+  };
+  const ends = { gap_deg: ["0.0°", "20.0°"], tactile_weight: ["0.05", "0.40"], pace_s: ["0.6 s", "4.0 s"],
+                 noise_mm: ["0.0 mm", "3.0 mm"], plate_deg_s: ["50 °/s", "800 °/s"] };
+  const shown = { gap_deg: (r) => [r.gapDeg, [0, 20]], tactile_weight: (r) => [r.tactileWeight, [0.05, 0.4]],
+                  pace_s: (r) => [r.motionS, [0.6, 4]], noise_mm: (r) => [Math.min(5, r.trackerWorstMm), [0, 5]],
+                  plate_deg_s: (r) => [r.plateFastestDegS, [50, 800]] };
+  for (const [slider, texts] of Object.entries(ends)) {
+    for (const [i, key] of ["Home", "End"].entries()) {
+      const [value, expected] = shown[slider](await set(slider, key));
+      assert.ok(Math.abs(value - expected[i]) <= 0.01 + 0.002 * expected[i], `${slider} at ${key}: ${value}`);
+      assert.equal(await text(page, `output[for=${slider}]`), texts[i]);
+      assert.equal(await page.locator(`#${slider}`).getAttribute("aria-valuetext"), texts[i]);
+    }
+    await page.click("#reset");
+  }
+  assert.equal(new URL(page.url()).hash, "");
+}));
+
+test("a gap that cannot be held is said so", () => visit(async (page) => {
+  assert.match(await text(page, "#holds"), /^Too far: .* 6\.0°/);
+  assert.equal(arrived(await newest(page)), false);
+  for (let i = 0; i < 4; ++i) {
+    await page.click("#again");
+  }
+  assert.match(await page.locator("#results tbody tr").first().innerText(), /cannot be held/);
+  await shoot(page, "watch_too_far");
+}, { link: "#tactile_weight=0.08&gap_deg=15" }));
+
+test("a reach plays, pauses and steps", () => visit(async (page) => {
+  await page.selectOption("#speed", "1");
+  await page.click("#again");
+  await frames(page, 100, 12);
+  assert.equal(await phase(page), "sliding");
+  await page.click("#play");
+  await shoot(page, "watch_sliding");
+  const finger = await text(page, "#now-finger");
+  assert.match(finger, /^\d+\.\d° (left|right)$/);
+  await frames(page, 100, 3);
+  assert.equal(await text(page, "#now-finger"), finger, "it stands still");
+  for (let i = 0; i < 40 && await phase(page) !== "arrived"; ++i) {
+    await page.click("#step");
+    await frames(page, 20);
+  }
+  assert.match(await text(page, "#spoken"), /^Arrived|^Missed/);
+  await page.click("#play");
+  await frames(page, 100, 25);
+  assert.equal(await phase(page), "waiting", "the next reach begins by itself");
+  await frames(page, 100, 25);
+  assert.equal(await page.locator("#results tbody tr").count(), 2);
+}, { motion: true }));
+
+// The visitor reads what is felt, and turns as the owner of a hand would.
+test("by keyboard, a visitor who follows what is felt arrives at the cylinder", () => visit(async (page) => {
+  await page.locator("input[value=watch]").focus();
+  await page.keyboard.press("ArrowRight");
+  await frames(page, 100, 5);
+  await page.locator("#stage").focus();
+  await page.keyboard.down("ArrowUp");
+  for (let i = 0; i < 100; ++i) {
+    await frames(page, 40);
+    const [caption, turn] = [await text(page, "#caption"), await text(page, "#now-turn")];
+    if (caption.startsWith("The felt finger")) break;
+    for (const [side, key] of [["left", "ArrowLeft"], ["right", "ArrowRight"]]) {
+      if (turn === side) await page.keyboard.down(key);
+      else await page.keyboard.up(key);
+    }
+    if (i === 25) await shoot(page, "hand_sliding");
+  }
+  await page.keyboard.press("Enter");
+  await frames(page, 33);
+  const { toCylinderMm, toGhostMm, feltToGhostMm } = await handEnd(page);
+  assert.ok(feltToGhostMm < 9, `felt ${feltToGhostMm} mm from the ghost`);
+  assert.ok(toCylinderMm < 9 && toGhostMm > 9, `${toCylinderMm} mm from the cylinder, ${toGhostMm} from the ghost`);
+  await shoot(page, "hand_arrived");
+}, { motion: true }));
+
+test("by mouse, the finger goes where the mouse goes", () => visit(async (page) => {
+  await page.locator("label:has(input[value=hand])").click();
+  await frames(page, 100, 5);
+  const box = await page.locator("#view").boundingBox(), x = box.x + box.width / 2;
+  await page.mouse.move(x, box.y + 0.8 * box.height);
+  await page.mouse.down();
+  for (let i = 1; i <= 30; ++i) {
+    await page.mouse.move(x, box.y + (0.8 - 0.021 * i) * box.height);
+    await frames(page, 33);
+  }
+  await page.mouse.up();
+  await frames(page, 33);
+  const { toCylinderMm, toGhostMm } = await handEnd(page);
+  assert.ok(Math.abs(toCylinderMm - toGhostMm) < 1, `along the mid-line: ${toCylinderMm} and ${toGhostMm}`);
+  assert.match(await text(page, "#caption"), /^Your finger ended \d+ mm from the real cylinder/);
+  await page.mouse.down();
+  await page.mouse.up();
+  await frames(page, 33);
+  assert.equal(await phase(page), "waiting", "a touch without a slide");
+}, { motion: true }));
+
+test("only what is felt can be shown, until the end", () => visit(async (page) => {
+  await page.locator("label:has(input[value=hand])").click();
+  await page.check("#hide-finger");
+  await frames(page, 100);
+  assert.equal(await page.locator("#label-finger").isVisible(), true);
+  await page.locator("#stage").focus();
+  await page.keyboard.down("ArrowUp");
+  await frames(page, 50, 20);
+  await page.keyboard.up("ArrowUp");
+  assert.equal(await page.locator("#label-finger").isVisible(), false);
+  await shoot(page, "hand_felt_only");
+  await page.keyboard.press("Enter");
+  await frames(page, 33);
+  assert.equal(await phase(page), "arrived");
+  assert.equal(await page.locator("#label-finger").isVisible(), true);
+}, { motion: true }));
+
+test("a reach and what was learnt are saved, and the reach replays", () => visit(async (page) => {
+  const saved = async (button) => {
+    const [download] = await Promise.all([page.waitForEvent("download"), page.click(button)]);
+    return { name: download.suggestedFilename(), path: await download.path() };
+  };
+  await drawn(page);
+  const recording = await saved("#save-recording"), profile = await saved("#save-profile");
+  assert.deepEqual([recording.name, profile.name], ["reach.csv", "profile.json"]);
+  assert.ok(JSON.parse(await readFile(profile.path, "utf8")).tactile_weight > 0);
+  const lines = (await readFile(recording.path, "utf8")).split("\n");
+  assert.match(lines[0], /^# haptic retargeting recording/);
+  assert.ok(lines.filter((line) => line.startsWith("update,0,")).length > 200);
+
+  await page.setInputFiles("#open-file", { name: "mine.csv", mimeType: "text/csv", buffer: Buffer.from(lines.join("\n")) });
+  await page.waitForSelector("#replayed:not([hidden])");
+  assert.match(await text(page, "#replayed"), /^mine\.csv: All 2\d\d calls gave the same numbers again, bit for bit\. A rec/);
+  await drawn(page);
+  assert.equal(await phase(page), "arrived");
+  assert.equal(await page.locator("#label-felt").isVisible(), false);
+  await accessible(page);
+  await shoot(page, "replay");
+  await page.locator("#gap_deg").focus();
+  await page.keyboard.press("ArrowRight");
+  assert.equal(await page.locator("input[value=watch]").isChecked(), true, "settings are for the simulation");
+}));
+
+test("a dropped recording of another host replays, and a bad one is refused in the plugin's words", () => visit(async (page) => {
+  const reach = await readFile(recorded, "utf8");
+  for (const [content, words] of [["", /^x\.csv: .*does not begin/], ["call,result\n<script>", /does not begin/],
+                                  [reach.replace(/version \d+/, "version 999"), /^x\.csv: .+/]]) {
+    await drop(page, "x.csv", content);
+    await page.waitForSelector("#problem:not([hidden])");
+    assert.match(await text(page, "#problem"), words);
+    assert.equal(await page.locator("#replay-mode").isVisible(), false);
+    await page.evaluate(() => { document.getElementById("problem").hidden = true; });
+  }
+  const lines = reach.split("\n"), rows = lines.filter((line) => /^(begin|update|end),/.test(line)).length;
+  const altered = lines.map((line) => line.startsWith("update,")).lastIndexOf(true), cells = lines[altered].split(",");
+  cells[lines.find((line) => line.startsWith("call,")).split(",").indexOf("plate_orientation_deg")] = "12.5";
+  await drop(page, "altered.csv", [...lines.slice(0, altered), cells.join(","), ...lines.slice(altered + 1)].join("\n"));
+  await page.waitForSelector("#replayed:not([hidden])");
+  assert.match(await text(page, "#replayed"), new RegExp(`^altered\\.csv: Line ${altered + 1} gave other numbers than those recorded\\. The recording is not`));
+  await drop(page, "reach.csv", reach);
+  await page.locator("#replayed", { hasText: `reach.csv: All ${rows} calls gave the same numbers again` }).waitFor();
+}));
+
+// Within 75 degrees of the motion a weight w holds 75 w degrees, and the plate stands at the gap (1 - w) / w from the ghost.
+test("a dropped scene appears with what can be held", () => visit(async (page) => {
+  await drop(page, "desk.gltf", await readFile(desk, "utf8"));
+  await page.waitForSelector("#scene-mode:not([hidden])");
+  assert.equal(await text(page, "#scene-about"), "desk.gltf: a plate of 75 mm radius, 1 real and 3 virtual targets.");
+  const rows = await page.locator("#held tbody tr").evaluateAll((all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  assert.deepEqual(rows.map((row) => row.slice(0, 3)), [["bottle", "cylinder", "6.0°"], ["goblet", "cylinder", "-8.0°"],
+                                                         ["pawn", "cylinder", "12.0°"]]);
+  assert.deepEqual(rows.map((row) => row.slice(3).map((cell) => cell !== "–")), [
+    [true, true, true, true, true], [false, true, true, true, true], [false, false, true, true, true]]);
+  assert.equal(rows[0][5], "30° left");
+  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["finger", "felt here", "cylinder", "bottle", "goblet", "pawn"]);
+  // Reaches lead to the file's own targets: 6 degrees to the bottle, 8 to the other side to the goblet.
+  const bottle = await newest(page);
+  assert.ok(Math.abs(bottle.gapDeg - 6) < 1e-6 && arrived(bottle) && bottle.feltToGhostMm < 8, JSON.stringify(bottle));
+  await page.selectOption("#scene-pair", { label: "goblet, felt; cylinder, reached" });
+  const goblet = await newest(page);
+  assert.ok(Math.abs(goblet.gapDeg + 8) < 1e-6 && arrived(goblet), JSON.stringify(goblet));
+  await drawn(page);
+  await accessible(page);
+  await shoot(page, "scene");
+  await page.locator("label:has(input[value=watch])").click();
+  assert.deepEqual(await page.locator("#labels .label:visible").allTextContents(), ["real cylinder", "ghost", "finger", "felt here"]);
+}));
+
+test("a bad scene is refused in the loader's words", () => visit(async (page) => {
+  const scene = await readFile(desk, "utf8");
+  for (const [content, words] of [["", /^bad\.gltf: /], ["{", /^bad\.gltf: /], ["{}", /^bad\.gltf: /],
+                                  [scene.replace('"radius_m": 0.075', '"radius_m": -1'), /^bad\.gltf: .*Plate.*radius_m/],
+                                  [scene.replace('"role": "real"', '"role": "<img src=x>"'), /^bad\.gltf: .*role/]]) {
+    await drop(page, "bad.gltf", content);
+    await page.waitForSelector("#problem:not([hidden])");
+    assert.match(await text(page, "#problem"), words);
+    assert.equal(await page.locator("#scene-mode").isVisible(), false);
+    await page.evaluate(() => { document.getElementById("problem").hidden = true; });
+  }
+}));
+
+test("spoken cues are off until asked for", () => visit(async (page) => {
+  const spoken = () => page.evaluate(() => globalThis.spoken.splice(0));
+  await page.click("#again");
+  assert.deepEqual(await spoken(), []);
+  await page.check("#speak");
+  await page.click("#again");
+  const said = await spoken();
+  assert.equal(said[0], "Spoken cues are on.");
+  assert.match(said[1], /^Arrived\. The finger is/);
+  await page.uncheck("#speak");
+  await page.click("#again");
+  assert.deepEqual(await spoken(), []);
+}, { script: "globalThis.spoken = []; speechSynthesis.speak = (words) => spoken.push(words.text)" }));
+
+test("a scene whose meshes cannot be drawn is shown without them, and nothing is fetched", () => visit(async (page) => {
+  const scene = JSON.parse(await readFile(desk, "utf8")), changed = (change) => {
+    const copy = structuredClone(scene);
+    change(copy);
+    return JSON.stringify(copy);
+  };
+  for (const [content, words] of [[changed(({ accessors }) => { accessors[0].count = 1e9; }), /more than 4000000 values/],
+                                  [changed(({ meshes }) => { meshes[0].primitives[0].attributes.POSITION = 999; }), /Its meshes are not drawn: ./],
+                                  [changed(({ buffers }) => { buffers[0].uri = "data:application/octet-stream;base64,%%%"; }), /not drawn: .|^bad/],
+                                  [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /another file, which the page does not load|^bad/]]) {
+    await drop(page, "bad.gltf", content);
+    await page.waitForFunction((source) => [...document.querySelectorAll("#scene-about, #problem:not([hidden])")].some((place) => new RegExp(source).test(place.textContent)),
+                               words.source, { timeout: 5000 });
+    await page.evaluate(() => { for (const id of ["problem", "scene-about"]) document.getElementById(id).textContent = ""; });
+  }
+}));
+
+test("a bad link is named, and its good part is used", () => visit(async (page) => {
+  assert.equal(await text(page, "#problem"), "Left out of the link: gap_deg is \"99\"; allowed: 0 to 20.");
+  assert.equal(await text(page, "output[for=noise_mm]"), "0.3 mm");
+}, { link: "#gap_deg=99&noise_mm=0.3" }));
+
+test("the page reaches no network, by its own policy", () => visit(async (page) => {
+  const refused = await page.evaluate(async () => {
+    const tries = [fetch("https://127.0.0.1:9/"), fetch("page.css"), import("data:text/javascript,1")];
+    return (await Promise.allSettled(tries)).map(({ status }) => status);
+  });
+  assert.deepEqual(refused, ["rejected", "rejected", "rejected"]);
+}, { strict: false }));
+
+test("the page opens from a folder, without a server", () => visit(async (page) => {
+  assert.equal(arrived(await newest(page)), true);
+}, { base: pathToFileURL(join(resolve(pageFolder), "index.html")).href.replace(/index\.html$/, ""), link: "index.html" }));
+
+test("without WebGL the numbers and the chart still work", async () => {
+  const plain = await launch("--disable-3d-apis");
+  try {
+    await visit(async (page) => {
+      assert.equal(await page.locator("#no-view").isVisible(), true);
+      assert.equal(arrived(await newest(page)), true);
+      await shoot(page, "without_webgl");
+    }, { from: plain, strict: false });
+  } finally {
+    await plain.close();
+  }
+});
+
+for (const [size, viewport] of Object.entries({ desktop, phone })) {
+  for (const colorScheme of ["light", "dark"]) {
+    test(`accessible and within the window: ${size}, ${colorScheme}`, () => visit(async (page) => {
+      await drop(page, "desk.gltf", await readFile(desk, "utf8"));
+      await page.waitForSelector("#scene-mode:not([hidden])");
+      for (const mode of ["watch", "hand", "wear", "scene"]) {
+        await page.locator(`label:has(input[value=${mode}])`).click();
+        await page.waitForTimeout(300);
+        await accessible(page);
+        const [inner, outer] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+        assert.ok(inner <= outer, `${inner} pixels wide in a window of ${outer}`);
+        await shoot(page, `${mode}_${size}_${colorScheme}`);
+      }
+    }, { viewport, colorScheme }));
+  }
+}

@@ -1,0 +1,215 @@
+// The plate's line and its firmware on the emulated board, as the page has them, under node. No board and no servo has run.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { models } from "./models.mjs";
+
+const { Board, crc16, decodeLine, encodeLine, firmware, LineReader, parseMessage, PlateLink } = models;
+const bytes = (text) => new TextEncoder().encode(text);
+
+// samples/plate/protocol.md
+test("sums and lines are the protocol's", () => {
+  assert.equal(crc16("123456789"), 0x29b1);
+  for (const line of ["HELLO 2*0C18", "SET -034.25 00001*2066", "BEAT 00002*3CC0", "AT -034.25 00002*6A12", "STOPPED host*002D",
+                      "PLATE 2 -90.00 90.00 300.00 20.00 assumed*F76C"]) {
+    const body = line.split("*")[0];
+    assert.equal(encodeLine(body), `${line}\n`);
+    assert.equal(decodeLine(line), body);
+    for (let i = 0; i < line.length; ++i) {
+      const damaged = line.slice(0, i) + String.fromCharCode(line.charCodeAt(i) ^ 4) + line.slice(i + 1);
+      assert.equal(decodeLine(damaged), null, damaged);
+    }
+  }
+  assert.deepEqual(parseMessage("AT -034.25 00002"), { kind: "at", orientation_deg: -34.25, sequence: 2 });
+});
+
+test("what is no message of the protocol is none", () => {
+  for (const body of ["", "AT", "AT -34.25 00002", "AT -034.25 2", "AT -034.25 65536", "AT -999.00 00001", "AT -034.25 00002 x", "BOOT now",
+                      "STOPPED why", "PLATE 1 -90.00 90.00 300.00 20.00 assumed", "PLATE 2 90.00 -90.00 300.00 20.00 assumed",
+                      "PLATE 2 -90.00 90.00 0 20.00 assumed", "PLATE 2 -90.00 90.00 1e3 20.00 assumed", "PLATE 2 -90 90 300 20 guessed",
+                      "PLATE 2 -90.00 90.00 NaN 20.00 assumed", "PLATE 2 -90.00 90.00 300.00 2000 assumed", "constructor", "__proto__ 1"]) {
+    assert.equal(parseMessage(body), null, body);
+  }
+});
+
+test("a reader drops long lines whole, and finds the next one", () => {
+  const reader = new LineReader(), take = (text) => [...bytes(text)].map((byte) => reader.take(byte)).filter((line) => line !== null);
+  assert.deepEqual(take("one\r\ntwo\n"), ["one", "two"]);
+  assert.deepEqual(take(`${"x".repeat(63)}\n${"x".repeat(64)}\n${"x".repeat(1e6)}\nthree\n`), ["x".repeat(63), "three"]);
+});
+
+/** A plate that answers as `answer` says; its clock is `now`. */
+function double(answer) {
+  const said = [], state = { now: 0, said, link: null };
+  const link = new PlateLink((text) => {
+    const body = decodeLine(text.trimEnd());
+    said.push(body);
+    for (const reply of answer(body, state) ?? []) link.hear(bytes(encodeLine(reply)), state.now);
+  });
+  state.link = link;
+  state.run = (milliseconds) => {
+    for (const end = state.now + milliseconds; state.now < end; state.now += 5) link.service(state.now);
+  };
+  return state;
+}
+const facts = "PLATE 2 -90.00 90.00 300.00 20.00 assumed";
+/** A plate that is at once where it is sent. */
+function obedient() {
+  let at = "+000.00";
+  return double((body) => {
+    const [verb, ...rest] = body.split(" ");
+    if (verb === "HELLO") return [facts, `AT ${at} 00000`];
+    if (verb === "SET") at = rest[0];
+    return [`AT ${at} ${rest.at(-1)}`];
+  });
+}
+
+test("a plate is greeted, holds its place, follows, and hears a beat", () => {
+  const plate = obedient();
+  plate.run(300);
+  assert.deepEqual(plate.said.slice(0, 2), ["HELLO 2", "SET +000.00 00001"]);
+  assert.equal(plate.link.ready, true);
+  plate.link.turnTo(30.004);
+  plate.run(20);
+  assert.equal(plate.said.at(-1).slice(0, 11), "SET +030.00");
+  assert.equal(plate.link.orientation_deg, 30);
+  const before = plate.said.length;
+  plate.run(1000);
+  assert.ok(plate.said.slice(before).every((body) => body.startsWith("BEAT ")) && plate.said.length - before >= 19);
+  plate.link.turnTo(NaN);
+  plate.run(50);
+  assert.equal(plate.link.orientation_deg, 30);
+  plate.link.stop(plate.now);
+  assert.match(plate.said.at(-1), /^STOP \d{5}$/);
+  plate.run(1000);
+  assert.match(plate.said.at(-1), /^STOP/, "nothing after it");
+});
+
+// Rule 4: ridges repeat every 180 degrees.
+test("angles beyond the limits are those that feel the same", () => {
+  for (const [wanted, sent] of [[100, "-080.00"], [-170, "+010.00"], [361, "+001.00"], [-90, "-090.00"]]) {
+    const plate = obedient();
+    plate.run(100);
+    plate.link.turnTo(wanted);
+    plate.run(20);
+    assert.equal(plate.said.findLast((body) => body.startsWith("SET")).split(" ")[1], sent, `${wanted}`);
+  }
+});
+
+test("a plate is given up for what the protocol says, in words", () => {
+  const hello = (...more) => (body) => (body.startsWith("HELLO") ? [facts, "AT +000.00 00000", ...more] : []);
+  const silent = double(() => []);
+  silent.run(5300);
+  assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s.");
+  const cases = [[hello(), 700, /not been heard for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
+                 [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
+                 [hello("ERROR greeting"), 300, /has restarted/], [hello(facts), 300, /announced itself anew/],
+                 [hello("AT +095.00 00000"), 300, /95\.0°, outside its limits of -90° to 90°/],
+                 [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /never reports its orientation/]];
+  for (const [answer, time, words] of cases) {
+    const plate = double(answer);
+    plate.run(time);
+    assert.match(plate.link.failure, words);
+    const { length } = plate.said;
+    plate.run(500);
+    assert.equal(plate.said.length, length, "nothing is sent to a plate that was given up");
+  }
+  const stuck = double((body) => (body.startsWith("HELLO") ? [facts] : [`AT +000.00 ${body.split(" ").at(-1)}`]));
+  stuck.run(200);
+  stuck.link.turnTo(60);
+  stuck.run(1500);
+  assert.match(stuck.link.failure, /stuck at 0\.0°; it was sent to 60\.0°/);
+});
+
+test("garbage on the line changes nothing", () => {
+  const plate = obedient();
+  plate.run(100);
+  let seed = 1;
+  const random = () => (seed = (seed * 48271) % 2147483647) / 2147483647;
+  for (let i = 0; i < 20_000; ++i) {
+    const line = bytes(encodeLine(`AT ${random() < 0.5 ? "+" : "-"}0${String(Math.floor(90 * random())).padStart(2, "0")}.00 00001`));
+    line[Math.floor(random() * (line.length - 1))] ^= 1 << Math.floor(8 * random());
+    plate.link.hear(line, plate.now);
+    plate.link.hear(Uint8Array.from({ length: 10 }, () => 256 * random()), plate.now);
+    plate.link.hear(bytes("\n"), plate.now);
+  }
+  assert.deepEqual([plate.link.orientation_deg, plate.link.failure], [0, ""]);
+});
+
+/** The firmware and the page's link to it. */
+function emulated() {
+  const board = new Board(firmware), link = new PlateLink((text) => board.hear(text));
+  board.onByte = (byte) => link.hear(Uint8Array.of(byte), board.time_ms);
+  const run = (milliseconds) => {
+    for (const end = board.time_ms + milliseconds; board.time_ms < end;) {
+      link.service(board.time_ms);
+      board.run(5);
+    }
+  };
+  return { board, link, run };
+}
+
+// 1500 us at 0, and 2000 us over 180 degrees; firmware/README.md.
+test("the plate's firmware turns its servo where the page sends it", (t) => {
+  const { board, link, run } = emulated(), began = performance.now();
+  run(1200);
+  assert.deepEqual(link.facts, { kind: "plate", least_deg: -90, most_deg: 90, speed_deg_s: 300, latency_ms: 20, measured: false });
+  assert.ok(Math.abs(board.pulse_us - 1500) < 0.6, `${board.pulse_us} us`);
+  for (const wanted_deg of [45, -80.5, 12.25, 90, 0, -90, 0]) {
+    link.turnTo(wanted_deg);
+    run(900);
+    assert.ok(Math.abs(board.pulse_us - (1500 + (wanted_deg * 2000) / 180)) < 0.6, `${board.pulse_us} us at ${wanted_deg}`);
+    assert.ok(Math.abs(board.servo_deg - wanted_deg) < 0.06, `servo at ${board.servo_deg}`);
+    assert.equal(link.orientation_deg, wanted_deg);
+  }
+  assert.equal(link.failure, "");
+  t.diagnostic(`${(board.time_ms / (performance.now() - began)).toFixed(1)} times real time; echo after ${link.roundTrip_ms.toFixed(1)} ms`);
+});
+
+test("the firmware stops without a beat, and by its emergency stop", () => {
+  const quiet = emulated();
+  quiet.run(1200);
+  quiet.link.turnTo(80);
+  quiet.run(30);
+  quiet.board.run(320);
+  const pulse_us = quiet.board.pulse_us;
+  quiet.board.run(300);
+  assert.equal(quiet.board.pulse_us, pulse_us, "it stands still without a beat");
+  const { board, link, run } = emulated();
+  run(1200);
+  board.openEmergencyStop(true);
+  run(100);
+  assert.match(link.failure, /emergency stop/);
+});
+
+test("a damaged firmware file is refused", () => {
+  for (const hex of [":00000001FE", "x", firmware.replace("0C94", "0C95"), ":02FFFF000000"]) assert.throws(() => new Board(hex), /firmware/);
+});
+
+/** A port as Web Serial has it, which fails if asked to. */
+function port({ fails = "" } = {}) {
+  let toHost, closed = false;
+  const got = [];
+  return { got, feed: (data) => toHost.enqueue(data), unplug: () => toHost.error(new Error("The device has been lost.")),
+           get closed() { return closed; },
+           open: async () => { if (fails) throw new Error(fails); },
+           close: async () => { closed = true; },
+           readable: new ReadableStream({ start(controller) { toHost = controller; } }),
+           writable: new WritableStream({ write(chunk) { got.push(new TextDecoder().decode(chunk)); } }) };
+}
+
+test("a port is read, written, closed, and its loss is said", async () => {
+  const heard = [], ended = [], one = port();
+  const line = await models.openPort(one, (data) => heard.push(...data), (why) => ended.push(why));
+  one.feed(Uint8Array.of(1, 2));
+  line.send("HELLO 2*0C18\n");
+  await new Promise((done) => setTimeout(done, 20));
+  assert.deepEqual([heard, one.got, ended], [[1, 2], ["HELLO 2*0C18\n"], []]);
+  await line.close();
+  assert.deepEqual([one.closed, ended], [true, []]);
+  const other = port();
+  await models.openPort(other, () => {}, (why) => ended.push(why));
+  other.unplug();
+  await new Promise((done) => setTimeout(done, 20));
+  assert.deepEqual(ended, ["The device has been lost."]);
+  await assert.rejects(models.openPort(port({ fails: "Failed to open serial port." }), () => {}, () => {}), /Failed to open/);
+});
