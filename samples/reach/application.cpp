@@ -207,7 +207,7 @@ class Run {
           "a simulated user touches no marks: --register and --registered need --person, or a runtime "
           "without one");
     if (registered_) return check_plate(stage, *registered_);
-    registered_ = register_plate(stage, marks_);
+    registered_ = register_plate(stage, marks_, options_.fingertips);
     write_registration(options_.register_to, *registered_);
   }
 

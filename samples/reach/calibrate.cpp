@@ -144,7 +144,7 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
   std::vector<Moment> moments;
   std::optional<XrTime> done_since;
   for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
-    const Fingertip tip = stage.session.locate(hand, time);
+    const Fingertip tip = locate(stage, hand, time);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
     if (measured_deg && !feels_the_same(*measured_deg, plate_orientation_deg)) {
       stage.tell_user("The plate has moved: this slide does not count.");

@@ -133,6 +133,10 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.add_option("--registered", options.registered,
                  "The plate is where this file has it; a touch of one mark checks that")
       ->excludes(anew);
+  app.add_flag("--fingertip", options.fingertips,
+               "When registering, find first where the skin of each --hand touches, from the joint that is\n"
+               "tracked, for hands that do not keep one attitude; the file keeps it")
+      ->needs(anew);
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
   app.add_option("--marks", options.marks,

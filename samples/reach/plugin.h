@@ -32,6 +32,8 @@ namespace hrt::reach {
   X(hrt_registration_advice)          \
   X(hrt_registration_confirm)         \
   X(hrt_registration_apply)           \
+  X(hrt_fingertip_fit)                \
+  X(hrt_fingertip_place)              \
   X(hrt_recording_start)              \
   X(hrt_recording_stop)               \
   X(hrt_calibration_config_default)   \

@@ -90,11 +90,11 @@ class FingerInUse {
       : stage_(stage), hand_(first), came_(now), on_plate_(now) {}
 
   Fingertip locate(XrTime time) {
-    const Fingertip tip = stage_.session.locate(hand_, time);
+    const Fingertip tip = reach::locate(stage_, hand_, time);
     if (is_on_plate(stage_, tip)) on_plate_ = time;
     if (time - on_plate_ < settle_ns || stage_.simulation != nullptr) return tip;
     for (const Hand other : stage_.hands) {
-      const Fingertip others = other == hand_ ? Fingertip{} : stage_.session.locate(other, time);
+      const Fingertip others = other == hand_ ? Fingertip{} : reach::locate(stage_, other, time);
       if (!is_on_plate(stage_, others)) continue;
       hand_ = other;
       came_ = on_plate_ = time;

@@ -76,21 +76,22 @@ class RestDetector {
 
 struct Touch {
   Point position_m;  // in the space that the session's plate stands in
+  std::optional<std::array<double, 4>> rotation;
   XrTime time;
 };
 
-Touch await_touch(Stage& stage, const std::string& request) {
+Touch await_touch(Stage& stage, std::span<const Hand> hands, const std::string& request) {
   stage.tell_user(request);
   std::array<RestDetector, 2> detectors;
   Sightings sightings({});
   const XrTime began = next_frame(stage);
   for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
     for (const Hand hand : {Hand::left, Hand::right}) {
-      const Fingertip tip = stage.session.locate(hand, time);
+      const Fingertip tip = locate(stage, hand, time);
       sightings.see(hand, tip);
-      if (std::find(stage.hands.begin(), stage.hands.end(), hand) == stage.hands.end()) continue;
+      if (std::find(hands.begin(), hands.end(), hand) == hands.end()) continue;
       RestDetector& detector = detectors[static_cast<std::size_t>(hand)];
-      if (const auto place_m = detector.see(time, tip)) return {*place_m, time};
+      if (const auto place_m = detector.see(time, tip)) return {*place_m, tip.rotation, time};
     }
   }
   throw Failure(ExitCode::no_hand, "no index finger came to rest " + within_s(stage.time_limit_ns) +
@@ -102,6 +103,55 @@ hrt_mark_touch to_plugin(const Mark& mark, const Point& touched_m) {
   std::copy(mark.position_m.begin(), mark.position_m.end(), touch.mark_m);
   std::copy(touched_m.begin(), touched_m.end(), touch.touched_m);
   return touch;
+}
+
+// How a finger is held while it touches one mark: about two axes, each to both sides.
+constexpr const char* attitudes[] = {"flat",
+                                     "steeply",
+                                     "leant to the left",
+                                     "leant to the right",
+                                     "flat, turned to the left",
+                                     "flat, turned to the right"};
+
+hrt_fingertip find_fingertip(Stage& stage, const Mark& mark, Hand hand) {
+  const std::string finger = hand == Hand::left ? "left index finger" : "right index finger";
+  const auto count = static_cast<int>(std::size(attitudes));
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    const int recentrings = stage.session.recentrings();
+    std::vector<hrt_joint_touch> touches;
+    for (const char* attitude : attitudes) {
+      const Touch touch =
+          await_touch(stage, {&hand, 1},
+                      "Lift your finger. Then touch the mark \"" + mark.name + "\" with your " + finger +
+                          " held " + attitude + ", and hold still (" + std::to_string(touches.size() + 1) +
+                          " of " + std::to_string(count) + ").");
+      if (!touch.rotation)
+        throw Failure(ExitCode::registration,
+                      "the runtime does not report how the finger is turned; leave out --fingertip");
+      hrt_joint_touch& joint = touches.emplace_back();
+      std::copy(touch.position_m.begin(), touch.position_m.end(), joint.position_m);
+      std::copy(touch.rotation->begin(), touch.rotation->end(), joint.rotation);
+    }
+    if (stage.session.recentrings() != recentrings) {
+      stage.tell_user("The runtime moved its space meanwhile, so the touches are to be made again.");
+      continue;
+    }
+    hrt_fingertip found{.struct_size = sizeof found};
+    stage.plugin.check(stage.plugin.hrt_fingertip_fit(nullptr, touches.data(), touches.size(), &found));
+    if (found.known == 0) {
+      stage.tell_user("The touches do not show where the skin is: hold the finger more differently.");
+      continue;
+    }
+    const double(&o)[3] = found.offset_m;
+    const double(&sd)[3] = found.sd_m;
+    stage.tell_user("The skin of your " + finger +
+                    format(" is %.1f mm from the joint", millimetres * std::hypot(o[0], o[1], o[2])) +
+                    format(", known to %.1f mm.", millimetres * std::max({sd[0], sd[1], sd[2]})));
+    return found;
+  }
+  throw Failure(ExitCode::registration,
+                "the touches do not show where the skin of the finger is; hold it "
+                "more differently, or leave out --fingertip");
 }
 
 void apply(Stage& stage, const RegisteredPlate& plate, XrTime time) {
@@ -134,11 +184,17 @@ XrPosef pose_of(const RegisteredPlate& plate) {
   return {{f(q[0]), f(q[1]), f(q[2]), f(q[3])}, {f(p[0]), f(p[1]), f(p[2])}};
 }
 
-RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks) {
+RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertips) {
   hrt_registration_config config{.struct_size = sizeof config};
   stage.plugin.check(stage.plugin.hrt_registration_config_default(&config, sizeof config));
   config.flags = HRT_REGISTER_UP;  // y is up in every reference space
-  RegisteredPlate plate{.space = stage.session.steady_space(), .registration = {}, .check = marks.front()};
+  RegisteredPlate plate{
+      .space = stage.session.steady_space(), .registration = {}, .check = marks.front(), .fingertips = {}};
+  stage.session.place_plate(plate.space, world);
+  if (fingertips)
+    for (const Hand hand : stage.hands)
+      plate.fingertips[static_cast<std::size_t>(hand)] = find_fingertip(stage, marks.front(), hand);
+  stage.fingertips = plate.fingertips;
   for (int attempt = 0; attempt < most_attempts; ++attempt) {
     stage.session.begin_coordinates(plate.space);
     stage.session.place_plate(plate.space, world);
@@ -148,8 +204,9 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks) {
     XrTime time = 0;
     for (std::size_t i = 0; i < marks.size(); ++i) {
       const std::string count = std::to_string(i + 1) + " of " + std::to_string(marks.size());
-      const Touch touch = await_touch(stage, "Touch the mark \"" + marks[i].name +
-                                                 "\" with your index finger and hold still (" + count + ").");
+      const Touch touch = await_touch(
+          stage, stage.hands,
+          "Touch the mark \"" + marks[i].name + "\" with your index finger and hold still (" + count + ").");
       touches.push_back(to_plugin(marks[i], touch.position_m));
       time = touch.time;
     }
@@ -171,9 +228,19 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks) {
 }
 
 void check_plate(Stage& stage, const RegisteredPlate& plate) {
+  const auto has_skin = [&](Hand hand) {
+    return plate.fingertips[static_cast<std::size_t>(hand)].known != 0;
+  };
+  const bool any = has_skin(Hand::left) || has_skin(Hand::right);
+  if (any && !std::all_of(stage.hands.begin(), stage.hands.end(), has_skin))
+    throw Failure(ExitCode::registration,
+                  "the plate was registered by the skin of the other hand (--fingertip): choose that hand, "
+                  "or register the plate anew (--register)");
   stage.session.place_plate(plate.space, world);
-  const Touch touch = await_touch(stage, "Touch the mark \"" + plate.check.name +
-                                             "\" and hold still: is the plate where it was registered?");
+  stage.fingertips = plate.fingertips;
+  const Touch touch = await_touch(
+      stage, stage.hands,
+      "Touch the mark \"" + plate.check.name + "\" and hold still: is the plate where it was registered?");
   const hrt_mark_touch seen = to_plugin(plate.check, touch.position_m);
   hrt_touch_check check{.struct_size = sizeof check};
   stage.plugin.check(

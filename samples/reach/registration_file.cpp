@@ -6,9 +6,11 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <span>
 #include <sstream>
 #include <string>
+#include <utility>
 
 #include "samples/reach/exit_code.h"
 
@@ -38,6 +40,11 @@ std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
           {"turn_sd_deg", {&r.turn_sd_deg, 1}}, {"check_m", plate.check.position_m}};
 }
 
+constexpr const char* fingertip_name[] = {"fingertip_left", "fingertip_right"};
+std::vector<Numbers> numbers_of(hrt_fingertip& fingertip, const char* name) {
+  return {{name, fingertip.offset_m}, {"sd_m", fingertip.sd_m}};
+}
+
 class Reader {
  public:
   explicit Reader(const std::filesystem::path& file) : file_(file), stream_(file) {
@@ -45,12 +52,29 @@ class Reader {
   }
 
   std::string line() {
-    std::string text;
     ++number_;
+    if (ahead_) return *std::exchange(ahead_, std::nullopt);
+    std::string text;
     if (!std::getline(stream_, text)) refuse("the file ends here");
     if (!text.empty() && text.back() == '\r') text.pop_back();
     if (text.size() > longest_line) refuse("the line is too long");
     return text;
+  }
+
+  /// Whether the next line has this name.
+  bool follows(const std::string& name) {
+    if (!ahead_ && stream_.peek() == std::ifstream::traits_type::eof()) return false;
+    if (!ahead_) {
+      ahead_ = line();
+      --number_;
+    }
+    return ahead_->starts_with(name + " ");
+  }
+
+  void end() {
+    if (!ahead_ && stream_.peek() == std::ifstream::traits_type::eof()) return;
+    ++number_;
+    refuse("the file is to end here");
   }
 
   /// What follows the name.
@@ -80,6 +104,7 @@ class Reader {
  private:
   std::filesystem::path file_;
   std::ifstream stream_;
+  std::optional<std::string> ahead_;  // read, and not yet taken
   int number_ = 0;
 };
 
@@ -95,7 +120,12 @@ void write_registration(const std::filesystem::path& file, const RegisteredPlate
   for (const SpaceName& known : spaces)
     if (known.space == plate.space) text += std::string("space ") + known.name + "\n";
   text += "check " + plate.check.name + "\n";
-  for (const Numbers& numbers : numbers_of(copy)) {
+  std::vector<Numbers> lines = numbers_of(copy);
+  for (std::size_t hand = 0; hand < copy.fingertips.size(); ++hand)
+    if (copy.fingertips[hand].known != 0)
+      for (const Numbers& numbers : numbers_of(copy.fingertips[hand], fingertip_name[hand]))
+        lines.push_back(numbers);
+  for (const Numbers& numbers : lines) {
     text += numbers.name;
     for (const double value : numbers.values) {
       char digits[40];
@@ -134,6 +164,15 @@ RegisteredPlate read_registration(const std::filesystem::path& file) {
                   [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
     reader.refuse("the mark's name has a control character");
   for (const Numbers& numbers : numbers_of(plate)) reader.numbers(numbers.name, numbers.values);
+  for (std::size_t hand = 0; hand < plate.fingertips.size(); ++hand) {
+    if (!reader.follows(fingertip_name[hand])) continue;
+    hrt_fingertip& fingertip = plate.fingertips[hand];
+    fingertip.struct_size = sizeof fingertip;
+    fingertip.known = 1;
+    for (const Numbers& numbers : numbers_of(fingertip, fingertip_name[hand]))
+      reader.numbers(numbers.name, numbers.values);
+  }
+  reader.end();
   return plate;
 }
 

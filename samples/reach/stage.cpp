@@ -22,6 +22,20 @@ double distance_along_plate_m(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[2] - b[2]);
 }
 
+Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
+  Fingertip tip = stage.session.locate(hand, time);
+  const hrt_fingertip& skin = stage.fingertips[static_cast<std::size_t>(hand)];
+  if (!tip.tracked || skin.known == 0) return tip;
+  if (!tip.rotation) return {};
+  hrt_joint_touch joint{};
+  std::copy(tip.position_m.begin(), tip.position_m.end(), joint.position_m);
+  std::copy(tip.rotation->begin(), tip.rotation->end(), joint.rotation);
+  hrt_sample placed{.struct_size = sizeof placed};
+  stage.plugin.check(stage.plugin.hrt_fingertip_place(&skin, &joint, &placed));
+  std::copy_n(placed.finger_position_m, 3, tip.position_m.begin());
+  return tip;
+}
+
 XrTime next_frame(Stage& stage) {
   const XrTime time = stage.session.next_frame();
   stage.plate.service(time);
@@ -35,7 +49,7 @@ Hand await_finger_at_start(Stage& stage) {
   Sightings sightings(stage.targets.start_m);
   for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
     for (const Hand hand : {Hand::left, Hand::right}) {
-      const Fingertip tip = stage.session.locate(hand, time);
+      const Fingertip tip = locate(stage, hand, time);
       sightings.see(hand, tip);
       if (std::find(stage.hands.begin(), stage.hands.end(), hand) == stage.hands.end()) continue;
       const bool there = tip.tracked && tip.position_m[1] <= lifted_height_m &&

@@ -36,7 +36,7 @@ void Attendant::obey(char key, XrTime time) {
 
 void Attendant::say_where(XrTime time) {
   Sightings now(stage_.targets.start_m);
-  for (const Hand hand : {Hand::left, Hand::right}) now.see(hand, stage_.session.locate(hand, time));
+  for (const Hand hand : {Hand::left, Hand::right}) now.see(hand, locate(stage_, hand, time));
   prompt_.say(now.where(stage_, is_placed_));
 }
 

@@ -255,10 +255,14 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
                  locate_hand_joints_(trackers_[static_cast<std::size_t>(hand)], &locate_info, &locations));
   const XrHandJointLocationEXT& tip = joints[XR_HAND_JOINT_INDEX_TIP_EXT];
   if (locations.isActive != XR_TRUE || !can_be_observed(tip)) return {};
+  const auto d = [](float value) { return static_cast<double>(value); };
   const XrVector3f& position = tip.pose.position;
-  return {
-      true,
-      {static_cast<double>(position.x), static_cast<double>(position.y), static_cast<double>(position.z)}};
+  const XrQuaternionf& turn = tip.pose.orientation;
+  Fingertip seen{
+      .tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
+  if (tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT)
+    seen.rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
+  return seen;
 }
 
 void XrHeadlessSession::end() {

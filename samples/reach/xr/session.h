@@ -20,10 +20,12 @@ inline constexpr auto local_floor_space = static_cast<XrReferenceSpaceType>(1000
 /// "STAGE", "LOCAL" or "LOCAL_FLOOR".
 const char* name_of(XrReferenceSpaceType space);
 
-/// An index fingertip. If not `tracked`, the position is meaningless.
+/// The tip joint of an index finger. If not `tracked`, the rest is meaningless.
 struct Fingertip {
   bool tracked = false;
   std::array<double, 3> position_m{};  ///< in plate coordinates
+  /// From the joint's axes to the plate's, x, y, z, w; none if the runtime does not know it.
+  std::optional<std::array<double, 4>> rotation;
 };
 
 /// One session from IDLE to its end. One thread.

@@ -1,7 +1,11 @@
 // hrt-study calibrate: who made these slides?
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -30,8 +34,33 @@ struct Options {
   std::string format = "text";
   std::string plot;
   std::string profile;
+  MeasuredWith conditions;
   std::string out;
 };
+
+// Seconds since 1970 at the beginning of a day, "2026-03-01", or at a minute of it, "2026-03-01T14:30Z".
+std::optional<std::int64_t> time_of(const std::string& text) {
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, taken = 0;
+  if (text.size() == 10) {
+    if (std::sscanf(text.c_str(), "%4d-%2d-%2d%n", &year, &month, &day, &taken) != 3) return std::nullopt;
+  } else if (std::sscanf(text.c_str(), "%4d-%2d-%2dT%2d:%2dZ%n", &year, &month, &day, &hour, &minute,
+                         &taken) != 5) {
+    return std::nullopt;
+  }
+  const std::chrono::year_month_day date{std::chrono::year(year),
+                                         std::chrono::month(static_cast<unsigned>(month)),
+                                         std::chrono::day(static_cast<unsigned>(day))};
+  const bool whole = static_cast<std::size_t>(taken) == text.size();
+  if (!whole || !date.ok() || year < 1970 || hour < 0 || hour > 23 || minute < 0 || minute > 59)
+    return std::nullopt;
+  const std::chrono::seconds time = std::chrono::sys_days(date).time_since_epoch();
+  return time.count() + 60 * (60 * hour + minute);
+}
+
+bool is_name(const std::string& text) {
+  return !text.empty() && text.size() < 64 &&
+         std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
+}
 
 std::string read_data(const std::string& path) {
   const auto refuse = [&](const std::string& why) {
@@ -105,7 +134,7 @@ void run(Options options) {
       options.plot.empty() ? ""
                            : draw(retest ? retest_figure(*retest) : calibration_figure(report), options.plot);
   if (!options.plot.empty()) plot.write(picture);
-  if (!options.profile.empty()) profile.write(calibration_profile(report.calibration));
+  if (!options.profile.empty()) profile.write(calibration_profile(report.calibration, options.conditions));
   out.write(page);
 }
 
@@ -144,6 +173,20 @@ Examples:
            "Draw curve, directions and residuals there. Needs gnuplot.");
   add_path(command, "--profile", &options->profile, "a file in a folder that can be written",
            "Write a profile there that the plugin loads (hrt_profile_load).");
+  MeasuredWith& conditions = options->conditions;
+  add_value(command, "--measured", "a day or a minute of UTC, 2026-03-01 or 2026-03-01T14:30Z", "",
+            "When the slides were made, for --profile.", [&conditions](const std::string& text) {
+              const auto time_s = time_of(text);
+              if (time_s) conditions.time_s = *time_s;
+              return time_s.has_value();
+            });
+  for (const auto& [name, field] : {std::pair{"plate", &conditions.plate}, {"tracker", &conditions.tracker}})
+    add_value(command, std::string("--") + name, "1 to 63 printable ASCII characters", "",
+              std::string("With which ") + name + ", for --profile, as the host names it there.",
+              [field = field](const std::string& text) {
+                *field = text;
+                return is_name(text);
+              });
   add_out(command, &options->out);
 }
 

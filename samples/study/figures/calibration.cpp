@@ -158,7 +158,7 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
   return page;
 }
 
-std::string calibration_profile(const Calibration& calibration) {
+std::string calibration_profile(const Calibration& calibration, const MeasuredWith& conditions) {
   nlohmann::ordered_json profile{{"format", "haptic retargeting profile"}, {"version", 1}};
   const Interval& weight = calibration.tactile_weight;
   if (weight.known) {
@@ -181,6 +181,9 @@ std::string calibration_profile(const Calibration& calibration) {
       for (int j = 0; j <= i; ++j) profile["person_covariance"].push_back(belief.covariance(i, j));
     }
   }
+  if (conditions.time_s > 0) profile["measured_at_s"] = conditions.time_s;
+  if (!conditions.plate.empty()) profile["plate"] = conditions.plate;
+  if (!conditions.tracker.empty()) profile["tracker"] = conditions.tracker;
   return profile.dump(2) + '\n';
 }
 

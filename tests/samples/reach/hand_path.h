@@ -1,6 +1,7 @@
 // A scripted hand of the mock runtime, over a plate.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <sstream>
@@ -26,6 +27,13 @@ struct Place {
   double towards_user_m;
 };
 
+/// How the hand is held: about its right, then about its back, then about the way that it points; degrees.
+struct Attitude {
+  double raised = 0.0;
+  double turned = 0.0;
+  double leant = 0.0;
+};
+
 /// A path of the right hand: each place is held, and left in a bow above the plate.
 class Path {
  public:
@@ -38,6 +46,12 @@ class Path {
     add(time_ms_ += 400, place, 0.0);
     add(time_ms_ += for_ms, place, 0.0);
     last_ = place;
+    return *this;
+  }
+  /// From now on the hand is held so, and what touches is `skin_m` below the joint of a level hand.
+  Path& hold_hand(const Attitude& attitude, double skin_m = 0.008) {
+    attitude_ = attitude;
+    skin_m_ = skin_m;
     return *this;
   }
   Path& lift() {
@@ -71,15 +85,32 @@ class Path {
  private:
   void add(int time_ms, const Place& place, double height_m) {
     const double angle = plate_.turn_deg * std::numbers::pi / 180.0;
+    const Eigen::Quaterniond turn = rotation();
+    const Eigen::Vector3d joint_m = turn * Eigen::Vector3d(0.0, skin_m_, 0.0);
     std::ostringstream text;
     text << (frames_.empty() ? "" : ", ") << R"({"time_ms": )" << time_ms << R"(, "position_m": [)"
-         << plate_.x_m + place.right_m * std::cos(angle) + place.towards_user_m * std::sin(angle) << ", "
-         << plate_.y_m + 0.008 + height_m << ", "
-         << plate_.z_m - place.right_m * std::sin(angle) + place.towards_user_m * std::cos(angle) << "]}";
+         << plate_.x_m + place.right_m * std::cos(angle) + place.towards_user_m * std::sin(angle) +
+                joint_m.x()
+         << ", " << plate_.y_m + height_m + joint_m.y() << ", "
+         << plate_.z_m - place.right_m * std::sin(angle) + place.towards_user_m * std::cos(angle) +
+                joint_m.z()
+         << R"(], "orientation": [)" << turn.x() << ", " << turn.y() << ", " << turn.z() << ", " << turn.w()
+         << "]}";
     frames_ += text.str();
   }
 
+  Eigen::Quaterniond rotation() const {
+    const auto about = [](double deg, const Eigen::Vector3d& axis) {
+      return Eigen::AngleAxisd(deg * std::numbers::pi / 180.0, axis);
+    };
+    return about(attitude_.turned, Eigen::Vector3d::UnitY()) *
+           about(attitude_.raised, Eigen::Vector3d::UnitX()) *
+           about(attitude_.leant, Eigen::Vector3d::UnitZ());
+  }
+
   PlatePose plate_;
+  Attitude attitude_;
+  double skin_m_ = 0.008;
   std::string frames_;
   Place last_{};
   int time_ms_ = 0;

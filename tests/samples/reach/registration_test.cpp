@@ -84,6 +84,70 @@ TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   expect_said(refused, "register the plate anew (--register)");
 }
 
+// The joint is 20 mm from the skin, and the hand leans otherwise in the reach than in the touches.
+TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
+  constexpr double skin_m = 0.02;
+  const auto touched = [&] {
+    Path path;
+    for (const Attitude& attitude :
+         {Attitude{}, {-35, 0, 0}, {0, 0, 30}, {0, 0, -30}, {10, 30, 0}, {10, -30, 0}})
+      path.hold_hand(attitude, skin_m).touch({marks[0]});
+    path.hold_hand({-10, 0, -20}, skin_m).touch(marks);
+    return path.hold_hand({-10, 0, 25}, skin_m);
+  };
+  const Outcome outcome = run(touched().reach(), {"--register", file, "--fingertip"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  expect_said(outcome, "\"start\" with your right index finger held leant to the left");
+  expect_said(outcome, "The skin of your right index finger is 20.0 mm from the joint");
+  expect_said(outcome, "registered: residual 0.0 mm");
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.2);
+  EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
+  // The file keeps it for the next run.
+  EXPECT_NE(text_of(file).find("\nfingertip_right "), std::string::npos) << text_of(file);
+  EXPECT_EQ(text_of(file).find("fingertip_left"), std::string::npos);
+  const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
+  const Outcome kept = run(next, {"--registered", file});
+  EXPECT_EQ(kept.exit_code, 0) << kept.out << kept.err;
+  expect_said(kept, "It is: the touch was 0 mm off.");
+  EXPECT_LE(rows_of(kept)[0].miss_mm, 5.1);
+  const Outcome other = run(next, {"--registered", file, "--hand", "left"});
+  EXPECT_EQ(other.exit_code, 12) << other.err;
+  expect_said(other, "by the skin of the other hand");
+  // Without it the lean of the hand, 45 degrees over 20 mm, is taken for a place.
+  std::string joint = text_of(file);
+  joint.erase(joint.find("fingertip_right"));
+  const Outcome ignored = run(next, {"--registered", written(joint)});
+  EXPECT_NE(ignored.exit_code, 0) << ignored.out << ignored.err;
+}
+
+TEST_F(ReachRegistration, AFingerThatIsHeldAlikeDoesNotShowItsSkin) {
+  Path path;
+  for (int touch = 0; touch < 18; ++touch) path.touch({marks[0]});
+  const Outcome outcome = run(path, {"--register", file, "--fingertip"});
+  EXPECT_EQ(outcome.exit_code, 12) << outcome.err;
+  expect_said(outcome, "hold the finger more differently");
+  expect_said(outcome, "leave out --fingertip");
+}
+
+TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
+  ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
+  const std::vector<std::string> twice = {"--registered", file, "--check-each", "--repeat", "2"};
+  const Outcome same = run(Path().hold(marks[0]).reach().lift().touch({marks[0]}).reach(), twice);
+  EXPECT_EQ(same.exit_code, 0) << same.out << same.err;
+  EXPECT_EQ(rows_of(same).size(), 2U);
+  const std::string question = "is the plate where it was registered?";
+  const std::size_t first = same.err.find(question);
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(same.err.find(question, first + 1), std::string::npos) << same.err;
+  // The mark that is touched before the second reach is 30 mm from where it was.
+  const Place moved{marks[0].right_m + 0.03, marks[0].towards_user_m};
+  const Outcome refused = run(Path().hold(marks[0]).reach().lift().touch({moved}), twice);
+  EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
+  EXPECT_EQ(rows_of(refused).size(), 1U);
+  expect_said(refused, "touched 30 mm from where it was registered");
+}
+
 TEST_F(ReachRegistration, OneBadTouchIsNamedAndLeftOut) {
   std::vector<Place> touches = marks;
   touches[2].right_m += 0.04;
@@ -154,6 +218,9 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
   refused(with("scale 1", "scale"), "line 6: \"scale\" is needed here", "--registered");
   refused(with("scale 1", "scale inf"), "line 6: scale is not 1 numbers", "--registered");
   refused(with("scale 1", "scale 1 1"), "line 6: scale has more than 1 numbers", "--registered");
+  refused(good + "fingertip_left 0 0\n", "line 12: fingertip_left is not 3 numbers", "--registered");
+  refused(good + "fingertip_right 0 0 0\n", "line 13: the file ends here", "--registered");
+  refused(good + "more\n", "line 12: the file is to end here", "--registered");
   refused(good.substr(0, good.size() / 2), "line 7: covariance is not 28 numbers", "--registered");
   const Outcome missing = run(Path(), {"--registered", "/nowhere/plate.txt"});
   EXPECT_EQ(missing.exit_code, 12);
@@ -172,6 +239,7 @@ TEST_F(ReachRegistration, NeedsAPerson) {
   expect_said(outcome, "a simulated user touches no marks");
   EXPECT_EQ(run_program({desk, "--register", file, "--registered", file}).exit_code, 2);
   EXPECT_EQ(run_program({desk, "--marks", file}).exit_code, 2);
+  EXPECT_EQ(run_program({desk, "--fingertip"}).exit_code, 2);
 }
 
 }  // namespace

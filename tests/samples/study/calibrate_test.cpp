@@ -101,7 +101,8 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
           .exit_code,
       0);
   const StudyRun run = run_study({"calibrate", data, "--goal", "3", "--format", "json", "--plot",
-                                  folder / "me.svg", "--profile", folder / "profile.json"});
+                                  folder / "me.svg", "--profile", folder / "profile.json", "--measured",
+                                  "2026-03-01T14:30Z", "--plate", "desk 2", "--tracker", "Ultraleap"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(run.err, "");
   const json page = json::parse(run.out);
@@ -118,6 +119,9 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   const json profile = json::parse(read_file(folder.path / "profile.json"));
   EXPECT_EQ(profile["format"], "haptic retargeting profile");
   EXPECT_EQ(profile["version"], 1);
+  EXPECT_EQ(profile["measured_at_s"], 1772375400);
+  EXPECT_EQ(profile["plate"], "desk 2");
+  EXPECT_EQ(profile["tracker"], "Ultraleap");
   EXPECT_EQ(profile["person_mean"].size(), 9U);
   EXPECT_EQ(profile["person_covariance"].size(), 45U);
   EXPECT_EQ(profile["tactile_weight"], page["tactile_weight"]["value"]);
@@ -142,7 +146,15 @@ TEST(StudyCalibrate, ReportsWhatTheDataCannotDetermine) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   EXPECT_NE(run.out.find("withheld   slides do not show it"), std::string::npos) << run.out;
   EXPECT_NE(run.out.find("simulated people only"), std::string::npos);
-  EXPECT_FALSE(json::parse(read_file(folder.path / "profile.json")).contains("sensory_variance_deg2"));
+  const json profile = json::parse(read_file(folder.path / "profile.json"));
+  EXPECT_FALSE(profile.contains("sensory_variance_deg2"));
+  EXPECT_FALSE(profile.contains("measured_at_s"));
+  for (const char* wrong : {"2026-02-30", "2026-3-1", "2026-03-01T24:00Z", "1969-12-31", "soon", ""}) {
+    const StudyRun refused = run_study({"calibrate", data, "--measured", wrong});
+    EXPECT_EQ(refused.exit_code, 2) << wrong;
+    EXPECT_NE(refused.err.find("a day or a minute of UTC"), std::string::npos) << refused.err;
+  }
+  EXPECT_EQ(run_study({"calibrate", data, "--plate", std::string(64, 'x')}).exit_code, 2);
 }
 
 // The same person on two days, and another one.
