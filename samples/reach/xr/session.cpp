@@ -159,7 +159,8 @@ XrTime XrHeadlessSession::next_frame() {
 // of our own, at the runtime's present time.
 std::optional<XrTime> XrHeadlessSession::frame_of_runtime() {
   if (!frames_have_times_) {
-    std::this_thread::sleep_for(own_frame_period);
+    own_frame_ = std::max(own_frame_ + own_frame_period, Clock::now());  // whatever a frame's work takes
+    std::this_thread::sleep_until(own_frame_);
     return time_now();
   }
   XrFrameState frame{XR_TYPE_FRAME_STATE};

@@ -100,6 +100,7 @@ class XrHeadlessSession {
   bool running_ = false;
   bool ending_ = false;            // because we asked for it
   bool frames_have_times_ = true;  // until a frame has none
+  Clock::time_point own_frame_;    // the last one that began, if they have none
   XrTime last_frame_ = 0;
   XrEnvironmentBlendMode blend_mode_ = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
 
