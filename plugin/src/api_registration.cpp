@@ -1,6 +1,6 @@
 #include "haptic_retargeting/registration.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -143,10 +143,10 @@ hrt_registration to_abi(const Registration& found, std::uint32_t touches) {
 }
 
 // True if no direction has a negative variance, within rounding.
-bool is_covariance(const Eigen::Matrix<double, 7, 7>& matrix) {
-  constexpr double rounding = 1e-9;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 7, 7>> solver(matrix, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()(0) >= -rounding * std::max(1e-12, solver.eigenvalues()(6));
+using Covariance = Eigen::Matrix<double, 7, 7>;
+bool is_covariance(const Covariance& matrix) {
+  const double rounding = 1e-9 * std::max(1e-12, matrix.trace());
+  return (matrix + rounding * Covariance::Identity()).llt().info() == Eigen::Success;
 }
 
 // A registration that holds, of any version.
