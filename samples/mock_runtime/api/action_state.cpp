@@ -26,19 +26,23 @@ Action& attached_action(const Session& session, XrAction handle, XrPath subactio
 template <typename State>
 ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* state,
                      XrStructureType state_type, XrActionType type) {
-  const auto& session = runtime().registry.get<Session>(handle);
+  auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_ACTION_STATE_GET_INFO, "getInfo");
   require_struct(state, state_type, "state");
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
-  return session.input.state(action, info->subactionPath);
+  if (!session.player) return session.input.state(action, info->subactionPath);
+  const RecordedState played = session.player->state(
+      action.full_name(),
+      info->subactionPath == XR_NULL_PATH ? "" : session.instance().paths.text(info->subactionPath));
+  return {played.active, played.changed, played.value, played.last_change};
 }
 
 template <typename State>
 void copy_common(State& to, const ActionState& from) {
   to.isActive = from.active ? XR_TRUE : XR_FALSE;
   to.changedSinceLastSync = from.changed ? XR_TRUE : XR_FALSE;
-  to.lastChangeTime = from.active ? from.last_change : 0;
+  to.lastChangeTime = from.last_change;
 }
 
 // The vibration action of a haptic call.
@@ -94,7 +98,11 @@ XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
     }
     active.emplace_back(&set, set_info.subactionPath);
   }
-  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
+  bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
+  if (session.player) {
+    focused = session.player->synced(focused);
+    return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
+  }
   if (session.input.sync(focused ? active : std::vector<Input::ActiveSet>{})) {
     XrEventDataInteractionProfileChanged event{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED};
     event.session = handle;
@@ -142,6 +150,11 @@ XrResult get_current_interaction_profile(XrSession handle, XrPath top_level,
   const std::string& path = session.instance().paths.text(top_level);
   require(is_top_level(path), XR_ERROR_PATH_UNSUPPORTED, "no top level user path");
   require(session.input.is_attached(), XR_ERROR_ACTIONSET_NOT_ATTACHED, "no action sets are attached");
+  if (session.player) {
+    const std::string played = session.player->profile(path);
+    state->interactionProfile = played.empty() ? XR_NULL_PATH : session.instance().paths.intern(played);
+    return XR_SUCCESS;
+  }
   state->interactionProfile = session.input.current_profile(path);
   return XR_SUCCESS;
 }

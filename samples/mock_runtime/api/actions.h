@@ -35,6 +35,8 @@ class Action : public Object {
 
   ActionSet& action_set() const { return static_cast<ActionSet&>(*parent()); }
   bool has_subaction(XrPath path) const;
+  /// With its set's: "set/action".
+  std::string full_name() const { return action_set().name + "/" + name; }
 
   std::string name;
   std::string localized_name;

@@ -40,6 +40,17 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
   }
 }
 
+XrResult play_frame(Session& session, XrFrameState& state) {
+  ++session.frame_number;
+  const RecordedFrame frame = session.player->next_frame();
+  session.fire_due_events();
+  session.frames.waited = true;
+  state.predictedDisplayTime = frame.time;
+  state.predictedDisplayPeriod = frame.period;
+  state.shouldRender = frame.should_render ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+
 }  // namespace
 
 XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
@@ -49,6 +60,11 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   // "A subsequent xrWaitFrame call must block until the previous frame has been begun with xrBeginFrame".
   // Meanwhile the session may end, be lost or be destroyed, hence the new look-up.
   while (running_session(handle).frames.waited) runtime().frame_begun.wait(runtime().mutex);
+  std::optional<Player>& player = running_session(handle).player;
+  if (const auto start = player ? player->next_frame_start(runtime().now()) : std::nullopt) {
+    wait_until(handle, *start);
+    return play_frame(running_session(handle), *state);
+  }
   wait_until(handle, running_session(handle).frames.next_start);
 
   ++running_session(handle).frame_number;

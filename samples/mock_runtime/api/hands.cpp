@@ -75,6 +75,23 @@ HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fing
   return held;
 }
 
+// Joints that the recorded application was not given have no valid bit.
+void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
+                 XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
+  if (state != nullptr) {
+    state->isActive = joints.active ? XR_TRUE : XR_FALSE;
+    state->dataSource = static_cast<XrHandTrackingDataSourceEXT>(joints.source);
+  }
+  locations.isActive = joints.active ? XR_TRUE : XR_FALSE;
+  for (std::size_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
+    locations.jointLocations[i] =
+        i < joints.locations.size() ? joints.locations[i] : XrHandJointLocationEXT{0, to_xr(Pose{}), 0.0F};
+    if (velocities != nullptr)
+      velocities->jointVelocities[i] =
+          i < joints.velocities.size() ? joints.velocities[i] : XrHandJointVelocityEXT{};
+  }
+}
+
 }  // namespace
 
 XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
@@ -122,6 +139,10 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
   if (!session.instance().enabled(Extension::data_source)) state = nullptr;
   require(state == nullptr || tracker.sources, XR_ERROR_VALIDATION_FAILURE,
           "the tracker was created without XrHandTrackingDataSourceInfoEXT");
+  if (session.player) {
+    play_joints(session.player->joints(tracker.hand, base.name, info->time), *locations, velocities, state);
+    return XR_SUCCESS;
+  }
   const bool around_controller =
       conforms(session.instance(), info->next) && holds_controller(session, tracker.hand);
 

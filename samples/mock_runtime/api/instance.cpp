@@ -88,8 +88,10 @@ XrResult destroy_instance(XrInstance handle) {
 XrResult get_instance_properties(XrInstance handle, XrInstanceProperties* properties) {
   runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
-  properties->runtimeVersion = XR_MAKE_VERSION(0, 1, 0);
-  std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "HRTX mock runtime");
+  const Recording* played = runtime().script.playback.get();
+  properties->runtimeVersion = played != nullptr ? played->version : XR_MAKE_VERSION(0, 1, 0);
+  std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "%s",
+                played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
   return XR_SUCCESS;
 }
 
@@ -145,6 +147,8 @@ XrResult convert_timespec_time_to_time(XrInstance handle, const struct timespec*
                      from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
   require(valid, XR_ERROR_TIME_INVALID, "no valid timespec");
   *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
+    if (session->player) *time = session->player->next_converted().value_or(*time);
   return XR_SUCCESS;
 }
 

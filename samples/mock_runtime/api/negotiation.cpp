@@ -1,6 +1,7 @@
 #include "samples/mock_runtime/api/negotiation.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 #include "samples/mock_runtime/api/entry.h"
 
@@ -19,8 +20,8 @@ void load_script() {
     const std::string text = script_from_environment();
     if (text != the.script_text) the.apply(text);
   } catch (const Error& error) {
-    the.script_error = error.why;
-    std::fprintf(stderr, "mock runtime: HRT_MOCK_SCRIPT: %s\n", error.why.c_str());
+    the.script_error = std::string(std::getenv("HRT_MOCK_SCRIPT")) + ": " + error.why;
+    std::fprintf(stderr, "mock runtime: HRT_MOCK_SCRIPT: %s\n", the.script_error.c_str());
   }
 }
 

@@ -27,7 +27,7 @@ XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   require_length(placement->radius, "radius must be in (0, 10] m");
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
-  session.world().place_plate(*in_world * pose, placement->radius);
+  if (!session.player) session.world().place_plate(*in_world * pose, placement->radius);
   return XR_SUCCESS;
 }
 
@@ -40,7 +40,7 @@ XrResult set_plate_orientation(XrSession handle, double orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,
           "orientation must be within 360 degrees");
-  session.world().command_plate(orientation_deg);
+  if (!session.player) session.world().command_plate(orientation_deg);
   return XR_SUCCESS;
 }
 
@@ -48,7 +48,10 @@ XrResult get_plate_orientation(XrSession handle, XrTime time, double* orientatio
   auto& session = runtime().registry.get<Session>(handle);
   require_pointer(orientation_deg, "orientation");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  *orientation_deg = session.world().plate_orientation_deg(time);
+  if (session.player)
+    *orientation_deg = session.player->plate_deg(time).value_or(0.0);
+  else
+    *orientation_deg = session.world().plate_orientation_deg(time);
   return XR_SUCCESS;
 }
 
@@ -64,6 +67,7 @@ XrResult instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruct
   require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
           "goalDirection must be within 180 degrees");
   require_length(instruction->pathLength, "pathLength must be in (0, 10] m");
+  if (session.player) return XR_SUCCESS;  // what the person did then is played back
   World& world = session.world();
   require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
   world.instruct(instruction->hand,
@@ -76,6 +80,20 @@ XrResult get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* tru
   auto& session = runtime().registry.get<Session>(handle);
   require_hand(hand);
   require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
+  if (session.player) {
+    const auto played = session.player->truth(hand);
+    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
+    const auto& numbers = played->numbers;
+    truth->trueDirection = numbers[0];
+    truth->perceivedDirection = numbers[1];
+    truth->peakFeltError = numbers[2];
+    truth->leftmostDirection = numbers[3];
+    truth->rightmostDirection = numbers[4];
+    truth->tactileWeight = numbers[5];
+    truth->indexTip = played->index_tip;
+    truth->isDone = played->done ? XR_TRUE : XR_FALSE;
+    return XR_SUCCESS;
+  }
   World& world = session.world();
   const Reach* reach = world.reach(hand);
   require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");

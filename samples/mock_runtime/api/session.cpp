@@ -13,6 +13,7 @@ Session::Session(Instance* instance, const Script& script)
   const Scope here = runtime().scope();  // this session: no other exists
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
                [&](const ScriptEvent& event) { return event.scope.includes(here); });
+  if (script.playback != nullptr) player.emplace(script.playback, here.session);
   for (const XrHandEXT hand : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
     if (const auto& controller = world_.controller_settings(hand); !controller.profile.empty())
       happen(
@@ -53,7 +54,16 @@ void Session::go_to(XrSessionState state) {
   enter(state);
 }
 
+void Session::play_due_events() {
+  for (const XrEventDataBuffer& event : player->take_events(handle_of<XrSession>(*this))) {
+    if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
+      state_ = reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state;
+    instance().push_event(event);
+  }
+}
+
 void Session::fire_due_events() {
+  if (player) return play_due_events();
   const XrTime elapsed = instance().clock.now() - created_;
   const auto is_due = [&](const ScriptEvent& event) {
     return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
@@ -146,8 +156,11 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
           "a session exists already; one is allowed");
   auto& session = runtime().registry.create<Session>(&instance, runtime().script);
   ++runtime().made.session;
-  session.enter(XR_SESSION_STATE_IDLE);
-  session.enter(XR_SESSION_STATE_READY);
+  if (!session.player || !session.player->has_states()) {
+    session.enter(XR_SESSION_STATE_IDLE);
+    session.enter(XR_SESSION_STATE_READY);
+  }
+  session.fire_due_events();
   *session_handle = handle_of<XrSession>(session);
   return XR_SUCCESS;
 }
@@ -176,6 +189,7 @@ XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
+  if (session.player && session.player->follow(StateCall::begin)) return XR_SUCCESS;
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
   // "The runtime must queue this event upon a successful call to xrBeginSession".
@@ -187,6 +201,7 @@ XrResult request_exit_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   session.exit_requested = true;
+  if (session.player && session.player->follow(StateCall::exit)) return XR_SUCCESS;
   session.go_to(XR_SESSION_STATE_STOPPING);
   return XR_SUCCESS;
 }
@@ -197,8 +212,10 @@ XrResult end_session(XrSession handle) {
   require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING,
           "the session is not stopping");
   session.running = false;
-  session.enter(XR_SESSION_STATE_IDLE);
-  session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
+  if (!session.player || !session.player->follow(StateCall::end)) {
+    session.enter(XR_SESSION_STATE_IDLE);
+    session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
+  }
   runtime().frame_begun.notify_all();
   return XR_SUCCESS;
 }

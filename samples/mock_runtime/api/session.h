@@ -2,7 +2,10 @@
 
 #include <openxr/openxr.h>
 
+#include <optional>
+
 #include "samples/mock_runtime/api/instance.h"
+#include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
@@ -46,12 +49,14 @@ class Session : public Object {
   std::int64_t frame_number = 0;  ///< of the latest xrWaitFrame, over all runs
   FrameLoop frames;
   Input input{*this};
+  std::optional<Player> player;  ///< of a script that plays a recording back
 
  private:
   void happen(const ScriptEvent& event);
   void happen(const Recenter& recenter);
   void happen(const DeviceEvent& event);
   void report_state();
+  void play_due_events();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
   bool user_present_ = true;

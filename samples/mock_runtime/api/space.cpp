@@ -16,7 +16,22 @@ constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
+XrResult play_views(Player& player, const Space& space, const XrViewLocateInfo& info, XrViewState& state,
+                    std::uint32_t capacity, std::uint32_t* count, XrView* views) {
+  // The count alone is no sample.
+  const RecordedViews played = capacity > 0 ? player.views(space.name, info.displayTime) : RecordedViews{};
+  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views,
+           [&](XrView& view, std::size_t eye) {
+             const bool given = eye < played.views.size();
+             view.pose = given ? played.views[eye].pose : to_xr(Pose{});
+             view.fov = given ? played.views[eye].fov : field_of_view;
+           });
+  state.viewStateFlags = played.flags;
+  return XR_SUCCESS;
+}
+
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
+  if (session.player && session.player->spaces()) return *session.player->spaces();
   std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
   if (runtime().script.stage) types.push_back(XR_REFERENCE_SPACE_TYPE_STAGE);
   if (session.instance().version_1_1() || session.instance().enabled(Extension::local_floor))
@@ -28,6 +43,17 @@ void require_reference_space(const Session& session, XrReferenceSpaceType type) 
   const auto types = reference_spaces(session);
   require(std::find(types.begin(), types.end(), type) != types.end(), XR_ERROR_REFERENCE_SPACE_UNSUPPORTED,
           "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
+}
+
+// A location of a recording, as far as it is asked for.
+template <typename Location, typename Velocity>
+void play_location(const RecordedLocation& recorded, Location& location, Velocity* velocity) {
+  location.locationFlags = recorded.flags;
+  location.pose = recorded.pose;
+  if (velocity == nullptr) return;
+  velocity->velocityFlags = recorded.velocity_flags;
+  velocity->linearVelocity = recorded.linear;
+  velocity->angularVelocity = recorded.angular;
 }
 
 template <typename Location>
@@ -81,8 +107,9 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
   require_pointer(space, "space");
   require_reference_space(session, info->referenceSpaceType);
   const Pose pose = checked_pose(info->poseInReferenceSpace);
+  const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
   *space = handle_of<XrSpace>(
-      runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), pose));
+      runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
   return XR_SUCCESS;
 }
 
@@ -93,14 +120,15 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
   const auto& action = runtime().registry.get<Action>(info->action);
   require(action.action_type == XR_ACTION_TYPE_POSE_INPUT, XR_ERROR_ACTION_TYPE_MISMATCH,
           "not a pose action");
+  SpaceName name{.action = action.full_name(), .pose = info->poseInActionSpace};
   if (info->subactionPath != XR_NULL_PATH) {
-    session.instance().paths.text(info->subactionPath);
+    name.subaction = session.instance().paths.text(info->subactionPath);
     require(action.has_subaction(info->subactionPath), XR_ERROR_PATH_UNSUPPORTED,
             "the action has no such subaction path");
   }
   const Pose pose = checked_pose(info->poseInActionSpace);
   const Space::ActionOrigin origin{action.id(), info->subactionPath};
-  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), pose));
+  *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
   return XR_SUCCESS;
 }
 
@@ -108,6 +136,10 @@ XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType 
   const auto& session = runtime().registry.get<Session>(handle);
   require_pointer(bounds, "bounds");
   require_reference_space(session, type);
+  if (const auto* played = session.player ? session.player->bounds(type) : nullptr) {
+    *bounds = played->value_or(XrExtent2Df{});
+    return *played ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
+  }
   const bool bounded = type == XR_REFERENCE_SPACE_TYPE_STAGE;
   *bounds = bounded ? stage_bounds_m : XrExtent2Df{0.0F, 0.0F};
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
@@ -120,10 +152,14 @@ XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceL
   require(space.parent() == base.parent(), XR_ERROR_VALIDATION_FAILURE,
           "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY);
+  if (auto& player = space.session().player) {
+    play_location(player->location(space.name, base.name, time), *location, velocity);
+    return XR_SUCCESS;
+  }
   const auto located = locate(space, base, time);
   write_location(located, *location);
-  if (auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY))
-    write_velocity(located, *velocity);
+  if (velocity != nullptr) write_velocity(located, *velocity);
   return XR_SUCCESS;
 }
 
@@ -152,6 +188,11 @@ XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpace
   std::vector<const Space*> spaces;
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&of_session(info->spaces[i]));
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
+    if (session.player) {
+      play_location(session.player->location(spaces[i]->name, base.name, info->time), locations->locations[i],
+                    velocities == nullptr ? nullptr : &velocities->velocities[i]);
+      continue;
+    }
     const auto located = locate(*spaces[i], base, info->time);
     write_location(located, locations->locations[i]);
     if (velocities != nullptr) write_velocity(located, velocities->velocities[i]);
@@ -179,6 +220,7 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
     require_struct(&views[i], XR_TYPE_VIEW, "views");
+  if (session.player) return play_views(*session.player, space, *info, *state, capacity, count, views);
   const auto in_world = space.in_world(info->displayTime);
   const Pose head = session.world().head(info->displayTime).pose;
   two_call(std::array{-half_eye_distance_m, half_eye_distance_m}, capacity, count, views,

@@ -21,8 +21,8 @@ class Space : public Object {
   };
   using Origin = std::variant<XrReferenceSpaceType, ActionOrigin>;
 
-  Space(Session* session, const Origin& of, Pose pose)
-      : Object(object_type, session), origin(of), offset(std::move(pose)) {}
+  Space(Session* session, const Origin& of, SpaceName as_made, Pose pose)
+      : Object(object_type, session), origin(of), name(std::move(as_made)), offset(std::move(pose)) {}
 
   Session& session() const { return static_cast<Session&>(*parent()); }
 
@@ -31,6 +31,7 @@ class Space : public Object {
   std::optional<Pose> in_world(XrTime time) const;
 
   Origin origin;
+  SpaceName name;  ///< as a recording has it
   Pose offset;
 };
 

@@ -32,7 +32,9 @@ XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemPro
   require_system(system);
   properties->systemId = system;
   properties->vendorId = 0;
-  std::snprintf(properties->systemName, sizeof(properties->systemName), "HRTX ridged plate, simulated");
+  std::snprintf(
+      properties->systemName, sizeof(properties->systemName), "%s",
+      runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
   properties->graphicsProperties = {view_image_height, view_image_width, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
   if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,

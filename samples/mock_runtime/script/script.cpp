@@ -26,15 +26,29 @@ ExtensionSet read_withheld(Members& members) {
   return withheld;
 }
 
-// Of a key that stands twice in one object the parser keeps the last.
-Json parse_json(std::string_view text) {
+// Of a key that stands twice in one object the parser keeps the last. The records of a playback, which may be
+// many, go to `recording` one by one and are no part of the result.
+Json parse_json(std::string_view text, Recording& recording) {
   std::vector<std::set<std::string>> keys;  // of the objects around
-  const auto check = [&](int, Json::parse_event_t event, const Json& parsed) {
-    if (event == Json::parse_event_t::object_start) keys.emplace_back();
-    if (event == Json::parse_event_t::object_end) keys.pop_back();
-    if (event == Json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second)
-      refuse(parsed.dump(), "stands twice in one object");
-    return true;
+  std::vector<std::string> latest;          // of these
+  const auto check = [&](int depth, Json::parse_event_t event, const Json& parsed) {
+    if (event == Json::parse_event_t::object_start) {
+      keys.emplace_back();
+      latest.emplace_back();
+    }
+    if (event == Json::parse_event_t::object_end) {
+      keys.pop_back();
+      latest.pop_back();
+    }
+    if (event == Json::parse_event_t::key) {
+      latest.back() = parsed.get<std::string>();
+      if (!keys.back().insert(latest.back()).second) refuse(parsed.dump(), "stands twice in one object");
+    }
+    // script 0, playback 1, records 2, a record 3.
+    const bool is_record = event == Json::parse_event_t::array_end && depth == 3 && latest.size() == 2 &&
+                           latest[0] == "playback" && latest[1] == "records";
+    if (is_record) recording.add(parsed);
+    return !is_record;
   };
   try {
     return Json::parse(text, check);
@@ -43,15 +57,30 @@ Json parse_json(std::string_view text) {
   }
 }
 
+// What is played back takes the place of these.
+void read_playback(Members& members, const Json& script, Recording& recording) {
+  for (const auto& [key, value] : script.items())
+    if (key != "clock" && key != "calls" && key != "withhold_extensions" && key != "playback")
+      refuse(members.where(), "takes the place of " + key + ", which has no effect beside it");
+  if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
+  // What is left of them are those that are no arrays.
+  if (!members.at("records").is_array() || !members.at("records").empty())
+    refuse(members.where("records"), "must be an array of arrays");
+  recording.finish();
+}
+
 }  // namespace
 
 bool Script::hides(std::size_t extension) const {
+  if (playback != nullptr)
+    return withheld[extension] || !playback->extensions.contains(extensions[extension].name);
   return withheld[extension] ||
          (clock == Clock::Kind::manual && extension == static_cast<std::size_t>(Extension::timespec));
 }
 
 Script parse_script(std::string_view text) {
-  const Json json = parse_json(text);
+  Recording recording;
+  const Json json = parse_json(text, recording);
   Script script;
   Members members(json, "script");
   if (members.has("clock"))
@@ -84,6 +113,12 @@ Script parse_script(std::string_view text) {
   });
   members.each("events", [&](Members& event) { script.events.push_back(read_event(event)); });
   members.each("calls", [&](Members& call) { script.calls.push_back(read_call(call)); });
+  members.object("playback", [&](Members& playback) {
+    read_playback(playback, json, recording);
+    script.hand_tracking = recording.hand_tracking;
+    script.calls.insert(script.calls.end(), recording.failures.begin(), recording.failures.end());
+    script.playback = std::make_shared<const Recording>(std::move(recording));
+  });
   members.finish();
   return script;
 }
@@ -93,7 +128,7 @@ std::string script_from_environment() {
   if (path == nullptr) return "{}";
   std::ifstream file(path);
   std::ostringstream text;
-  if (!(text << file.rdbuf())) throw Error{XR_ERROR_VALIDATION_FAILURE, std::string(path) + " can't be read"};
+  if (!(text << file.rdbuf())) throw Error{XR_ERROR_VALIDATION_FAILURE, "script: the file cannot be read"};
   return text.str();
 }
 

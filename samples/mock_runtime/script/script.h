@@ -3,12 +3,14 @@
 
 #include <openxr/openxr.h>
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
 #include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/playback/recording.h"
 #include "samples/mock_runtime/script/faults.h"
 #include "samples/mock_runtime/world/clock.h"
 #include "samples/mock_runtime/world/pose.h"
@@ -73,9 +75,10 @@ struct Script {
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
+  std::shared_ptr<const Recording> playback;  ///< in place of the simulation; may be null
 
-  /// By Extension: withheld, or without a meaning. Under the manual clock no time of the machine is an
-  /// XrTime.
+  /// By Extension: withheld, not enabled in what is played back, or without a meaning: under the manual clock
+  /// no time of the machine is an XrTime.
   bool hides(std::size_t extension) const;
 };
 

@@ -1,0 +1,392 @@
+#include "samples/mock_runtime/capture/capture.h"
+
+#include <openxr/openxr_reflection.h>
+
+#include <algorithm>
+#include <cstring>
+#include <iterator>
+
+#include "samples/mock_runtime/api/chain.h"
+
+namespace hrt::capture {
+namespace {
+
+using mock::chained;
+
+// Errors that a mistake of the application causes: the playback finds it in the calls themselves.
+bool is_mistake(XrResult result) {
+  switch (result) {
+    case XR_ERROR_VALIDATION_FAILURE:
+    case XR_ERROR_HANDLE_INVALID:
+    case XR_ERROR_SIZE_INSUFFICIENT:
+    case XR_ERROR_CALL_ORDER_INVALID:
+    case XR_ERROR_SESSION_RUNNING:
+    case XR_ERROR_SESSION_NOT_RUNNING:
+    case XR_ERROR_SESSION_NOT_READY:
+    case XR_ERROR_SESSION_NOT_STOPPING:
+    case XR_ERROR_PATH_INVALID:
+    case XR_ERROR_PATH_FORMAT_INVALID:
+    case XR_ERROR_NAME_DUPLICATED:
+    case XR_ERROR_NAME_INVALID:
+    case XR_ERROR_LOCALIZED_NAME_DUPLICATED:
+    case XR_ERROR_LOCALIZED_NAME_INVALID:
+    case XR_ERROR_ACTIONSET_NOT_ATTACHED:
+    case XR_ERROR_ACTIONSETS_ALREADY_ATTACHED:
+    case XR_ERROR_ACTION_TYPE_MISMATCH:
+    case XR_ERROR_POSE_INVALID:
+      return true;
+    default:
+      return false;
+  }
+}
+
+template <std::size_t size>
+std::string_view text_in(const char (&array)[size]) {
+  return {array, strnlen(array, size)};
+}
+
+}  // namespace
+
+void Capture::open(const std::string& path) {
+  if (path == path_) return;
+  file_ = std::make_unique<ScriptFile>(path);
+  path_ = path;
+  sessions_ = 0;
+  calls_.clear();
+  known_spaces_.clear();
+}
+
+void Capture::instance_created(XrInstance instance, const XrInstanceCreateInfo& info) {
+  instance_ = instance;
+  XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
+  if (next.xrGetInstanceProperties != nullptr) next.xrGetInstanceProperties(instance, &properties);
+  Record record("instance");
+  record.add(text_in(properties.runtimeName)).add(properties.runtimeVersion).open();
+  for (std::uint32_t i = 0; i < info.enabledExtensionCount; ++i) record.add(info.enabledExtensionNames[i]);
+  note(record.close());
+  wake();
+}
+
+void Capture::instance_destroyed(XrResult, XrInstance) {
+  instance_ = XR_NULL_HANDLE;
+  in_session_ = false;
+  spaces_.clear();
+  actions_.clear();
+  action_sets_.clear();
+  paths_.clear();  // another instance has other ones
+  trackers_.clear();
+  if (file_ != nullptr) file_->flush();
+}
+
+std::uint64_t Capture::session_of_call() {
+  const std::lock_guard lock(mutex);
+  return sessions_ + (in_session_ ? 0 : 1);
+}
+
+void Capture::called(const char* function, std::uint64_t session, XrResult result) {
+  const std::uint64_t call = ++calls_[{session, function}];
+  if (XR_SUCCEEDED(result) || is_mistake(result)) return;
+  note(Record("failed").add(session).add(function).add(call).add(static_cast<int>(result)));
+}
+
+void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
+  const auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,
+                                                                 XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
+  note(Record("system")
+           .add(text_in(properties->systemName))
+           .add(hands == nullptr || hands->supportsHandTracking == XR_TRUE));
+}
+
+void Capture::session_created(XrResult, XrInstance, const XrSessionCreateInfo*, const XrSession* session) {
+  ++sessions_;
+  in_session_ = true;
+  stages_ = frames_ = 0;
+  present_ = 0;
+  std::uint32_t count = 0;
+  if (next.xrEnumerateReferenceSpaces == nullptr ||
+      XR_FAILED(next.xrEnumerateReferenceSpaces(*session, 0, &count, nullptr)))
+    return;
+  std::vector<XrReferenceSpaceType> types(count);
+  if (XR_FAILED(next.xrEnumerateReferenceSpaces(*session, count, &count, types.data()))) return;
+  Record record = of_session("spaces");
+  record.open();
+  for (const XrReferenceSpaceType type : types) record.add(static_cast<int>(type));
+  note(record.close());
+}
+
+void Capture::session_destroyed(XrResult, XrSession) {
+  in_session_ = false;
+  stages_ = frames_ = 0;
+  spaces_.clear();
+  trackers_.clear();
+  wake();
+}
+
+void Capture::stage(const char* call) {
+  note(of_session("call").add(call));
+  ++stages_;
+  frames_ = 0;
+  wake();
+}
+
+// When it came: after so many calls that change the session's state, and so many frames since.
+void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer) {
+  if (result != XR_SUCCESS) return;
+  Record record("event");
+  record.add(sessions_ + (in_session_ ? 0 : 1)).add(stages_).add(frames_);
+  const auto as = [&]<typename Event>() { return reinterpret_cast<const Event&>(*buffer); };
+  switch (static_cast<int>(buffer->type)) {
+    case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
+      const auto& event = reinterpret_cast<const XrEventDataSessionStateChanged&>(*buffer);
+      record.add("state").add(static_cast<int>(event.state)).add(event.time);
+      break;
+    }
+    case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
+      const auto& event = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(*buffer);
+      record.add("space_change").add(static_cast<int>(event.referenceSpaceType)).add(event.changeTime);
+      record.add(event.poseValid == XR_TRUE).open().add(event.poseInPreviousSpace).close();
+      break;
+    }
+    case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
+      record.add("profile_change");
+      break;
+    case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
+      record.add("instance_loss").add(as.operator()<XrEventDataInstanceLossPending>().lossTime);
+      break;
+    case static_cast<int>(XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT):
+      record.add("presence").add(as.operator()<XrEventDataUserPresenceChangedEXT>().isUserPresent == XR_TRUE);
+      break;
+    case XR_TYPE_EVENT_DATA_EVENTS_LOST:
+      record.add("events_lost").add(as.operator()<XrEventDataEventsLost>().lostEventCount);
+      break;
+    default:
+      record.add("other").add(static_cast<int>(buffer->type));
+  }
+  note(record);
+}
+
+void Capture::frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState* state) {
+  note(of_session("frame")
+           .add(state->predictedDisplayTime)
+           .add(state->predictedDisplayPeriod)
+           .add(state->shouldRender == XR_TRUE));
+  ++frames_;
+  if (state->predictedDisplayTime > 0) present_ = state->predictedDisplayTime;
+  wake();
+}
+
+void Capture::converted(XrResult, XrInstance, const timespec*, const XrTime* time) {
+  if (!in_session_) return;
+  note(of_session("converted").add(*time));
+  present_ = *time;
+  wake();
+}
+
+// Spaces.
+
+void Capture::define_space(XrSpace handle, const Record& description) {
+  const auto [known, is_new] = known_spaces_.try_emplace(description.text(), known_spaces_.size());
+  spaces_[handle] = known->second;
+  if (is_new) note(description);
+}
+
+void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info,
+                              const XrSpace* space) {
+  define_space(*space, Record("reference_space")
+                           .add(static_cast<int>(info->referenceSpaceType))
+                           .open()
+                           .add(info->poseInReferenceSpace)
+                           .close());
+}
+
+void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
+  define_space(*space, Record("action_space")
+                           .add(actions_[info->action])
+                           .add(path_text(info->subactionPath))
+                           .open()
+                           .add(info->poseInActionSpace)
+                           .close());
+}
+
+void Capture::bounds(XrResult result, XrSession, XrReferenceSpaceType type, const XrExtent2Df* extent) {
+  note(of_session("bounds")
+           .add(static_cast<int>(type))
+           .add(result == XR_SUCCESS)
+           .add(extent->width)
+           .add(extent->height));
+}
+
+void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
+                            const XrSpaceVelocity* velocity) {
+  const auto what = spaces_.find(space), in = spaces_.find(base);
+  if (what == spaces_.end() || in == spaces_.end()) return;
+  Record record = of_session("located");
+  record.add(time).add(what->second).add(in->second).add(location.locationFlags);
+  record.open().add(location.pose).close();
+  if (velocity != nullptr)
+    record.add(velocity->velocityFlags)
+        .open()
+        .add(velocity->linearVelocity)
+        .add(velocity->angularVelocity)
+        .close();
+  note(record);
+}
+
+void Capture::located(XrResult, XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation* location) {
+  note_location(
+      space, base, time, *location,
+      chained<const XrSpaceVelocity>(static_cast<const void*>(location->next), XR_TYPE_SPACE_VELOCITY));
+}
+
+void Capture::located_several(XrResult, XrSession, const XrSpacesLocateInfo* info,
+                              const XrSpaceLocations* locations) {
+  const auto* velocities =
+      chained<const XrSpaceVelocities>(static_cast<const void*>(locations->next), XR_TYPE_SPACE_VELOCITIES);
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
+    const XrSpaceLocationData& data = locations->locations[i];
+    XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+    if (velocities != nullptr) {
+      velocity.velocityFlags = velocities->velocities[i].velocityFlags;
+      velocity.linearVelocity = velocities->velocities[i].linearVelocity;
+      velocity.angularVelocity = velocities->velocities[i].angularVelocity;
+    }
+    note_location(info->spaces[i], info->baseSpace, info->time,
+                  {XR_TYPE_SPACE_LOCATION, nullptr, data.locationFlags, data.pose},
+                  velocities == nullptr ? nullptr : &velocity);
+  }
+}
+
+void Capture::views(XrResult, XrSession, const XrViewLocateInfo* info, const XrViewState* state,
+                    std::uint32_t capacity, const std::uint32_t* count, const XrView* views) {
+  const auto in = spaces_.find(info->space);
+  if (capacity == 0 || in == spaces_.end()) return;
+  Record record = of_session("views");
+  record.add(info->displayTime).add(in->second).add(state->viewStateFlags).open();
+  for (std::uint32_t i = 0; i < *count; ++i) {
+    const XrFovf& fov = views[i].fov;
+    record.add(views[i].pose).add(fov.angleLeft).add(fov.angleRight).add(fov.angleUp).add(fov.angleDown);
+  }
+  note(record.close());
+}
+
+// Hands.
+
+void Capture::hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT* info,
+                           const XrHandTrackerEXT* tracker) {
+  trackers_[*tracker] = info->hand;
+}
+
+void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocateInfoEXT* info,
+                     const XrHandJointLocationsEXT* locations) {
+  const auto in = spaces_.find(info->baseSpace);
+  const auto hand = trackers_.find(tracker);
+  if (in == spaces_.end() || hand == trackers_.end()) return;
+  Record record = of_session("joints");
+  record.add(info->time).add(static_cast<int>(hand->second)).add(in->second);
+  const bool active = locations->isActive == XR_TRUE;
+  const auto* source = chained<const XrHandTrackingDataSourceStateEXT>(
+      static_cast<const void*>(locations->next), XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT);
+  record.add(active).add(source == nullptr ? 0 : static_cast<int>(source->dataSource));
+  if (active) {
+    record.open();
+    for (std::uint32_t i = 0; i < locations->jointCount; ++i) {
+      const XrHandJointLocationEXT& joint = locations->jointLocations[i];
+      record.add(joint.locationFlags).add(joint.pose).add(joint.radius);
+    }
+    record.close();
+    if (const auto* velocities = chained<const XrHandJointVelocitiesEXT>(
+            static_cast<const void*>(locations->next), XR_TYPE_HAND_JOINT_VELOCITIES_EXT)) {
+      record.open();
+      for (std::uint32_t i = 0; i < velocities->jointCount; ++i) {
+        const XrHandJointVelocityEXT& joint = velocities->jointVelocities[i];
+        record.add(joint.velocityFlags).add(joint.linearVelocity).add(joint.angularVelocity);
+      }
+      record.close();
+    }
+  }
+  note(record);
+}
+
+// Actions.
+
+const std::string& Capture::path_text(XrPath path) {
+  const auto [known, is_new] = paths_.try_emplace(path);
+  char text[XR_MAX_PATH_LENGTH] = "";
+  std::uint32_t count = 0;
+  if (is_new && path != XR_NULL_PATH && next.xrPathToString != nullptr &&
+      XR_SUCCEEDED(next.xrPathToString(instance_, path, sizeof text, &count, text)))
+    known->second = text;
+  return known->second;
+}
+
+void Capture::action_set(XrResult, XrInstance, const XrActionSetCreateInfo* info, const XrActionSet* set) {
+  action_sets_[*set] = text_in(info->actionSetName);
+}
+
+void Capture::action(XrResult, XrActionSet set, const XrActionCreateInfo* info, const XrAction* action) {
+  actions_[*action] = action_sets_[set] + "/" + std::string(text_in(info->actionName));
+}
+
+void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
+  note(of_session("synced").add(present_).add(result == XR_SUCCESS));
+}
+
+void Capture::note_state(const XrActionStateGetInfo& info, bool active, bool changed, XrTime last_change,
+                         float x, float y) {
+  note(of_session("action")
+           .add(present_)
+           .add(actions_[info.action])
+           .add(path_text(info.subactionPath))
+           .add(active)
+           .add(changed)
+           .add(last_change)
+           .add(x)
+           .add(y));
+}
+
+void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info,
+                            const XrActionStateBoolean* state) {
+  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
+             state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F);
+}
+
+void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info,
+                          const XrActionStateFloat* state) {
+  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
+             state->currentState, 0.0F);
+}
+
+void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info,
+                           const XrActionStateVector2f* state) {
+  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
+             state->currentState.x, state->currentState.y);
+}
+
+void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info,
+                         const XrActionStatePose* state) {
+  note_state(*info, state->isActive == XR_TRUE, false, 0, 0.0F, 0.0F);
+}
+
+void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
+  note(of_session("profile")
+           .add(present_)
+           .add(path_text(top_level))
+           .add(path_text(state->interactionProfile)));
+}
+
+// XR_HRTX_ridged_plate.
+
+void Capture::plate_orientation(XrResult, XrSession, XrTime time, const double* orientation) {
+  note(of_session("plate").add(time).add(*orientation));
+}
+
+void Capture::reach_truth(XrResult, XrSession, XrHandEXT hand, const XrReachTruthHRTX* truth) {
+  Record record = of_session("truth");
+  record.add(present_).add(static_cast<int>(hand)).open();
+  for (const double value : {truth->trueDirection, truth->perceivedDirection, truth->peakFeltError,
+                             truth->leftmostDirection, truth->rightmostDirection, truth->tactileWeight})
+    record.add(value);
+  note(record.close().open().add(truth->indexTip).close().add(truth->isDone == XR_TRUE));
+}
+
+}  // namespace hrt::capture

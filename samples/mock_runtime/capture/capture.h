@@ -1,0 +1,108 @@
+// What an application is given, noted as records of a script. README.md in the folder above has the use.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "samples/mock_runtime/capture/functions.h"
+#include "samples/mock_runtime/capture/record.h"
+#include "samples/mock_runtime/capture/script_file.h"
+
+namespace hrt::capture {
+
+/// One for the process: instances after each other, one at a time, go to one file.
+class Capture {
+ public:
+  Next next;  ///< of the present instance
+
+  /// Held while a member is called, except by session_of_call().
+  std::mutex mutex;
+
+  bool has_instance() const { return instance_ != XR_NULL_HANDLE; }
+  /// Opens the file, unless it is open. Throws std::system_error.
+  void open(const std::string& path);
+  void instance_created(XrInstance instance, const XrInstanceCreateInfo& info);
+  /// Closes the file. Nothing is noted later.
+  void close() { file_.reset(); }
+
+  /// The session that a call belongs to, from 1: the one that exists, or else the next.
+  std::uint64_t session_of_call();
+
+  /// Counts a call, and notes an error that the application did not cause itself.
+  void called(const char* function, std::uint64_t session, XrResult result);
+
+  // One for each row of HRT_CAPTURE_FUNCTIONS, with the call's result, a success, and its arguments.
+  template <typename... Args>
+  void failures(XrResult, const Args&...) {}
+  void instance_destroyed(XrResult, XrInstance);
+  void system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties*);
+  void event(XrResult, XrInstance, const XrEventDataBuffer*);
+  void session_created(XrResult, XrInstance, const XrSessionCreateInfo*, const XrSession*);
+  void session_destroyed(XrResult, XrSession);
+  void session_begun(XrResult, XrSession, const XrSessionBeginInfo*) { stage("begin"); }
+  void session_ended(XrResult, XrSession) { stage("end"); }
+  void exit_requested(XrResult, XrSession) { stage("exit"); }
+  void bounds(XrResult, XrSession, XrReferenceSpaceType, const XrExtent2Df*);
+  void reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo*, const XrSpace*);
+  void action_space(XrResult, XrSession, const XrActionSpaceCreateInfo*, const XrSpace*);
+  void space_destroyed(XrResult, XrSpace space) { spaces_.erase(space); }
+  void located(XrResult, XrSpace, XrSpace base, XrTime, const XrSpaceLocation*);
+  void located_several(XrResult, XrSession, const XrSpacesLocateInfo*, const XrSpaceLocations*);
+  void views(XrResult, XrSession, const XrViewLocateInfo*, const XrViewState*, std::uint32_t capacity,
+             const std::uint32_t* count, const XrView*);
+  void frame(XrResult, XrSession, const XrFrameWaitInfo*, const XrFrameState*);
+  void frame_ended(XrResult, XrSession, const XrFrameEndInfo*) { wake(); }
+  void action_set(XrResult, XrInstance, const XrActionSetCreateInfo*, const XrActionSet*);
+  void action(XrResult, XrActionSet, const XrActionCreateInfo*, const XrAction*);
+  void synced(XrResult, XrSession, const XrActionsSyncInfo*);
+  void boolean_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateBoolean*);
+  void float_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateFloat*);
+  void vector_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStateVector2f*);
+  void pose_state(XrResult, XrSession, const XrActionStateGetInfo*, const XrActionStatePose*);
+  void profile(XrResult, XrSession, XrPath, const XrInteractionProfileState*);
+  void hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT*, const XrHandTrackerEXT*);
+  void joints(XrResult, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, const XrHandJointLocationsEXT*);
+  void converted(XrResult, XrInstance, const timespec*, const XrTime*);
+  void plate_orientation(XrResult, XrSession, XrTime, const double*);
+  void reach_truth(XrResult, XrSession, XrHandEXT, const XrReachTruthHRTX*);
+
+ private:
+  void note(const Record& record) {
+    if (file_ != nullptr) file_->append(record.text());
+  }
+  // Lets the file be written up to here.
+  void wake() {
+    if (file_ != nullptr) file_->wake();
+  }
+  /// A record of the session.
+  Record of_session(std::string_view kind) const { return std::move(Record(kind).add(sessions_)); }
+  void stage(const char* call);
+  void define_space(XrSpace handle, const Record& description);
+  void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
+                     const XrSpaceVelocity* velocity);
+  void note_state(const XrActionStateGetInfo& info, bool active, bool changed, XrTime last_change, float x,
+                  float y);
+  const std::string& path_text(XrPath path);
+
+  std::string path_;
+  std::unique_ptr<ScriptFile> file_;
+  XrInstance instance_ = XR_NULL_HANDLE;
+  std::uint64_t sessions_ = 0;  // so far
+  bool in_session_ = false;
+  std::size_t stages_ = 0;  // calls of the session that begin it, ask for its exit or end it
+  std::size_t frames_ = 0;  // since the latest of these
+  XrTime present_ = 0;      // the latest that the application was given
+  std::map<std::pair<std::uint64_t, const char*>, std::uint64_t> calls_;  // of a session, by function
+  std::map<std::string, std::size_t> known_spaces_;                       // numbers by description
+  std::unordered_map<XrSpace, std::size_t> spaces_;
+  std::unordered_map<XrPath, std::string> paths_;
+  std::unordered_map<XrActionSet, std::string> action_sets_;
+  std::unordered_map<XrAction, std::string> actions_;
+  std::unordered_map<XrHandTrackerEXT, XrHandEXT> trackers_;
+};
+
+}  // namespace hrt::capture

@@ -1,0 +1,69 @@
+#include "samples/mock_runtime/capture/record.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+
+namespace hrt::capture {
+
+std::string text_of(double value) {
+  if (!std::isfinite(value)) return fmt::format("\"{:016x}\"", std::bit_cast<std::uint64_t>(value));
+  // "-0" would be an integer, which has no sign.
+  if (value == 0.0 && std::signbit(value)) return "-0.0";
+  return fmt::format("{}", value);
+}
+
+std::string text_of(float value) {
+  if (!std::isfinite(value)) return fmt::format("\"{:08x}\"", std::bit_cast<std::uint32_t>(value));
+  if (value == 0.0F && std::signbit(value)) return "-0.0";
+  const std::string shortest = fmt::format("{}", value);
+  // The playback reads a double and rounds it: twice rounded, a few decimals are another float.
+  double read = 0.0;
+  std::from_chars(shortest.data(), shortest.data() + shortest.size(), read);
+  return static_cast<float>(read) == value ? shortest : text_of(static_cast<double>(value));
+}
+
+Record::Record(std::string_view kind) : text_("[") {
+  add(kind);
+}
+
+Record& Record::put(std::string_view token) {
+  if (text_.back() != '[') text_ += ',';
+  text_ += token;
+  return *this;
+}
+
+Record& Record::add(std::string_view value) {
+  std::string quoted = "\"";
+  for (const char c : value) {
+    if (c == '"' || c == '\\')
+      quoted += '\\', quoted += c;
+    else if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) > 0x7E)
+      quoted += '?';  // no name of OpenXR has such
+    else
+      quoted += c;
+  }
+  return put(quoted + '"');
+}
+
+Record& Record::add(const XrVector3f& vector) {
+  return add(vector.x).add(vector.y).add(vector.z);
+}
+
+Record& Record::add(const XrPosef& pose) {
+  const XrQuaternionf& q = pose.orientation;
+  return add(q.x).add(q.y).add(q.z).add(q.w).add(pose.position);
+}
+
+Record& Record::open() {
+  return put("[");
+}
+
+Record& Record::close() {
+  text_ += ']';
+  return *this;
+}
+
+}  // namespace hrt::capture

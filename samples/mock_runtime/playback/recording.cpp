@@ -1,0 +1,406 @@
+#include "samples/mock_runtime/playback/recording.h"
+
+#include <algorithm>
+#include <bit>
+#include <charconv>
+#include <cstring>
+#include <limits>
+
+#include "samples/mock_runtime/openxr_1_1.h"
+
+namespace hrt::mock {
+
+namespace {
+
+constexpr std::uint64_t most_sessions = 10'000;
+constexpr std::size_t most_joints = 64;
+constexpr std::size_t most_views = 8;
+
+template <typename Bits>
+std::optional<Bits> bits_of(const Json& value) {
+  if (!value.is_string()) return std::nullopt;
+  const auto& text = value.get_ref<const std::string&>();
+  Bits bits = 0;
+  const char* end = text.data() + text.size();
+  if (text.size() != 2 * sizeof bits || std::from_chars(text.data(), end, bits, 16).ptr != end)
+    return std::nullopt;
+  return bits;
+}
+
+}  // namespace
+
+// The fields of a record, one after the other.
+class Fields {
+ public:
+  Fields(const Json& record, std::string where) : record_(record), where_(std::move(where)) {
+    if (!record.is_array()) refuse(where_, "must be an array");
+  }
+
+  const std::string& where() const { return where_; }
+  bool more() const { return next_ < record_.size(); }
+  void end() const {
+    if (more()) refuse(where_, "has too many fields");
+  }
+
+  template <typename Integer>
+  Integer whole(Integer least, Integer most) {
+    const Json& value = next();
+    // Beyond the signed range there are only unsigned ones.
+    const bool fits = value.is_number_unsigned()
+                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most)
+                          : value.is_number_integer() && std::is_signed_v<Integer> &&
+                                value.get<std::int64_t>() >= static_cast<std::int64_t>(least);
+    if (!fits || value.get<Integer>() < least || value.get<Integer>() > most)
+      wrong("a whole number in its range");
+    return value.get<Integer>();
+  }
+  template <typename Integer>
+  Integer whole() {
+    return whole(std::numeric_limits<Integer>::min(), std::numeric_limits<Integer>::max());
+  }
+  /// One that the playback computes with.
+  XrTime time() { return whole<XrTime>(-(XrTime{1} << 61), XrTime{1} << 61); }
+  bool boolean() {
+    const Json& value = next();
+    if (!value.is_boolean()) wrong("true or false");
+    return value.get<bool>();
+  }
+  std::string text() {
+    const Json& value = next();
+    if (!value.is_string()) wrong("a text");
+    return value.get<std::string>();
+  }
+  double real() {
+    const Json& value = next();
+    if (const auto bits = bits_of<std::uint64_t>(value)) return std::bit_cast<double>(*bits);
+    if (!value.is_number()) wrong("a number");
+    return value.get<double>();
+  }
+  float single() {
+    const Json& value = next();
+    if (const auto bits = bits_of<std::uint32_t>(value)) return std::bit_cast<float>(*bits);
+    if (!value.is_number() ||
+        std::abs(value.get<double>()) > static_cast<double>(std::numeric_limits<float>::max()))
+      wrong("a number");
+    return static_cast<float>(value.get<double>());
+  }
+  XrVector3f vector() {
+    const float x = single(), y = single(), z = single();
+    return {x, y, z};
+  }
+  XrPosef pose() {
+    const float x = single(), y = single(), z = single(), w = single();
+    return {{x, y, z, w}, vector()};
+  }
+  /// An array: read(fields of it).
+  template <typename Read>
+  void nested(Read read) {
+    Fields inner(next(), where_ + "[" + std::to_string(next_ - 1) + "]");
+    read(inner);
+    inner.end();
+  }
+  XrPosef nested_pose() {
+    XrPosef result{};
+    nested([&](Fields& fields) { result = fields.pose(); });
+    return result;
+  }
+
+ private:
+  const Json& next() {
+    if (!more()) refuse(where_, "has too few fields");
+    return record_[next_++];
+  }
+  [[noreturn]] void wrong(const char* what) const {
+    refuse(where_ + "[" + std::to_string(next_ - 1) + "]", std::string("must be ") + what);
+  }
+
+  const Json& record_;
+  std::string where_;
+  std::size_t next_ = 0;
+};
+
+namespace {
+
+std::size_t read_space(Fields& fields, const Recording& recording) {
+  if (recording.spaces.empty()) refuse(fields.where(), "names a space before there is one");
+  return fields.whole<std::size_t>(0, recording.spaces.size() - 1);
+}
+
+RecordedJoints read_joints(Fields& fields) {
+  RecordedJoints joints{fields.boolean(), fields.whole<std::int32_t>(), {}, {}};
+  if (!joints.active) return joints;
+  fields.nested([&](Fields& each) {
+    while (each.more() && joints.locations.size() < most_joints) {
+      const auto flags = each.whole<XrSpaceLocationFlags>();
+      const XrPosef pose = each.pose();
+      joints.locations.push_back({flags, pose, each.single()});
+    }
+  });
+  if (fields.more())
+    fields.nested([&](Fields& each) {
+      while (each.more() && joints.velocities.size() < most_joints) {
+        const auto flags = each.whole<XrSpaceVelocityFlags>();
+        const XrVector3f linear = each.vector();
+        joints.velocities.push_back({flags, linear, each.vector()});
+      }
+    });
+  return joints;
+}
+
+RecordedLocation read_location(Fields& fields) {
+  RecordedLocation location{};
+  location.flags = fields.whole<XrSpaceLocationFlags>();
+  location.pose = fields.nested_pose();
+  if (!fields.more()) return location;
+  location.velocity_flags = fields.whole<XrSpaceVelocityFlags>();
+  fields.nested([&](Fields& velocity) {
+    location.linear = velocity.vector();
+    location.angular = velocity.vector();
+  });
+  return location;
+}
+
+RecordedViews read_views(Fields& fields) {
+  RecordedViews result{fields.whole<XrViewStateFlags>(), {}};
+  fields.nested([&](Fields& each) {
+    while (each.more() && result.views.size() < most_views) {
+      XrView view{XR_TYPE_VIEW};
+      view.pose = each.pose();
+      for (float* angle : {&view.fov.angleLeft, &view.fov.angleRight, &view.fov.angleUp, &view.fov.angleDown})
+        *angle = each.single();
+      result.views.push_back(view);
+    }
+  });
+  return result;
+}
+
+RecordedTruth read_truth(Fields& fields) {
+  RecordedTruth truth{};
+  fields.nested([&](Fields& numbers) {
+    for (double& number : truth.numbers) number = numbers.real();
+  });
+  fields.nested([&](Fields& tip) { truth.index_tip = tip.vector(); });
+  truth.done = fields.boolean();
+  return truth;
+}
+
+RecordedState read_state(Fields& fields) {
+  RecordedState state{};
+  state.active = fields.boolean();
+  state.changed = fields.boolean();
+  state.last_change = fields.whole<XrTime>();
+  state.value.x = fields.single();
+  state.value.y = fields.single();
+  return state;
+}
+
+template <typename Enum>
+Enum read_enum(Fields& fields) {
+  return static_cast<Enum>(fields.whole<std::int32_t>());
+}
+
+template <typename Event>
+XrEventDataBuffer as_buffer(const Event& event) {
+  XrEventDataBuffer buffer{};
+  std::memcpy(&buffer, &event, sizeof event);
+  return buffer;
+}
+
+// None for an event that this runtime does not know.
+std::optional<XrEventDataBuffer> read_event(Fields& fields) {
+  const std::string kind = fields.text();
+  if (kind == "state") {
+    XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
+    event.state = read_enum<XrSessionState>(fields);
+    event.time = fields.whole<XrTime>();
+    return as_buffer(event);
+  }
+  if (kind == "space_change") {
+    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
+    event.referenceSpaceType = read_enum<XrReferenceSpaceType>(fields);
+    event.changeTime = fields.whole<XrTime>();
+    event.poseValid = fields.boolean() ? XR_TRUE : XR_FALSE;
+    event.poseInPreviousSpace = fields.nested_pose();
+    return as_buffer(event);
+  }
+  if (kind == "profile_change")
+    return as_buffer(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED,
+                                                          nullptr, nullptr});
+  if (kind == "instance_loss")
+    return as_buffer(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
+                                                    fields.whole<XrTime>()});
+  if (kind == "presence")
+    return as_buffer(
+        XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr, nullptr,
+                                          fields.boolean() ? XrBool32{XR_TRUE} : XrBool32{XR_FALSE}});
+  if (kind == "events_lost")
+    return as_buffer(
+        XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});
+  if (kind != "other") refuse(fields.where(), "is an event of no known kind");
+  fields.whole<std::int32_t>();
+  return std::nullopt;
+}
+
+StateCall read_call_kind(Fields& fields) {
+  const std::string call = fields.text();
+  if (call == "begin") return StateCall::begin;
+  if (call == "exit") return StateCall::exit;
+  if (call != "end") refuse(fields.where(), "must name begin, exit or end");
+  return StateCall::end;
+}
+
+CallFault read_failure(Fields& fields) {
+  CallFault fault{};
+  fault.scope.session = fields.whole<std::uint64_t>(1, most_sessions);
+  const auto function = find_function(fields.text());
+  if (!function) refuse(fields.where(), "names a function that this runtime does not have");
+  fault.function = *function;
+  fault.call = fields.whole<std::uint64_t>(1, std::numeric_limits<std::uint64_t>::max());
+  fault.count = 1;
+  fault.result =
+      static_cast<XrResult>(fields.whole<std::int32_t>(std::numeric_limits<std::int32_t>::min(), -1));
+  return fault;
+}
+
+template <typename Value>
+void sort_by_time(Stream<Value>& stream) {
+  std::stable_sort(stream.begin(), stream.end(),
+                   [](const auto& a, const auto& b) { return a.first < b.first; });
+}
+
+template <typename Key, typename Value>
+void sort_by_time(std::map<Key, Stream<Value>>& streams) {
+  for (auto& [key, stream] : streams) sort_by_time(stream);
+}
+
+}  // namespace
+
+RecordedSession& Recording::session(std::uint64_t number, const std::string& where) {
+  if (number < 1 || number > most_sessions) refuse(where, "has no number of a session");
+  if (sessions.size() < number) sessions.resize(number);
+  return sessions[number - 1];
+}
+
+void Recording::add(const Json& record) {
+  Fields fields(record, "playback.records[" + std::to_string(records_++) + "]");
+  const std::string kind = fields.text();
+  const auto of_session = [&]() -> RecordedSession& {
+    return session(fields.whole<std::uint64_t>(), fields.where());
+  };
+  if (kind == "instance") {
+    runtime = fields.text();
+    version = fields.whole<XrVersion>();
+    fields.nested([&](Fields& names) {
+      while (names.more()) extensions.insert(names.text());
+    });
+  } else if (kind == "system") {
+    system = fields.text();
+    hand_tracking = fields.boolean();
+  } else if (kind == "failed") {
+    failures.push_back(read_failure(fields));
+  } else if (kind == "reference_space") {
+    SpaceName space;
+    space.reference = read_enum<XrReferenceSpaceType>(fields);
+    space.pose = fields.nested_pose();
+    spaces.push_back(space);
+  } else if (kind == "action_space") {
+    SpaceName space;
+    space.action = fields.text();
+    space.subaction = fields.text();
+    space.pose = fields.nested_pose();
+    spaces.push_back(space);
+  } else if (kind == "spaces") {
+    auto& types = of_session().spaces.emplace();
+    fields.nested([&](Fields& each) {
+      while (each.more()) types.push_back(read_enum<XrReferenceSpaceType>(each));
+    });
+  } else if (kind == "bounds") {
+    RecordedSession& in = of_session();
+    const auto type = read_enum<XrReferenceSpaceType>(fields);
+    const bool available = fields.boolean();
+    const float width = fields.single();
+    const XrExtent2Df extent{width, fields.single()};
+    in.bounds[type] = available ? std::optional(extent) : std::nullopt;
+  } else if (kind == "call") {
+    RecordedSession& in = of_session();
+    in.calls.push_back(read_call_kind(fields));
+  } else if (kind == "frame") {
+    RecordedSession& in = of_session();
+    RecordedFrame frame{};
+    frame.time = fields.time();
+    frame.period = fields.whole<XrDuration>();
+    frame.should_render = fields.boolean();
+    in.frames.push_back(frame);
+  } else if (kind == "converted") {
+    RecordedSession& in = of_session();
+    in.converted.push_back(fields.time());
+  } else if (kind == "event") {
+    RecordedSession& in = of_session();
+    RecordedEvent event{};
+    event.calls = fields.whole<std::size_t>();
+    event.frames = fields.whole<std::size_t>();
+    if (const auto buffer = read_event(fields)) {
+      event.buffer = *buffer;
+      in.events.push_back(event);
+    }
+  } else if (kind == "joints") {
+    RecordedSession& in = of_session();
+    const auto time = fields.whole<XrTime>();
+    const int hand = fields.whole<int>();
+    const std::size_t base = read_space(fields, *this);
+    in.joints[{hand, base}].emplace_back(time, read_joints(fields));
+  } else if (kind == "located") {
+    RecordedSession& in = of_session();
+    const auto time = fields.whole<XrTime>();
+    const std::size_t space = read_space(fields, *this);
+    const std::size_t base = read_space(fields, *this);
+    in.locations[{space, base}].emplace_back(time, read_location(fields));
+  } else if (kind == "views") {
+    RecordedSession& in = of_session();
+    const auto time = fields.whole<XrTime>();
+    const std::size_t base = read_space(fields, *this);
+    in.views[base].emplace_back(time, read_views(fields));
+  } else if (kind == "synced") {
+    RecordedSession& in = of_session();
+    const auto present = fields.whole<XrTime>();
+    in.synced.emplace_back(present, fields.boolean());
+  } else if (kind == "action") {
+    RecordedSession& in = of_session();
+    const auto present = fields.whole<XrTime>();
+    const std::string action = fields.text();
+    const std::string subaction = fields.text();
+    in.states[{action, subaction}].emplace_back(present, read_state(fields));
+  } else if (kind == "profile") {
+    RecordedSession& in = of_session();
+    const auto present = fields.whole<XrTime>();
+    const std::string top_level = fields.text();
+    in.profiles[top_level].emplace_back(present, fields.text());
+  } else if (kind == "plate") {
+    RecordedSession& in = of_session();
+    const auto time = fields.whole<XrTime>();
+    in.plate_deg.emplace_back(time, fields.real());
+  } else if (kind == "truth") {
+    RecordedSession& in = of_session();
+    const auto present = fields.whole<XrTime>();
+    const int hand = fields.whole<int>();
+    in.truths[hand].emplace_back(present, read_truth(fields));
+  } else {
+    refuse(fields.where(), "is a record of no known kind");
+  }
+  fields.end();
+}
+
+void Recording::finish() {
+  for (RecordedSession& each : sessions) {
+    sort_by_time(each.joints);
+    sort_by_time(each.locations);
+    sort_by_time(each.views);
+    sort_by_time(each.synced);
+    sort_by_time(each.states);
+    sort_by_time(each.profiles);
+    sort_by_time(each.plate_deg);
+    sort_by_time(each.truths);
+  }
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,140 @@
+// What an application was given by a runtime, as the layer in ../capture notes it.
+//
+// Records are JSON arrays in the order in which things were given; numbers of sessions count from 1 over the
+// process, and spaces from 0 in the order of their records. A pose is [x, y, z, w, position x, y, z].
+//
+//   ["instance", runtime name, version, [extensions enabled]]
+//   ["system", name, has hand tracking]
+//   ["failed", session, function, its how-many-th call of the session, result]
+//   ["reference_space", type, pose]
+//   ["action_space", "set/action", subaction path, pose]
+//   ["spaces", session, [types of reference spaces]]
+//   ["bounds", session, type, available, width, height]
+//   ["call", session, "begin", "exit" or "end"]
+//   ["frame", session, predicted display time, period, should render]
+//   ["converted", session, time]
+//   ["event", session, calls before it, frames since the latest of these, kind, ...]
+//   ["joints", session, time, hand, base space, active, data source,
+//      [flags, pose, radius of each], [velocities]]
+//   ["located", session, time, space, base space, flags, pose, velocity flags, [linear, angular]]
+//   ["views", session, time, base space, flags, [pose, field of view of each]]
+//   ["synced", session, present, focused]
+//   ["action", session, present, "set/action", subaction path, active, changed, time of change, x, y]
+//   ["profile", session, present, top level user path, interaction profile]
+//   ["plate", session, time, orientation]
+//   ["truth", session, present, hand, [directions and weight], [index tip], done]
+//
+// "present" is the latest frame time, or time of the machine's clock, that the application had been given.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "samples/mock_runtime/script/faults.h"
+#include "samples/mock_runtime/script/members.h"
+
+namespace hrt::mock {
+
+/// In order of time; what was given for the same time several times, in the order in which it was.
+template <typename Value>
+using Stream = std::vector<std::pair<XrTime, Value>>;
+
+/// A space as an application makes it.
+struct SpaceName {
+  XrReferenceSpaceType reference = XR_REFERENCE_SPACE_TYPE_MAX_ENUM;  ///< else it is an action's
+  std::string action;                                                 ///< "set/action"
+  std::string subaction;                                              ///< empty: none
+  XrPosef pose{};  ///< in the reference space or the action's
+
+  bool same_origin(const SpaceName& other) const {
+    return reference == other.reference && action == other.action && subaction == other.subaction;
+  }
+};
+
+struct RecordedJoints {
+  bool active;
+  std::int32_t source;  ///< XrHandTrackingDataSourceEXT; 0: not asked for
+  std::vector<XrHandJointLocationEXT> locations;
+  std::vector<XrHandJointVelocityEXT> velocities;  ///< empty: not asked for
+};
+struct RecordedLocation {
+  XrSpaceLocationFlags flags;
+  XrPosef pose;
+  XrSpaceVelocityFlags velocity_flags;
+  XrVector3f linear;
+  XrVector3f angular;
+};
+struct RecordedViews {
+  XrViewStateFlags flags;
+  std::vector<XrView> views;
+};
+struct RecordedState {
+  bool active;
+  bool changed;
+  XrTime last_change;
+  XrVector2f value;
+};
+struct RecordedFrame {
+  XrTime time;
+  XrDuration period;
+  bool should_render;
+};
+struct RecordedEvent {
+  std::size_t calls;         ///< StateCalls before it
+  std::size_t frames;        ///< since the latest of these
+  XrEventDataBuffer buffer;  ///< without a session's handle
+};
+struct RecordedTruth {
+  std::array<double, 6> numbers;
+  XrVector3f index_tip;
+  bool done;
+};
+
+/// Calls that change the state of a session.
+enum class StateCall { begin, exit, end };
+
+struct RecordedSession {
+  std::optional<std::vector<XrReferenceSpaceType>> spaces;
+  std::map<XrReferenceSpaceType, std::optional<XrExtent2Df>> bounds;  ///< none: not available
+  std::vector<StateCall> calls;
+  std::vector<RecordedFrame> frames;
+  std::vector<XrTime> converted;
+  std::vector<RecordedEvent> events;
+  std::map<std::pair<int, std::size_t>, Stream<RecordedJoints>> joints;               ///< hand, base
+  std::map<std::pair<std::size_t, std::size_t>, Stream<RecordedLocation>> locations;  ///< space, base
+  std::map<std::size_t, Stream<RecordedViews>> views;                                 ///< base
+  Stream<bool> synced;
+  std::map<std::pair<std::string, std::string>, Stream<RecordedState>> states;  ///< action, subaction path
+  std::map<std::string, Stream<std::string>> profiles;                          ///< by top level user path
+  Stream<double> plate_deg;
+  std::map<int, Stream<RecordedTruth>> truths;  ///< by hand
+};
+
+struct Recording {
+  std::string runtime = "unknown";
+  XrVersion version = 0;
+  std::set<std::string> extensions;  ///< that the application enabled
+  std::string system = "unknown";
+  bool hand_tracking = true;
+  std::vector<SpaceName> spaces;
+  std::vector<RecordedSession> sessions;  ///< the first is number 1
+  std::vector<CallFault> failures;
+
+  /// Adds the next record. Throws an Error that names it.
+  void add(const Json& record);
+  /// After the last one.
+  void finish();
+
+ private:
+  RecordedSession& session(std::uint64_t number, const std::string& where);
+  void add_event(class Fields& fields);
+  std::size_t records_ = 0;
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,419 @@
+// The layer in samples/mock_runtime/capture: what an application was given, played back.
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "samples/mock_runtime/api/negotiation.h"
+#include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/process.h"
+
+namespace hrt::mock {
+namespace {
+
+// All that an application was given, byte after byte.
+struct Given {
+  std::string bytes;
+  int active = 0;    // hands
+  int failures = 0;  // of xrLocateHandJointsEXT
+  std::vector<XrSessionState> states;
+
+  template <typename Value>
+  void add(const Value& value) {
+    bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+};
+
+class MockCapture : public ::testing::Test {
+ protected:
+  void TearDown() override {
+    for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE",
+                             "HRT_MOCK_SCRIPT", "XDG_DATA_HOME", "HRT_CAPTURE_DISABLE"})
+      unsetenv(name);
+    setenv("XR_RUNTIME_JSON", HRT_MOCK_MANIFEST, 1);
+  }
+
+  void capture_to(const std::string& file) {
+    setenv("XR_ENABLE_API_LAYERS", "XR_APILAYER_HRTX_capture", 1);
+    setenv("XR_API_LAYER_PATH", HRT_CAPTURE_MANIFESTS, 1);
+    setenv("HRT_CAPTURE_FILE", file.c_str(), 1);
+  }
+  void play(const std::string& file) {
+    TearDown();
+    setenv("HRT_MOCK_SCRIPT", file.c_str(), 1);
+  }
+  void script(const std::string& text) {
+    std::ofstream(folder / "script.json") << text;
+    setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+  }
+
+  XrResult create_instance() {
+    const std::vector<const char*> extensions{XR_MND_HEADLESS_EXTENSION_NAME,
+                                              XR_EXT_HAND_TRACKING_EXTENSION_NAME};
+    const XrInstanceCreateInfo info = instance_info(extensions);
+    return xrCreateInstance(&info, &instance);
+  }
+  void create_session() {
+    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+    XrSystemId system = XR_NULL_SYSTEM_ID;
+    ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+    XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
+    XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
+    ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
+    given.bytes += properties.systemName;
+    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
+    ASSERT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
+    running = ended = false;
+  }
+  XrSpace make_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, pose};
+    XrSpace space = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace(session, &info, &space));
+    return space;
+  }
+  void poll() {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    for (; xrPollEvent(instance, &event) == XR_SUCCESS; event = {XR_TYPE_EVENT_DATA_BUFFER}) {
+      given.add(event.type);
+      if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING) {
+        const auto& change = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
+        EXPECT_EQ(change.session, session);
+        given.add(change.changeTime);
+        given.add(change.poseInPreviousSpace);
+      }
+      if (event.type != XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED) continue;
+      const auto& change = reinterpret_cast<const XrEventDataSessionStateChanged&>(event);
+      EXPECT_EQ(change.session, session);
+      given.add(change.state);
+      given.add(change.time);
+      given.states.push_back(change.state);
+      const XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                     XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+      if (change.state == XR_SESSION_STATE_READY) {
+        ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &begin));
+        running = true;
+      }
+      if (change.state == XR_SESSION_STATE_STOPPING) {
+        ASSERT_XR(XR_SUCCESS, xrEndSession(session));
+        running = false;
+      }
+      ended = ended || change.state == XR_SESSION_STATE_EXITING;
+    }
+  }
+  XrTime frame() {
+    XrFrameState state{XR_TYPE_FRAME_STATE};
+    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
+    EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
+                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};
+    EXPECT_XR(XR_SUCCESS, xrEndFrame(session, &end));
+    given.add(state.predictedDisplayTime);
+    given.add(state.predictedDisplayPeriod);
+    given.add(state.shouldRender);
+    return state.predictedDisplayTime;
+  }
+  XrHandTrackerEXT track(XrHandEXT hand) {
+    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, hand,
+                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
+    XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")(
+                              session, &info, &tracker));
+    return tracker;
+  }
+  using Joints = std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT>;
+  Joints locate_hand(XrHandTrackerEXT tracker, XrSpace base, XrTime time) {
+    Joints joints{};
+    std::array<XrHandJointVelocityEXT, XR_HAND_JOINT_COUNT_EXT> moving{};
+    XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
+                                        moving.data()};
+    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,
+                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
+    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, base, time};
+    const XrResult result =
+        fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")(tracker, &info, &locations);
+    given.add(result);
+    if (XR_FAILED(result)) {
+      ++given.failures;
+      return joints;
+    }
+    given.add(locations.isActive);
+    if (locations.isActive != XR_TRUE) return joints;
+    ++given.active;
+    given.add(joints);
+    given.add(moving);
+    return joints;
+  }
+
+  // An application with a head and two hands in two spaces.
+  Given run_application() {
+    given = {};
+    EXPECT_XR(XR_SUCCESS, create_instance());
+    XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
+    EXPECT_XR(XR_SUCCESS, xrGetInstanceProperties(instance, &properties));
+    given.bytes += properties.runtimeName;
+    given.add(properties.runtimeVersion);
+    create_session();
+    std::uint32_t count = 0;
+    EXPECT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, 0, &count, nullptr));
+    std::vector<XrReferenceSpaceType> types(count);
+    EXPECT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, count, &count, types.data()));
+    for (const XrReferenceSpaceType type : types) given.add(type);
+    const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrSpace aside = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0.1F, 1e-30F, -0.3F}});
+    const XrSpace view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+    const XrHandTrackerEXT trackers[] = {track(XR_HAND_LEFT_EXT), track(XR_HAND_RIGHT_EXT)};
+    for (int frames = 0; frames < 60;) {
+      poll();
+      if (!running) continue;
+      const XrTime time = frame();
+      ++frames;
+      for (const XrHandTrackerEXT tracker : trackers)
+        for (const XrSpace base : {local, aside}) locate_hand(tracker, base, time);
+      XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+      EXPECT_XR(XR_SUCCESS, xrLocateSpace(view, local, time, &location));
+      given.add(location.locationFlags);
+      given.add(location.pose);
+      const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr,
+                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, time, aside};
+      XrViewState state{XR_TYPE_VIEW_STATE};
+      std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
+      EXPECT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
+      given.add(state.viewStateFlags);
+      for (const XrView& each : views) {
+        given.add(each.pose);
+        given.add(each.fov);
+      }
+    }
+    EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
+    while (!ended) {
+      poll();
+      if (running) frame();
+    }
+    EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+    return given;
+  }
+
+  TemporaryFolder folder;
+  XrInstance instance = XR_NULL_HANDLE;
+  XrSession session = XR_NULL_HANDLE;
+  bool running = false;
+  bool ended = false;
+  Given given;
+};
+
+const std::string moving_hand = R"({"hands": {"left": {"tracked": true}, "right": {"path": [
+    {"time_ms": 0, "position_m": [0.1, -0.3, -0.4]},
+    {"time_ms": 2000, "position_m": [-0.2, -0.35, -0.5], "orientation": [0.1, 0.2, -0.3, 0.927362]}]}},
+    "head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 900, "position_m": [0.1, 0, 0.3]}]},
+    "events": [{"frame": 20, "do": "lose_tracking", "hand": "right"},
+               {"frame": 30, "do": "regain_tracking", "hand": "right"},
+               {"frame": 40, "do": "recenter", "position_m": [0.1, 0, 0], "yaw_deg": 20}]})";
+
+TEST_F(MockCapture, GivesTheSameAgain) {
+  script(moving_hand);
+  capture_to(folder / "capture.json");
+  const Given first = run_application();
+  EXPECT_EQ(first.active, 60 * 4 - 20);
+  play(folder / "capture.json");
+  const Given again = run_application();
+  EXPECT_TRUE(first.bytes == again.bytes);
+  EXPECT_EQ(first.states, again.states);
+}
+
+// Another runtime: hands of any bits, late states, calls that fail (other_runtime.cpp).
+TEST_F(MockCapture, GivesWhatAnotherRuntimeGave) {
+  setenv("XR_RUNTIME_JSON", HRT_OTHER_MANIFEST, 1);
+  capture_to(folder / "capture.json");
+  const Given first = run_application();
+  EXPECT_EQ(first.failures, 4);
+  EXPECT_GT(first.active, 150);
+  EXPECT_EQ(first.bytes.compare(0, 15, "Other \"runtime\""), 0);
+  play(folder / "capture.json");
+  const Given again = run_application();
+  EXPECT_EQ(again.failures, first.failures);
+  EXPECT_EQ(again.active, first.active);
+  EXPECT_EQ(first.states, again.states);
+  EXPECT_TRUE(first.bytes == again.bytes);
+}
+
+// For a time between two samples the nearer one; in a space that the capture does not have, as it would be.
+TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
+  script(moving_hand);
+  capture_to(folder / "capture.json");
+  run_application();
+  play(folder / "capture.json");
+  ASSERT_XR(XR_SUCCESS, create_instance());
+  create_session();
+  while (!running) poll();
+  const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrSpace turned = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0.6F, 0, 0.8F}, {1, 2, 3}});
+  const XrSpace stage = make_space(XR_REFERENCE_SPACE_TYPE_STAGE);
+  const XrSpace view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  const XrHandTrackerEXT right = track(XR_HAND_RIGHT_EXT);
+  frame();
+  const XrTime first = frame();
+  const Joints joints = locate_hand(right, local, first);
+  const Joints before = locate_hand(right, local, first - 4'000'000),
+               after = locate_hand(right, local, first + 4'000'000);
+  EXPECT_EQ(std::memcmp(&joints, &before, sizeof joints), 0);
+  EXPECT_EQ(std::memcmp(&joints, &after, sizeof joints), 0);
+  const Joints next = locate_hand(right, local, first + 8'000'000);
+  EXPECT_NE(std::memcmp(&joints, &next, sizeof joints), 0);
+  // By hand: the inverse of a turn by 2 atan 0.75 about +Y, 16.26 degrees short of a right angle.
+  const Joints seen = locate_hand(right, turned, first);
+  const XrVector3f p = joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+  const XrVector3f q = seen[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+  const float x = p.x - 1, y = p.y - 2, z = p.z - 3;
+  EXPECT_NEAR(q.x, 0.28F * x - 0.96F * z, 1e-6F);
+  EXPECT_NEAR(q.y, y, 1e-6F);
+  EXPECT_NEAR(q.z, 0.96F * x + 0.28F * z, 1e-6F);
+  // Nothing was located in STAGE.
+  given.active = 0;
+  locate_hand(right, stage, first);
+  EXPECT_EQ(given.active, 0);
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(view, stage, first, &location));
+  EXPECT_EQ(location.locationFlags, 0U);
+  ASSERT_XR(XR_SUCCESS, xrLocateSpace(view, turned, first, &location));
+  EXPECT_NE(location.locationFlags, 0U);
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// An application that stops before or after the captured one did is not left waiting.
+TEST_F(MockCapture, SessionEndsWhenItIsAskedTo) {
+  capture_to(folder / "capture.json");
+  run_application();
+  play(folder / "capture.json");
+  for (const int frames : {5, 200}) {
+    ASSERT_XR(XR_SUCCESS, create_instance());
+    create_session();
+    while (!running) poll();
+    XrTime latest = 0;
+    for (int i = 0; i < frames; ++i) {
+      const XrTime time = frame();
+      EXPECT_GT(time, latest);
+      latest = time;
+    }
+    EXPECT_XR(XR_SUCCESS, xrRequestExitSession(session));
+    for (int i = 0; i < 100 && !ended; ++i) {
+      poll();
+      if (running) frame();
+    }
+    EXPECT_TRUE(ended) << frames;
+    EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+  }
+}
+
+TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
+  capture_to(folder / "capture.json");
+  run_application();
+  const std::string whole = read_file(folder / "capture.json");
+  ASSERT_GT(whole.size(), 10'000U);
+  const auto expect_refused = [&](const std::string& text, const std::string& why) {
+    std::ofstream(folder / "broken.json") << text;
+    play(folder / "broken.json");
+    testing::internal::CaptureStderr();
+    EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
+    const std::string message = testing::internal::GetCapturedStderr();
+    EXPECT_NE(message.find(folder / "broken.json"), std::string::npos) << message;
+    EXPECT_NE(message.find(why), std::string::npos) << message;
+  };
+  for (const std::size_t size : {whole.size() / 2, whole.size() - 5, std::size_t{100}})
+    expect_refused(whole.substr(0, size), "parse error");
+  const auto with = [](const std::string& records) {
+    return R"({"playback": {"version": 1, "records": [)" + records + "]}}";
+  };
+  expect_refused(with(R"(["dance", 1])"), "records[0] is a record of no known kind");
+  expect_refused(with(R"(["frame", 1, 5, 6, true], ["frame", 1, 5])"), "records[1] has too few fields");
+  expect_refused(with(R"(["frame", 1, 5, 6, true, 9])"), "records[0] has too many fields");
+  expect_refused(with(R"(["frame", 0, 5, 6, true])"), "records[0] has no number of a session");
+  expect_refused(with(R"(["frame", 1, 5.5, 6, true])"), "records[0][2] must be a whole number");
+  expect_refused(with(R"(["joints", 1, 5, 1, 0, false, 0])"), "names a space before there is one");
+  expect_refused(with(R"(["plate", 1, 5, "12"])"), "records[0][3] must be a number");
+  expect_refused(with(R"(["failed", 1, "xrDance", 1, -2])"),
+                 "names a function that this runtime does not have");
+  expect_refused(with("7"), "script.playback.records must be an array of arrays");
+  expect_refused(R"({"playback": {"version": 2, "records": []}})", "script.playback.version must be 1");
+  expect_refused(R"({"seed": 3, "playback": {"version": 1, "records": []}})", "takes the place of seed");
+}
+
+// Faults can be added to what was captured.
+TEST_F(MockCapture, PlaysFaultsOfTheScriptBeside) {
+  capture_to(folder / "capture.json");
+  run_application();
+  std::string text = read_file(folder / "capture.json");
+  text.insert(1, R"("calls": [{"function": "xrGetSystem", "result": "XR_ERROR_FORM_FACTOR_UNAVAILABLE"}], )");
+  std::ofstream(folder / "faults.json") << text;
+  play(folder / "faults.json");
+  ASSERT_XR(XR_SUCCESS, create_instance());
+  const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+  XrSystemId system = XR_NULL_SYSTEM_ID;
+  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
+  EXPECT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+TEST_F(MockCapture, NeedsAFileThatCanBeWritten) {
+  capture_to("");
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
+  capture_to(folder / "no/such/folder/capture.json");
+  testing::internal::CaptureStderr();
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("no/such/folder"), std::string::npos);
+}
+
+// An implicit layer is found by where its manifest is, and enabled and disabled by its two variables.
+TEST_F(MockCapture, IsImplicitWhereItsManifestIsInstalled) {
+  const std::filesystem::path implicit = folder.path / "openxr/1/api_layers/implicit.d";
+  std::filesystem::create_directories(implicit);
+  std::string manifest = read_file(HRT_CAPTURE_MANIFESTS "/hrtx_capture.json");
+  const std::string beside = "\"../libhrtx_capture.so\"";
+  ASSERT_NE(manifest.find(beside), std::string::npos);
+  manifest.replace(manifest.find(beside), beside.size(), "\"" HRT_CAPTURE_LIBRARY "\"");
+  std::ofstream(implicit / "hrtx_capture.json") << manifest;
+  setenv("XDG_DATA_HOME", folder.path.c_str(), 1);
+  run_application();
+  EXPECT_FALSE(std::filesystem::exists(folder / "capture.json"));
+  setenv("HRT_CAPTURE_FILE", (folder / "capture.json").c_str(), 1);
+  const Given first = run_application();
+  ASSERT_TRUE(std::filesystem::exists(folder / "capture.json"));
+  play(folder / "capture.json");
+  EXPECT_TRUE(first.bytes == run_application().bytes);
+}
+
+// Without a loader, which hides these.
+TEST(MockCaptureLayer, RefusesALoaderOfAnotherInterface) {
+  void* library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+  ASSERT_NE(library, nullptr) << dlerror();
+  using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*, NegotiateApiLayerRequest*);
+  const auto negotiate = reinterpret_cast<Negotiate>(dlsym(library, "xrNegotiateLoaderApiLayerInterface"));
+  ASSERT_NE(negotiate, nullptr);
+  const NegotiateLoaderInfo good{loader_info_type,
+                                 struct_version,
+                                 sizeof(NegotiateLoaderInfo),
+                                 1,
+                                 1,
+                                 XR_MAKE_VERSION(1, 0, 0),
+                                 XR_MAKE_VERSION(1, 0, 0xFFFFFFFF)};
+  NegotiateApiLayerRequest request{api_layer_request_type, struct_version, sizeof request};
+  EXPECT_XR(XR_SUCCESS, negotiate(&good, "XR_APILAYER_HRTX_capture", &request));
+  EXPECT_NE(request.create_api_layer_instance, nullptr);
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(nullptr, nullptr, &request));
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&good, nullptr, nullptr));
+  NegotiateLoaderInfo newer = good;
+  newer.min_interface_version = newer.max_interface_version = 2;
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&newer, nullptr, &request));
+  NegotiateApiLayerRequest larger = request;
+  larger.struct_size += 8;
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&good, nullptr, &larger));
+  XrInstance instance = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, request.create_api_layer_instance(nullptr, nullptr, &instance));
+}
+
+}  // namespace
+}  // namespace hrt::mock
