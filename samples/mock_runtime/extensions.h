@@ -21,6 +21,8 @@ enum class Extension {
   user_presence,
   local_floor,
   locate_spaces,
+  maintenance1,
+  palm_pose,
   ridged_plate,
   mock_control,
   count
@@ -47,6 +49,8 @@ inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::c
     {XR_EXT_USER_PRESENCE_EXTENSION_NAME, XR_EXT_user_presence_SPEC_VERSION},
     {XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_EXT_local_floor_SPEC_VERSION},
     {XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_KHR_locate_spaces_SPEC_VERSION},
+    {XR_KHR_MAINTENANCE1_EXTENSION_NAME, XR_KHR_maintenance1_SPEC_VERSION},
+    {XR_EXT_PALM_POSE_EXTENSION_NAME, XR_EXT_palm_pose_SPEC_VERSION},
     {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
     {XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_HRTX_mock_control_SPEC_VERSION},
 }};

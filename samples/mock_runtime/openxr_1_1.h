@@ -6,6 +6,8 @@
 
 #ifndef XR_API_VERSION_1_1
 
+inline constexpr auto XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED = static_cast<XrResult>(-1000710001);
+inline constexpr auto XR_ERROR_PERMISSION_INSUFFICIENT = static_cast<XrResult>(-1000710000);
 inline constexpr auto XR_TYPE_SPACES_LOCATE_INFO = static_cast<XrStructureType>(1000471000);
 inline constexpr auto XR_TYPE_SPACE_LOCATIONS = static_cast<XrStructureType>(1000471001);
 inline constexpr auto XR_TYPE_SPACE_VELOCITIES = static_cast<XrStructureType>(1000471002);
@@ -55,6 +57,18 @@ using PFN_xrLocateSpaces = XrResult(XRAPI_PTR*)(XrSession session, const XrSpace
 #define XR_KHR_locate_spaces_SPEC_VERSION 1
 #define XR_KHR_LOCATE_SPACES_EXTENSION_NAME "XR_KHR_locate_spaces"
 using PFN_xrLocateSpacesKHR = PFN_xrLocateSpaces;
+#endif
+
+#ifndef XR_KHR_maintenance1
+#define XR_KHR_maintenance1 1
+#define XR_KHR_maintenance1_SPEC_VERSION 1
+#define XR_KHR_MAINTENANCE1_EXTENSION_NAME "XR_KHR_maintenance1"
+#endif
+
+#ifndef XR_EXT_palm_pose
+#define XR_EXT_palm_pose 1
+#define XR_EXT_palm_pose_SPEC_VERSION 3
+#define XR_EXT_PALM_POSE_EXTENSION_NAME "XR_EXT_palm_pose"
 #endif
 
 #ifndef XR_EXT_local_floor

@@ -222,8 +222,7 @@ XrResult stop_haptic_feedback(XrSession handle, const XrHapticActionInfo* info) 
 
 XrResult set_input_device_active(XrSession handle, XrPath profile, XrPath top_level, XrBool32 active) {
   auto& session = runtime().registry.get<Session>(handle);
-  const auto* sources =
-      find_profile(session.instance().paths.text(profile), session.instance().version_1_1());
+  const auto* sources = find_profile(session.instance().paths.text(profile), session.instance().sources());
   require(sources != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
   Device& device = device_at(session, top_level);
   const std::string& top = session.instance().paths.text(top_level);

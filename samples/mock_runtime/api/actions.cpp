@@ -111,7 +111,7 @@ XrResult suggest_interaction_profile_bindings(XrInstance handle,
   require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
   require_pointer(info->suggestedBindings, "suggestedBindings");
-  const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.version_1_1());
+  const auto* profile = find_profile(instance.paths.text(info->interactionProfile), instance.sources());
   require(profile != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
   std::vector<Binding> bindings;
   for (std::uint32_t i = 0; i < info->countSuggestedBindings; ++i) {

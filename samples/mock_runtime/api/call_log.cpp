@@ -6,6 +6,7 @@
 
 #include "samples/mock_runtime/api/instance.h"
 #include "samples/mock_runtime/api/two_call.h"
+#include "samples/mock_runtime/openxr_1_1.h"
 
 namespace hrt::mock {
 namespace {
@@ -15,6 +16,9 @@ constexpr std::size_t remembered_calls = 100'000;
 }  // namespace
 
 std::string result_name(XrResult result) {
+  // Debian's header knows neither.
+  if (result == XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED) return "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED";
+  if (result == XR_ERROR_PERMISSION_INSUFFICIENT) return "XR_ERROR_PERMISSION_INSUFFICIENT";
   switch (result) {
 #define HRT_MOCK_NAME(name, number) \
   case name:                        \

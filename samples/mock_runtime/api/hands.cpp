@@ -173,9 +173,11 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
   // Where bending fingers alone would bring them.
   const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
   for (std::size_t i = 0; i < joints.size(); ++i) {
+    const XrSpaceLocationFlags position_tracked =
+        base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
     locations->jointLocations[i] = {
         XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT,
+            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
         to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
     if (velocities == nullptr) continue;
     const Velocities kind = session.world().velocities();

@@ -79,7 +79,7 @@ std::vector<Input::Driver> Input::drivers(const Action& action) const {
   std::vector<Driver> found;
   const PathTable& paths = session_.instance().paths;
   for (const auto& [top_level, profile_path] : profiles_) {
-    const auto* profile = find_profile(paths.text(profile_path), session_.instance().version_1_1());
+    const auto* profile = find_profile(paths.text(profile_path), session_.instance().sources());
     for (const Binding& binding : suggestions_.at(profile_path)) {
       const std::string& path = paths.text(binding.path);
       if (binding.action != action.id() || top_level_of(path) != top_level) continue;

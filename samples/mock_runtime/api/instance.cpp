@@ -17,6 +17,17 @@ bool is_text(const char (&array)[size]) {
   return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
 }
 
+// What XR_EXT_hand_tracking's extensions extend must be there. OpenXR 1.1 and XR_KHR_maintenance1 have an
+// error of its own for that.
+void require_dependencies(const Instance& instance) {
+  const bool extends_hands =
+      instance.enabled(Extension::motion_range) || instance.enabled(Extension::data_source);
+  const bool has_error = instance.version_1_1() || instance.enabled(Extension::maintenance1);
+  require(!extends_hands || instance.enabled(Extension::hand_tracking),
+          has_error ? XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED : XR_ERROR_VALIDATION_FAILURE,
+          "an extension of XR_EXT_hand_tracking is enabled without it");
+}
+
 }  // namespace
 
 void Instance::enable(const char* name) {
@@ -67,6 +78,7 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   try {
     for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
       instance.enable(info->enabledExtensionNames[i]);
+    require_dependencies(instance);
   } catch (...) {
     runtime().registry.destroy(instance);
     throw;
@@ -107,17 +119,12 @@ XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
 XrResult result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
   runtime().registry.get<Instance>(handle);
   require_pointer(buffer, "buffer");
-  switch (value) {
-#define HRT_MOCK_NAME(name, number)                                \
-  case name:                                                       \
-    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", #name); \
-    return XR_SUCCESS;
-    XR_LIST_ENUM_XrResult(HRT_MOCK_NAME)
-#undef HRT_MOCK_NAME
-        default : break;
-  }
-  std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS",
-                value);
+  const std::string name = result_name(value);
+  if (name.starts_with("XR_"))
+    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "%s", name.c_str());
+  else
+    std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS",
+                  value);
   return XR_SUCCESS;
 }
 

@@ -24,6 +24,7 @@ class Instance : public Object {
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
   bool version_1_1() const { return enabled(Extension::version_1_1); }
+  SourceSet sources() const { return {version_1_1(), enabled(Extension::palm_pose)}; }
   void enable(const char* name);
   void enable_version_1_1() { extensions_.set(static_cast<std::size_t>(Extension::version_1_1)); }
 

@@ -27,7 +27,8 @@ constexpr std::string_view face_buttons_left = "x/click x/touch y/click y/touch 
 constexpr std::string_view face_buttons_right = "a/click a/touch b/click b/touch system/click";
 constexpr std::string_view oculus_touch =
     "squeeze/value trigger/value trigger/touch thumbstick/x thumbstick/y thumbstick/click thumbstick/touch "
-    "thumbrest/touch grip/pose aim/pose output/haptic";
+    "grip/pose aim/pose output/haptic";
+constexpr std::string_view thumbrest = "thumbrest/touch";
 constexpr std::string_view proximity = "trigger/proximity thumb_resting_surfaces/proximity";
 constexpr std::string_view pico =
     "system/click menu/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value "
@@ -72,6 +73,7 @@ const std::vector<Profile>& profile_table() {
        {{"left", face_buttons_left},
         {"right", face_buttons_right},
         {hands, oculus_touch},
+        {hands, thumbrest},
         {hands, proximity, true}}},
       {"/interaction_profiles/valve/index_controller",
        {{hands,
@@ -117,6 +119,7 @@ const std::vector<Profile>& profile_table() {
        {{"left", face_buttons_left, true},
         {"right", face_buttons_right, true},
         {hands, oculus_touch, true},
+        {hands, thumbrest, true},
         {hands, proximity, true}}},
       {"/interaction_profiles/meta/touch_controller_quest_1_rift_s",
        {{"left", face_buttons_left, true},
@@ -127,17 +130,20 @@ const std::vector<Profile>& profile_table() {
        {{"left", face_buttons_left, true},
         {"right", face_buttons_right, true},
         {hands, oculus_touch, true},
+        {hands, thumbrest, true},
         {hands, proximity, true}}},
       {"/interaction_profiles/meta/touch_plus_controller",
        {{"left", face_buttons_left, true},
         {"right", face_buttons_right, true},
         {hands, oculus_touch, true},
+        {hands, thumbrest, true},
         {hands, proximity, true},
         {hands, "trigger/force trigger_slide/value trigger_curl/value", true}}},
       {"/interaction_profiles/meta/touch_pro_controller",
        {{"left", face_buttons_left, true},
         {"right", face_buttons_right, true},
         {hands, oculus_touch, true},
+        {hands, thumbrest, true},
         {hands, proximity, true},
         {hands,
          "stylus/force trigger_slide/value trigger_curl/value thumbrest/force output/haptic_thumb "
@@ -179,8 +185,9 @@ Source make_source(std::string_view device, std::string_view component) {
 
 using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
 
-// OpenXR 1.1 has the pose of the palm, grip_surface, wherever there is a grip.
-ProfileSources make_profiles(bool version_1_1) {
+// OpenXR 1.1 has the pose of the palm, grip_surface, wherever there is a grip, as XR_EXT_palm_pose has
+// palm_ext.
+ProfileSources make_profiles(bool version_1_1, bool palm_pose) {
   ProfileSources made;
   for (const Profile& profile : profile_table())
     for (const Part& part : profile.parts) {
@@ -191,15 +198,16 @@ ProfileSources make_profiles(bool version_1_1) {
           sources.push_back(make_source(device, component));
           if (version_1_1 && component == "grip/pose")
             sources.push_back(make_source(device, "grip_surface/pose"));
+          if (palm_pose && component == "grip/pose") sources.push_back(make_source(device, "palm_ext/pose"));
         }
     }
   return made;
 }
 
-const ProfileSources& profiles_of(bool version_1_1) {
-  static const ProfileSources of_1_0 = make_profiles(false);
-  static const ProfileSources of_1_1 = make_profiles(true);
-  return version_1_1 ? of_1_1 : of_1_0;
+const ProfileSources& profiles_of(const SourceSet& set) {
+  static const std::array all{make_profiles(false, false), make_profiles(false, true),
+                              make_profiles(true, false), make_profiles(true, true)};
+  return all[(set.version_1_1 ? 2U : 0U) + (set.palm_pose ? 1U : 0U)];
 }
 
 // Whether a source of this kind can drive an action; floats and booleans convert to each other.
@@ -245,14 +253,14 @@ std::string_view top_level_of(std::string_view path) {
   return {};
 }
 
-const std::vector<Source>* find_profile(std::string_view profile, bool version_1_1) {
-  const ProfileSources& profiles = profiles_of(version_1_1);
+const std::vector<Source>* find_profile(std::string_view profile, const SourceSet& set) {
+  const ProfileSources& profiles = profiles_of(set);
   const auto found = profiles.find(profile);
   return found == profiles.end() ? nullptr : &found->second;
 }
 
 const Source* find_source(std::string_view path) {
-  for (const auto& [name, sources] : profiles_of(true))
+  for (const auto& [name, sources] : profiles_of({}))
     for (const Source& source : sources)
       if (source.path == path) return &source;
   return nullptr;

@@ -42,15 +42,21 @@ struct Source {
   SourceKind kind;
 };
 
-/// The sources of an interaction profile, or null if there is no such profile in OpenXR 1.1, or 1.0.
-const std::vector<Source>* find_profile(std::string_view profile, bool version_1_1);
+/// Which sources interaction profiles have.
+struct SourceSet {
+  bool version_1_1 = true;  ///< those of OpenXR 1.1, or of 1.0
+  bool palm_pose = true;    ///< and of XR_EXT_palm_pose
+};
+
+/// The sources of an interaction profile, or null if there is no such profile.
+const std::vector<Source>* find_profile(std::string_view profile, const SourceSet& set = {});
 
 /// The sources that drive an action of `type` bound to `path`, a source or the parent of sources: one, or x
 /// and y of a vector. An empty list if they cannot drive that type; none if the profile has no such path.
 std::optional<std::vector<Source>> resolve_binding(const std::vector<Source>& profile, std::string_view path,
                                                    XrActionType type);
 
-/// The source of this path in any profile of OpenXR 1.1, or null.
+/// The source of this path in any profile, or null.
 const Source* find_source(std::string_view path);
 
 }  // namespace hrt::mock

@@ -92,6 +92,7 @@ void Session::happen(const ScriptEvent& event) {
   if (std::holds_alternative<InstanceLossPending>(event.what))
     instance().push_event(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
                                                          instance().clock.now()});
+  if (const auto* head = std::get_if<HeadEvent>(&event.what)) world().lose_head(head->lost);
   if (const auto* hand = std::get_if<HandEvent>(&event.what)) {
     switch (hand->fault) {
       case HandFault::lose_tracking:

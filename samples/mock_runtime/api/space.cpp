@@ -56,9 +56,14 @@ void play_location(const RecordedLocation& recorded, Location& location, Velocit
   velocity->angularVelocity = recorded.angular;
 }
 
+XrSpaceLocationFlags flags_of(const Space& space, const Space& base) {
+  const bool seen = space.stands_in_room() == base.stands_in_room() || base.can_see_room();
+  return seen ? all_location_flags : all_location_flags & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+}
+
 template <typename Location>
-void write_location(const std::optional<Motion>& motion, Location& location) {
-  location.locationFlags = motion ? all_location_flags : 0;
+void write_location(const std::optional<Motion>& motion, XrSpaceLocationFlags flags, Location& location) {
+  location.locationFlags = motion ? flags : 0;
   location.pose = to_xr(motion ? motion->pose : Pose{});
 }
 template <typename Velocity>
@@ -81,6 +86,15 @@ std::optional<Motion> Space::motion(XrTime time) const {
   const auto type = std::get<XrReferenceSpaceType>(origin);
   if (type == XR_REFERENCE_SPACE_TYPE_VIEW) return session().world().head(time) * offset;
   return Motion{session().world().origins.in_world(type, time) * offset};
+}
+
+bool Space::stands_in_room() const {
+  const auto* type = std::get_if<XrReferenceSpaceType>(&origin);
+  return type != nullptr && *type != XR_REFERENCE_SPACE_TYPE_VIEW;
+}
+
+bool Space::can_see_room() const {
+  return !session().world().head_is_lost();
 }
 
 std::optional<Pose> Space::in_world(XrTime time) const {
@@ -158,7 +172,7 @@ XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceL
     return XR_SUCCESS;
   }
   const auto located = locate(space, base, time);
-  write_location(located, *location);
+  write_location(located, flags_of(space, base), *location);
   if (velocity != nullptr) write_velocity(located, *velocity);
   return XR_SUCCESS;
 }
@@ -194,7 +208,7 @@ XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpace
       continue;
     }
     const auto located = locate(*spaces[i], base, info->time);
-    write_location(located, locations->locations[i]);
+    write_location(located, flags_of(*spaces[i], base), locations->locations[i]);
     if (velocities != nullptr) write_velocity(located, velocities->velocities[i]);
   }
   return XR_SUCCESS;
@@ -229,10 +243,12 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
              view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
              view.fov = field_of_view;
            });
-  state->viewStateFlags = !in_world ? 0
-                                    : XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
-                                          XR_VIEW_STATE_ORIENTATION_TRACKED_BIT |
-                                          XR_VIEW_STATE_POSITION_TRACKED_BIT;
+  state->viewStateFlags =
+      !in_world ? 0
+                : XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
+                      XR_VIEW_STATE_ORIENTATION_TRACKED_BIT |
+                      (space.stands_in_room() && !space.can_see_room() ? XrViewStateFlags{0}
+                                                                       : XR_VIEW_STATE_POSITION_TRACKED_BIT);
   return XR_SUCCESS;
 }
 

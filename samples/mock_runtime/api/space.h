@@ -30,6 +30,11 @@ class Space : public Object {
   std::optional<Motion> motion(XrTime time) const;
   std::optional<Pose> in_world(XrTime time) const;
 
+  /// A reference space other than VIEW. What the headset sees or is has guessed positions in it while the
+  /// headset has lost track.
+  bool stands_in_room() const;
+  bool can_see_room() const;
+
   Origin origin;
   SpaceName name;  ///< as a recording has it
   Pose offset;

@@ -95,7 +95,7 @@ void read_controller(Members& members, ControllerSettings& controller) {
 std::string read_profile(Members& members) {
   const Json& name = members.at("profile");
   if (name.is_null()) return {};
-  if (!name.is_string() || find_profile(name.get<std::string>(), true) == nullptr)
+  if (!name.is_string() || find_profile(name.get<std::string>()) == nullptr)
     refuse(members.where("profile"),
            "must be null or an interaction profile of OpenXR 1.1, such as "
            "\"/interaction_profiles/khr/simple_controller\"");

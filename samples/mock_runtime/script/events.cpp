@@ -95,6 +95,12 @@ ScriptEvent read_event(Members& members) {
   }
   if (auto* recenter = std::get_if<Recenter>(&event.what)) *recenter = read_recenter(members);
   if (auto* hand = std::get_if<HandEvent>(&event.what)) {
+    const bool lost = hand->fault == HandFault::lose_tracking;
+    if (members.has("of") && (lost || hand->fault == HandFault::regain_tracking)) {
+      members.choice<int>("of", {{"head", 0}});
+      event.what = HeadEvent{lost};
+      return event;
+    }
     hand->hand =
         members.choice<XrHandEXT>("hand", {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}});
     if (hand->fault == HandFault::jump) {

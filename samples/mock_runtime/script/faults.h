@@ -55,7 +55,7 @@ class Faults {
 const char* name_of(FunctionId function);
 std::optional<FunctionId> find_function(std::string_view name);
 
-/// The errors that the specification allows a function, in 1.0 and the runtime's extensions.
+/// The errors that OpenXR's registry lists for a function (registry_errors.h).
 std::vector<XrResult> legal_errors(FunctionId function);
 
 }  // namespace hrt::mock

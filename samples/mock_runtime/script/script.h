@@ -24,6 +24,10 @@ struct HandEvent {
   XrHandEXT hand = XR_HAND_LEFT_EXT;
   Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
 };
+/// The headset loses track of the room, or finds it again.
+struct HeadEvent {
+  bool lost = false;
+};
 struct StateEvent {
   XrSessionState state = XR_SESSION_STATE_UNKNOWN;
 };
@@ -58,8 +62,8 @@ struct ScriptEvent {
   Scope scope;
   std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
   std::int64_t time_ns;  ///< after the session was created
-  std::variant<HandEvent, StateEvent, Recenter, DeviceEvent, InputEvent, PresenceEvent, RepeatState,
-               LoseSession, LoseInstance, InstanceLossPending>
+  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, PresenceEvent,
+               RepeatState, LoseSession, LoseInstance, InstanceLossPending>
       what;
 };
 

@@ -127,7 +127,9 @@ HandState World::hand_on_path(XrHandEXT side, XrTime time) const {
 }
 
 Motion World::head(XrTime time) const {
-  return settings_.head.empty() ? Motion{local_space_in_world()} : on_path(settings_.head, time);
+  if (settings_.head.empty()) return {local_space_in_world()};
+  const Motion there = on_path(settings_.head, head_lost_at_.value_or(time));
+  return head_lost_at_ ? Motion{there.pose} : there;
 }
 
 std::optional<Motion> World::controller(XrHandEXT side, XrTime time) const {

@@ -57,6 +57,13 @@ class World {
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
+  /// The headset loses track of the room: it stays where it was for the application, and what it sees is
+  /// known from there alone.
+  void lose_head(bool lost) {
+    head_lost_at_ = lost ? std::optional(head_lost_at_.value_or(now_)) : std::nullopt;
+  }
+  bool head_is_lost() const { return head_lost_at_.has_value(); }
+
   /// The head; a controller's grip, if it has a path.
   Motion head(XrTime time) const;
   std::optional<Motion> controller(XrHandEXT hand, XrTime time) const;
@@ -102,6 +109,7 @@ class World {
   Pose plate_;
   double plate_radius_m_ = 0.0;
   std::array<Hand, 2> hands_;
+  std::optional<XrTime> head_lost_at_;
   std::uint32_t reaches_ = 0;
   XrTime start_;
   XrTime now_;

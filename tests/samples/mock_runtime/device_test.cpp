@@ -85,6 +85,44 @@ TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
   EXPECT_NEAR(distance_m(views[0].pose, views[1].pose), 0.063, 1e-6);
 }
 
+// "XR_SPACE_LOCATION_POSITION_TRACKED_BIT [...] unset when the position is inferred [...] and not currently
+// tracked": a headset that does not know where it is sees hands, but not where they are in the room.
+TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
+  apply(
+      R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 1000, "position_m": [0, 0, 1]}]},
+      "events": [{"frame": 3, "do": "lose_tracking", "of": "head"},
+                 {"frame": 6, "do": "regain_tracking", "of": "head"}]})");
+  begin_session();
+  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL),
+                view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  const XrSpace stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
+  const XrHandTrackerEXT tracker = create_hand_tracker();
+  constexpr XrSpaceLocationFlags all = 15, guessed = all & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  XrPosef before{};
+  for (int number = 1; number <= 7; ++number) {
+    const XrTime time = frame();
+    const bool lost = number >= 3 && number < 6;
+    const XrSpaceLocation head = located(view, local, time);
+    EXPECT_EQ(head.locationFlags, lost ? guessed : all) << number;
+    EXPECT_EQ(located(local, view, time).locationFlags, lost ? guessed : all) << number;
+    EXPECT_EQ(located(stage, local, time).locationFlags, all) << number;
+    const double moved_m = distance_m(head.pose, before);
+    EXPECT_TRUE(number != 5 || moved_m == 0.0) << moved_m;
+    EXPECT_TRUE(number != 7 || moved_m > 0.01) << moved_m;
+    before = head.pose;
+    const Hand in_room = locate_hand(tracker, local, time), in_view = locate_hand(tracker, view, time);
+    EXPECT_TRUE(in_room.active);
+    EXPECT_EQ(in_room.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, lost ? guessed : all) << number;
+    EXPECT_EQ(in_view.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, all) << number;
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+                                time, local};
+    XrViewState state{XR_TYPE_VIEW_STATE};
+    std::uint32_t count = 0;
+    ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 0, &count, nullptr));
+    EXPECT_EQ((state.viewStateFlags & XR_VIEW_STATE_POSITION_TRACKED_BIT) == 0, lost) << number;
+  }
+}
+
 class MockControllers : public MockDevices {
  protected:
   void attach(const std::vector<std::pair<const char*, const char*>>& profiles_and_triggers) {

@@ -23,6 +23,7 @@ const bool runtime_is_chosen = unsetenv("HRT_MOCK_SCRIPT") == 0 && unsetenv("HRT
 }  // namespace
 
 std::string result_name(XrResult result) {
+  if (result == XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED) return "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED";
   switch (result) {
 #define HRT_NAME(name, value) \
   case name:                  \

@@ -1,8 +1,11 @@
 // An application for OpenXR 1.1. Above each test stands the sentence that it tests, from the
 // specification 1.1.
 #include <algorithm>
+#include <cstdlib>
+#include <fstream>
 
 #include "tests/samples/mock_runtime/negotiation.h"
+#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -158,6 +161,94 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
             suggest("bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
             suggest("meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+            suggest("meta/touch_controller_quest_1_rift_s", "/user/hand/left/input/thumbrest/touch"));
+}
+
+// Of an application for 1.0.
+class MockPromoted : public MockNegotiation {
+ protected:
+  void SetUp() override {
+    MockNegotiation::SetUp();
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  }
+  XrResult create(const std::vector<const char*>& names, XrVersion version = XR_MAKE_VERSION(1, 0, 0)) {
+    XrInstanceCreateInfo info = instance_info(names);
+    info.applicationInfo.apiVersion = version;
+    return fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance);
+  }
+  void destroy() {
+    EXPECT_XR(XR_SUCCESS, fetch_direct<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance));
+  }
+  XrPath path(const char* text) {
+    XrPath made = XR_NULL_PATH;
+    EXPECT_XR(XR_SUCCESS,
+              fetch_direct<PFN_xrStringToPath>(instance, "xrStringToPath")(instance, text, &made));
+    return made;
+  }
+  XrResult suggest(const char* source) {
+    const XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
+    XrActionSet set = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS,
+              fetch_direct<PFN_xrCreateActionSet>(instance, "xrCreateActionSet")(instance, &set_info, &set));
+    const XrActionCreateInfo action_info{
+        XR_TYPE_ACTION_CREATE_INFO, nullptr, "palm", XR_ACTION_TYPE_POSE_INPUT, 0, nullptr, "palm"};
+    XrAction palm = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS,
+              fetch_direct<PFN_xrCreateAction>(instance, "xrCreateAction")(set, &action_info, &palm));
+    const XrActionSuggestedBinding binding{palm, path(source)};
+    const XrInteractionProfileSuggestedBinding suggested{
+        XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+        path("/interaction_profiles/khr/simple_controller"), 1, &binding};
+    return fetch_direct<PFN_xrSuggestInteractionProfileBindings>(
+        instance, "xrSuggestInteractionProfileBindings")(instance, &suggested);
+  }
+  XrInstance instance = XR_NULL_HANDLE;
+};
+
+// XR_EXT_palm_pose: "/user/hand/left/input/palm_ext/pose", "only usable if the extension is enabled".
+TEST_F(MockPromoted, PalmPoseIsThereWithItsExtension) {
+  for (const bool enabled : {false, true}) {
+    std::vector<const char*> names;
+    if (enabled) names.push_back("XR_EXT_palm_pose");
+    ASSERT_XR(XR_SUCCESS, create(names));
+    EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
+              suggest("/user/hand/left/input/palm_ext/pose"));
+    destroy();
+  }
+}
+
+// XR_KHR_maintenance1: XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED_KHR, which is core in 1.1, and its name.
+TEST_F(MockPromoted, MissingDependenciesHaveAnErrorOfTheirOwn) {
+  const auto number = static_cast<XrResult>(-1000710001);
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, create({"XR_EXT_hand_joints_motion_range"}));
+  EXPECT_XR(number, create({"XR_EXT_hand_joints_motion_range", "XR_KHR_maintenance1"}));
+  EXPECT_XR(number, create({"XR_EXT_hand_tracking_data_source"}, XR_MAKE_VERSION(1, 1, 0)));
+  ASSERT_XR(XR_SUCCESS,
+            create({"XR_KHR_maintenance1", "XR_EXT_hand_joints_motion_range", "XR_EXT_hand_tracking"}));
+  char name[XR_MAX_RESULT_STRING_SIZE];
+  const auto to_string = fetch_direct<PFN_xrResultToString>(instance, "xrResultToString");
+  ASSERT_XR(XR_SUCCESS, to_string(instance, number, name));
+  EXPECT_STREQ(name, "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED");
+  ASSERT_XR(XR_SUCCESS, to_string(instance, static_cast<XrResult>(-1000710000), name));
+  EXPECT_STREQ(name, "XR_ERROR_PERMISSION_INSUFFICIENT");
+  destroy();
+}
+
+// Each extension that OpenXR 1.1 promotes can be withheld.
+TEST_F(MockPromoted, CanBeWithheld) {
+  const TemporaryFolder folder;
+  for (const std::string name :
+       {"XR_EXT_local_floor", "XR_KHR_locate_spaces", "XR_KHR_maintenance1", "XR_EXT_palm_pose"}) {
+    std::ofstream(folder / "script.json") << R"({"withhold_extensions": [")" << name << "\"]}";
+    EXPECT_XR(XR_SUCCESS, create({name.c_str()}));
+    destroy();
+    setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+    EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create({name.c_str()})) << name;
+    unsetenv("HRT_MOCK_SCRIPT");
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  }
 }
 
 }  // namespace

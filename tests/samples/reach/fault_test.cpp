@@ -54,6 +54,16 @@ TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   }
 }
 
+// The headset does not know where it is: its hands' places on the plate are guesses, and do not count.
+TEST(ReachFault, TheHeadsetLosesTrackOfTheRoom) {
+  const std::string script = "{" + calm + R"(, "events": [{"frame": 100, "do": "lose_tracking", "of": "head"},
+      {"frame": 127, "do": "regain_tracking", "of": "head"}]})";
+  const Outcome outcome = run_desk(script);
+  expect_all_reached(outcome, script);
+  ASSERT_FALSE(rows_of(outcome).empty());
+  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 1);
+}
+
 TEST(ReachFault, TrackingIsLostForGood) {
   const Outcome outcome = run_scripted("{" + calm + R"(, "events": [{"frame": 60, "do": "lose_tracking",
       "hand": "right"}]})",

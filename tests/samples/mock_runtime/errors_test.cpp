@@ -1,0 +1,536 @@
+// The error codes of every function, against those that OpenXR's registry lists for it
+// (script/registry_errors.h): each is provoked here, or stands below with the reason why this runtime does
+// not produce it; none is produced that is not listed.
+#include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "samples/mock_runtime/functions.h"
+#include "samples/mock_runtime/script/registry_errors.h"
+#include "tests/samples/mock_runtime/negotiation.h"
+#include "tests/samples/process.h"
+
+namespace hrt::mock {
+namespace {
+
+using Codes = std::map<std::string, std::set<std::string>>;  // by function, without "XR_ERROR_"
+
+// "*": every function that has the code.
+struct Reason {
+  const char* functions;
+  const char* codes;
+  const char* why;
+};
+constexpr Reason reasons[] = {
+    {"*", "RUNTIME_FAILURE OUT_OF_MEMORY", "on a script's order only: neither happens by itself"},
+    {"*", "FUNCTION_UNSUPPORTED", "without its extension a function has no address, so nobody can call it"},
+    {"xrEnumerateInstanceExtensionProperties xrCreateInstance", "RUNTIME_UNAVAILABLE",
+     "a loader finds no runtime"},
+    {"xrCreateInstance", "API_LAYER_NOT_PRESENT", "a loader finds the layers"},
+    {"xrGetInstanceProcAddr", "INSTANCE_LOST",
+     "a lost instance is destroyed through functions that it gives"},
+    {"xrGetSystem", "FORM_FACTOR_UNAVAILABLE", "on a script's order only: the display is always there"},
+    {"xrCreateSession", "GRAPHICS_REQUIREMENTS_CALL_MISSING INITIALIZATION_FAILED", "there are no graphics"},
+    {"xrCreateReferenceSpace xrCreateActionSpace xrCreateSwapchain xrCreateActionSet xrCreateAction "
+     "xrCreateHandTrackerEXT",
+     "LIMIT_REACHED", "there is no limit"},
+    {"xrStringToPath", "PATH_COUNT_EXCEEDED", "there is no limit"},
+    {"xrEnumerateApiLayerProperties xrEnumerateSwapchainFormats", "SIZE_INSUFFICIENT", "the list is empty"},
+    {"xrEnumerateEnvironmentBlendModes xrEnumerateViewConfigurations", "SIZE_INSUFFICIENT",
+     "the list has one element"},
+    {"xrLocateSpaces xrLocateSpacesKHR", "SIZE_INSUFFICIENT",
+     "counts that differ are invalid; there is no capacity"},
+    {"xrEndFrame", "POSE_INVALID SWAPCHAIN_RECT_INVALID", "of layers number, type and space are checked"},
+    {"xrCreateSwapchain", "FEATURE_UNSUPPORTED", "a headless session has no formats, which is refused first"},
+    {"xrEnumerateSwapchainImages xrAcquireSwapchainImage xrWaitSwapchainImage xrReleaseSwapchainImage",
+     "CALL_ORDER_INVALID INSTANCE_LOST SESSION_LOST SIZE_INSUFFICIENT VALIDATION_FAILURE",
+     "a headless session has no swapchains"},
+    {"xrEndSession xrRequestExitSession", "VALIDATION_FAILURE", "a handle is all that is given"},
+    {"xrSetInputDeviceActiveEXT xrSetInputDeviceStateBoolEXT xrSetInputDeviceStateFloatEXT "
+     "xrSetInputDeviceStateVector2fEXT xrSetInputDeviceLocationEXT",
+     "VALIDATION_FAILURE",
+     "handles, paths and poses have errors of their own, and values are taken as they are"},
+    {"xrEnumerateBoundSourcesForAction", "PATH_INVALID", "no path is given"},
+};
+
+class MockErrors : public MockNegotiation {
+ protected:
+  void SetUp() override {
+    MockNegotiation::SetUp();
+    std::ofstream(folder / "script.json") << R"({"clock": "real-time", "frame_rate_hz": 1000})";
+    setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+    create_instance();
+  }
+  void TearDown() override {
+    unsetenv("HRT_MOCK_SCRIPT");
+    MockNegotiation::TearDown();
+  }
+
+  template <typename Function>
+  Function get(const char* name) {
+    PFN_xrVoidFunction function = nullptr;
+    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(instance, name, &function)) << name;
+    return reinterpret_cast<Function>(function);
+  }
+#define CALL(name, ...) note(#name, get<PFN_##name>(#name)(__VA_ARGS__))
+  XrResult note(const char* function, XrResult result) {
+    if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
+    return result;
+  }
+
+  void create_instance() {
+    const std::vector<const char*> names{"XR_MND_headless",
+                                         "XR_EXT_hand_tracking",
+                                         "XR_KHR_convert_timespec_time",
+                                         "XR_EXT_conformance_automation",
+                                         "XR_KHR_locate_spaces",
+                                         "XR_HRTX_ridged_plate",
+                                         "XR_HRTX_mock_control"};
+    XrInstanceCreateInfo info = instance_info(names);
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
+    ASSERT_XR(XR_SUCCESS,
+              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+  }
+  // A session with all kinds of handles, and the script's faults in its first frame.
+  void create_session(const char* script) {
+    const std::string all = std::string(R"({"clock": "real-time", "frame_rate_hz": 1000)") + script + "}";
+    ASSERT_XR(XR_SUCCESS, get<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
+    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
+    ASSERT_XR(XR_SUCCESS, CALL(xrCreateSession, instance, &info, &session));
+    local = space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrHandTrackerCreateInfoEXT hand{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
+                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
+    CALL(xrCreateHandTrackerEXT, session, &hand, &tracker);
+    const std::string name = "set" + std::to_string(++sets);
+    XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO};
+    std::snprintf(set_info.actionSetName, sizeof set_info.actionSetName, "%s", name.c_str());
+    std::snprintf(set_info.localizedActionSetName, sizeof set_info.localizedActionSetName, "%s",
+                  name.c_str());
+    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &set_info, &set));
+    ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
+  }
+  void begin() {
+    const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+    ASSERT_XR(XR_SUCCESS, CALL(xrBeginSession, session, &info));
+  }
+  void destroy_session() {
+    EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session));
+  }
+
+  XrSpace space(XrReferenceSpaceType type) {
+    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity_pose};
+    XrSpace made = XR_NULL_HANDLE;
+    CALL(xrCreateReferenceSpace, session, &info, &made);
+    return made;
+  }
+  XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
+                       std::vector<XrPath> subactions = {}) {
+    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
+    std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
+    std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", localized);
+    info.actionType = type;
+    info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
+    info.subactionPaths = subactions.data();
+    return CALL(xrCreateAction, set, &info, made);
+  }
+  XrResult make_set(const char* name, const char* localized) {
+    XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
+    std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
+    std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
+    XrActionSet made = XR_NULL_HANDLE;
+    return CALL(xrCreateActionSet, instance, &info, &made);
+  }
+  XrPath path(const char* text) {
+    XrPath made = XR_NULL_PATH;
+    CALL(xrStringToPath, instance, text, &made);
+    return made;
+  }
+
+  // Calls every function with this handle and zeros; with null handles if `null`.
+  void call_all(bool null) {
+#define HRT_CALL(name, implementation, extension) call_zeros(#name, get<PFN_##name>(#name), null);
+    HRT_MOCK_FUNCTIONS(HRT_CALL)
+#undef HRT_CALL
+  }
+  template <typename First, typename... Rest>
+  void call_zeros(const char* name, XrResult (*function)(First, Rest...), bool null) {
+    const bool destroys = std::string(name).starts_with("xrDestroy");
+    if (!null && destroys) return;
+    note(name, function(null ? First{} : handle(First{}), Rest{}...));
+  }
+  XrInstance handle(XrInstance) const {
+    return instance;
+  }
+  XrSession handle(XrSession) const {
+    return session;
+  }
+  XrSpace handle(XrSpace) const {
+    return local;
+  }
+  XrActionSet handle(XrActionSet) const {
+    return set;
+  }
+  XrAction handle(XrAction) const {
+    return action;
+  }
+  XrHandTrackerEXT handle(XrHandTrackerEXT) const {
+    return tracker;
+  }
+  template <typename Other>
+  Other handle(Other none) const {
+    return none;
+  }
+
+  void provoke_at_instance();
+  void provoke_in_session();
+  void provoke_actions();
+
+  TemporaryFolder folder;
+  Codes produced;
+  int sets = 0;
+  XrInstance instance = XR_NULL_HANDLE;
+  XrSession session = XR_NULL_HANDLE;
+  XrSpace local = XR_NULL_HANDLE;
+  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
+  XrActionSet set = XR_NULL_HANDLE;
+  XrAction action = XR_NULL_HANDLE;
+};
+
+void MockErrors::provoke_at_instance() {
+  std::uint32_t count = 0;
+  XrExtensionProperties extension{XR_TYPE_EXTENSION_PROPERTIES};
+  CALL(xrEnumerateInstanceExtensionProperties, nullptr, 1, &count, &extension);
+  CALL(xrEnumerateInstanceExtensionProperties, "layer", 0, &count, nullptr);
+  PFN_xrVoidFunction function = nullptr;
+  CALL(xrGetInstanceProcAddr, instance, "xrDance", &function);
+  CALL(xrGetInstanceProcAddr, XR_NULL_HANDLE, "xrPollEvent", &function);
+  XrInstance second = XR_NULL_HANDLE;
+  const auto create = [&](std::vector<const char*> names, XrVersion version, const char* application) {
+    XrInstanceCreateInfo info = instance_info(names);
+    info.applicationInfo.apiVersion = version;
+    std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "%s", application);
+    CALL(xrCreateInstance, &info, &second);
+  };
+  create({}, XR_MAKE_VERSION(1, 0, 0), "second");
+  create({}, XR_MAKE_VERSION(2, 0, 0), "later");
+  create({}, XR_MAKE_VERSION(1, 0, 0), "");
+  const auto create_first = get<PFN_xrCreateInstance>("xrCreateInstance");
+  ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
+  const std::vector<const char*> unknown{"XR_EXT_dance"}, alone{"XR_EXT_hand_joints_motion_range"};
+  XrInstanceCreateInfo info = instance_info(unknown);
+  note("xrCreateInstance", create_first(&info, &second));
+  info = instance_info(alone);
+  info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
+  note("xrCreateInstance", create_first(&info, &second));
+  const std::string good = read_file(folder / "script.json");
+  std::ofstream(folder / "script.json") << "{";
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  info = instance_info({});
+  note("xrCreateInstance", create_first(&info, &second));
+  std::ofstream(folder / "script.json") << good;
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  create_instance();
+
+  const auto none = static_cast<XrSystemId>(99);
+  const auto odd = static_cast<XrViewConfigurationType>(12345);
+  XrSystemGetInfo form{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
+  XrSystemId system = 0;
+  CALL(xrGetSystem, instance, &form, &system);
+  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
+  CALL(xrGetSystemProperties, instance, none, &properties);
+  CALL(xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
+  CALL(xrEnumerateEnvironmentBlendModes, instance, 1, odd, 0, &count, nullptr);
+  CALL(xrEnumerateViewConfigurations, instance, none, 0, &count, nullptr);
+  XrViewConfigurationProperties view{XR_TYPE_VIEW_CONFIGURATION_PROPERTIES};
+  CALL(xrGetViewConfigurationProperties, instance, none, odd, &view);
+  CALL(xrGetViewConfigurationProperties, instance, 1, odd, &view);
+  XrViewConfigurationView one{XR_TYPE_VIEW_CONFIGURATION_VIEW};
+  CALL(xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
+  CALL(xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
+  CALL(xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1, &count,
+       &one);
+  // Of valid systems and views what is left is the missing count.
+  for (const auto& name : {0, 1}) {
+    std::uint32_t* missing = nullptr;
+    if (name == 0)
+      CALL(xrEnumerateEnvironmentBlendModes, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0,
+           missing, nullptr);
+    if (name == 1)
+      CALL(xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0,
+           missing, nullptr);
+  }
+  CALL(xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
+  XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
+  XrSession made = XR_NULL_HANDLE;
+  CALL(xrCreateSession, instance, &session_info, &made);
+  const timespec before{-1, 0};
+  timespec back{};
+  XrTime time = 0;
+  CALL(xrConvertTimespecTimeToTimeKHR, instance, &before, &time);
+  CALL(xrConvertTimeToTimespecTimeKHR, instance, 0, &back);
+  XrPath atom = XR_NULL_PATH;
+  CALL(xrStringToPath, instance, "no path", &atom);
+  char text[4];
+  CALL(xrPathToString, instance, 12345, 0, &count, nullptr);
+  CALL(xrPathToString, instance, path("/user/hand/left"), 4, &count, text);
+  CALL(xrPathToString, instance, path("/user/hand/left"), 0, nullptr, nullptr);
+  make_set("taken", "Taken");
+  make_set("taken", "Other");
+  make_set("other", "Taken");
+  make_set("", "Other");
+  make_set("other", "");
+  make_set("Other!", "Other");
+}
+
+void MockErrors::provoke_in_session() {
+  std::uint32_t count = 0;
+  const XrSessionCreateInfo again{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
+  XrSession second = XR_NULL_HANDLE;
+  CALL(xrCreateSession, instance, &again, &second);
+  const auto odd = static_cast<XrViewConfigurationType>(12345);
+  const XrSessionBeginInfo wrong{XR_TYPE_SESSION_BEGIN_INFO, nullptr, odd};
+  CALL(xrBeginSession, session, &wrong);
+  XrReferenceSpaceType type{};
+  CALL(xrEnumerateReferenceSpaces, session, 1, &count, &type);
+  space(static_cast<XrReferenceSpaceType>(12345));
+  const XrReferenceSpaceCreateInfo turned{
+      XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
+  XrSpace made = XR_NULL_HANDLE;
+  CALL(xrCreateReferenceSpace, session, &turned, &made);
+  XrExtent2Df extent{};
+  CALL(xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345), &extent);
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+  CALL(xrLocateSpace, local, local, 0, &location);
+  CALL(xrLocateSpace, local, local, 1, nullptr);
+  XrSpaceLocationData data{};
+  XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
+  const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, local, 0, 1, &local};
+  CALL(xrLocateSpaces, session, &locate, &locations);
+  CALL(xrLocateSpacesKHR, session, &locate, &locations);
+  XrViewState state{XR_TYPE_VIEW_STATE};
+  XrView view{XR_TYPE_VIEW};
+  XrViewLocateInfo views{XR_TYPE_VIEW_LOCATE_INFO, nullptr, odd, 1, local};
+  CALL(xrLocateViews, session, &views, &state, 0, &count, nullptr);
+  views.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
+  CALL(xrLocateViews, session, &views, &state, 1, &count, &view);
+  views.displayTime = 0;
+  CALL(xrLocateViews, session, &views, &state, 0, &count, nullptr);
+  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
+  XrHandJointLocationsEXT hand{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
+                               joints.data()};
+  const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
+  CALL(xrLocateHandJointsEXT, tracker, &joint_info, &hand);
+  XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
+  XrSwapchain swapchain = XR_NULL_HANDLE;
+  CALL(xrCreateSwapchain, session, &swapchain_info, &swapchain);
+
+  begin();
+  CALL(xrBeginSession, session, nullptr);
+  const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
+                                 XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
+  CALL(xrBeginSession, session, &twice);
+  CALL(xrEndSession, session);
+  CALL(xrBeginFrame, session, nullptr);
+  XrFrameState frame{XR_TYPE_FRAME_STATE};
+  XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
+  CALL(xrEndFrame, session, &end);
+  XrFrameBeginInfo odd_frame{XR_TYPE_FRAME_END_INFO};
+  CALL(xrBeginFrame, session, &odd_frame);
+  CALL(xrWaitFrame, session, nullptr, &frame);
+  CALL(xrBeginFrame, session, nullptr);
+  end.displayTime = 0;
+  CALL(xrEndFrame, session, &end);
+  end.displayTime = 1;
+  end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
+  CALL(xrEndFrame, session, &end);
+  end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
+  end.layerCount = 1;
+  CALL(xrEndFrame, session, &end);
+  end.layerCount = 10'000;
+  CALL(xrEndFrame, session, &end);
+  CALL(xrRequestExitSession, session);
+  CALL(xrEndSession, session);
+  CALL(xrBeginSession, session, &twice);  // EXITING
+
+  // The plate.
+  XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, {}, 0.075};
+  XrReachInstructionHRTX instruction{
+      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
+  CALL(xrInstructReachHRTX, session, &instruction);
+  XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
+  CALL(xrGetReachTruthHRTX, session, XR_HAND_RIGHT_EXT, &truth);
+  CALL(xrPlacePlateHRTX, session, &placement);
+  double orientation = 0.0;
+  CALL(xrGetPlateOrientationHRTX, session, 0, &orientation);
+  CALL(xrSetPlateOrientationHRTX, session, 1e9);
+}
+
+void MockErrors::provoke_actions() {
+  std::uint32_t count = 0;
+  const XrPath left = path("/user/hand/left"), right = path("/user/hand/right"), chest = path("/user/chest");
+  const auto never = static_cast<XrPath>(12345);
+  XrAction made = XR_NULL_HANDLE;
+  make_action("act", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  make_action("other", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  make_action("", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  make_action("other", "", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  make_action("Other!", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  make_action("other", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made, {chest});
+  make_action("other", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made, {never});
+  XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE, shake = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS,
+            make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left, right}));
+  ASSERT_XR(XR_SUCCESS, make_action("pose", "Pose", XR_ACTION_TYPE_POSE_INPUT, &pose, {left, right}));
+  ASSERT_XR(XR_SUCCESS,
+            make_action("shake", "Shake", XR_ACTION_TYPE_VIBRATION_OUTPUT, &shake, {left, right}));
+  const auto suggest = [&](XrPath profile, XrPath source) {
+    const XrActionSuggestedBinding bindings[]{{button, source},
+                                              {button, path("/user/hand/right/input/menu/click")}};
+    const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+                                                    profile, 2, bindings};
+    CALL(xrSuggestInteractionProfileBindings, instance, &info);
+  };
+  const XrPath simple = path("/interaction_profiles/khr/simple_controller");
+  const XrPath select = path("/user/hand/left/input/select/click");
+  suggest(never, select);
+  suggest(chest, select);
+  suggest(simple, select);
+
+  XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH,
+                                     identity_pose};
+  XrSpace in = XR_NULL_HANDLE;
+  const auto create_space = [&] { CALL(xrCreateActionSpace, session, &space_info, &in); };
+  create_space();
+  space_info.action = pose;
+  space_info.subactionPath = never;
+  create_space();
+  space_info.subactionPath = chest;
+  create_space();
+  space_info.subactionPath = left;
+  space_info.poseInActionSpace = {};
+  create_space();
+
+  XrActiveActionSet active{set, XR_NULL_PATH};
+  const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
+  const auto states = [&](XrAction of, XrPath subaction) {
+    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, of, subaction};
+    XrActionStateBoolean boolean{XR_TYPE_ACTION_STATE_BOOLEAN};
+    CALL(xrGetActionStateBoolean, session, &info, &boolean);
+    XrActionStateFloat number{XR_TYPE_ACTION_STATE_FLOAT};
+    CALL(xrGetActionStateFloat, session, &info, &number);
+    XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
+    CALL(xrGetActionStateVector2f, session, &info, &vector);
+    XrActionStatePose posed{XR_TYPE_ACTION_STATE_POSE};
+    CALL(xrGetActionStatePose, session, &info, &posed);
+    const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, of, subaction};
+    const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, 1, 0.0F, 0.5F};
+    CALL(xrApplyHapticFeedback, session, &haptic, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
+    CALL(xrStopHapticFeedback, session, &haptic);
+  };
+  const auto others = [&](XrPath top_level, XrPath source) {
+    XrInteractionProfileState profile{XR_TYPE_INTERACTION_PROFILE_STATE};
+    CALL(xrGetCurrentInteractionProfile, session, top_level, &profile);
+    const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr,
+                                                 source, 7};
+    char text[2];
+    CALL(xrGetInputSourceLocalizedName, session, &name, 2, &count, text);
+    const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
+                                                     button};
+    XrPath one = XR_NULL_PATH;
+    CALL(xrEnumerateBoundSourcesForAction, session, &bound, 1, &count, &one);
+  };
+  CALL(xrSyncActions, session, &sync);  // nothing is attached
+  states(button, XR_NULL_PATH);
+  states(pose, XR_NULL_PATH);
+  others(left, select);
+  const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
+  ASSERT_XR(XR_SUCCESS, CALL(xrAttachSessionActionSets, session, &attach));
+  CALL(xrAttachSessionActionSets, session, &attach);
+  make_action("late", "Late", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
+  suggest(simple, select);
+  active.subactionPath = never;
+  CALL(xrSyncActions, session, &sync);
+  active.subactionPath = chest;
+  CALL(xrSyncActions, session, &sync);
+  for (const XrAction of : {button, pose})
+    for (const XrPath subaction : {XrPath{XR_NULL_PATH}, never, chest}) states(of, subaction);
+  begin();
+  for (const XrPath hand : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, hand, XR_TRUE);
+  active.subactionPath = XR_NULL_PATH;
+  CALL(xrSyncActions, session, &sync);
+  for (const XrPath top_level : {never, chest, left})
+    for (const XrPath source : {never, chest, select}) others(top_level, source);
+  for (const XrPath bad : {never, chest}) {
+    CALL(xrSetInputDeviceActiveEXT, session, simple, bad, XR_TRUE);
+    CALL(xrSetInputDeviceStateBoolEXT, session, left, bad, XR_TRUE);
+    CALL(xrSetInputDeviceStateFloatEXT, session, left, bad, 1.0F);
+    CALL(xrSetInputDeviceStateVector2fEXT, session, left, bad, {});
+    CALL(xrSetInputDeviceLocationEXT, session, left, bad, local, identity_pose);
+  }
+  CALL(xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"), local, {});
+}
+
+TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
+  provoke_at_instance();
+  create_session("");
+  call_all(true);
+  call_all(false);  // READY
+  provoke_in_session();
+  destroy_session();
+  create_session("");
+  provoke_actions();
+  call_all(false);  // running
+  destroy_session();
+  create_session(R"(, "hand_tracking": false)");
+  destroy_session();
+  for (const char* loss : {"lose_session", "lose_instance"}) {
+    create_session((std::string(R"(, "events": [{"frame": 1, "do": ")") + loss + "\"}]").c_str());
+    begin();
+    XrFrameState frame{XR_TYPE_FRAME_STATE};
+    CALL(xrWaitFrame, session, nullptr, &frame);
+    call_all(false);
+    destroy_session();
+  }
+  const auto no_headless = get<PFN_xrCreateInstance>("xrCreateInstance");
+  ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
+  const XrInstanceCreateInfo info = instance_info({});
+  ASSERT_XR(XR_SUCCESS, no_headless(&info, &instance));
+  const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
+  CALL(xrCreateSession, instance, &create, &session);
+  EXPECT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
+
+  const auto words = [](std::string_view text) {
+    std::istringstream stream{std::string(text)};
+    std::set<std::string> found;
+    for (std::string word; stream >> word;) found.insert(word);
+    return found;
+  };
+  std::set<const Reason*> used;
+  for (const RegistryErrors& row : registry_errors) {
+    const std::string function(row.function);
+    const std::set<std::string> listed = words(row.errors);
+    for (const std::string& code : produced[function])
+      EXPECT_TRUE(listed.contains(code))
+          << function << " gives " << code << ", which the registry does not list";
+    for (const std::string& code : listed) {
+      const Reason* reason = nullptr;
+      for (const Reason& each : reasons)
+        if ((words(each.functions).contains(function) || words(each.functions).contains("*")) &&
+            words(each.codes).contains(code))
+          reason = &each;
+      const bool given = produced[function].contains(code);
+      EXPECT_TRUE(given || reason != nullptr) << function << " never gives " << code;
+      if (reason != nullptr && !given) used.insert(reason);
+    }
+  }
+  for (const Reason& each : reasons)
+    EXPECT_TRUE(used.contains(&each)) << each.functions << ": " << each.codes;
+}
+
+}  // namespace
+}  // namespace hrt::mock
