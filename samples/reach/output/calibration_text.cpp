@@ -113,4 +113,19 @@ void print_calibration(std::ostream& out, const CalibrationOutcome& outcome) {
                          : "The time ran out before the share of touch was known as well as was asked.\n");
 }
 
+std::string calibration_in_words(const CalibrationOutcome& outcome) {
+  const hrt_calibration_result& result = outcome.result;
+  std::string words = format("The calibration is complete after %u slides. ", result.trials);
+  words += outcome.enough ? "It is as exact as was asked. "
+                          : "The time ran out before it was as exact as was asked. ";
+  if (result.tactile_weight.known != 0)
+    words += format("The share of touch is %.0f percent, between %.0f and %.0f. ",
+                    1e2 * result.tactile_weight.value, 1e2 * result.tactile_weight.lower,
+                    1e2 * result.tactile_weight.upper);
+  if (result.largest_gap_deg.known != 0)
+    words += format("The largest gap that a plate can hold is %.0f degrees. ", result.largest_gap_deg.value);
+  return words + (result.lack_of_fit == 0 ? "The model fits the slides."
+                                          : "The model does not fit the slides: the printed text says why.");
+}
+
 }  // namespace hrt::reach

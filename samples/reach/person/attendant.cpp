@@ -27,7 +27,7 @@ void Attendant::obey(char key, XrTime time) {
       throw Interrupted();
     case 'n':
     case 'b':
-      if (in_reaches_) throw OtherReach{key == 'b'};
+      if (in_reaches_) throw OtherReach(key == 'b');
       return prompt_.say("That key is for reaches.");
     default:
       return;

@@ -1,13 +1,17 @@
 // Attends to the person in every frame: keys, and what the runtime does to the plate's place.
 #pragma once
 
+#include <exception>
+
 #include "samples/reach/person/prompt.h"
 #include "samples/reach/stage.h"
 
 namespace hrt::reach {
 
 /// Thrown out of a reach: the person wants another one.
-struct OtherReach {
+struct OtherReach : std::exception {
+  explicit OtherReach(bool previous) : is_previous(previous) {}
+  const char* what() const noexcept override { return "another reach is wanted"; }
   bool is_previous;  ///< else the next
 };
 

@@ -24,7 +24,7 @@ CalibrationOutcome outcome() {
   result.tactile_weight = known(0.2, 0.02);
   result.person_weight = known(0.25, 0.02);
   result.person_curve = known(0.1, 0.0);
-  result.largest_gap_deg = known(9.5, 1.0);
+  result.largest_gap_deg = known(9.6, 1.0);
   result.bias_deg = known(-1.25, 0.5);
   result.tracker_noise_m = known(0.0012, 0.0001);
   for (std::uint32_t trial = 0; trial < 3; ++trial)
@@ -50,12 +50,28 @@ TEST(CalibrationText, ShowsTheCurveAndItsNumbers) {
   // 0.25 t - 0.1 t (t / 75)^2 at 75 is 18.75 - 7.5; its deviation that of w alone, 75 * 0.01.
   expect_part(text, " 11.2 +- 0.8\n");
   expect_part(text, "0.200      95 % within 0.190 to 0.210");
-  expect_part(text, "9.500 deg  95 % within 9.000 to 10.000");
+  expect_part(text, "9.600 deg  95 % within 9.100 to 10.100");
   expect_part(text, "52 deg from the motion");
   expect_part(text, "-1.250 deg");
   expect_part(text, "1.200 mm ");
   expect_part(text, "habit of curving                   not known\n");
   expect_part(text, "The model fits the slides.\nEnough");
+}
+
+TEST(CalibrationText, IsSpokenInShort) {
+  EXPECT_EQ(
+      calibration_in_words(outcome()),
+      "The calibration is complete after 3 slides. It is as exact as was asked. The share of touch is 20 "
+      "percent, between 19 and 21. The largest gap that a plate can hold is 10 degrees. The model fits the "
+      "slides.");
+  CalibrationOutcome bad = outcome();
+  bad.enough = false;
+  bad.result.lack_of_fit = HRT_LACK_OF_FIT_PATH;
+  bad.result.tactile_weight.known = bad.result.largest_gap_deg.known = 0;
+  EXPECT_EQ(
+      calibration_in_words(bad),
+      "The calibration is complete after 3 slides. The time ran out before it was as exact as was asked. "
+      "The model does not fit the slides: the printed text says why.");
 }
 
 TEST(CalibrationText, NamesSlidesAndWhatToDo) {

@@ -306,5 +306,34 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
     EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
 }
 
+// Slides again and again, until a key ends it: all that the user needs is spoken.
+TEST(ReachKeys, ACalibrationWithoutSight) {
+  const Voice voice;
+  Path path(plate_of_desk);
+  for (int slide = 0; slide < 40; ++slide) path.hold(start, 900).slide({0.0, -0.05}, 500).rest(500).lift();
+  const Terminal terminal;
+  const Program program(person_and({"--plate", "servo", "--calibrate", voice.folder + "/profile.json",
+                                    "--speak-with", voice.program}),
+                        scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
+  const auto give_up = Clock::now() + 60s;
+  const auto await = [&](const char* part) {
+    while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up)
+      std::this_thread::sleep_for(5ms);
+  };
+  await("Slide 1, minute 1");
+  terminal.type("hn");
+  await("Now slide straight ahead");
+  await("Slide 3, minute");
+  terminal.type("rwq");
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("slide   2"), std::string::npos) << outcome.out;
+  const std::string heard = voice.heard();
+  for (const char* part : {"Keys: r repeats", "You will slide one fingertip straight ahead",
+                           "Slide 1, minute 1", "That key is for reaches.", "Now slide straight ahead",
+                           "Slide 3, minute", "interrupted; no profile was written"})
+    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+}
+
 }  // namespace
 }  // namespace hrt::reach

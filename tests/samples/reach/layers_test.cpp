@@ -1,0 +1,58 @@
+// LunarG's API layers, as Debian packages them, in front of the mock runtime.
+#include <gtest/gtest.h>
+
+#include "tests/samples/reach/hand_path.h"
+#include "tests/samples/reach/program.h"
+
+namespace hrt::reach {
+namespace {
+
+const std::string desk = HRT_SCENES "/desk.gltf";
+
+// With a layer that writes its text into the file `report`.
+Outcome run_with(const std::string& layer, const std::string& variable, const std::string& report,
+                 const std::string& script, std::vector<std::string> arguments) {
+  auto environment = scripted_environment(script);
+  environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_" + layer;
+  environment["XR_" + variable + "_EXPORT_TYPE"] = "text";
+  environment["XR_" + variable + "_FILE_NAME"] = report;
+  arguments.insert(arguments.begin(), desk);
+  return run_program(arguments, environment);
+}
+
+// It reports every mistake of an application and of a runtime that it finds.
+TEST(ReachLayers, CoreValidationHasNothingToSay) {
+  const std::string recentred = R"("events": [{"frame": 90, "do": "recenter", "space": "STAGE",
+      "position_m": [0.1, 0, 0.2], "yaw_deg": 15}], )";
+  struct Case {
+    std::string script;
+    std::vector<std::string> arguments;
+  };
+  for (const auto& [script, arguments] :
+       {Case{"{}", {}},
+        Case{"{" + calm + R"(, "events": [{"session": 1, "frame": 60, "do": "lose_session"}]})",
+             {"--target", "bottle"}},
+        Case{Path(plate_of_desk).reach().rest(2000).script(recentred),
+             {"--target", "bottle", "--person", "--plate", "servo"}}}) {
+    const std::string report = scratch_folder() + "/report.txt";
+    const Outcome outcome = run_with("core_validation", "CORE_VALIDATION", report, script, arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    EXPECT_NE(outcome.err.find("Core Validation output type"), std::string::npos) << "the layer is not there";
+    EXPECT_EQ(read_file(report), "") << script;
+  }
+}
+
+// It prints the arguments of every call.
+TEST(ReachLayers, ApiDumpHasEveryFrame) {
+  const std::string report = scratch_folder() + "/report.txt";
+  const Outcome outcome = run_with("api_dump", "API_DUMP", report, "{}", {"--target", "bottle"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string text = read_file(report);
+  std::size_t frames = 0;
+  for (std::size_t at = 0; (at = text.find("xrEndFrame", at)) != std::string::npos; ++at) ++frames;
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_GE(static_cast<int>(frames), rows_of(outcome)[0].frames);
+}
+
+}  // namespace
+}  // namespace hrt::reach
