@@ -20,7 +20,7 @@
 
 #include "fixture.h"
 #include "haptic_retargeting/plate.h"
-#include "tests/samples/reach/pty_plate.h"
+#include "tests/samples/plate/driver/pty_plate.h"
 
 namespace {
 
@@ -293,7 +293,7 @@ TEST_F(RealTimeTest, MakesNoSystemCallWhileRecorded) {
 struct OpenPlate {
   OpenPlate() {
     if (hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &plate) != HRT_OK) return;
-    reach::eventually([&] {
+    plate::eventually([&] {
       auto report = output<hrt_plate_report>();
       return hrt_plate_get(plate, &report) == HRT_OK && report.state == HRT_PLATE_STATE_READY;
     });
@@ -317,7 +317,7 @@ struct OpenPlate {
     return wrong + (report.state != HRT_PLATE_STATE_READY);
   }
 
-  reach::PtyPlate device;
+  plate::PtyPlate device;
   hrt_plate plate{};
 };
 

@@ -32,6 +32,8 @@ struct Packet {
   std::string parameters;  ///< without stuffing
 
   static constexpr std::uint8_t alert = 0x80;  ///< the servo has a hardware error
+  bool is_alert() const { return (error & alert) != 0; }
+  StatusError status_error() const { return static_cast<StatusError>(error & ~alert); }
 };
 
 /// CRC-16: polynomial 0x8005, start 0, no reflection; of "123456789" it is 0xFEE8.

@@ -18,11 +18,14 @@
 #include <sstream>
 #include <thread>
 
+#include "tests/samples/plate/driver/pty_plate.h"
 #include "tests/samples/reach/program.h"
-#include "tests/samples/reach/pty_plate.h"
 
 namespace hrt::reach {
 namespace {
+
+using plate::eventually;
+using plate::PtyPlate;
 
 const std::string desk = HRT_SCENES "/desk.gltf";
 

@@ -45,13 +45,18 @@ class PtyDynamixel {
   double largest_turn_deg() const { return largest_turn_deg_; }
 
  private:
+  // If this machine was busy for longer than a slice may be, the servo misses that time: its watchdog would
+  // stop it before it hears what has come meanwhile.
   void live() {
-    const auto began = std::chrono::steady_clock::now();
+    constexpr auto longest_slice = std::chrono::milliseconds(20);
+    auto began = std::chrono::steady_clock::now();
     while (!ending_) {
       pollfd readable{master_, POLLIN, 0};
       poll(&readable, 1, 1);
       std::array<char, 256> bytes{};
       const ssize_t count = read(master_, bytes.data(), bytes.size());
+      const auto behind = std::chrono::steady_clock::now() - began - servo_.now();
+      if (behind > longest_slice) began += behind - longest_slice;
       const auto now = std::chrono::steady_clock::now() - began;
       servo_.run_until(now);
       if (count > 0) {

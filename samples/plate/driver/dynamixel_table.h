@@ -1,0 +1,36 @@
+// The servos that can turn a plate, and what of their control tables the plate needs (ROBOTIS e-manuals of
+// XL330-M077, XL330-M288 and XL430-W250).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace hrt::plate::dynamixel {
+
+/// An entry of the control table. Those below 64 keep their value without power, and may be written only
+/// while torque is off.
+struct Entry {
+  int address;
+  int size;
+};
+inline constexpr Entry operating_mode{11, 1}, pwm_limit{36, 2}, current_limit{38, 2}, velocity_limit{44, 4},
+    max_position_limit{48, 4}, min_position_limit{52, 4}, torque_enable{64, 1}, hardware_error{70, 1},
+    bus_watchdog{98, 1}, goal_pwm{100, 2}, goal_current{102, 2}, profile_velocity{112, 4},
+    goal_position{116, 4}, present_position{132, 4};
+
+struct Model {
+  int number;
+  const char* name;
+  bool limits_current;  ///< in its current-based position mode; else by PWM in position mode
+};
+inline constexpr std::array models = {Model{1190, "XL330-M077", true}, Model{1200, "XL330-M288", true},
+                                      Model{1060, "XL430-W250", false}};
+
+inline constexpr int position_mode = 3, current_based_position_mode = 5;
+inline constexpr int middle_step = 2048;
+inline constexpr double deg_per_step = 360.0 / 4096.0;
+inline constexpr double deg_s_per_unit = 0.229 * 6.0;  ///< of velocity: 0.229 revolutions a minute
+inline constexpr int watchdog_ticks = 15;              ///< of 20 ms
+inline constexpr int watchdog_expired = -1;
+
+}  // namespace hrt::plate::dynamixel
