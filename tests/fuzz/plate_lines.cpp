@@ -136,9 +136,10 @@ class AnsweringLine : public Line {
 
 void drive(const char* name, const std::string& bytes) {
   try {
-    const auto device = device_named(name)([&](const std::string&, int) -> std::unique_ptr<Line> {
+    const auto open = [&](const std::string&, int) -> std::unique_ptr<Line> {
       return std::make_unique<AnsweringLine>(bytes);
-    });
+    };
+    const auto device = device_named(name)(open, Start::hold);
     for (int i = 0; i < 100; ++i) {
       const DeviceLimits limits = device->limits();
       require(limits.least_deg < limits.most_deg && limits.speed_deg_s > 0.0);
@@ -147,6 +148,9 @@ void drive(const char* name, const std::string& bytes) {
       if (i % 10 == 5) device->stop();
       device->wait(std::chrono::milliseconds(5));
     }
+    for (const std::string& line : device->details()) require(!line.empty());
+    require(std::isfinite(device->zero_deg()));
+    device->set_zero(1.0);
   } catch (const PlateFailure& failure) {
     require(failure.what()[0] != '\0');
   }

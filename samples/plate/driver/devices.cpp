@@ -36,7 +36,7 @@ std::string list_of(std::initializer_list<std::string_view> words) {
 
 std::string known_kinds() {
   std::string text;
-  for (const Kind& kind : kinds) text += (text.empty() ? "" : ", ") + std::string(kind.name) + ":...";
+  for (const std::string& kind : device_kinds()) text += (text.empty() ? "" : ", ") + kind + ":...";
   return text;
 }
 
@@ -82,6 +82,12 @@ int DeviceName::number(std::string_view option, int otherwise, int least, int mo
     return value;
   }
   return otherwise;
+}
+
+std::vector<std::string> device_kinds() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds) names.emplace_back(kind.name);
+  return names;
 }
 
 DeviceMaker device_named(std::string_view text) {

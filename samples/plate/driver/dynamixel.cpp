@@ -50,18 +50,20 @@ void check_hardware(std::int64_t bits) {
 
 class Servo : public Device {
  public:
-  Servo(std::unique_ptr<Line> line, const Settings& settings)
+  Servo(std::unique_ptr<Line> line, const Settings& settings, Start start)
       : bus_(std::move(line), settings.id), settings_(settings) {
     identify();
-    set_up();
+    check_hardware(bus_.read(hardware_error));
+    take_limits();
+    if (start == Start::hold) set_up();
     watch_.emplace(PlateGreeting{Version::two, least_deg_, most_deg_, speed_deg_s(), 0.0, true}, now());
     for (int i = 0; i < probes; ++i) take_position(bus_.read(present_position));
-    bus_.write(goal_position, step_of(*orientation_deg_));
-    bus_.write(torque_enable, 1);
-    bus_.write(bus_watchdog, watchdog_ticks);
+    if (start == Start::hold) hold();
   }
 
-  ~Servo() override { stop_if_heard(); }
+  ~Servo() override {
+    if (holds_) stop_if_heard();
+  }
   Servo(const Servo&) = delete;
   Servo& operator=(const Servo&) = delete;
 
@@ -78,6 +80,7 @@ class Servo : public Device {
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
   std::uint64_t refusals() const override { return bus_.damaged(); }
+  Line::Time now() const override { return bus_.line().now(); }
 
   void wait(std::chrono::milliseconds limit) override {
     try {
@@ -104,8 +107,46 @@ class Servo : public Device {
     must_stop_ = true;
   }
 
+  std::vector<std::string> details() override {
+    finish_exchange();
+    const auto value = [&](const char* name, Entry entry, const char* unit) {
+      return name + std::to_string(bus_.read(entry)) + unit;
+    };
+    return {value("operating mode ", operating_mode, ""),
+            value("homing offset ", homing_offset, " steps"),
+            value("least position ", min_position_limit, ""),
+            value("most position ", max_position_limit, ""),
+            value("velocity limit ", velocity_limit, ""),
+            value("supply ", present_voltage, " tenths of a volt"),
+            value("temperature ", present_temperature, " °C"),
+            value("hardware error ", hardware_error, "")};
+  }
+
+  // A servo's position is the shaft's own and the homing offset.
+  double zero_deg() override {
+    finish_exchange();
+    return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;
+  }
+
+  // The offset is in memory that is locked while there is torque: the plate is free for some milliseconds.
+  void set_zero(double zero_deg) override {
+    const std::int64_t offset = -std::llround(zero_deg / deg_per_step);
+    if (std::abs(offset) > most_homing_steps)
+      throw PlateFailure(Fault::device, "would need a homing offset of " + std::to_string(offset) +
+                                            " steps; allowed: -1024 to 1024. Turn the horn on its shaft");
+    finish_exchange();
+    bus_.write(torque_enable, 0);
+    bus_.write(homing_offset, offset);
+    take_position(bus_.read(present_position));
+    hold();
+    repeat_goal();
+  }
+
+  void keep_zero() override { stop(); }  // it is kept already
+  bool keeps_plan() const override { return false; }
+  void keep_plan(double, std::optional<double>) override {}
+
  private:
-  Line::Time now() const { return bus_.line().now(); }
   int step_of(double orientation_deg) const {
     return middle_step +
            static_cast<int>(std::lround(std::clamp(orientation_deg, least_deg_, most_deg_) / deg_per_step));
@@ -140,25 +181,32 @@ class Servo : public Device {
     model_ = &*found;
   }
 
-  // The mode is kept in memory that wears: it is written only if it is another one.
-  void set_up() {
-    check_hardware(bus_.read(hardware_error));
-    bus_.write(bus_watchdog, 0);
-    bus_.write(torque_enable, 0);
-    const int mode = model_->limits_current ? current_based_position_mode : position_mode;
-    if (bus_.read(operating_mode) != mode) bus_.write(operating_mode, mode);
+  int mode() const { return model_->limits_current ? current_based_position_mode : position_mode; }
+
+  // The stops hold in position mode alone.
+  void take_limits() {
     fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
     effort_ = bus_.read(model_->limits_current ? current_limit : pwm_limit) * settings_.effort_percent / 100;
-    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
-    if (mode == position_mode) take_stops();
-  }
-
-  // Which hold in position mode alone.
-  void take_stops() {
+    if (mode() != position_mode) return;
     least_deg_ = std::max(least_deg_, deg_of(bus_.read(min_position_limit)));
     most_deg_ = std::min(most_deg_, deg_of(bus_.read(max_position_limit)));
     if (least_deg_ >= most_deg_)
       throw PlateFailure(Fault::device, "has position limits with nothing between");
+  }
+
+  // The mode is kept in memory that wears: it is written only if it is another one.
+  void set_up() {
+    bus_.write(bus_watchdog, 0);
+    bus_.write(torque_enable, 0);
+    if (bus_.read(operating_mode) != mode()) bus_.write(operating_mode, mode());
+    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
+  }
+
+  void hold() {
+    holds_ = true;
+    bus_.write(goal_position, step_of(*orientation_deg_));
+    bus_.write(torque_enable, 1);
+    bus_.write(bus_watchdog, watchdog_ticks);
   }
 
   // The servo forgets them when its watchdog stops it.
@@ -170,7 +218,7 @@ class Servo : public Device {
 
   void exchange() {
     if (const std::optional<Packet> answer = bus_.answer()) take(*answer);
-    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_goal();
+    repeat_lost_goal();
     bus_.check_silence();
     if (bus_.awaits_answer()) return;
     if (must_stop_) {
@@ -228,6 +276,10 @@ class Servo : public Device {
     repeat_goal();
   }
 
+  void repeat_lost_goal() {
+    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_goal();
+  }
+
   void repeat_goal() {
     if (goal_step_) is_goal_sent_ = false;
     must_stop_ = !goal_step_;
@@ -238,16 +290,25 @@ class Servo : public Device {
     if (orientation_deg_) bus_.send(bus_.write_request(goal_position, step_of(*orientation_deg_)));
   }
 
-  // After the answer that is on its way: two do not speak at once on this line. If the servo does not hear,
-  // its own watchdog stops it.
+  // Two do not speak at once on this line.
+  void await_answer() {
+    while (bus_.awaits_answer() && !bus_.answer()) {
+      bus_.line().wait(5ms);
+      bus_.line().flush();
+    }
+  }
+
+  void finish_exchange() {
+    await_answer();
+    repeat_lost_goal();
+  }
+
+  // If the servo does not hear, its own watchdog stops it.
   void stop_if_heard() {
     try {
-      while (bus_.awaits_answer() && !bus_.answer()) bus_.line().wait(5ms);
+      await_answer();
       send_stop();
-      while (bus_.awaits_answer() && !bus_.answer()) {
-        bus_.line().wait(5ms);
-        bus_.line().flush();
-      }
+      await_answer();
     } catch (const PlateFailure&) {
       return;
     }
@@ -265,6 +326,7 @@ class Servo : public Device {
   std::optional<int> goal_step_;
   bool is_goal_sent_ = true;
   bool must_stop_ = false;
+  bool holds_ = false;
   Line::Time reported_;
 };
 
@@ -279,8 +341,8 @@ DeviceMaker dynamixel_device(const DeviceName& name) {
   const Settings settings{static_cast<std::uint8_t>(name.number("id", 1, 0, 252)),
                           static_cast<double>(name.number("speed", 300, 10, 1000)),
                           name.number("effort", 50, 5, 100)};
-  return [path = name.path, baud, settings](const LineOpener& open) {
-    return std::make_unique<Servo>(open(path, baud), settings);
+  return [path = name.path, baud, settings](const LineOpener& open, Start start) {
+    return std::make_unique<Servo>(open(path, baud), settings, start);
   };
 }
 

@@ -13,10 +13,11 @@ struct Entry {
   int address;
   int size;
 };
-inline constexpr Entry operating_mode{11, 1}, pwm_limit{36, 2}, current_limit{38, 2}, velocity_limit{44, 4},
-    max_position_limit{48, 4}, min_position_limit{52, 4}, torque_enable{64, 1}, hardware_error{70, 1},
-    bus_watchdog{98, 1}, goal_pwm{100, 2}, goal_current{102, 2}, profile_velocity{112, 4},
-    goal_position{116, 4}, present_position{132, 4};
+inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, pwm_limit{36, 2}, current_limit{38, 2},
+    velocity_limit{44, 4}, max_position_limit{48, 4}, min_position_limit{52, 4}, torque_enable{64, 1},
+    hardware_error{70, 1}, bus_watchdog{98, 1}, goal_pwm{100, 2}, goal_current{102, 2},
+    profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2},
+    present_temperature{146, 1};
 
 struct Model {
   int number;
@@ -28,6 +29,7 @@ inline constexpr std::array models = {Model{1190, "XL330-M077", true}, Model{120
 
 inline constexpr int position_mode = 3, current_based_position_mode = 5;
 inline constexpr int middle_step = 2048;
+inline constexpr int most_homing_steps = 1024;  ///< to either side; in position mode more are ignored
 inline constexpr double deg_per_step = 360.0 / 4096.0;
 inline constexpr double deg_s_per_unit = 0.229 * 6.0;  ///< of velocity: 0.229 revolutions a minute
 inline constexpr int watchdog_ticks = 15;              ///< of 20 ms

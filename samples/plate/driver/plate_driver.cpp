@@ -114,7 +114,7 @@ void PlateDriver::run() noexcept {
     const auto open_line = [&](const std::string& path, int baud) -> std::unique_ptr<Line> {
       return std::make_unique<InterruptibleLine>(opener_(path, baud), [&] { return ending_ && !opened; });
     };
-    const std::unique_ptr<Device> device = maker_(open_line);
+    const std::unique_ptr<Device> device = maker_(open_line, Start::hold);
     opened = true;
     serve(*device);
   } catch (const PlateFailure& failure) {

@@ -246,8 +246,9 @@ void PlateLink::stop_if_heard() {
 
 DeviceMaker serial_device(const DeviceName& name) {
   name.allow({});
-  return
-      [path = name.path](const LineOpener& open) { return std::make_unique<PlateLink>(open(path, 115200)); };
+  return [path = name.path](const LineOpener& open, Start start) {
+    return std::make_unique<PlateLink>(open(path, 115200), start);
+  };
 }
 
 }  // namespace hrt::plate

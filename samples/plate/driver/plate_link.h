@@ -14,23 +14,19 @@ namespace hrt::plate {
 
 /// The plate's speed is its own, or less if it was seen to turn slower; its latency half of the measured way
 /// there and back, and what the plate says of itself. Every call returns at once, except the constructor,
-/// wait() and ask(). All throw PlateFailure when the plate has failed; it is then stopped if it still hears.
-/// One thread.
+/// wait(), ask() and what asks. All throw PlateFailure when the plate has failed; it is then stopped if it
+/// still hears. One thread.
 class PlateLink : public Device {
  public:
-  /// What the plate does at the start: its servo gets its first pulse and holds its place, or nothing.
-  enum class Start { hold, quiet };
-
   /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
-  /// the line.
+  /// the line. To hold its place the servo gets its first pulse.
   explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
   /// Stops the plate, if it still hears.
   ~PlateLink() override;
   PlateLink(const PlateLink&) = delete;
   PlateLink& operator=(const PlateLink&) = delete;
 
-  /// The clock of the line.
-  Line::Time now() const { return line_->now(); }
+  Line::Time now() const override { return line_->now(); }
 
   std::string description() const override;
   DeviceLimits limits() const override;
@@ -52,6 +48,20 @@ class PlateLink : public Device {
   /// `orientation_deg` within the greeting's limits. A repeated one is sent once.
   void turn_to(double orientation_deg) override;
   void stop() override;
+
+  std::vector<std::string> details() override;
+  double zero_deg() override;
+  void set_zero(double zero_deg) override;
+  void keep_zero() override { save_settings(); }
+  bool keeps_plan() const override { return version_ == Version::two; }
+  void keep_plan(double latency_ms, std::optional<double> speed_deg_s) override;
+
+  /// Value of one of the plate's settings.
+  double setting(const std::string& name);
+  /// Changes it. PlateFailure with the reason if the plate refuses.
+  void change_setting(const std::string& name, double value);
+  /// Keeps all settings in the plate's memory. The plate stops first.
+  void save_settings();
 
   /// Sends a line of the service commands, and hands every message to `take` until it returns true.
   /// PlateFailure after `limit`.

@@ -1,10 +1,13 @@
 #include "samples/plate/tool/commands.h"
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <ostream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "samples/plate/driver/device.h"
 #include "samples/plate/driver/plate_failure.h"
 #include "samples/plate/tool/measure.h"
 #include "samples/plate/tool/report.h"
@@ -30,70 +33,83 @@ struct Options {
   bool save = false;
 };
 
+// Opens what a command names: a device's name, or the path of a plate's serial line.
+std::unique_ptr<Device> open(const std::string& name, const Surroundings& around, Start start) {
+  return device_named(name.find(':') == std::string::npos ? "serial:" + name : name)(around.open, start);
+}
+
+// The first kind of device that answers at a line; nothing if none does.
+std::optional<std::string> find_at(const std::string& place, const Surroundings& around) {
+  std::vector<std::string> names;
+  if (place.find(':') != std::string::npos) {
+    names = {place};
+  } else {
+    for (const std::string& kind : device_kinds()) names.push_back(kind + ":" + place);
+  }
+  for (const std::string& name : names) {
+    try {
+      return name + ": " + open(name, around, Start::quiet)->description();
+    } catch (const PlateFailure& failure) {
+      around.out << place << " " << failure.what() << "\n";
+      if (failure.fault() == Fault::line) break;
+    }
+  }
+  return std::nullopt;
+}
+
 // Nothing moves, but boards start anew when their line is opened.
 int find(const Options& options, const Surroundings& around) {
   bool found = false;
-  for (const std::string& device : options.devices.empty() ? around.devices() : options.devices) {
-    try {
-      const PlateLink link(around.open(device), PlateLink::Start::quiet);
-      const PlateInfo info = link.info().value_or(PlateInfo{"unknown (protocol 1)", "unknown"});
-      around.out << device << ": plate, firmware " << info.firmware << ", serial number " << info.serial
-                 << "\n";
-      found = true;
-    } catch (const PlateFailure& failure) {
-      around.out << device << " " << failure.what() << "\n";
-    }
+  for (const std::string& place : options.devices.empty() ? around.devices() : options.devices) {
+    const std::optional<std::string> device = find_at(place, around);
+    if (!device) continue;
+    around.out << *device << "\n";
+    found = true;
   }
   if (!found) around.err << "hrt-plate: no plate was found\n";
   return found ? success : not_done;
 }
 
 int show(const Options& options, const Surroundings& around) {
-  PlateLink link(around.open(options.device), PlateLink::Start::quiet);
-  const PlateGreeting& greeting = link.greeting();
-  around.out << "range " << greeting.least_deg << " to " << greeting.most_deg << " deg, "
-             << greeting.speed_deg_s << " deg/s, latency " << greeting.latency_ms << " ms, orientation "
-             << (greeting.is_measured ? "measured" : "assumed") << "\n";
-  if (!link.info()) {
-    around.out << "protocol 1: no settings, no self-test\n";
-    return success;
-  }
-  around.out << "firmware " << link.info()->firmware << ", serial number " << link.info()->serial << "\n";
-  link.ask("CONF", [&](const PlateMessage& message) {
-    const auto* setting = std::get_if<PlateSetting>(&message);
-    if (setting != nullptr) around.out << "setting " << setting->name << " " << setting->value << "\n";
-    return setting != nullptr && setting->name == "serial";
-  });
-  link.ask("TEST", [&](const PlateMessage& message) {
-    const auto* test = std::get_if<PlateTest>(&message);
-    if (test != nullptr && test->what != "end")
-      around.out << "test " << test->what << " " << test->result << "\n";
-    return test != nullptr && test->what == "end";
-  });
+  const auto device = open(options.device, around, Start::quiet);
+  const DeviceLimits limits = device->limits();
+  around.out << device->description() << "\nrange " << limits.least_deg << " to " << limits.most_deg
+             << " deg, " << limits.speed_deg_s << " deg/s, latency "
+             << std::chrono::duration_cast<std::chrono::milliseconds>(limits.latency).count()
+             << " ms with half of the line, orientation " << (device->is_measured() ? "measured" : "assumed")
+             << "\n";
+  for (const std::string& line : device->details()) around.out << line << "\n";
   return success;
 }
 
 int run_trim(const Options& options, const Surroundings& around) {
-  PlateLink link(around.open(options.device));
+  const auto device = open(options.device, around, Start::hold);
   const bool saved =
-      trim(link, around.read, [&](const std::string& text) { around.out << text << std::endl; });
+      trim(*device, around.read, [&](const std::string& text) { around.out << text << std::endl; });
   around.out << (saved ? "saved\n" : "not saved: the old trim holds\n");
   return saved ? success : not_done;
 }
 
+// What a plate can keep of a measurement is known before it moves.
+void check_that_it_keeps_a_plan(const Device& device) {
+  if (!device.keeps_plan())
+    throw PlateFailure(Fault::protocol,
+                       "keeps neither latency nor speed: measure without --save, and give the numbers of "
+                       "--out to the session");
+  if (!device.is_measured())
+    throw PlateFailure(Fault::protocol, "has no sensor: there is no measured latency to save");
+}
+
 int run_measure(const Options& options, const Surroundings& around) {
-  PlateLink link(around.open(options.device));
-  const Measurements found = measure(link, [&](const std::string& text) { around.err << text << "\n"; });
+  const auto device = open(options.device, around, Start::hold);
+  if (options.save) check_that_it_keeps_a_plan(*device);
+  const Measurements found = measure(*device, [&](const std::string& text) { around.err << text << "\n"; });
   around.out << text_of(found);
   if (!options.out.empty()) write_file(options.out, json_of(found));
   if (!options.plot.empty()) write_file(options.plot, svg_of(found));
-  if (options.save) {
-    if (!found.latency_ms)
-      throw PlateFailure(Fault::protocol, "has no sensor: there is no measured latency to save");
-    change_setting(link, "latency", std::min(200.0, *found.latency_ms));
-    if (found.speed_deg_s && *found.speed_deg_s < found.greeting.speed_deg_s)
-      change_setting(link, "speed", std::max(1.0, *found.speed_deg_s));
-    save_settings(link);
+  if (options.save && found.latency_ms) {
+    const bool is_slower = found.speed_deg_s && *found.speed_deg_s < found.limits.speed_deg_s;
+    device->keep_plan(*found.latency_ms, is_slower ? found.speed_deg_s : std::nullopt);
     around.out << "saved in the plate\n";
   }
   return success;
@@ -103,16 +119,18 @@ int run_measure(const Options& options, const Surroundings& around) {
 
 int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   Options options;
-  CLI::App app("Puts a plate on a serial line into operation (samples/plate/README.md).", "hrt-plate");
+  CLI::App app("Puts a plate into operation (samples/plate/README.md).", "hrt-plate");
   app.footer(exit_codes);
   app.require_subcommand(1);
   const auto command = [&](const char* name, const char* text) {
     CLI::App* added = app.add_subcommand(name, text);
-    added->add_option("device", options.device, "Serial device of the plate")->required();
+    added
+        ->add_option("device", options.device, "Serial device of the plate, or a name as of hrt_plate_open()")
+        ->required();
     return added;
   };
   CLI::App* finder = app.add_subcommand("find", "Find plates; moves nothing, but boards restart");
-  finder->add_option("device", options.devices, "Devices to try [/dev/ttyACM*, /dev/ttyUSB*]");
+  finder->add_option("device", options.devices, "Devices or names to try [/dev/ttyACM*, /dev/ttyUSB*]");
   CLI::App* shower = command("show", "Show settings and self-test; moves nothing");
   CLI::App* trimmer = command("trim", "Trim 0 against the base's mark, and save it in the plate");
   CLI::App* measurer =
@@ -136,6 +154,9 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   } catch (const PlateFailure& failure) {
     around.err << "hrt-plate: the plate at " << options.device << " " << failure.what() << "\n";
     return plate_failed;
+  } catch (const std::invalid_argument& wrong) {
+    around.err << "hrt-plate: " << wrong.what() << "\n";
+    return usage;
   }
   return usage;
 }

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/line.h"
+#include "samples/plate/driver/device.h"
 #include "samples/plate/tool/trim.h"
 
 namespace hrt::plate {
 
 /// What the commands need of the computer.
 struct Surroundings {
-  std::function<std::vector<std::string>()> devices;                     ///< that may be plates
-  std::function<std::unique_ptr<Line>(const std::string& device)> open;  ///< throws PlateFailure
-  std::function<Entry()> read;  ///< a line of the person, without waiting for one
+  std::function<std::vector<std::string>()> devices;  ///< that may be plates
+  LineOpener open;                                    ///< throws PlateFailure
+  std::function<Entry()> read;                        ///< a line of the person, without waiting for one
   std::ostream& out;
   std::ostream& err;
 };

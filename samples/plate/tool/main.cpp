@@ -47,8 +47,7 @@ Entry read_entry() {
 int main(int argc, char** argv) {
   constexpr int output_failed = 10;
   try {
-    const auto open = [](const std::string& device) { return open_serial_line(device, 115200); };
-    return run_tool(argc, argv, {serial_devices, open, read_entry, std::cout, std::cerr});
+    return run_tool(argc, argv, {serial_devices, open_serial_line, read_entry, std::cout, std::cerr});
   } catch (const std::exception& error) {
     std::cerr << "hrt-plate: " << error.what() << "\n";
     return output_failed;

@@ -21,8 +21,8 @@ constexpr int returns = 6;
 constexpr int steps = 6;
 constexpr double onset_deg = 1.0;
 
-double place_of(const PlateLink& link) {
-  return link.orientation_deg().value_or(0.0);
+double place_of(const Device& device) {
+  return device.orientation_deg().value_or(0.0);
 }
 
 double median(std::vector<double> values) {
@@ -31,44 +31,49 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+// Of a turn, and what follows it.
+std::chrono::milliseconds limit_of_turn(const Device& device, double orientation_deg) {
+  const double turn_s = std::abs(orientation_deg - place_of(device)) / device.limits().speed_deg_s;
+  return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
+}
+
 // Turns there, and waits until the plate has been near and still for rest_time; its mean place in that time.
-double settle_at(PlateLink& link, double orientation_deg) {
-  const auto give_up = link.now() + settle_limit;
-  auto still_since = link.now();
-  double rest_deg = place_of(link), sum_deg = 0.0;
+double settle_at(Device& device, double orientation_deg) {
+  const auto give_up = device.now() + limit_of_turn(device, orientation_deg);
+  auto still_since = device.now();
+  double rest_deg = place_of(device), sum_deg = 0.0;
   int count = 0;
-  while (count == 0 || link.now() - still_since < rest_time) {
-    link.turn_to(orientation_deg);  // again, if this program was paused and the plate stopped
-    link.wait(20ms);
-    const double place_deg = place_of(link);
+  while (count == 0 || device.now() - still_since < rest_time) {
+    device.turn_to(orientation_deg);  // again, if this program was paused and the plate stopped
+    device.wait(20ms);
+    const double place_deg = place_of(device);
     const bool still =
         std::abs(place_deg - rest_deg) <= still_deg && std::abs(place_deg - orientation_deg) <= near_deg;
     if (!still) {
       rest_deg = place_deg;
-      still_since = link.now();
+      still_since = device.now();
       sum_deg = 0.0;
       count = 0;
     } else {
       sum_deg += place_deg;
       ++count;
     }
-    if (link.now() > give_up) {
+    if (device.now() > give_up) {
       std::array<char, 96> text{};
-      std::snprintf(text.data(), text.size(),
-                    "does not come to rest at %.1f deg within 3 s; it is at %.1f deg", orientation_deg,
-                    place_deg);
+      std::snprintf(text.data(), text.size(), "does not come to rest at %.1f deg; it is at %.1f deg",
+                    orientation_deg, place_deg);
       throw PlateFailure(Fault::device, text.data());
     }
   }
   return sum_deg / count;
 }
 
-void sweep(PlateLink& link, Measurements& found) {
-  const double least_deg = found.greeting.least_deg, most_deg = found.greeting.most_deg;
+void sweep(Device& device, Measurements& found) {
+  const double least_deg = found.limits.least_deg, most_deg = found.limits.most_deg;
   const int count = std::max(2, static_cast<int>(std::ceil((most_deg - least_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
     const double commanded_deg = least_deg + (most_deg - least_deg) * i / count;
-    found.sweep.push_back({commanded_deg, settle_at(link, commanded_deg), upwards});
+    found.sweep.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
   };
   for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
@@ -86,11 +91,11 @@ double backlash_of(const std::vector<SweepPoint>& sweep) {
   return sum_deg / static_cast<double>(count - 1);
 }
 
-double repeatability_of(PlateLink& link, double away_deg) {
+double repeatability_of(Device& device, double away_deg) {
   double sum_deg = 0.0, squares_deg2 = 0.0;
   for (int i = 0; i < returns; ++i) {
-    settle_at(link, away_deg);
-    const double place_deg = settle_at(link, 0.0);
+    settle_at(device, away_deg);
+    const double place_deg = settle_at(device, 0.0);
     sum_deg += place_deg;
     squares_deg2 += place_deg * place_deg;
   }
@@ -104,17 +109,18 @@ struct Step {
 };
 
 // One turn from where the plate rests, as its reports show it.
-Step step_to(PlateLink& link, double orientation_deg) {
-  const double from_deg = place_of(link), way_deg = orientation_deg - from_deg;
-  const auto began = link.now();
+Step step_to(Device& device, double orientation_deg) {
+  const double from_deg = place_of(device), way_deg = orientation_deg - from_deg;
+  const auto limit = limit_of_turn(device, orientation_deg);
+  const auto began = device.now();
   std::optional<Line::Time> at_20_percent;
   double place_at_20_percent_deg = 0.0;
   Step step;
-  link.turn_to(orientation_deg);
-  while (link.now() - began < settle_limit && !step.speed_deg_s) {
-    link.wait(20ms);
-    const auto now = link.now();
-    const double place_deg = place_of(link), done = (place_deg - from_deg) / way_deg;
+  device.turn_to(orientation_deg);
+  while (device.now() - began < limit && !step.speed_deg_s) {
+    device.wait(20ms);
+    const auto now = device.now();
+    const double place_deg = place_of(device), done = (place_deg - from_deg) / way_deg;
     if (!step.onset_ms && std::abs(place_deg - from_deg) >= onset_deg)
       step.onset_ms = std::chrono::duration<double, std::milli>(now - began).count();
     if (!at_20_percent && done >= 0.2) {
@@ -125,15 +131,15 @@ Step step_to(PlateLink& link, double orientation_deg) {
       step.speed_deg_s = std::abs(place_deg - place_at_20_percent_deg) /
                          std::chrono::duration<double>(now - *at_20_percent).count();
   }
-  settle_at(link, orientation_deg);
+  settle_at(device, orientation_deg);
   return step;
 }
 
-void time_steps(PlateLink& link, Measurements& found) {
+void time_steps(Device& device, Measurements& found) {
   std::vector<double> onsets_ms, speeds_deg_s;
-  settle_at(link, found.greeting.least_deg);
+  settle_at(device, found.limits.least_deg);
   for (int i = 0; i < steps; ++i) {
-    const Step step = step_to(link, i % 2 == 0 ? found.greeting.most_deg : found.greeting.least_deg);
+    const Step step = step_to(device, i % 2 == 0 ? found.limits.most_deg : found.limits.least_deg);
     if (step.onset_ms) onsets_ms.push_back(*step.onset_ms);
     if (step.speed_deg_s && std::isfinite(*step.speed_deg_s)) speeds_deg_s.push_back(*step.speed_deg_s);
   }
@@ -144,26 +150,27 @@ void time_steps(PlateLink& link, Measurements& found) {
 
 }  // namespace
 
-Measurements measure(PlateLink& link, const std::function<void(const std::string&)>& note) {
-  if (link.greeting().version != Version::two)
+Measurements measure(Device& device, const std::function<void(const std::string&)>& note) {
+  if (!device.round_trip())
     throw PlateFailure(Fault::protocol, "speaks protocol 1, which has nothing to measure with");
   Measurements found;
-  found.greeting = link.greeting();
-  found.info = link.info().value_or(PlateInfo{});
-  found.round_trip = link.round_trip().value_or(0ns);
+  found.device = device.description();
+  found.limits = device.limits();
+  found.is_measured = device.is_measured();
+  found.round_trip = *device.round_trip();
   note("Homing");
-  settle_at(link, 0.0);
-  note("Sweeping from " + std::to_string(std::lround(found.greeting.least_deg)) + " to " +
-       std::to_string(std::lround(found.greeting.most_deg)) + " deg and back");
-  sweep(link, found);
-  if (found.greeting.is_measured) {
+  settle_at(device, 0.0);
+  note("Sweeping from " + std::to_string(std::lround(found.limits.least_deg)) + " to " +
+       std::to_string(std::lround(found.limits.most_deg)) + " deg and back");
+  sweep(device, found);
+  if (found.is_measured) {
     found.backlash_deg = backlash_of(found.sweep);
     note("Returning to 0");
-    found.repeatability_deg = repeatability_of(link, found.greeting.least_deg / 2.0);
+    found.repeatability_deg = repeatability_of(device, found.limits.least_deg / 2.0);
     note("Timing steps");
-    time_steps(link, found);
+    time_steps(device, found);
   }
-  settle_at(link, 0.0);
+  settle_at(device, 0.0);
   return found;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/plate_link.h"
+#include "samples/plate/driver/device.h"
 
 namespace hrt::plate {
 
@@ -20,20 +20,22 @@ struct SweepPoint {
 /// Of a plate whose reports are measured by a sensor; of another one only the line and the sweep say
 /// something.
 struct Measurements {
-  PlateGreeting greeting;
-  PlateInfo info;
-  std::chrono::nanoseconds round_trip{};  ///< of a line and its echo, median
+  std::string device;     ///< in one line
+  DeviceLimits limits{};  ///< as it says of itself
+  bool is_measured = false;
+  std::chrono::nanoseconds round_trip{};  ///< of a message and its answer, median
   std::vector<SweepPoint> sweep;
   double largest_error_deg = 0.0;           ///< reported less commanded, in the sweep
   std::optional<double> backlash_deg;       ///< mean difference of the two directions of the sweep
   std::optional<double> repeatability_deg;  ///< standard deviation of returns to 0 from below
   std::optional<double> speed_deg_s;        ///< median of steps, from 20 to 80 % of each
   std::optional<double>
-      latency_ms;  ///< from a line to the first report of motion, less the line's round trip; median
+      latency_ms;  ///< from a command to the first report of motion, less the round trip; median
 };
 
 /// Homes the plate, then moves it through its whole range for about half a minute. `note` gets a line at each
-/// stage. Throws PlateFailure; also if the plate does not come to rest near a command within three seconds.
-Measurements measure(PlateLink& link, const std::function<void(const std::string&)>& note);
+/// stage. Throws PlateFailure; also if the plate does not come to rest near a command within three seconds
+/// more than the turn takes.
+Measurements measure(Device& device, const std::function<void(const std::string&)>& note);
 
 }  // namespace hrt::plate

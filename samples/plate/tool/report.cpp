@@ -26,10 +26,11 @@ double milliseconds(std::chrono::nanoseconds time) {
 
 // What to plan with: measured if that is possible, else what the plate says of itself.
 double plan_speed_deg_s(const Measurements& found) {
-  return std::min(found.greeting.speed_deg_s, found.speed_deg_s.value_or(found.greeting.speed_deg_s));
+  return std::min(found.limits.speed_deg_s, found.speed_deg_s.value_or(found.limits.speed_deg_s));
 }
 double plan_latency_ms(const Measurements& found) {
-  return found.latency_ms.value_or(found.greeting.latency_ms) + milliseconds(found.round_trip) / 2.0;
+  return found.latency_ms ? *found.latency_ms + milliseconds(found.round_trip) / 2.0
+                          : milliseconds(found.limits.latency);
 }
 
 std::string line_of(const char* name, const std::optional<double>& value, const char* pattern) {
@@ -42,7 +43,7 @@ nlohmann::ordered_json or_null(const std::optional<double>& value) {
 }
 
 std::string polyline(const Measurements& found, bool upwards, double scale) {
-  const double least_deg = found.greeting.least_deg, width_deg = found.greeting.most_deg - least_deg;
+  const double least_deg = found.limits.least_deg, width_deg = found.limits.most_deg - least_deg;
   std::string points;
   for (const SweepPoint& point : found.sweep)
     if (point.upwards == upwards)
@@ -59,11 +60,10 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 }  // namespace
 
 std::string text_of(const Measurements& found) {
-  std::string text = "firmware      " + found.info.firmware + ", serial number " + found.info.serial + "\n";
-  text += format("range         %g to %g deg\n", found.greeting.least_deg, found.greeting.most_deg);
-  text += std::string("orientation   ") + (found.greeting.is_measured
-                                               ? "measured by a sensor\n"
-                                               : "assumed: the plate reports its own commands\n");
+  std::string text = "device        " + found.device + "\n";
+  text += format("range         %g to %g deg\n", found.limits.least_deg, found.limits.most_deg);
+  text += std::string("orientation   ") +
+          (found.is_measured ? "measured by a sensor\n" : "assumed: the plate reports its own commands\n");
   text += format("line          %.1f ms there and back\n", milliseconds(found.round_trip));
   text += format("largest error %.2f deg\n", found.largest_error_deg);
   text += line_of("backlash", found.backlash_deg, "%+.2f deg");
@@ -79,11 +79,10 @@ std::string json_of(const Measurements& found) {
     sweep.push_back({{"commanded_deg", point.commanded_deg},
                      {"reported_deg", point.reported_deg},
                      {"from", point.upwards ? "below" : "above"}});
-  const bool has_stops = found.greeting.most_deg - found.greeting.least_deg >= 180.0;
+  const bool has_stops = found.limits.most_deg - found.limits.least_deg >= 180.0;
   nlohmann::ordered_json file;
-  file["firmware"] = found.info.firmware;
-  file["serial_number"] = found.info.serial;
-  file["orientation"] = found.greeting.is_measured ? "measured" : "assumed";
+  file["device"] = found.device;
+  file["orientation"] = found.is_measured ? "measured" : "assumed";
   file["round_trip_ms"] = milliseconds(found.round_trip);
   file["largest_error_deg"] = found.largest_error_deg;
   file["backlash_deg"] = or_null(found.backlash_deg);
@@ -92,8 +91,8 @@ std::string json_of(const Measurements& found) {
   file["latency_ms"] = or_null(found.latency_ms);
   file["session"] = {{"plate_max_speed_deg_s", plan_speed_deg_s(found)},
                      {"plate_latency_ns", std::llround(plan_latency_ms(found) * 1e6)},
-                     {"plate_lower_stop_deg", has_stops ? found.greeting.least_deg : 0.0},
-                     {"plate_upper_stop_deg", has_stops ? found.greeting.most_deg : 0.0}};
+                     {"plate_lower_stop_deg", has_stops ? found.limits.least_deg : 0.0},
+                     {"plate_upper_stop_deg", has_stops ? found.limits.most_deg : 0.0}};
   file["scene"] = {{"haptic", {{"role", "plate"}, {"max_speed_deg_s", plan_speed_deg_s(found)}}}};
   file["sweep"] = sweep;
   return file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
@@ -108,13 +107,13 @@ std::string svg_of(const Measurements& found) {
       "<path d=\"M60 40V260M60 150H580\" stroke=\"#888\" fill=\"none\"/>\n";
   svg += label(52.0, 44.0, "end", format("%+g", range_deg)) + label(52.0, 154.0, "end", "0") +
          label(52.0, 264.0, "end", format("%+g", -range_deg));
-  svg += label(60.0, 280.0, "start", format("%g", found.greeting.least_deg)) +
-         label(580.0, 280.0, "end", format("%g", found.greeting.most_deg)) +
+  svg += label(60.0, 280.0, "start", format("%g", found.limits.least_deg)) +
+         label(580.0, 280.0, "end", format("%g", found.limits.most_deg)) +
          label(320.0, 300.0, "middle", "commanded orientation, deg");
   svg += label(60.0, 24.0, "start",
                "reported less commanded orientation, deg: from below (blue), from above (red)");
   svg += polyline(found, true, scale) + polyline(found, false, scale);
-  if (!found.greeting.is_measured)
+  if (!found.is_measured)
     svg += label(320.0, 320.0, "middle", "The plate has no sensor: it reports its own commands.");
   return svg + "</svg>\n";
 }

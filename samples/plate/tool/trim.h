@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "samples/plate/driver/plate_link.h"
+#include "samples/plate/driver/device.h"
 
 namespace hrt::plate {
 
@@ -16,16 +16,9 @@ struct Entry {
 };
 
 /// Turns to 0 and asks, by `say`, how far the mark is off, until an empty line; then saves. `read` returns at
-/// once. True if the settings were saved; false if the entries ended, and the old ones still hold. Throws
+/// once. True if the trim was saved; false if the entries ended, and the old one still holds. Throws
 /// PlateFailure.
-bool trim(PlateLink& link, const std::function<Entry()>& read,
+bool trim(Device& device, const std::function<Entry()>& read,
           const std::function<void(const std::string&)>& say);
-
-/// Value of one of the plate's settings.
-double setting_of(PlateLink& link, const std::string& name);
-/// Changes it. PlateFailure with the reason if the plate refuses.
-void change_setting(PlateLink& link, const std::string& name, double value);
-/// Keeps all settings in the plate's memory. The plate stops first.
-void save_settings(PlateLink& link);
 
 }  // namespace hrt::plate

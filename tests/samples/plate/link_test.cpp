@@ -29,7 +29,7 @@ TEST(PlateLink, GreetsTheFirmwareAndMeasuresTheLine) {
 
 TEST(PlateLink, GreetsThroughAPseudoTerminal) {
   PtyBoard board;
-  PlateLink link(open_serial_line(board.device(), 115200), PlateLink::Start::quiet);
+  PlateLink link(open_serial_line(board.device(), 115200), Start::quiet);
   EXPECT_EQ(link.info()->firmware, "1.0.0");
   EXPECT_GT(*link.round_trip(), 3ms);
   EXPECT_TRUE(board.pulses().empty());

@@ -14,6 +14,7 @@
 #include "samples/plate/tool/report.h"
 #include "samples/plate/tool/trim.h"
 #include "tests/samples/plate/board_line.h"
+#include "tests/samples/plate/driver/emulated_dynamixel.h"
 #include "tests/samples/plate/emulated_servo.h"
 #include "tests/samples/plate/pty_board.h"
 #include "tests/samples/process.h"
@@ -26,14 +27,21 @@ Outcome run_program(std::vector<std::string> arguments) {
   return Process(arguments, {}).wait();
 }
 
-// The commands, with the board at the line "board"; other lines are the computer's. The person enters
+std::unique_ptr<Line> line_to(EmulatedBoard& board) {
+  return std::make_unique<BoardLine>(board);
+}
+std::unique_ptr<Line> line_to(EmulatedDynamixel& servo) {
+  return std::make_unique<DynamixelLine>(servo);
+}
+
+// The commands, with the device at the line "board"; other lines are the computer's. The person enters
 // `entries`, and then goes away.
-Outcome run_with(EmulatedBoard& board, const std::vector<std::string>& arguments,
+template <class Emulated>
+Outcome run_with(Emulated& device, const std::vector<std::string>& arguments,
                  std::vector<std::string> entries = {}) {
   std::ostringstream out, err;
-  const auto open = [&](const std::string& device) -> std::unique_ptr<Line> {
-    if (device == "board") return std::make_unique<BoardLine>(board);
-    return open_serial_line(device, 115200);
+  const auto open = [&](const std::string& path, int baud) {
+    return path == "board" ? line_to(device) : open_serial_line(path, baud);
   };
   const auto read = [&] {
     if (entries.empty()) return Entry{.ended = true};
@@ -54,7 +62,7 @@ TEST(PlateTool, FindsThePlate) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out,
             "/nonexistent cannot be opened: No such file or directory\n"
-            "board: plate, firmware 1.0.0, serial number 000042\n");
+            "serial:board: protocol 2, firmware 1.0.0, serial number 000042\n");
   EXPECT_TRUE(board.pulses().empty());
 }
 
@@ -71,8 +79,9 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
   const Outcome outcome = run_with(board, {"show", "board"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const char* line :
-       {"range -90 to 90 deg, 300 deg/s, latency 20 ms, orientation assumed", "setting zero 1500",
-        "setting serial 0", "test settings default", "test emergency closed"})
+       {"protocol 2, firmware 1.0.0, serial number 000000\n",
+        "range -90 to 90 deg, 300 deg/s, latency 22 ms with half of the line, orientation assumed",
+        "setting zero 1500", "setting serial 0", "test settings default", "test emergency closed"})
     EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
   EXPECT_TRUE(board.pulses().empty());
 }
@@ -82,6 +91,9 @@ TEST(PlateTool, RefusesAWrongCommandLine) {
   EXPECT_EQ(run_with(board, {}).exit_code, 2);
   EXPECT_EQ(run_with(board, {"measure"}).exit_code, 2);
   EXPECT_EQ(run_with(board, {"paint", "/dev/null"}).exit_code, 2);
+  const Outcome wrong = run_with(board, {"show", "dynamixel:board?id=300"});
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_EQ(wrong.err, "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
 }
 
 TEST(PlateTool, NamesWhatFails) {
@@ -94,7 +106,7 @@ TEST(PlateTool, IsAProgram) {
   PtyBoard board;
   const Outcome outcome = run_program({"find", board.device()});
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_EQ(outcome.out, board.device() + ": plate, firmware 1.0.0, serial number 000000\n");
+  EXPECT_EQ(outcome.out, "serial:" + board.device() + ": protocol 2, firmware 1.0.0, serial number 000000\n");
 }
 
 // A servo of 240 degrees a second, 4.8 a pulse, whose potentiometer the plate reads.
@@ -150,14 +162,14 @@ TEST(PlateTool, FindsBacklash) {
 
 TEST(PlateTool, SaysWhatAPlateWithoutASensorCannotShow) {
   Measurements found;
-  found.greeting = {Version::two, -90.0, 90.0, 300.0, 20.0, false};
+  found.limits = {-90.0, 90.0, 300.0, std::chrono::milliseconds(23)};
   found.round_trip = std::chrono::milliseconds(6);
   found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
   EXPECT_NE(text_of(found).find("backlash      not measurable: the plate has no sensor"), std::string::npos);
   const auto file = nlohmann::json::parse(json_of(found));
   EXPECT_TRUE(file.at("backlash_deg").is_null());
   EXPECT_TRUE(file.at("speed_deg_s").is_null());
-  EXPECT_EQ(file.at("session").at("plate_latency_ns"), 23'000'000);  // its own 20 ms, and half of 6 ms
+  EXPECT_EQ(file.at("session").at("plate_latency_ns"), 23'000'000);
   EXPECT_EQ(file.at("session").at("plate_max_speed_deg_s"), 300.0);
   EXPECT_NE(svg_of(found).find("has no sensor"), std::string::npos);
 }
@@ -180,24 +192,97 @@ TEST(PlateTool, TrimsAndSaves) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_NE(outcome.out.find("\"x\" is not a number from -30 to 30"), std::string::npos);
   EXPECT_NE(outcome.out.find("\"31\" is not a number"), std::string::npos);
-  EXPECT_NE(outcome.out.find("zero is now 1467 us\nsaved\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("0 has moved by -3.00 deg\nsaved\n"), std::string::npos) << outcome.out;
   const auto& pulses = board.pulses();
   EXPECT_NEAR(pulses.back().width_us(), 1467.0, 0.6);
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 21.0);
   EmulatedBoard again(board.eeprom());
   PlateLink link(std::make_unique<BoardLine>(again));
-  EXPECT_EQ(setting_of(link, "zero"), 1467.0);
+  EXPECT_EQ(link.setting("zero"), 1467.0);
 }
 
 TEST(PlateTool, AnAbandonedTrimChangesNothing) {
   EmulatedBoard board;
   const Outcome outcome = run_with(board, {"trim", "board"}, {"-2"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("zero is now 1522 us\nnot saved: the old trim holds\n"), std::string::npos)
+  EXPECT_NE(outcome.out.find("0 has moved by +1.98 deg\nnot saved: the old trim holds\n"), std::string::npos)
       << outcome.out;
   PlateLink link(std::make_unique<BoardLine>(board));
-  EXPECT_EQ(setting_of(link, "zero"), 1500.0);
+  EXPECT_EQ(link.setting("zero"), 1500.0);
+}
+
+TEST(PlateTool, FindsADynamixel) {
+  EmulatedDynamixel servo;
+  const Outcome outcome = run_with(servo, {"find"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.out,
+            "/nonexistent cannot be opened: No such file or directory\n"
+            "board does not answer as a plate within 5 s\n"
+            "dynamixel:board: Dynamixel XL330-M288, id 1, firmware 52\n");
+  EmulatedDynamixel other(7);
+  EXPECT_EQ(run_with(other, {"find", "board"}).exit_code, 1);
+  EXPECT_EQ(run_with(other, {"find", "dynamixel:board?id=7"}).out,
+            "dynamixel:board?id=7: Dynamixel XL330-M288, id 7, firmware 52\n");
+  EXPECT_EQ(servo.get(64, 1) + other.get(64, 1), 0);
+}
+
+TEST(PlateTool, ShowsADynamixel) {
+  EmulatedDynamixel servo;
+  const Outcome outcome = run_with(servo, {"show", "dynamixel:board"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* line :
+       {"Dynamixel XL330-M288, id 1, firmware 52\n", "range -179.9 to 179.9 deg, 300",
+        "orientation measured\n", "operating mode 3\n", "homing offset 0 steps\n", "hardware error 0\n"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+  EXPECT_EQ(servo.get(64, 1), 0);
+}
+
+TEST(PlateTool, TrimsADynamixel) {
+  EmulatedDynamixel servo;
+  const Outcome outcome = run_with(servo, {"trim", "dynamixel:board"}, {"3", "-1", ""});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("0 has moved by -1.93 deg\nsaved\n"), std::string::npos) << outcome.out;
+  servo.restart();
+  EXPECT_EQ(servo.get(20, 4), 22);
+  EXPECT_NEAR(servo.orientation_deg(), -2.0, 0.1);
+  EXPECT_EQ(run_with(servo, {"trim", "dynamixel:board"}, {"5"}).exit_code, 1);
+  EXPECT_EQ(servo.get(20, 4), 22);
+}
+
+// Its range is a whole turn, at 200 degrees a second.
+TEST(PlateTool, MeasuresADynamixel) {
+  EmulatedDynamixel servo;
+  const TemporaryFolder folder;
+  const std::string name = "dynamixel:board?speed=200";
+  const Outcome refused = run_with(servo, {"measure", name, "--save"});
+  EXPECT_EQ(refused.exit_code, 9);
+  EXPECT_EQ(
+      refused.err,
+      "hrt-plate: the plate at dynamixel:board?speed=200 keeps neither latency nor speed: measure without "
+      "--save, and give the numbers of --out to the session\n");
+  const Outcome outcome =
+      run_with(servo, {"measure", name, "--out", folder / "plate.json", "--plot", folder / "plate.svg"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto file = nlohmann::json::parse(read_file(folder / "plate.json"));
+  EXPECT_EQ(file.at("device"), "Dynamixel XL330-M288, id 1, firmware 52");
+  EXPECT_NEAR(file.at("speed_deg_s").get<double>(), 200.0, 25.0);
+  EXPECT_LT(std::abs(file.at("backlash_deg").get<double>()), 0.1);
+  EXPECT_LT(file.at("repeatability_deg").get<double>(), 0.1);
+  EXPECT_LT(file.at("largest_error_deg").get<double>(), 0.1);
+  EXPECT_LT(file.at("latency_ms").get<double>(), 40.0);
+  EXPECT_EQ(file.at("session").at("plate_upper_stop_deg"), 179.9);
+  EXPECT_EQ(file.at("sweep").size(), 49U);
+  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+}
+
+// A turn through its range takes 36 s.
+TEST(PlateTool, WaitsForASlowDynamixel) {
+  EmulatedDynamixel servo;
+  const auto device = device_named("dynamixel:board?speed=10")(
+      [&](const std::string&, int) { return line_to(servo); }, Start::hold);
+  const Measurements found = measure(*device, [](const std::string&) {});
+  EXPECT_NEAR(*found.speed_deg_s, 10.0, 1.0);
 }
 
 TEST(PlateTool, TrimsFromStandardInput) {
@@ -206,7 +291,7 @@ TEST(PlateTool, TrimsFromStandardInput) {
       Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + board.device()}, {})
           .wait();
   EXPECT_EQ(saved.exit_code, 0) << saved.out << saved.err;
-  EXPECT_NE(saved.out.find("zero is now 1511 us\nsaved\n"), std::string::npos) << saved.out;
+  EXPECT_NE(saved.out.find("0 has moved by +0.99 deg\nsaved\n"), std::string::npos) << saved.out;
 }
 
 }  // namespace

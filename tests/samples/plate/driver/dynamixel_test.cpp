@@ -2,6 +2,7 @@
 // simulated time.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -107,13 +108,15 @@ TEST(DynamixelPacket, MemoryIsBounded) {
 
 class DynamixelTest : public testing::Test {
  protected:
-  std::unique_ptr<Device> open(const std::string& options = "") {
-    return device_named("dynamixel:bus" + options)([&](const std::string& path, int) {
-      EXPECT_EQ(path, "bus");
-      auto made = std::make_unique<DynamixelLine>(servo);
-      line = made.get();
-      return made;
-    });
+  std::unique_ptr<Device> open(const std::string& options = "", Start start = Start::hold) {
+    return device_named("dynamixel:bus" + options)(
+        [&](const std::string& path, int) {
+          EXPECT_EQ(path, "bus");
+          auto made = std::make_unique<DynamixelLine>(servo);
+          line = made.get();
+          return made;
+        },
+        start);
   }
   std::string failure_of_opening(const std::string& options = "") {
     return failure_of([&] { open(options); });
@@ -174,6 +177,34 @@ TEST_F(DynamixelTest, AnXl430HasItsLimitsAsStops) {
   EXPECT_EQ(device->orientation_deg(), 90.0);
   servo.set(52, 4, 3072);
   EXPECT_EQ(failure_of_opening(), "has position limits with nothing between");
+}
+
+// Someone only asks: torque stays off, and nothing is written.
+TEST_F(DynamixelTest, OpensWithoutAMotion) {
+  const auto device = open("", Start::quiet);
+  EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
+  const auto details = device->details();
+  EXPECT_NE(std::find(details.begin(), details.end(), "operating mode 3"), details.end());
+  EXPECT_EQ(servo.get(64, 1), 0);
+  EXPECT_EQ(servo.get(98, 1), 0);
+  EXPECT_EQ(servo.writes_to_eeprom(), 0);
+}
+
+// The mark is 3 degrees too far counter-clockwise: the shaft turns back, and is at 0 then.
+TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
+  const auto device = open();
+  device->turn_to(0.0);
+  serve(*device, 100ms);
+  EXPECT_EQ(device->zero_deg(), 0.0);
+  device->set_zero(-3.0);
+  serve(*device, 300ms);
+  EXPECT_EQ(servo.get(20, 4), 34);
+  EXPECT_NEAR(servo.orientation_deg(), -3.0, 0.05);
+  EXPECT_EQ(device->orientation_deg(), 0.0);
+  EXPECT_NEAR(device->zero_deg(), -3.0, 0.05);
+  EXPECT_EQ(failure_of([&] { device->set_zero(91.0); }),
+            "would need a homing offset of -1035 steps; allowed: -1024 to 1024. Turn the horn on its shaft");
+  EXPECT_EQ(servo.get(20, 4), 34);
 }
 
 // The mode is in memory that wears out.

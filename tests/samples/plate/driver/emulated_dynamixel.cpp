@@ -10,8 +10,9 @@ using namespace dynamixel;
 using namespace std::chrono_literals;
 
 constexpr int eeprom_end = 64;
-constexpr int torque_enable = 64, bus_watchdog = 98, goal_pwm = 100, goal_current = 102, goal_velocity = 104,
-              profile_acceleration = 108, profile_velocity = 112, goal_position = 116, present_position = 132;
+constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_pwm = 100, goal_current = 102,
+              goal_velocity = 104, profile_acceleration = 108, profile_velocity = 112, goal_position = 116,
+              present_position = 132;
 
 // What may be written, with its range.
 struct Writable {
@@ -42,8 +43,18 @@ void EmulatedDynamixel::restart() {
   set(68, 1, 2);
   set(goal_pwm, 2, get(36, 2));
   set(goal_current, 2, get(38, 2));
-  set(goal_position, 4, std::lround(position_));
-  set(present_position, 4, std::lround(position_));
+  set(goal_position, 4, present());
+  set(present_position, 4, present());
+}
+
+// In position mode offsets of more than a quarter turn are ignored.
+std::int64_t EmulatedDynamixel::homing() const {
+  const std::int64_t offset = get(homing_offset, 4);
+  return get(11, 1) == 3 && std::abs(offset) > 1024 ? 0 : offset;
+}
+
+std::int64_t EmulatedDynamixel::present() const {
+  return std::lround(position_) + homing();
 }
 
 std::int64_t EmulatedDynamixel::get(int address, int size) const {
@@ -104,8 +115,9 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const std::int64_t value = number_at(parameters, 2, size);
   const std::int64_t most_pwm = get(36, 2), most_current = get(38, 2), most_speed = get(44, 4);
   const bool turns_on = get(11, 1) == 5;
-  const std::array<Writable, 9> writable = {
+  const std::array<Writable, 10> writable = {
       {{11, 1, 0, 16},
+       {homing_offset, 4, -1'044'479, 1'044'479},
        {torque_enable, 1, 0, 1},
        {bus_watchdog, 1, 0, 127},
        {goal_pwm, 2, -most_pwm, most_pwm},
@@ -125,7 +137,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
     return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);
-  if (address == torque_enable && value == 1) set(goal_position, 4, std::lround(position_));
+  if (address == torque_enable && value == 1) set(goal_position, 4, present());
   if (address == 11) {
     set(goal_pwm, 2, most_pwm);
     set(goal_current, 2, most_current);
@@ -140,7 +152,7 @@ void EmulatedDynamixel::run_until(Time now) {
     set(bus_watchdog, 1, -1);
     set(profile_velocity, 4, 0);
     set(profile_acceleration, 4, 0);
-    set(goal_position, 4, std::lround(position_));
+    set(goal_position, 4, present());
   }
   const double seconds = std::chrono::duration<double>(now - now_).count();
   now_ = now;
@@ -150,9 +162,9 @@ void EmulatedDynamixel::run_until(Time now) {
     const auto profile = static_cast<double>(get(profile_velocity, 4));
     const double speed_deg_s = profile == 0.0 ? 618.0 : std::min(618.0, profile * 0.229 * 6.0);
     const double most = speed_deg_s * seconds * 4096.0 / 360.0;
-    position_ += std::clamp(static_cast<double>(get(goal_position, 4)) - position_, -most, most);
+    position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -most, most);
   }
-  set(present_position, 4, std::lround(position_));
+  set(present_position, 4, present());
 }
 
 }  // namespace hrt::plate

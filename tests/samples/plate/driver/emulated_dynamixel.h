@@ -23,6 +23,7 @@ class EmulatedDynamixel {
   /// Turns for as long as its profile allows; the watchdog may stop it.
   void run_until(Time now);
 
+  /// Of its shaft, whatever its homing offset.
   double orientation_deg() const { return (position_ - 2048.0) * 360.0 / 4096.0; }
   std::int64_t get(int address, int size) const;
   void set(int address, int size, std::int64_t value);
@@ -39,6 +40,8 @@ class EmulatedDynamixel {
   std::uint8_t forced_error = 0;       ///< in every status
 
  private:
+  std::int64_t homing() const;
+  std::int64_t present() const;
   std::string answer(const dynamixel::Packet& packet);
   dynamixel::StatusError write(std::string_view parameters);
 
