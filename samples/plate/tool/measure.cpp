@@ -118,7 +118,7 @@ Step step_to(Device& device, double orientation_deg) {
   Step step;
   device.turn_to(orientation_deg);
   while (device.now() - began < limit && !step.speed_deg_s) {
-    device.wait(20ms);
+    device.wait(5ms);
     const auto now = device.now();
     const double place_deg = place_of(device), done = (place_deg - from_deg) / way_deg;
     if (!step.onset_ms && std::abs(place_deg - from_deg) >= onset_deg)
