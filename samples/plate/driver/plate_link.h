@@ -72,6 +72,7 @@ class PlateLink : public Device {
   void greet();
   void measure_line();
   void hold_place();
+  double pulse_setting(const std::string& name);
   void serve_for(std::chrono::milliseconds time);
   void listen();
   void take(const PlateMessage& message);

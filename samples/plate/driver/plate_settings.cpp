@@ -12,6 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr double least_pulse_us = 500.0, most_pulse_us = 2500.0;
 constexpr double most_zero_step_us = 20.0;  // that the firmware takes while the servo holds
 
 std::string shown(double value) {
@@ -67,16 +68,26 @@ void PlateLink::save_settings() {
       3000ms);
 }
 
-double PlateLink::zero_deg() {
+double PlateLink::pulse_setting(const std::string& name) {
   if (version_ != Version::two)
     throw PlateFailure(Fault::protocol, "speaks protocol 1, which has no trim: turn the plate on its shaft");
-  return setting("zero") / (setting("span") / 180.0);
+  const double width_us = setting(name);
+  if (std::abs(width_us) < least_pulse_us || std::abs(width_us) > most_pulse_us)
+    throw PlateFailure(Fault::protocol,
+                       "has a " + name + " of " + shown(width_us) + " us; allowed: 500 to 2500 either way");
+  return width_us;
+}
+
+double PlateLink::zero_deg() {
+  return pulse_setting("zero") / pulse_setting("span") * 180.0;
 }
 
 // In steps, so that the servo never jumps.
 void PlateLink::set_zero(double zero_deg) {
-  const double to_us = std::round(zero_deg * setting("span") / 180.0);
-  for (double at_us = setting("zero"); at_us != to_us;) {
+  double at_us = pulse_setting("zero");
+  const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);
+  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / most_zero_step_us)); steps > 0;
+       --steps) {
     at_us += std::clamp(to_us - at_us, -most_zero_step_us, most_zero_step_us);
     change_setting("zero", at_us);
     serve_for(50ms);
