@@ -5,8 +5,9 @@ from __future__ import annotations
 from abi import Abi, Parameter, Type
 
 
-def render(abi: Abi, pointer_size: int) -> str:
-    lines = ["#include <haptic_retargeting/haptic_retargeting.h>",
+def render(abi: Abi, pointer_size: int, exported: str) -> str:
+    """`exported` is the macro of declarations."""
+    lines = [*(f"#include <haptic_retargeting/{name}>" for name in abi.headers),
              f"_Static_assert(sizeof(void*) == {pointer_size}, \"size of a pointer\");"]
     lines += [f'_Static_assert({c.name} == {c.value}{"u" if c.unsigned else ""}, "{c.name}");' for c in abi.constants]
     for struct in abi.structs:
@@ -18,7 +19,7 @@ def render(abi: Abi, pointer_size: int) -> str:
     # Declared again: an error unless the types are the same.
     for function in abi.functions:
         parameters = ", ".join(_parameter(p) for p in function.parameters) or "void"
-        lines.append(f"HRT_API {_name(function.result)} {function.name}({parameters});")
+        lines.append(f"{exported} {_name(function.result)} {function.name}({parameters});")
     return "\n".join(lines) + "\n"
 
 

@@ -25,14 +25,20 @@ def render(abi: Abi, notice: str) -> str:
     return Renderer(abi).render(notice)
 
 
+def render_plate(abi: Abi, notice: str) -> str:
+    return Renderer(abi, "hrt_plate", "PlateNative", "PlateLibrary").render(notice)
+
+
 def camel(name: str) -> str:
     text = pascal(name)
     return text[:1].lower() + text[1:]
 
 
 class Renderer:
-    def __init__(self, abi: Abi) -> None:
-        self.abi = abi
+    def __init__(self, abi: Abi, library: str = "haptic_retargeting", native: str = "Native",
+                 loader: str = "HapticRetargetingLibrary") -> None:
+        """`native` is the class of the declarations, `loader` that which loads the library and checks results."""
+        self.abi, self.library, self.native, self.loader = abi, library, native, loader
         self.types = {s.name: _HANDLES.get(s.name) or pascal(s.name.removeprefix("hrt_")) + ("Handle" * s.is_handle)
                       for s in abi.structs}
         self.types |= {c.name: pascal(c.name.removeprefix("hrt_")) for c in abi.callbacks}
@@ -44,14 +50,14 @@ class Renderer:
         self.arrays = {(s.name, f.name): self.array_name(s, f) for s in abi.structs for f in s.fields if f.length}
 
     def render(self, notice: str) -> str:
-        parts = [self.constants()]
-        parts += [self.enum(e) for e in self.abi.enumerations]
+        parts = [self.constants()] if any(enum == "Constants" for enum, _ in self.members.values()) else []
+        parts += [self.enum(e) for e in self.abi.enumerations if e.members]
         parts += [self.struct(s) for s in self.abi.structs]
         parts += [self.array(s, f) for s in self.abi.structs for f in s.fields
                   if f.length and (f.type.name, f.length) not in _ARRAYS]
         parts += [self.callback(c) for c in self.abi.callbacks]
-        parts.append("internal static class Native\n{\n"
-                     '    internal const string Library = "haptic_retargeting";\n\n'
+        parts.append(f"internal static class {self.native}\n{{\n"
+                     f'    internal const string Library = "{self.library}";\n\n'
                      + "\n".join(self.function(f) for f in self.abi.functions) + "}\n")
         body = textwrap.indent("\n".join(parts), "    ", lambda line: line.strip() != "")
         return (f"// {notice} The headers say what each call does.\n"
@@ -85,10 +91,10 @@ class Renderer:
         if f"{struct.name}_default" in [f.name for f in self.abi.functions]:
             text += (f"\n    /// <summary>Every field with its default.</summary>\n"
                      f"    public static {name} Default\n    {{\n        get\n        {{\n"
-                     "            HapticRetargetingLibrary.Load();\n"
+                     f"            {self.loader}.Load();\n"
                      f"            var config = default({name});\n"
                      f"            uint size = SizeOf<{name}>.Value;\n"
-                     f"            HapticRetargetingLibrary.Check(Native.{struct.name}_default(ref config, size));\n"
+                     f"            {self.loader}.Check({self.native}.{struct.name}_default(ref config, size));\n"
                      "            return config;\n        }\n    }\n")
         return text + "}\n"
 
@@ -106,6 +112,8 @@ class Renderer:
 
     def array(self, struct: Struct, field: Field) -> str:
         """A fixed array, which C# has not. Its elements are named by the constants of which the comment speaks."""
+        if field.type.name == "char":
+            return self.text(struct, field)
         named = re.search(r"\b(HRT_[A-Z_]+_)\*", field.doc)
         names = {c.value: camel(c.name.removeprefix(named[1])) for c in reversed(self.abi.constants)
                  if named and c.name.startswith(named[1])}
@@ -114,6 +122,15 @@ class Renderer:
         elements = ", ".join(names.get(i, f"value{i}") for i in range(field.length))
         lines = textwrap.wrap(f"public {_TYPES[field.type.name]} {elements};", _WIDTH - 12)
         return text + textwrap.indent("\n".join(lines).replace("\n", "\n    "), "    ") + "\n}\n"
+
+    def text(self, struct: Struct, field: Field) -> str:
+        """A fixed array of characters, in words of eight bytes."""
+        words = ", ".join(f"word{i}" for i in range(field.length // 8))
+        declared = "\n        ".join(textwrap.wrap(f"public ulong {words};", _WIDTH - 16))
+        passed = "\n        ".join(textwrap.wrap(f"{words});", _WIDTH - 16))
+        return (self.doc(field.doc, "") + "[Serializable]\n[StructLayout(LayoutKind.Sequential)]\n"
+                f"public struct {self.arrays[struct.name, field.name]}\n{{\n    {declared}\n\n"
+                f"    public override string ToString() => Utf8.Read(\n        {passed}\n}}\n")
 
     def callback(self, function: Function) -> str:
         # What a callback is given is only ever looked at through pointers.

@@ -27,6 +27,7 @@ _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\
 _ALL = "godot python unity unreal web"
 _SCENES = ("hrt_scene_load_file hrt_scene_load_memory hrt_scene_destroy hrt_scene_get_info hrt_scene_get_target "
            "hrt_scene_register")
+_PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error"
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
     (_ALL, "hrt_session_is_valid", "an object of the host knows whether it is open"),
@@ -52,15 +53,17 @@ _LEFT_OUT = (
      "the defaults hold several times the slides that a calibration needs"),
     ("godot unreal", "hrt_session_get_state", "the node or component knows whether a reach runs"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
+    ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
+    ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
     ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
     ("godot", "HRT_ERROR_STRUCT_SIZE HRT_ERROR_BUFFER_TOO_SMALL HRT_ERROR_INTERNAL", "a defect of the node: ERR_BUG"),
 )
 
 
-def missing(abi: Abi, bindings: Path, notice: str) -> Iterator[str]:
+def missing(abi: Abi, plate: Abi, bindings: Path, notice: str) -> Iterator[str]:
     """A line for each name and host."""
     # Defaults are part of what is generated.
-    functions = {f.name for f in abi.functions if not f.name.endswith("_default")}
+    functions = {f.name for f in abi.functions + plate.functions if not f.name.endswith("_default")}
     for host, patterns in _SOURCES.items():
         texts = [path.read_text(encoding="utf-8") for pattern in patterns for path in bindings.glob(pattern)]
         text = "\n".join(t for t in texts if notice not in t.partition("\n")[0])  # what is generated uses nothing

@@ -46,6 +46,16 @@ namespace Hrt.HostTests
         }
 
         [Test]
+        public void ReportsOfAPlateMakeNoGarbage()
+        {
+            using (var plate = new HapticRetargetingPlate("serial:/nonexistent"))
+            {
+                PlateReport report;
+                AssertNoGarbage(i => report = plate.Get());
+            }
+        }
+
+        [Test]
         public void CalibrationTrialsMakeNoGarbage()
         {
             using (var session = new HapticRetargetingSession())

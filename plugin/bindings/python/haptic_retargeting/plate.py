@@ -13,6 +13,7 @@ import functools
 import os
 import sys
 import time
+from pathlib import Path
 from types import TracebackType
 
 from . import _abi, _plate_abi
@@ -24,9 +25,11 @@ __all__ = ["Plate", *_plate_abi.__all__]
 
 @functools.cache
 def _library() -> ctypes.CDLL:
-    """The library, loaded once: the file that HRT_PLATE_LIBRARY names, or what the system's loader finds."""
+    """The library, loaded once: the file that HRT_PLATE_LIBRARY names, that of the wheel, or what the system's loader
+    finds."""
     default = "hrt_plate.dll" if sys.platform == "win32" else f"libhrt_plate.so.{_abi.VERSION[0]}"
-    name = os.environ.get("HRT_PLATE_LIBRARY") or default
+    in_wheel = Path(__file__).parent / default
+    name = os.environ.get("HRT_PLATE_LIBRARY") or (str(in_wheel) if in_wheel.exists() else default)
     try:
         loaded = ctypes.CDLL(name)
         _plate_abi.declare(loaded)

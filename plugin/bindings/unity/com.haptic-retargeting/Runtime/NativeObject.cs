@@ -52,8 +52,11 @@ namespace Hrt
         internal void Check(Result result)
         {
             GC.KeepAlive(this);
-            HapticRetargetingLibrary.Check(result);
+            if (result != Result.Ok) throw new HapticRetargetingException(result, LastError);
         }
+
+        // Of this thread, by the library that the object is of.
+        internal virtual string LastError => HapticRetargetingLibrary.LastError;
 
         // Also what the finaliser calls: throws nothing, and may come second, after a domain's unloading.
         Result Destroy()

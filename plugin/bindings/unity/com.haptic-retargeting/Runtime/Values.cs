@@ -81,14 +81,8 @@ namespace Hrt
 
         public static implicit operator Name(string text) => new Name(text);
 
-        public override string ToString()
-        {
-            var bytes = new byte[Constants.NameSize];
-            ulong[] words = {word0, word1, word2, word3, word4, word5, word6, word7};
-            for (int i = 0; i < words.Length; ++i) BitConverter.GetBytes(words[i]).CopyTo(bytes, 8 * i);
-            int end = Array.IndexOf(bytes, (byte)0);
-            return Encoding.UTF8.GetString(bytes, 0, end < 0 ? bytes.Length : end);
-        }
+        public override string ToString() =>
+            Utf8.Read(word0, word1, word2, word3, word4, word5, word6, word7);
     }
 
     public partial struct TargetId : IEquatable<TargetId>
@@ -129,6 +123,15 @@ namespace Hrt
             if (text == null) throw new ArgumentNullException(argument);
             if (text.IndexOf('\0') >= 0) throw new ArgumentException("The text has a zero in it", argument);
             return Encoding.UTF8.GetBytes(text + '\0');
+        }
+
+        /// <summary>A text in words of eight bytes, the first byte lowest, up to its first zero.</summary>
+        internal static string Read(params ulong[] words)
+        {
+            var bytes = new byte[8 * words.Length];
+            for (int i = 0; i < words.Length; ++i) BitConverter.GetBytes(words[i]).CopyTo(bytes, 8 * i);
+            int end = Array.IndexOf(bytes, (byte)0);
+            return Encoding.UTF8.GetString(bytes, 0, end < 0 ? bytes.Length : end);
         }
 
         /// <summary>A C string; UTF-8 on every platform, which Marshal's own conversions are not.</summary>

@@ -1,0 +1,97 @@
+using System;
+using System.Threading;
+
+namespace Hrt
+{
+    /// <summary>
+    /// The device that turns the plate, by libhrt_plate: a plate with the line protocol, or a Dynamixel servo. A thread
+    /// of that library talks to it; no call waits for it, except <see cref="WaitUntilReady"/> and
+    /// <see cref="NativeObject.Dispose"/>, which stops the plate within half a second. Without a call for
+    /// <see cref="PlateOptions.hostTimeoutNs"/> the plate stops by itself. Linux and Windows on x64.
+    ///
+    /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> make no garbage.
+    /// </summary>
+    public sealed class HapticRetargetingPlate : NativeObject
+    {
+        /// <summary>Starts to open a plate: "serial:/dev/ttyACM0", "serial:COM3",
+        /// "dynamixel:/dev/ttyUSB0?id=1".</summary>
+        public HapticRetargetingPlate(string device) : this(device, PlateOptions.Default)
+        {
+        }
+
+        public HapticRetargetingPlate(string device, PlateOptions options)
+            : base(value => PlateNative.hrt_plate_close(new PlateHandle { value = value }))
+        {
+            PlateLibrary.Load();
+            byte[] name = Utf8.ZeroEnded(device, nameof(device));
+            options.structSize = SizeOf<PlateOptions>.Value;
+            Check(PlateNative.hrt_plate_open(name, ref options, out PlateHandle handle));
+            Own(handle.value);
+        }
+
+        /// <summary>Turns the plate there, or to an orientation that feels the same:
+        /// <see cref="Command.plateOrientationDeg"/>. <see cref="Result.WrongState"/> while it is being opened, and with
+        /// the reason when it has failed.</summary>
+        public void Set(double orientationDeg)
+        {
+            Check(PlateNative.hrt_plate_set(Handle, orientationDeg));
+        }
+
+        /// <summary>Stops it where it is.</summary>
+        public void Stop()
+        {
+            Check(PlateNative.hrt_plate_stop(Handle));
+        }
+
+        /// <summary>What is known of it: call it in every frame.</summary>
+        public PlateReport Get()
+        {
+            var report = new PlateReport { structSize = SizeOf<PlateReport>.Value };
+            Check(PlateNative.hrt_plate_get(Handle, ref report));
+            return report;
+        }
+
+        /// <summary>Waits while it is being opened, up to 6 s. <see cref="InvalidOperationException"/> with the reason
+        /// if it has failed. A frame loop looks at <see cref="Get"/> instead.</summary>
+        public PlateReport WaitUntilReady()
+        {
+            PlateReport report = Get();
+            for (; report.state == PlateState.Opening; report = Get()) Thread.Sleep(10);
+            if (report.state == PlateState.Failed) throw new InvalidOperationException(report.message.ToString());
+            return report;
+        }
+
+        internal override string LastError => PlateLibrary.LastError;
+
+        PlateHandle Handle => new PlateHandle { value = Value };
+    }
+
+    /// <summary>The native library of the plate, a second one.</summary>
+    static class PlateLibrary
+    {
+        internal static string LastError => Utf8.Read(PlateNative.hrt_plate_last_error());
+
+        /// <summary>Comes before the first call into the library: refuses a missing one, and has plates closed before
+        /// managed code goes.</summary>
+        internal static void Load()
+        {
+            HapticRetargetingLibrary.Load();
+            try
+            {
+                PlateNative.hrt_plate_last_error();
+            }
+            catch (DllNotFoundException e)
+            {
+                throw new DllNotFoundException(
+                    $"The native library {PlateNative.Library} was not found. The package has it for Linux and " +
+                    "Windows on x64; its documentation says where to put it.",
+                    e);
+            }
+        }
+
+        internal static void Check(Result result)
+        {
+            if (result != Result.Ok) throw new HapticRetargetingException(result, LastError);
+        }
+    }
+}

@@ -1,0 +1,108 @@
+using System;
+using System.Linq;
+using System.Reflection;
+using System.Runtime.InteropServices;
+using System.Threading;
+using NUnit.Framework;
+
+namespace Hrt.HostTests
+{
+    // The plate's library from C#, against the firmware on an emulated board and an emulated servo: with_plate.
+    public sealed class PlateTests
+    {
+        static string Device(string variable)
+        {
+            string device = Environment.GetEnvironmentVariable(variable);
+            Assert.IsNotNull(device, "no emulated plate: run by with_plate");
+            return device;
+        }
+
+        // The plate's report as soon as it is as wanted; a busy machine gets 30 s.
+        static PlateReport Eventually(HapticRetargetingPlate plate, Func<PlateReport, bool> wanted)
+        {
+            PlateReport report = plate.Get();
+            for (int i = 0; i < 3000 && !wanted(report); ++i, report = plate.Get()) Thread.Sleep(10);
+            Assert.IsTrue(wanted(report), $"{report.state} at {report.orientationDeg} deg, {report.message}");
+            return report;
+        }
+
+        [Test]
+        public void StructsHaveTheCompilersSizes()
+        {
+            Assert.AreEqual(16, Marshal.SizeOf(typeof(PlateOptions)));
+            Assert.AreEqual(472, Marshal.SizeOf(typeof(PlateReport)));
+            Assert.AreEqual(88, (int)Marshal.OffsetOf(typeof(PlateReport), "description"));
+        }
+
+        [Test]
+        public void FunctionsAreThere()
+        {
+            Type native = typeof(HapticRetargetingPlate).Assembly.GetType("Hrt.PlateNative");
+            MethodInfo[] functions = native.GetMethods(BindingFlags.Static | BindingFlags.NonPublic);
+            Assert.GreaterOrEqual(functions.Count(f => f.Name.StartsWith("hrt_plate_")), 7);
+            foreach (MethodInfo function in functions) Marshal.Prelink(function);
+        }
+
+        [Test]
+        public void TurnsTheFirmwaresPlateAndStopsIt()
+        {
+            PlateOptions options = PlateOptions.Default;
+            Assert.AreEqual(300000000, options.hostTimeoutNs);
+            options.hostTimeoutNs = 10000000000; // a busy machine
+            using (var plate = new HapticRetargetingPlate(Device("HRT_PLATE_DEVICE"), options))
+            {
+                PlateReport report = plate.WaitUntilReady();
+                Assert.AreEqual("protocol 2, firmware 1.0.0, serial number 000000", report.description.ToString());
+                Assert.AreEqual(PlateFault.None, report.fault);
+                Assert.AreEqual(-90.0, report.lowerStopDeg);
+                plate.Set(210); // feels like 30
+                report = Eventually(plate, r => r.orientationDeg == 30);
+                Assert.AreEqual(30.0, report.commandDeg);
+                Assert.IsTrue((report.flags & PlateReportFlags.Commanded) != 0);
+                plate.Stop();
+                Eventually(plate, r => (r.flags & PlateReportFlags.Commanded) == 0);
+            }
+        }
+
+        [Test]
+        public void TurnsADynamixel()
+        {
+            using (var plate = new HapticRetargetingPlate(Device("HRT_PLATE_SERVO")))
+            {
+                Assert.AreEqual("Dynamixel XL330-M288, id 1, firmware 52", plate.WaitUntilReady().description.ToString());
+                Eventually(plate, r =>
+                {
+                    plate.Set(-45);
+                    return Math.Abs(r.orientationDeg + 45) < 0.1;
+                });
+            }
+        }
+
+        [Test]
+        public void FailuresHaveTheirReason()
+        {
+            using (var plate = new HapticRetargetingPlate("serial:/nonexistent"))
+            {
+                var failed = Assert.Throws<InvalidOperationException>(() => plate.WaitUntilReady());
+                Assert.AreEqual("the plate at /nonexistent cannot be opened: No such file or directory", failed.Message);
+                Assert.AreEqual(PlateFault.Line, plate.Get().fault);
+                var refused = Assert.Throws<HapticRetargetingException>(() => plate.Set(0));
+                Assert.AreEqual(Result.WrongState, refused.Result);
+                StringAssert.StartsWith("hrt_plate_set: the plate at /nonexistent", refused.Message);
+            }
+            var wrong = Assert.Throws<HapticRetargetingException>(() => new HapticRetargetingPlate("usb:0"));
+            Assert.AreEqual(Result.OutOfRange, wrong.Result);
+            Assert.AreEqual("hrt_plate_open: device is of kind \"usb\"; allowed: serial:..., dynamixel:...", wrong.Message);
+        }
+
+        [Test]
+        public void AClosedPlateIsRefused()
+        {
+            var plate = new HapticRetargetingPlate("serial:/nonexistent");
+            plate.Dispose();
+            plate.Dispose();
+            Assert.IsTrue(plate.IsDisposed);
+            Assert.Throws<ObjectDisposedException>(() => plate.Get());
+        }
+    }
+}

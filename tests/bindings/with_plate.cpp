@@ -1,0 +1,31 @@
+// Runs a command while emulated plates are at the other end of pseudo-terminals: the firmware's ELF on its board,
+// and a Dynamixel servo. The command finds their names in the environment.
+//   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1, HRT_PLATE_SERVO=dynamixel:/dev/pts/2
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "tests/samples/plate/driver/pty_dynamixel.h"
+#include "tests/samples/plate/pty_board.h"
+
+int main(int argc, char** argv) {
+  constexpr int cannot_run = 127;
+  if (argc < 2) return cannot_run;
+  const hrt::plate::PtyBoard board;
+  const hrt::plate::PtyDynamixel servo;
+  setenv("HRT_PLATE_DEVICE", ("serial:" + board.device()).c_str(), 1);
+  setenv("HRT_PLATE_SERVO", ("dynamixel:" + servo.device()).c_str(), 1);
+  const pid_t child = fork();
+  if (child == 0) {
+    execvp(argv[1], argv + 1);
+    _exit(cannot_run);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child) {
+    std::perror("with_plate");
+    return cannot_run;
+  }
+  return WIFEXITED(status) ? WEXITSTATUS(status) : cannot_run;
+}
