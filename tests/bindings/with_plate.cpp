@@ -1,5 +1,5 @@
-// Runs a command while emulated plates are at the other end of pseudo-terminals: the firmware's ELF on its board,
-// and a Dynamixel servo. The command finds their names in the environment.
+// Runs a command while emulated plates are at the other end of pseudo-terminals: the firmware's ELF on its
+// board, and a Dynamixel servo. The command finds their names in the environment.
 //   with_plate COMMAND...    HRT_PLATE_DEVICE=serial:/dev/pts/1, HRT_PLATE_SERVO=dynamixel:/dev/pts/2
 #include <sys/wait.h>
 #include <unistd.h>

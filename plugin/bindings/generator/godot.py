@@ -16,17 +16,20 @@ _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
 
 
-def render_tables(abi: Abi, notice: str) -> str:
+def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
     tables = {"config": _table(abi, settings.STRUCT, settings.shown(abi))}
     for name, struct in _RECORDS.items():
         tables[name] = _table(abi, struct, [f for f in abi.struct(struct).fields
                                             if f.name not in ("struct_size", "reserved")])
-    return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <cstring>\n\n"
+    tables["device"] = _table(plate, "hrt_plate_report", [f for f in plate.struct("hrt_plate_report").fields
+                                                          if f.name != "struct_size" and f.type.name != "char"])
+    return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
+            "#include <cstring>\n\n"
             "namespace hrt_godot {\nnamespace {\n\n"
             + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
             + "constexpr Constant kConstants[] = {\n"
             + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
-                      f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) for m in e.members)
+                      f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) + _shown(plate) for m in e.members)
             + "};\n\n}  // namespace\n\n"
             + "".join(f"std::span<const Field> {name}_fields() {{\n  return k{name.capitalize()};\n}}\n\n"
                       for name in tables)
@@ -60,7 +63,7 @@ def _rows(abi: Abi, struct: str, field: Field, path: str = "", name: str = "") -
 
 
 def _shown(abi: Abi) -> list[Enumeration]:
-    return [e for e in abi.enumerations if e.prefix not in _NO_CONSTANTS]
+    return [e for e in abi.enumerations if e.prefix not in _NO_CONSTANTS and e.members]
 
 
 def _choices(enumeration: Enumeration) -> str:
@@ -73,10 +76,10 @@ def _choices(enumeration: Enumeration) -> str:
     return ",".join(texts)
 
 
-def render_constants(abi: Abi, notice: str) -> str:
-    text = (f"# {notice}\n# The numbers of properties and flags; session.h and reach.h of the plugin say what they mean.\n"
+def render_constants(abi: Abi, plate: Abi, notice: str) -> str:
+    text = (f"# {notice}\n# The numbers of properties and flags; session.h, reach.h and plate.h say what they mean.\n"
             "#\n#   const HRT = preload(\"res://addons/haptic_retargeting/constants.gd\")\n"
             "#   if flags & HRT.COMMAND_SATURATED: ...\n")
-    for enumeration in _shown(abi):
+    for enumeration in _shown(abi) + _shown(plate):
         text += "\n" + "".join(f"const {m.name.removeprefix('HRT_')} = {m.value}\n" for m in enumeration.members)
     return text

@@ -1,5 +1,5 @@
 # Written by plugin/bindings/generate from the C headers.
-# The numbers of properties and flags; session.h and reach.h of the plugin say what they mean.
+# The numbers of properties and flags; session.h, reach.h and plate.h say what they mean.
 #
 #   const HRT = preload("res://addons/haptic_retargeting/constants.gd")
 #   if flags & HRT.COMMAND_SATURATED: ...
@@ -95,3 +95,27 @@ const TARGET_VIRTUAL = 2
 const PLACE_DIRECTION = 1
 const PLACE_PLATE_POSITION = 2
 const PLACE_WORLD_POSITION = 3
+
+const PLATE_STATE_OPENING = 1
+const PLATE_STATE_READY = 2
+const PLATE_STATE_FAILED = 3
+
+const PLATE_FAULT_NONE = 0
+const PLATE_FAULT_LINE = 1
+const PLATE_FAULT_NO_ANSWER = 2
+const PLATE_FAULT_UNPLUGGED = 3
+const PLATE_FAULT_SILENT = 4
+const PLATE_FAULT_NO_REPORT = 5
+const PLATE_FAULT_LIMITS = 6
+const PLATE_FAULT_STUCK = 7
+const PLATE_FAULT_RESTARTED = 8
+const PLATE_FAULT_EMERGENCY = 9
+const PLATE_FAULT_DEVICE = 10
+const PLATE_FAULT_PROTOCOL = 11
+const PLATE_FAULT_INTERNAL = 12
+
+const PLATE_REPORT_ORIENTATION = 1
+const PLATE_REPORT_MEASURED = 2
+const PLATE_REPORT_ROUND_TRIP = 4
+const PLATE_REPORT_COMMANDED = 8
+const PLATE_REPORT_HOST_SILENT = 16

@@ -39,6 +39,8 @@ std::span<const Field> authority_fields();
 std::span<const Field> calibration_fields();
 std::span<const Field> slide_fields();
 std::span<const Field> recording_fields();
+/** Of hrt_plate_report, its texts excepted. */
+std::span<const Field> device_fields();
 
 struct Constant {
   const char* enumeration;

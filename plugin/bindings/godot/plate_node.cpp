@@ -47,6 +47,8 @@ constexpr Argument kSlide[] = {{"slide", Type::kInt}};
 constexpr Argument kConditions[] = {
     {"plate", Type::kString}, {"tracker", Type::kString}, {"time_s", Type::kInt}};
 constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
+constexpr Argument kDevice[] = {{"device", Type::kString}};
+constexpr Argument kOrientation[] = {{"orientation_deg", Type::kReal}};
 constexpr Argument kJson[] = {{"json", Type::kString}};
 constexpr Argument kPath[] = {{"path", Type::kString}};
 
@@ -100,6 +102,13 @@ const Method kMethods[] = {
     {"start_recording", Type::kInt, kError, kPath, &PlateNode::start_recording},
     {"get_recording_status", Type::kRecord, Record{}, {}, &PlateNode::get_recording_status},
     {"stop_recording", Type::kInt, kError, {}, &PlateNode::stop_recording},
+    {"open_device", Type::kInt, kError, kDevice, &PlateNode::open_device},
+    {"turn_device", Type::kInt, kError, kOrientation, &PlateNode::turn_device},
+    {"stop_device", Type::kInt, kError, {}, &PlateNode::stop_device},
+    {"get_device_report", Type::kRecord, Record{}, {}, &PlateNode::get_device_report},
+    {"get_device_description", Type::kString, std::string(), {}, &PlateNode::get_device_description},
+    {"get_device_message", Type::kString, std::string(), {}, &PlateNode::get_device_message},
+    {"close_device", Type::kInt, kError, {}, &PlateNode::close_device},
     {"get_version", Type::kString, std::string(), {}, &PlateNode::get_version},
 };
 
@@ -398,6 +407,10 @@ bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
   out_sample.finger_position_m[0] = position.x;
   out_sample.finger_position_m[1] = position.y;
   out_sample.finger_position_m[2] = position.z;
+  if (const std::optional<double> orientation_deg = device_.orientation_deg()) {
+    out_sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    out_sample.plate_orientation_deg = *orientation_deg;
+  }
   if (read_pose(out_sample.plate_position_m, out_sample.plate_rotation)) return true;
   report_sample(kPoseReason, kNotRigid);
   return false;
@@ -655,6 +668,44 @@ Value PlateNode::stop_recording(const Value*) {
       ("the recording lacks " + std::to_string(status.rows_lost) + " calls: the disk was too slow or failed")
           .c_str());
   return to_godot_error(HRT_ERROR_SYSTEM);
+}
+
+// Each frame may turn a device that is being opened, or has failed: the reason of a failure is shown once.
+Value PlateNode::after_device(hrt_result result) {
+  if (result == HRT_ERROR_WRONG_STATE) {
+    if (device_.has_failed_anew()) engine_.push_error(device_.message().c_str());
+  } else if (result != HRT_OK) {
+    engine_.push_error(hrt_plate_last_error());
+  }
+  return to_godot_error(result);
+}
+
+Value PlateNode::open_device(const Value* arguments) {
+  return after_device(device_.open(to_text(arguments[0])));
+}
+
+Value PlateNode::turn_device(const Value* arguments) {
+  return after_device(device_.turn_to(to_real(arguments[0])));
+}
+
+Value PlateNode::stop_device(const Value*) {
+  return after_device(device_.stop());
+}
+
+Value PlateNode::get_device_report(const Value*) {
+  return device_.report();
+}
+
+Value PlateNode::get_device_description(const Value*) {
+  return device_.description();
+}
+
+Value PlateNode::get_device_message(const Value*) {
+  return device_.message();
+}
+
+Value PlateNode::close_device(const Value*) {
+  return after_device(device_.close());
 }
 
 Value PlateNode::get_version(const Value*) {

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "fields.h"
+#include "plate_device.h"
 #include "value.h"
 
 namespace hrt_godot {
@@ -107,10 +108,18 @@ class PlateNode {
   Value start_recording(const Value* arguments);
   Value get_recording_status(const Value* arguments);
   Value stop_recording(const Value* arguments);
+  Value open_device(const Value* arguments);
+  Value turn_device(const Value* arguments);
+  Value stop_device(const Value* arguments);
+  Value get_device_report(const Value* arguments);
+  Value get_device_description(const Value* arguments);
+  Value get_device_message(const Value* arguments);
+  Value close_device(const Value* arguments);
   Value get_version(const Value* arguments);
 
  private:
   bool ok(hrt_result result);
+  Value after_device(hrt_result result);
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
   Value add_target(const hrt_target_config& config);
@@ -131,6 +140,7 @@ class PlateNode {
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
   bool reaching_ = false;
+  PlateDevice device_;
   std::bitset<128> refused_;  ///< samples of this reach or trial, by the reason
 };
 

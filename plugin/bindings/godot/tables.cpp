@@ -2,6 +2,8 @@
 // clang-format off
 #include "fields.h"
 
+#include <haptic_retargeting/plate.h>
+
 #include <cstring>
 
 namespace hrt_godot {
@@ -182,6 +184,21 @@ constexpr Field kRecording[] = {
     {"rows_lost", FieldKind::kInt64, offsetof(hrt_recording_status, rows_lost)},
 };
 
+constexpr Field kDevice[] = {
+    {"state", FieldKind::kUint32, offsetof(hrt_plate_report, state), "Opening:1,Ready:2,Failed:3"},
+    {"fault", FieldKind::kUint32, offsetof(hrt_plate_report, fault), "None,Line,No Answer,Unplugged,Silent,No Report,Limits,Stuck,Restarted,Emergency,Device,Protocol,Internal"},
+    {"flags", FieldKind::kUint32, offsetof(hrt_plate_report, flags)},
+    {"orientation_deg", FieldKind::kDouble, offsetof(hrt_plate_report, orientation_deg)},
+    {"command_deg", FieldKind::kDouble, offsetof(hrt_plate_report, command_deg)},
+    {"age_ns", FieldKind::kInt64, offsetof(hrt_plate_report, age_ns)},
+    {"latency_ns", FieldKind::kInt64, offsetof(hrt_plate_report, latency_ns)},
+    {"round_trip_ns", FieldKind::kInt64, offsetof(hrt_plate_report, round_trip_ns)},
+    {"max_speed_deg_s", FieldKind::kDouble, offsetof(hrt_plate_report, max_speed_deg_s)},
+    {"lower_stop_deg", FieldKind::kDouble, offsetof(hrt_plate_report, lower_stop_deg)},
+    {"upper_stop_deg", FieldKind::kDouble, offsetof(hrt_plate_report, upper_stop_deg)},
+    {"refused_messages", FieldKind::kInt64, offsetof(hrt_plate_report, refused_messages)},
+};
+
 constexpr Constant kConstants[] = {
     {"Assign", "ASSIGN_EXCLUSIVE", 1, true},
     {"Illusion", "ILLUSION_LINEAR", 0, false},
@@ -256,6 +273,27 @@ constexpr Constant kConstants[] = {
     {"Place", "PLACE_DIRECTION", 1, false},
     {"Place", "PLACE_PLATE_POSITION", 2, false},
     {"Place", "PLACE_WORLD_POSITION", 3, false},
+    {"PlateState", "PLATE_STATE_OPENING", 1, false},
+    {"PlateState", "PLATE_STATE_READY", 2, false},
+    {"PlateState", "PLATE_STATE_FAILED", 3, false},
+    {"PlateFault", "PLATE_FAULT_NONE", 0, false},
+    {"PlateFault", "PLATE_FAULT_LINE", 1, false},
+    {"PlateFault", "PLATE_FAULT_NO_ANSWER", 2, false},
+    {"PlateFault", "PLATE_FAULT_UNPLUGGED", 3, false},
+    {"PlateFault", "PLATE_FAULT_SILENT", 4, false},
+    {"PlateFault", "PLATE_FAULT_NO_REPORT", 5, false},
+    {"PlateFault", "PLATE_FAULT_LIMITS", 6, false},
+    {"PlateFault", "PLATE_FAULT_STUCK", 7, false},
+    {"PlateFault", "PLATE_FAULT_RESTARTED", 8, false},
+    {"PlateFault", "PLATE_FAULT_EMERGENCY", 9, false},
+    {"PlateFault", "PLATE_FAULT_DEVICE", 10, false},
+    {"PlateFault", "PLATE_FAULT_PROTOCOL", 11, false},
+    {"PlateFault", "PLATE_FAULT_INTERNAL", 12, false},
+    {"PlateReport", "PLATE_REPORT_ORIENTATION", 1, true},
+    {"PlateReport", "PLATE_REPORT_MEASURED", 2, true},
+    {"PlateReport", "PLATE_REPORT_ROUND_TRIP", 4, true},
+    {"PlateReport", "PLATE_REPORT_COMMANDED", 8, true},
+    {"PlateReport", "PLATE_REPORT_HOST_SILENT", 16, true},
 };
 
 }  // namespace
@@ -286,6 +324,10 @@ std::span<const Field> slide_fields() {
 
 std::span<const Field> recording_fields() {
   return kRecording;
+}
+
+std::span<const Field> device_fields() {
+  return kDevice;
 }
 
 std::span<const Constant> constants() {

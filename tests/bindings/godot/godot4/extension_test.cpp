@@ -2,11 +2,15 @@
 
 #include <gtest/gtest.h>
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/plate.h>
 
+#include <chrono>
 #include <cinttypes>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "engine_double.h"
 
@@ -81,6 +85,34 @@ TEST_F(Extension, TakesStringNamesAsStrings) {
   EXPECT_NE(std::get<int64_t>(real), 0) << last_error();
   EXPECT_EQ(call_int("add_real_target", {"cylinder", -4.0, 0.1}), 0);  // the name is taken
   EXPECT_NE(last_error().find("cylinder"), std::string::npos) << last_error();
+}
+
+// The plate's device: the firmware on an emulated board (with_plate). A busy machine gets 30 s.
+TEST_F(Extension, TurnsADevice) {
+  const char* device = std::getenv("HRT_PLATE_DEVICE");
+  ASSERT_NE(device, nullptr) << "no emulated plate: run by with_plate";
+  EXPECT_TRUE(std::get<Dictionary>(call("get_device_report"))->values.empty());
+  ASSERT_EQ(call_int("open_device", {device}), kOk) << last_error();
+  const auto eventually = [&](const std::string& key, auto wanted) {
+    for (int i = 0; i < 3000; ++i) {
+      const Dictionary report = std::get<Dictionary>(call("get_device_report"));
+      if (std::get<decltype(wanted)>(report->at(key)) == wanted) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    }
+    return false;
+  };
+  ASSERT_TRUE(eventually("state", int64_t{HRT_PLATE_STATE_READY}))
+      << std::get<std::string>(call("get_device_message"));
+  EXPECT_EQ(std::get<std::string>(call("get_device_description")),
+            "protocol 2, firmware 1.0.0, serial number 000000");
+  EXPECT_EQ(call_int("turn_device", {30.0}), kOk);
+  EXPECT_TRUE(eventually("command_deg", 30.0));
+  EXPECT_EQ(std::get<int64_t>(engine_.ptrcall(node_, "stop_device", {})), kOk);
+  EXPECT_EQ(call_int("close_device"), kOk);
+  EXPECT_NE(call_int("open_device", {"usb:0"}), kOk);
+  EXPECT_NE(last_error().find("hrt_plate_open: device is of kind \"usb\""), std::string::npos)
+      << last_error();
+  EXPECT_EQ(engine_.classes.at(kClass).constants.at("PLATE_STATE_READY").second, HRT_PLATE_STATE_READY);
 }
 
 TEST_F(Extension, PropertiesHoldWhatTheyAreSetTo) {
