@@ -37,7 +37,7 @@ def camel(name: str) -> str:
 class Renderer:
     def __init__(self, abi: Abi, library: str = "haptic_retargeting", native: str = "Native",
                  loader: str = "HapticRetargetingLibrary") -> None:
-        """`native` is the class of the declarations, `loader` that which loads the library and checks results."""
+        """`native` is the class of the declarations, `loader` the class that loads the library and checks results."""
         self.abi, self.library, self.native, self.loader = abi, library, native, loader
         self.types = {s.name: _HANDLES.get(s.name) or pascal(s.name.removeprefix("hrt_")) + ("Handle" * s.is_handle)
                       for s in abi.structs}
