@@ -25,8 +25,11 @@ def render(abi: Abi, notice: str) -> str:
     return Renderer(abi).render(notice)
 
 
-def render_plate(abi: Abi, notice: str) -> str:
-    return Renderer(abi, "hrt_plate", "PlateNative", "PlateLibrary").render(notice)
+def render_plate(abi: Abi, plugin: Abi, notice: str) -> str:
+    """Of libhrt_plate, whose comments refer to the plugin's structs."""
+    names, others = Renderer(abi, "hrt_plate", "PlateNative", "PlateLibrary"), Renderer(plugin)
+    names.types, names.fields = others.types | names.types, others.fields | names.fields
+    return names.render(notice)
 
 
 def camel(name: str) -> str:

@@ -110,22 +110,22 @@ namespace Hrt
         /// <summary>What the report holds: PlateReportFlags.</summary>
         public PlateReportFlags flags;
         /// <summary>As last reported, degrees, -360 to 360; base.h defines it. For
-        /// hrt_sample.plate_orientation_deg.</summary>
+        /// Sample.plateOrientationDeg.</summary>
         public double orientationDeg;
         /// <summary>Orientation that was last sent, within the stops.</summary>
         public double commandDeg;
         /// <summary>Time since the report of the orientation arrived.</summary>
         public long ageNs;
         /// <summary>From a command to the plate's motion: the plate's own, and half of the round trip. For
-        /// hrt_session_config.plate_latency_ns, if it is not 0.</summary>
+        /// SessionConfig.plateLatencyNs, if it is not 0.</summary>
         public long latencyNs;
         /// <summary>Of a message and its answer on the line, median.</summary>
         public long roundTripNs;
         /// <summary>The plate's own, or less if it was seen to turn slower. For
-        /// hrt_session_config.plate_max_speed_deg_s.</summary>
+        /// SessionConfig.plateMaxSpeedDegS.</summary>
         public double maxSpeedDegS;
-        /// <summary>Stops, or both 0 if the plate turns freely. For hrt_session_config, if they are 180
-        /// degrees apart or more.</summary>
+        /// <summary>Stops, or both 0 if the plate turns freely. For SessionConfig, if they are 180 degrees
+        /// apart or more.</summary>
         public double lowerStopDeg;
         public double upperStopDeg;
         /// <summary>Messages that the plate refused, or that were damaged on their way.</summary>
