@@ -65,9 +65,12 @@ export interface Library {
 }
 
 /** A tracked fingertip: WebXR's XRPose or XRJointPose, or what has a place, as objects of three.js and vectors do. Null
- *  or undefined: lost. */
-export type FingerPose = { readonly transform: { readonly position: Point } } | { readonly position: Point } | Point | null | undefined;
+ *  or undefined: lost. Its rotation is read only after Session.setFingertip(). */
+export type FingerPose = { readonly transform: { readonly position: Point; readonly orientation?: Rotation } }
+  | { readonly position: Point; readonly quaternion?: Rotation } | Point | null | undefined;
 export interface Point { readonly x: number; readonly y: number; readonly z: number }
+/** A unit quaternion. */
+export interface Rotation extends Point { readonly w: number }
 
 /** 16 numbers, column by column, from plate coordinates to the world; or WebXR's XRRigidTransform, or a Matrix4 of
  *  three.js. */
@@ -117,6 +120,9 @@ export interface Session {
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** Ends the reach without a summary; nothing is learnt from it. */
   cancelReach(): void;
+  /** From now on setFinger() gets a joint's pose, with its rotation, and places the skin by this offset of
+   *  Library.fitFingertip(). Of one hand; null: a pose is that of the skin again. */
+  setFingertip(fingertip: Output<hrt_fingertip> | null): void;
   /** Writes the fingertip's place in the world to `sample`, or a dropout, in place of other flags. `time_ms`: the frame's
    *  time, as the callback of requestAnimationFrame() has it. */
   setFinger(pose: FingerPose, time_ms: number): void;

@@ -4,7 +4,7 @@ import * as abi from "./abi.js";
 import { Command, readCommand, Sample, writeSample } from "./frame.mjs";
 import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";
 import { checked } from "./numbers.mjs";
-import { fingertipOf, plateOf } from "./pose.mjs";
+import { fingertipOf, plateOf, rotationOf } from "./pose.mjs";
 export * from "./abi.js";
 export { HapticRetargetingError };
 
@@ -124,6 +124,8 @@ class Frame {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
+const jointFields = abi.structs.hrt_joint_touch.fields, sampleFields = abi.structs.hrt_sample.fields;
+
 class Session {
   static #count = 0;
   #memory;
@@ -132,6 +134,8 @@ class Session {
   #path;
   #input;
   #output;
+  #fingertip;  // null while a finger's pose is that of its skin
+  #joint;
 
   constructor(memory, config) {
     this.#memory = memory;
@@ -141,6 +145,8 @@ class Session {
     this.#path = `recording ${++Session.#count}`;
     this.#input = new Frame(memory, "hrt_sample", "session");
     this.#output = new Frame(memory, "hrt_command", "session");
+    this.#joint = new Frame(memory, "hrt_joint_touch", "session");
+    this.#fingertip = null;
     shown(this, "sample", new Sample());
     shown(this, "command", new Command());
   }
@@ -151,6 +157,8 @@ class Session {
     this.#memory.call("hrt_session_destroy", this.#handle);
     this.#input.free();
     this.#output.free();
+    this.#joint.free();
+    this.setFingertip(null);
     Object.freeze(this.sample);
   }
 
@@ -249,14 +257,43 @@ class Session {
     this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
   }
   cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
+  setFingertip(fingertip) {
+    const made = fingertip ? new Frame(this.#memory, "hrt_fingertip", "session") : null;
+    try {
+      for (const [name, value] of Object.entries(fingertip ?? {})) this.#memory.write("hrt_fingertip", made.at, name, value);
+    } catch (error) {
+      made.free();
+      throw error;
+    }
+    this.#fingertip?.free();
+    this.#fingertip = made;
+  }
   setFinger(pose, time_ms) {
-    const { sample } = this, fingertip = fingertipOf(pose), position = sample.finger_position_m;
+    const { sample } = this, at = fingertipOf(pose);
     sample.time_ns = time_ms * 1e6;
-    sample.flags = fingertip ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
-    if (!fingertip) return;
-    position[0] = fingertip.x;
-    position[1] = fingertip.y;
-    position[2] = fingertip.z;
+    sample.flags = at ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
+    if (!at) return;
+    if (this.#fingertip) this.#placeSkin(at, rotationOf(pose));
+    else this.#place(at.x, at.y, at.z);
+  }
+  #place(x, y, z) {
+    const position = this.sample.finger_position_m;
+    position[0] = x;
+    position[1] = y;
+    position[2] = z;
+  }
+  #placeSkin(at, rotation) {
+    const { view } = this.#memory, joint = this.#joint.at, out = this.#input.at;
+    view.setFloat64(joint + jointFields.position_m.offset, at.x, true);
+    view.setFloat64(joint + jointFields.position_m.offset + 8, at.y, true);
+    view.setFloat64(joint + jointFields.position_m.offset + 16, at.z, true);
+    view.setFloat64(joint + jointFields.rotation.offset, rotation.x, true);
+    view.setFloat64(joint + jointFields.rotation.offset + 8, rotation.y, true);
+    view.setFloat64(joint + jointFields.rotation.offset + 16, rotation.z, true);
+    view.setFloat64(joint + jointFields.rotation.offset + 24, rotation.w, true);
+    this.#memory.call("hrt_fingertip_place", this.#fingertip.at, joint, out);
+    const skin = out + sampleFields.finger_position_m.offset;
+    this.#place(view.getFloat64(skin, true), view.getFloat64(skin + 8, true), view.getFloat64(skin + 16, true));
   }
   update() {
     const input = this.#input.at, output = this.#output.at, memory = this.#memory;

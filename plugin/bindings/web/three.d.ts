@@ -1,6 +1,6 @@
 // The part of the package for three.js 0.150 or later: "haptic-retargeting/three".
 import type { Group, Material } from "three";
-import type { Session } from "./index.mjs";
+import type { Point, Rotation, Session } from "./index.mjs";
 
 export interface HapticPlateOptions {
   /** Default 0.075. */
@@ -32,7 +32,7 @@ export interface HandFrame<Joint, Space> {
   getJointPose(joint: Joint, space: Space): HandPose | null | undefined;
 }
 export interface HandPose {
-  readonly transform: { readonly position: { readonly x: number; readonly y: number; readonly z: number } };
+  readonly transform: { readonly position: Point; readonly orientation?: Rotation };
 }
 
 /** A reach of a hand that WebXR tracks. The session's reach is begun and ended by its own calls. */
@@ -47,7 +47,7 @@ export class HandReach {
   lifted: boolean;
   /** Once in each frame of an XRSession, while a reach is under way: `hand` is inputSource.hand, `referenceSpace` the space
    *  in which the scene is drawn. Updates the session with the index fingertip, or with a dropout, and shows the plate's
-   *  command. Makes no objects of its own. Errors are those of Session.update(). */
+   *  command. After Session.setFingertip() the joint's rotation places the skin. Makes no objects of its own. Errors are those of Session.update(). */
   updateFromHand<Joint, Space>(frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
                                referenceSpace: Space): Session["command"];
 }

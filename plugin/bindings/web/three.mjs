@@ -54,9 +54,9 @@ export class HandReach {
     const { sample, command } = this.#session;
     const joint = hand?.get("index-finger-tip");
     const pose = joint ? frame.getJointPose(joint, referenceSpace) : undefined;
-    sample.time_ns = frame.predictedDisplayTime * 1e6;
-    this.lost = !pose || !this.#locate(pose.transform.position);
-    sample.flags = this.lost ? 0 : HRT_SAMPLE_PLATE_POSITION;
+    this.lost = !pose || !isFinite3(pose.transform.position);
+    this.#session.setFinger(this.lost ? null : pose, frame.predictedDisplayTime);
+    if (!this.lost) this.#moveToPlate();
     if (this.lifted) sample.flags |= HRT_SAMPLE_LIFTED;
     if (Number.isFinite(this.measuredPlate_deg)) {
       sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
@@ -67,12 +67,15 @@ export class HandReach {
     return command;
   }
 
-  #locate({ x, y, z }) {
-    this.#plate.worldToLocal(this.#tip.set(x, y, z));
-    const position = this.#session.sample.finger_position_m;
+  // In plate coordinates, as the plate stands in the scene.
+  #moveToPlate() {
+    const { sample } = this.#session, position = sample.finger_position_m;
+    this.#plate.worldToLocal(this.#tip.set(position[0], position[1], position[2]));
     position[0] = this.#tip.x;
     position[1] = this.#tip.y;
     position[2] = this.#tip.z;
-    return Number.isFinite(this.#tip.x + this.#tip.y + this.#tip.z);
+    sample.flags = HRT_SAMPLE_PLATE_POSITION;
   }
 }
+
+function isFinite3({ x, y, z }) { return Number.isFinite(x + y + z); }

@@ -337,7 +337,6 @@ test("profiles are kept and loaded", () => {
   other.destroy();
 });
 
-// A person of the model at rest: the finger settles where w T + (1 - w) P is the goal, with a little noise.
 // Marks of the plate, touched while it stands at (0.3, 0.75, -0.4), turned by 20 degrees to the left.
 const marks = [[0, 0, 0.05], [0.076, 0, 0.044], [0.076, 0, -0.044], [-0.076, 0, -0.044], [-0.076, 0, 0.044], [0, 0, 0.088]];
 const angle = 20 * Math.PI / 180, cos = Math.cos(angle), sin = Math.sin(angle);
@@ -373,6 +372,51 @@ test("touches of marks place the plate", () => {
   session.destroy();
 });
 
+// A joint 8 mm above the skin and 5 mm behind it, while the finger leans in several ways on one mark.
+test("the skin is placed by its offset from the joint", () => {
+  const offset_m = [0.001, -0.008, -0.005], mark = [0.3, 0.75, -0.4];
+  const turned = ([x, y, z, w], [a, b, c]) => {  // v + 2 w (q x v) + 2 q x (q x v)
+    const t = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
+    return [a + w * t[0] + y * t[2] - z * t[1], b + w * t[1] + z * t[0] - x * t[2], c + w * t[2] + x * t[1] - y * t[0]];
+  };
+  const about = (axis, degrees) => {
+    const half = degrees * Math.PI / 360, q = [0, 0, 0, Math.cos(half)];
+    q[axis] = Math.sin(half);
+    return q;
+  };
+  const joints = [about(0, 0), about(0, 40), about(0, -30), about(1, 50), about(1, -40), about(2, 35), about(2, -35)].map((rotation) =>
+    ({ rotation, position_m: turned(rotation, offset_m).map((part, i) => mark[i] - part) }));
+  const fingertip = library.fitFingertip(joints);
+  assert.equal(fingertip.known, 1);
+
+  const { session } = newSession(), { sample } = session;
+  const poseOf = ({ position_m: [x, y, z], rotation: [a, b, c, w] }) =>
+    ({ transform: { position: { x, y, z }, orientation: { x: a, y: b, z: c, w } } });
+  session.setFingertip(fingertip);
+  for (const joint of joints) {
+    const pose = poseOf(joint), { position, orientation } = pose.transform;
+    for (const same of [pose, { position, quaternion: orientation }]) {
+      session.setFinger(same, 1);
+      assert.equal(sample.flags, hrt.HRT_SAMPLE_WORLD_POSITION);
+      sample.finger_position_m.forEach((part, i) => assert.ok(Math.abs(part - mark[i]) < 1e-9, `${part}`));
+    }
+  }
+  assert.throws(() => session.setFinger({ x: 0, y: 0, z: 0 }, 2), /neither transform.orientation nor quaternion/);
+  throws(() => session.setFinger(poseOf({ position_m: [NaN, 0, 0], rotation: [0, 0, 0, 1] }), 2), "HRT_ERROR_OUT_OF_RANGE", "position_m");
+  throws(() => {
+    session.setFingertip(library.fitFingertip(joints.slice(0, 1)));
+    session.setFinger(poseOf(joints[0]), 2);
+  }, "HRT_ERROR_OUT_OF_RANGE", "known");
+  assert.throws(() => session.setFingertip({ offset_m: 3 }), TypeError);
+  session.setFinger(null, 2);
+  assert.equal(sample.flags, 0);
+  session.setFingertip(null);
+  session.setFinger(poseOf(joints[1]), 3);
+  assert.deepEqual([...sample.finger_position_m], joints[1].position_m);
+  session.destroy();
+});
+
+// A person of the model at rest: the finger settles where w T + (1 - w) P is the goal, with a little noise.
 test("a calibration finds the share of touch", () => {
   const session = library.createSession();
   const calibration = session.createCalibration({ goal_direction_deg: 0 });

@@ -17,6 +17,9 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.sample.finger_position_m[0] = margin;
   session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 } } }, performance.now());
   session.setFinger(null, 1);
+  session.setFingertip(library.fitFingertip([{ position_m: [0, 0, 0], rotation: [0, 0, 0, 1] }]));
+  session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } } }, 1);
+  session.setFingertip(null);
   session.setPlate(new Float32Array(16));
   session.setPlate({ elements: [1] });
   session.update();
