@@ -4,6 +4,8 @@ using System.IO;
 using System.Linq;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.XR;
+using UnityEngine.XR.Hands;
 
 namespace Hrt.HostTests
 {
@@ -33,6 +35,8 @@ namespace Hrt.HostTests
             sample.expectedHash = new TextAsset { text = File.ReadAllText(Path.Combine(bindings, "reach.hash")) };
             sample.Message("Start")();
             StringAssert.EndsWith("as on every host", logged.Single());
+            StringAssert.IsMatch(@"the hand ended [0-9]\.[0-9] mm from the real target, [01]\.[0-9]{2} degrees beside it",
+                                 logged.Single());
             StringAssert.StartsWith("log: ", logged.Single());
 
             logged.Clear();
@@ -61,6 +65,108 @@ namespace Hrt.HostTests
             // From the goblet's place to the cylinder's: a chord of 8 degrees at 10 cm.
             StringAssert.Contains("To the goblet: 13 mm from the cylinder", logged.Last());
             UnityEngine.Object.DestroyImmediate(table.gameObject);
+        }
+
+        // A hand that rests at the start, slides to the goblet, 8 degrees to the right, in 2 seconds, and rests there. The
+        // tracker's space stands 1 m to the right of the world's.
+        [Test]
+        public void ATrackedHandReachesWithoutAButton()
+        {
+            var hands = new XRHandSubsystem();
+            SubsystemManager.All.Add(hands);
+            HapticRetargeting retargeting = Desk();
+            var finger = retargeting.finger.gameObject.AddComponent<HrtSamples.TrackedFinger>();
+            finger.retargeting = retargeting;
+            finger.origin = new GameObject("origin").transform;
+            finger.origin.position = Vector3.right;
+            var reach = retargeting.gameObject.AddComponent<HrtSamples.HandReach>();
+            reach.retargeting = retargeting;
+            Time.unscaledTimeAsDouble = 50;
+            reach.Message("Start")();
+            StringAssert.Contains("slide to the goblet", logged.Last());
+            var states = new List<bool>();
+            for (int frame = 0; frame < 90 * 4; ++frame)
+            {
+                Time.unscaledTimeAsDouble = 50 + frame / 90.0;
+                float way = Math.Min(Math.Max(frame / 90f - 1, 0), 2) / 2;
+                Vector3 tip = retargeting.start.position + Axes.Direction(-8) * (0.1f * way) - Vector3.right;
+                hands.rightHand = new XRHand { isTracked = true, Tip = new Pose(tip, Quaternion.identity) };
+                finger.Message("Update")();
+                reach.Message("Update")();
+                retargeting.Message("LateUpdate")();
+                states.Add(retargeting.IsReaching);
+            }
+            Assert.AreEqual(45, states.IndexOf(true), 2, "after half a second at rest");
+            Assert.AreEqual(90 * 3 + 45, states.LastIndexOf(true), 2, "until half a second at rest at the target");
+            StringAssert.Contains("To the goblet: 13 mm from the real target", string.Join("\n", logged));
+
+            hands.rightHand = new XRHand();
+            finger.Message("Update")();
+            Assert.IsFalse(retargeting.FingerTracked);
+            finger.side = HrtSamples.TrackedFinger.Side.Left;
+            hands.leftHand = new XRHand { isTracked = true, Tip = Pose.identity };
+            finger.Skin = HapticRetargetingRegistration.FitFingertip(Touches(new Vector3(0, -0.008f, 0.005f)));
+            finger.Message("Update")();
+            Assert.IsTrue(retargeting.FingerTracked);
+            Assert.AreEqual(0, (finger.transform.position - new Vector3(1, -0.008f, 0.005f)).magnitude, 1e-6);
+            hands.running = false;
+            SubsystemManager.All.Clear();
+            finger.Message("Update")();
+            Assert.IsFalse(retargeting.FingerTracked);
+            reach.Message("OnDestroy")();
+            UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
+        }
+
+        [Test]
+        public void TheCameraFollowsTheHeadset()
+        {
+            var input = new XRInputSubsystem();
+            SubsystemManager.All.Add(input);
+            var head = new GameObject("camera").AddComponent<HrtSamples.HeadPose>();
+            head.Message("Update")();
+            Assert.AreEqual(TrackingOriginModeFlags.Floor, input.Mode);
+            Assert.AreEqual(Vector3.zero, head.transform.localPosition);
+            InputDevices.Head = new Pose(new Vector3(0, 1.6f, 0), Quaternion.AngleAxis(30, Vector3.up));
+            Application.Render();
+            Assert.AreEqual(1.6f, head.transform.localPosition.y);
+            Assert.AreEqual(Quaternion.AngleAxis(30, Vector3.up), head.transform.localRotation);
+            head.enabled = false;
+            InputDevices.Head = Pose.identity;
+            Application.Render();
+            Assert.AreEqual(1.6f, head.transform.localPosition.y);
+            InputDevices.Head = null;
+            SubsystemManager.All.Clear();
+        }
+
+        static HapticRetargeting Desk()
+        {
+            var desk = new GameObject("desk").AddComponent<HapticRetargeting>();
+            desk.plate = At("plate", new Vector3(0, 0.75f, 0.4f));
+            desk.start = At("start", new Vector3(0, 0.75f, 0.35f));
+            desk.finger = At("finger", Vector3.zero);
+            desk.realTargets.Add(At("cylinder", desk.start.position + Axes.Direction(0) * 0.1f));
+            desk.virtualTargets.Add(At("goblet", desk.start.position + Axes.Direction(-8) * 0.1f));
+            return desk;
+        }
+
+        static Transform At(string name, Vector3 position)
+        {
+            Transform made = new GameObject(name).transform;
+            made.position = position;
+            return made;
+        }
+
+        // Of one mark, by a joint that is turned several ways.
+        static JointTouch[] Touches(Vector3 offset)
+        {
+            return new[]
+            {
+                Quaternion.identity, Quaternion.Euler(40, 0, 0), Quaternion.Euler(-30, 0, 0),
+                Quaternion.Euler(0, 50, 0), Quaternion.Euler(0, 0, 35), Quaternion.Euler(0, -40, -35)
+            }.Select(turn => new JointTouch
+            {
+                rotation = Axes.FromUnity(turn), positionM = Axes.FromUnity(Vector3.zero - turn * offset)
+            }).ToArray();
         }
 
         static void Send(HrtSamples.Table table, EventType type, Vector3 way, KeyCode key = KeyCode.None)

@@ -237,6 +237,8 @@ namespace UnityEngine
 
         public Vector3 up => rotation * Vector3.up;
 
+        public Vector3 TransformPoint(Vector3 local) => position + rotation * Scaled(local, localScale);
+
         public Quaternion rotation
         {
             get => parent == null ? localRotation : parent.rotation * localRotation;
@@ -396,6 +398,11 @@ namespace UnityEngine
     public static class Application
     {
         public static bool isPlaying { get; set; }
+
+        public static event Action onBeforeRender;
+
+        /// <summary>Of the stub: what the engine does before it draws.</summary>
+        public static void Render() => onBeforeRender?.Invoke();
     }
 
     public static class Debug

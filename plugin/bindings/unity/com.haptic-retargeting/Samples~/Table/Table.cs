@@ -4,8 +4,8 @@ using UnityEngine;
 namespace HrtSamples
 {
     /// <summary>
-    /// A plate, a real cylinder and three virtual objects, made from code, to see how the component is used. Put
-    /// this on an empty object in a new scene, which has a camera, and press play. The mouse is the finger: choose
+    /// A plate, a real cylinder and three virtual objects, to see how the component is used: those of the prefab, or, on
+    /// an empty object in a scene with a camera, made from code. Press play. The mouse is the finger: choose
     /// an object with 1, 2 or 3, press the button near the start, drag towards the object, release there. A mouse
     /// feels no ridges, so the plate turns and the hand is not bent. Works with any Active Input Handling: the
     /// events are those of OnGUI.
@@ -20,14 +20,8 @@ namespace HrtSamples
 
         void Start()
         {
-            retargeting = gameObject.AddComponent<HapticRetargeting>();
-            retargeting.plate = new GameObject("plate").transform;
-            retargeting.plate.position = new Vector3(0, 0.75f, 0.4f);
-            retargeting.ridges = MakeRidges();
-            retargeting.finger = Make(PrimitiveType.Sphere, "finger", new Vector3(0.01f, 0.01f, 0.01f));
-            retargeting.realTargets.Add(MakeTarget("cylinder", 0));
-            for (int i = 0; i < virtualNames.Length; ++i)
-                retargeting.virtualTargets.Add(MakeTarget(virtualNames[i], virtualDirectionsDeg[i]));
+            retargeting = gameObject.GetComponent<HapticRetargeting>();
+            if (retargeting == null) MakeDesk();
             retargeting.FlagsChanged += flags => Debug.Log("The controller says: " + flags, this);
             retargeting.ReachEnded += Report;
 
@@ -36,11 +30,23 @@ namespace HrtSamples
             Camera.main.nearClipPlane = 0.01f;
         }
 
+        void MakeDesk()
+        {
+            retargeting = gameObject.AddComponent<HapticRetargeting>();
+            retargeting.plate = new GameObject("plate").transform;
+            retargeting.plate.position = new Vector3(0, 0.75f, 0.4f);
+            retargeting.ridges = MakeRidges();
+            retargeting.finger = Make(PrimitiveType.Sphere, "finger", new Vector3(0.01f, 0.01f, 0.01f));
+            retargeting.realTargets.Add(MakeTarget("cylinder", 0));
+            for (int i = 0; i < virtualNames.Length; ++i)
+                retargeting.virtualTargets.Add(MakeTarget(virtualNames[i], virtualDirectionsDeg[i]));
+        }
+
         void OnGUI()
         {
             Event input = Event.current;
             int key = input.type == EventType.KeyDown ? input.keyCode - KeyCode.Alpha1 : -1;
-            if (key >= 0 && key < virtualNames.Length) chosen = key;
+            if (key >= 0 && key < retargeting.virtualTargets.Count) chosen = key;
 
             var face = new Plane(retargeting.plate.up, retargeting.plate.position);
             // The pixels of OnGUI are counted from the top.
@@ -55,8 +61,9 @@ namespace HrtSamples
 
         void Report(ReachSummary summary)
         {
-            Debug.Log($"To the {virtualNames[chosen]}: {summary.distanceToTargetM * 1000:0} mm from the cylinder; " +
-                      $"felt, as the model has it, {summary.perceivedErrorDeg:0.0} degrees beside", this);
+            Debug.Log($"To the {retargeting.virtualTargets[chosen].name}: " +
+                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model has it, " +
+                      $"{summary.perceivedErrorDeg:0.0} degrees beside", this);
         }
 
         // Children of the plate's mount, which turn while the mount stays.
