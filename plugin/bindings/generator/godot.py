@@ -8,7 +8,10 @@ from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 # What a script gets as a Dictionary, by the function of fields.h that returns its table.
 _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "authority": "hrt_authority",
             "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
-            "recording": "hrt_recording_status"}
+            "comparison": "hrt_calibration_comparison", "registration": "hrt_registration",
+            "touch": "hrt_touch_check", "fingertip": "hrt_fingertip", "recording": "hrt_recording_status"}
+# Of no Dictionary: the node turns as the plate does, and keeps its covariance.
+_NO_KEYS = ("struct_size", "reserved", "plate_rotation", "covariance")
 _KINDS = {"int32_t": "kInt32", "uint32_t": "kUint32", "int64_t": "kInt64", "uint64_t": "kInt64", "double": "kDouble",
           "hrt_target": "kInt64"}
 # Of no property or Dictionary: methods return Godot's own errors.
@@ -20,7 +23,7 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
     tables = {"config": _table(abi, settings.STRUCT, settings.shown(abi))}
     for name, struct in _RECORDS.items():
         tables[name] = _table(abi, struct, [f for f in abi.struct(struct).fields
-                                            if f.name not in ("struct_size", "reserved")])
+                                            if f.name not in _NO_KEYS])
     tables["device"] = _table(plate, "hrt_plate_report", [f for f in plate.struct("hrt_plate_report").fields
                                                           if f.name != "struct_size" and f.type.name != "char"])
     return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
@@ -50,8 +53,7 @@ def _rows(abi: Abi, struct: str, field: Field, path: str = "", name: str = "") -
         return "".join(_rows(abi, struct, f, f"{path}.{f.name}", name if f.name == "value" else f"{name}_{f.name}")
                        for f in inner.fields if f.name != "reserved")
     kind = "kVector3" if (field.type.name, field.length) == ("double", 3) else _KINDS.get(field.type.name)
-    in_record = struct in _RECORDS.values()
-    if kind is None or field.length not in ((0,) if in_record else (0, 3)):
+    if kind is None or field.length not in (0, 3):
         raise HeaderError(f"{struct}::{field.name} is of a type that Godot's tables do not have; "
                           "generator/godot.py says which there are")
     choices = ""

@@ -17,7 +17,12 @@ from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
             "hrt_authority": "FHapticAuthority", "hrt_interval": "FHapticInterval",
-            "hrt_calibration_result": "FHapticCalibration", "hrt_calibration_slide": "FHapticSlide"}
+            "hrt_calibration_result": "FHapticCalibration", "hrt_calibration_slide": "FHapticSlide",
+            "hrt_calibration_comparison": "FHapticCalibrationComparison", "hrt_registration": "FHapticRegistration",
+            "hrt_touch_check": "FHapticTouchCheck", "hrt_fingertip": "FHapticFingertip",
+            "hrt_scene_target": "FHapticSceneTarget"}
+# The component's transform has the first; the plugin keeps the others.
+_NOT_SHOWN = ("struct_size", "reserved", "plate_rotation", "covariance", "sd_m")
 # Arguments of the component.
 _ENUMERATIONS = ("HRT_TARGET_",)
 _SIZES = {"max", "largest", "bound", "peak", "rms", "sd", "margin", "width", "scale", "distance", "span"}
@@ -72,7 +77,7 @@ class _Renderer:
 
     def members_of(self, struct: Struct) -> list[_Member]:
         if struct.name != settings.STRUCT:
-            fields = [f for f in struct.fields if f.name not in ("struct_size", "reserved")]
+            fields = [f for f in struct.fields if f.name not in _NOT_SHOWN]
             return [self.member(struct, f) for f in fields]
         members = []
         for f in (f for fields in settings.by_section(self.abi).values() for f in fields):
@@ -156,7 +161,9 @@ class _Renderer:
         text = re.sub(r"\b(hrt_\w+)::(\w+)", lambda m: self.names.get(m[2], _words(m[2])), text)
         text = re.sub(r"\bhrt_\w+\b(?!\()", lambda m: _STRUCTS.get(m[0], m[0]), text)
         text = re.sub(r" \(HRT_[A-Z_]+_\*\)", "", text)
+        text = re.sub(r"^HRT_[A-Z_]+_\*, (.)", lambda m: m[1].upper(), text)
         text = re.sub(r"(^| |`)HRT_[A-Z_]+_\*(?:: ?)?", r"\1", text).replace(" (base.h)", "")
+        text = text.replace("; y is the height", "; Z is the height")
         text = re.sub(r"\b(?:HRT_)?([A-Z]+_[A-Z0-9_]+)\b", self.constant, text)
         text = re.sub(r"\b[a-z]+(?:_[a-z0-9]+)+\b(?!\()", lambda m: self.names.get(m[0], m[0]), text)
         text = re.sub(r" ?(Named `reserved` before|Since) version [\d.]+\.", "", text).replace("`", "").strip(" .:;")
@@ -194,6 +201,7 @@ class _Renderer:
         text = comments.without_range(field.shared_doc)
         if field.boolean:
             text = re.sub("^1; or 0: ", "False: ", re.sub(r"^1 if (.*), else 0\b", r"True if \1", text))
+            text = re.sub(r"^1 if (.*?); else 0:", r"True if \1; else false:", text)
         if member.name.endswith("Yaw"):
             text = text.replace("left positive", "right positive").replace("counter-clockwise", "clockwise")
         zero = re.search(r"; (both )?(0: [^.;]*)", field.shared_doc)

@@ -25,8 +25,6 @@ _FILLED = {
 _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
 
 _ALL = "godot python unity unreal web"
-_SCENES = ("hrt_scene_load_file hrt_scene_load_memory hrt_scene_destroy hrt_scene_get_info hrt_scene_get_target "
-           "hrt_scene_register")
 _PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error"
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
@@ -35,20 +33,17 @@ _LEFT_OUT = (
     (_ALL, "hrt_set_allocator", "called on any thread, which only C and C++ allow"),
     ("godot python unreal web", "hrt_set_log_callback", "what a recording has lost is reported when it stops"),
     (_ALL, "hrt_session_set_log_callback", "lines of the process's log name the session"),
-    ("godot unreal", _SCENES, "a scene is the engine's own"),
+    ("godot unreal", "hrt_scene_load_memory", "scenes are files"),
+    ("godot", "hrt_scene_get_info hrt_scene_get_target", "find_target() has the ids, the node itself moves to the plate"),
     ("python unity", "hrt_scene_load_memory", "scenes are files"),
     ("unity", "hrt_scene_get_target", "a registered target is read from the session"),
     ("web", "hrt_scene_load_file hrt_replay_file", "files are the page's: their contents are given"),
     ("python", "hrt_replay_text", "recordings are files"),
     ("godot unreal", "hrt_replay_file hrt_replay_text", "recordings are replayed in Python"),
-    ("godot unreal", "hrt_target_list hrt_target_find", "the script has the ids"),
+    ("unreal", "hrt_target_list hrt_target_find", "a Blueprint has the ids"),
     ("godot unreal", "hrt_authority_query_all", "a script asks for the pairs that it has"),
-    ("godot unreal", "hrt_target_assign", "a script asks for the best real target of each virtual one"),
-    ("godot unreal", "hrt_calibration_compare", "a node or component has one calibration; two are compared in Python or C#"),
-    ("godot unreal", "hrt_registration_fit hrt_registration_advice hrt_registration_check hrt_registration_apply "
-     "hrt_registration_confirm hrt_fingertip_fit hrt_fingertip_place hrt_latency_fit", "the pose of the node or component is the plate's: register with hrt-reach, C, C# or "
-     "Python, and place it there"),
-    ("web", "hrt_fingertip_place", "setFinger() takes the skin's place: WebXR and three.js add the turned offset to the joint"),
+    ("godot unreal", "hrt_registration_check", "a touch of a mark before a reach confirms the registration"),
+    ("godot unreal", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
     ("godot unreal", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
      "the defaults hold several times the slides that a calibration needs"),
     ("godot unreal", "hrt_session_get_state", "the node or component knows whether a reach runs"),

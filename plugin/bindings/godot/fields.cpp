@@ -99,6 +99,7 @@ Record to_record(const void* object, std::span<const Field> fields) {
     const Value value = get_field(object, field);
     if (const double* real = std::get_if<double>(&value)) record.emplace_back(field.name, *real);
     if (const int64_t* integer = std::get_if<int64_t>(&value)) record.emplace_back(field.name, *integer);
+    if (const Vector3* vector = std::get_if<Vector3>(&value)) record.emplace_back(field.name, *vector);
   }
   return record;
 }

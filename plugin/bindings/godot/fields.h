@@ -38,6 +38,10 @@ std::span<const Field> authority_fields();
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
 std::span<const Field> calibration_fields();
 std::span<const Field> slide_fields();
+std::span<const Field> comparison_fields();
+std::span<const Field> registration_fields();
+std::span<const Field> touch_fields();
+std::span<const Field> fingertip_fields();
 std::span<const Field> recording_fields();
 /** Of hrt_plate_report, its texts excepted. */
 std::span<const Field> device_fields();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <exception>
+#include <limits>
 
 namespace hrt_godot {
 namespace {
@@ -47,6 +48,12 @@ constexpr Argument kSlide[] = {{"slide", Type::kInt}};
 constexpr Argument kConditions[] = {
     {"plate", Type::kString}, {"tracker", Type::kString}, {"time_s", Type::kInt}};
 constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
+constexpr Argument kExclusive[] = {{"exclusive", Type::kBool}};
+constexpr Argument kName[] = {{"name", Type::kString}};
+constexpr Argument kMark[] = {{"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}};
+constexpr Argument kMarkAndTime[] = {
+    {"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}, {"time_ns", Type::kInt}};
+constexpr Argument kJoint[] = {{"joint", Type::kPose}};
 constexpr Argument kDevice[] = {{"device", Type::kString}};
 constexpr Argument kOrientation[] = {{"orientation_deg", Type::kReal}};
 constexpr Argument kJson[] = {{"json", Type::kString}};
@@ -61,6 +68,9 @@ constexpr size_t reason_of(hrt_result error) {
 constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
 const Value kError = kErrInvalidParameter;
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+/** update() refuses it. */
+const Value kNowhere = Vector3{kNan, kNan, kNan};
 const Value kNoTarget = int64_t{0};
 
 const Method kMethods[] = {
@@ -84,6 +94,10 @@ const Method kMethods[] = {
     {"get_summary", Type::kRecord, Record{}, {}, &PlateNode::get_summary},
     {"get_authority", Type::kRecord, Record{}, kPair, &PlateNode::get_authority},
     {"get_best_authority", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_best_authority},
+    {"assign_targets", Type::kInt, kError, kExclusive, &PlateNode::assign_targets},
+    {"get_assigned", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_assigned},
+    {"load_scene", Type::kInt, kError, kPath, &PlateNode::load_scene},
+    {"find_target", Type::kInt, kNoTarget, kName, &PlateNode::find_target},
     {"begin_calibration", Type::kInt, kError, kGoal, &PlateNode::begin_calibration},
     {"begin_calibration_within", Type::kInt, kError, kGoalAndRange, &PlateNode::begin_calibration_within},
     {"get_next_angle", Type::kRecord, Record{}, {}, &PlateNode::get_next_angle},
@@ -94,7 +108,17 @@ const Method kMethods[] = {
     {"solve_calibration", Type::kRecord, Record{}, {}, &PlateNode::solve_calibration},
     {"get_slide", Type::kRecord, Record{}, kSlide, &PlateNode::get_slide},
     {"apply_calibration", Type::kInt, kError, {}, &PlateNode::apply_calibration},
+    {"compare_calibrations", Type::kRecord, Record{}, {}, &PlateNode::compare_calibrations},
     {"end_calibration", Type::kInt, kError, {}, &PlateNode::end_calibration},
+    {"clear_touches", Type::kInt, kError, {}, &PlateNode::clear_touches},
+    {"add_mark_touch", Type::kInt, kError, kMark, &PlateNode::add_mark_touch},
+    {"fit_registration", Type::kRecord, Record{}, {}, &PlateNode::fit_registration},
+    {"get_registration_advice", Type::kString, std::string(), {}, &PlateNode::get_registration_advice},
+    {"apply_registration", Type::kInt, kError, kTime, &PlateNode::apply_registration},
+    {"confirm_registration", Type::kRecord, Record{}, kMarkAndTime, &PlateNode::confirm_registration},
+    {"add_joint_touch", Type::kInt, kError, kJoint, &PlateNode::add_joint_touch},
+    {"fit_fingertip", Type::kRecord, Record{}, {}, &PlateNode::fit_fingertip},
+    {"place_fingertip", Type::kVector3, kNowhere, kJoint, &PlateNode::place_fingertip},
     {"load_profile", Type::kInt, kError, kJson, &PlateNode::load_profile},
     {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
     {"set_conditions", Type::kInt, kError, kConditions, &PlateNode::set_conditions},
@@ -177,6 +201,36 @@ std::array<double, 4> to_quaternion(const Pose& pose) {
   return quaternion;
 }
 
+/** The axes of a unit quaternion. */
+Pose to_pose(const double (&position)[3], const double (&rotation)[4]) {
+  const auto [x, y, z, w] = rotation;
+  return {.x_axis = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
+          .y_axis = {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
+          .z_axis = {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)},
+          .origin = {position[0], position[1], position[2]}};
+}
+
+void copy(const Vector3& from, double (&to)[3]) {
+  to[0] = from.x;
+  to[1] = from.y;
+  to[2] = from.z;
+}
+
+hrt_mark_touch mark_touch(const Value* arguments) {
+  hrt_mark_touch touch{};
+  copy(std::get<Vector3>(arguments[0]), touch.mark_m);
+  copy(std::get<Vector3>(arguments[1]), touch.touched_m);
+  return touch;
+}
+
+hrt_joint_touch joint_touch(const Pose& joint) {
+  hrt_joint_touch touch{};
+  copy(joint.origin, touch.position_m);
+  const std::array<double, 4> rotation = to_quaternion(joint);
+  std::copy(rotation.begin(), rotation.end(), touch.rotation);
+  return touch;
+}
+
 /** A name that does not fit has no zero at its end, which the plugin refuses. */
 hrt_target_config target_config(uint32_t role, const std::string& name) {
   hrt_target_config config = hrt_target_config_init();
@@ -194,9 +248,7 @@ hrt_target_config polar_target(uint32_t role, const Value* arguments) {
 
 void place_at(const Vector3& world_position, hrt_target_config& config) {
   config.place = HRT_PLACE_WORLD_POSITION;
-  config.position_m[0] = world_position.x;
-  config.position_m[1] = world_position.y;
-  config.position_m[2] = world_position.z;
+  copy(world_position, config.position_m);
 }
 
 hrt_target_config placed_target(uint32_t role, const Value* arguments) {
@@ -290,6 +342,15 @@ bool PlateNode::ok(hrt_result result) {
   return false;
 }
 
+/** Whether there is a result of an earlier call; otherwise the user has been shown `text`. */
+template <typename Result>
+bool PlateNode::is_fitted(const Result& result, const char* text) {
+  if (result.struct_size) return true;
+  result_ = HRT_ERROR_WRONG_STATE;
+  engine_.push_error(text);
+  return false;
+}
+
 /** Brings the session to the properties and the node's pose, between reaches. Properties are set one by one,
  *  when a scene loads for example, and are valid or not only together: this is where they are checked. */
 bool PlateNode::configure() {
@@ -297,6 +358,10 @@ bool PlateNode::configure() {
   if (!read_pose(config_.plate_position_m, config_.plate_rotation)) {
     engine_.push_error(kNotRigid);
     return false;
+  }
+  if (plate_pose_ && !(engine_.node_pose() == *plate_pose_)) {
+    plate_pose_.reset();
+    config_.flags &= ~HRT_SESSION_REGISTERED;
   }
   if (!session_.value) {
     if (!ok(hrt_session_create(&config_, &session_))) return false;
@@ -315,16 +380,26 @@ void PlateNode::report_sample(size_t reason, const char* text) {
 
 bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   const Pose pose = engine_.node_pose();
+  if (plate_pose_ && pose == *plate_pose_) {
+    std::copy_n(configured_.plate_position_m, 3, position_m);
+    std::copy_n(configured_.plate_rotation, 4, rotation);
+    return true;
+  }
   if (!is_rigid(pose)) {
     result_ = HRT_ERROR_OUT_OF_RANGE;
     return false;
   }
-  position_m[0] = pose.origin.x;
-  position_m[1] = pose.origin.y;
-  position_m[2] = pose.origin.z;
+  copy(pose.origin, position_m);
   const std::array<double, 4> quaternion = to_quaternion(pose);
   std::copy(quaternion.begin(), quaternion.end(), rotation);
   return true;
+}
+
+/** Puts the node where the library has the plate: in floats, beside which the session keeps its doubles. */
+void PlateNode::move_to_plate() {
+  take_changes();
+  engine_.move_node(to_pose(configured_.plate_position_m, configured_.plate_rotation));
+  plate_pose_ = engine_.node_pose();
 }
 
 Value PlateNode::add_target(const hrt_target_config& config) {
@@ -399,14 +474,11 @@ Value PlateNode::begin_reach(const hrt_reach_config& config) {
 
 /** A sample of the fingertip in the world, with the plate where the node is. */
 bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
-  const Vector3& position = std::get<Vector3>(arguments[0]);
   out_sample = {};
   out_sample.struct_size = sizeof out_sample;
   out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
   out_sample.time_ns = to_int(arguments[1]);
-  out_sample.finger_position_m[0] = position.x;
-  out_sample.finger_position_m[1] = position.y;
-  out_sample.finger_position_m[2] = position.z;
+  copy(std::get<Vector3>(arguments[0]), out_sample.finger_position_m);
   if (const std::optional<double> orientation_deg = device_.orientation_deg()) {
     out_sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     out_sample.plate_orientation_deg = *orientation_deg;
@@ -515,6 +587,56 @@ Value PlateNode::get_best_authority(const Value* arguments) {
   return to_record(&authority, authority_fields());
 }
 
+bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets) {
+  uint64_t count = 0;
+  if (!ok(hrt_target_list(session_, role, 0, nullptr, &count))) return false;
+  out_targets.resize(count);
+  return ok(hrt_target_list(session_, role, count, out_targets.data(), &count));
+}
+
+Value PlateNode::assign_targets(const Value* arguments) {
+  std::vector<hrt_target> real, felt;
+  if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt))
+    return to_godot_error(result_);
+  hrt_authority one{};
+  one.struct_size = sizeof one;
+  std::vector<hrt_authority> assigned(felt.size() + 1, one);  // one more: the plugin reads the first
+  const uint32_t flags = std::get<bool>(arguments[0]) ? HRT_ASSIGN_EXCLUSIVE : 0;
+  if (ok(hrt_target_assign(session_, felt.data(), felt.size(), real.data(), real.size(), flags, felt.size(),
+                           assigned.data()))) {
+    assigned.pop_back();
+    assigned_ = std::move(assigned);
+  }
+  return to_godot_error(result_);
+}
+
+Value PlateNode::get_assigned(const Value* arguments) {
+  const auto found = std::find_if(assigned_.begin(), assigned_.end(), [&](const hrt_authority& one) {
+    return one.virtual_target.value == to_target(arguments[0]).value;
+  });
+  if (found != assigned_.end()) return to_record(&*found, authority_fields());
+  engine_.push_error("get_assigned: no assignment of this virtual target; call assign_targets() first");
+  return Record{};
+}
+
+Value PlateNode::load_scene(const Value* arguments) {
+  hrt_scene scene{};
+  if (!configure() || !ok(hrt_scene_load_file(to_text(arguments[0]).c_str(), &scene)))
+    return to_godot_error(result_);
+  const bool registered = ok(hrt_scene_register(scene, session_, 0, nullptr));
+  const hrt_result result = result_;
+  hrt_scene_destroy(scene);
+  if (registered) move_to_plate();
+  return to_godot_error(result);
+}
+
+Value PlateNode::find_target(const Value* arguments) {
+  hrt_target target{};
+  if (!configure() || !ok(hrt_target_find(session_, to_text(arguments[0]).c_str(), &target)))
+    return kNoTarget;
+  return static_cast<int64_t>(target.value);
+}
+
 Value PlateNode::begin_calibration(const Value* arguments) {
   hrt_calibration_config config = hrt_calibration_config_init();
   config.goal_direction_deg = to_real(arguments[0]);
@@ -536,6 +658,7 @@ Value PlateNode::create_calibration(const hrt_calibration_config& config) {
     return to_godot_error(result_);
   if (calibration_.value) hrt_calibration_destroy(calibration_);
   calibration_ = calibration;
+  if (user_.struct_size) before_ = user_;
   user_ = {};
   return int64_t{0};
 }
@@ -590,12 +713,21 @@ Value PlateNode::get_slide(const Value* arguments) {
 }
 
 Value PlateNode::apply_calibration(const Value*) {
-  if (!user_.struct_size) {
-    engine_.push_error("apply_calibration: no calibration is solved; call solve_calibration() first");
-    return to_godot_error(HRT_ERROR_WRONG_STATE);
-  }
+  if (!is_fitted(user_, "apply_calibration: no calibration is solved; call solve_calibration() first"))
+    return to_godot_error(result_);
   if (configure() && ok(hrt_calibration_apply(session_, &user_))) take_changes();
   return to_godot_error(result_);
+}
+
+Value PlateNode::compare_calibrations(const Value*) {
+  if (!user_.struct_size || !before_.struct_size) {
+    engine_.push_error("compare_calibrations: it needs two calibrations of this node that were solved");
+    return Record{};
+  }
+  hrt_calibration_comparison comparison{};
+  comparison.struct_size = sizeof comparison;
+  if (!ok(hrt_calibration_compare(&before_, &user_, &comparison))) return Record{};
+  return to_record(&comparison, comparison_fields());
 }
 
 Value PlateNode::end_calibration(const Value*) {
@@ -612,6 +744,81 @@ void PlateNode::take_changes() {
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));
   copy_hidden(configured_, config_);
+}
+
+Value PlateNode::clear_touches(const Value*) {
+  mark_touches_.clear();
+  joint_touches_.clear();
+  return int64_t{0};
+}
+
+Value PlateNode::add_mark_touch(const Value* arguments) {
+  mark_touches_.push_back(mark_touch(arguments));
+  return int64_t{0};
+}
+
+Value PlateNode::fit_registration(const Value*) {
+  hrt_registration registration{};
+  registration.struct_size = sizeof registration;
+  if (!ok(hrt_registration_fit(nullptr, mark_touches_.data(), mark_touches_.size(), 0, nullptr,
+                               &registration)))
+    return Record{};
+  registration_ = registration;
+  return to_record(&registration_, registration_fields());
+}
+
+Value PlateNode::get_registration_advice(const Value*) {
+  return std::string(hrt_registration_advice(registration_.verdict));
+}
+
+Value PlateNode::apply_registration(const Value* arguments) {
+  if (!is_fitted(registration_, "apply_registration: nothing is fitted; call fit_registration() first"))
+    return to_godot_error(result_);
+  if (configure() && ok(hrt_registration_apply(session_, &registration_, to_int(arguments[0]))))
+    move_to_plate();
+  return to_godot_error(result_);
+}
+
+Value PlateNode::confirm_registration(const Value* arguments) {
+  const hrt_mark_touch touch = mark_touch(arguments);
+  hrt_touch_check check{};
+  check.struct_size = sizeof check;
+  if (!is_fitted(registration_, "confirm_registration: nothing is fitted; call fit_registration() first") ||
+      !configure() ||
+      !ok(hrt_registration_confirm(session_, &registration_, &touch, to_int(arguments[2]), &check)))
+    return Record{};
+  take_changes();
+  return to_record(&check, touch_fields());
+}
+
+Value PlateNode::add_joint_touch(const Value* arguments) {
+  joint_touches_.push_back(joint_touch(std::get<Pose>(arguments[0])));
+  return int64_t{0};
+}
+
+Value PlateNode::fit_fingertip(const Value*) {
+  hrt_fingertip fingertip{};
+  fingertip.struct_size = sizeof fingertip;
+  if (!ok(hrt_fingertip_fit(nullptr, joint_touches_.data(), joint_touches_.size(), &fingertip)))
+    return Record{};
+  fingertip_ = fingertip;
+  return to_record(&fingertip_, fingertip_fields());
+}
+
+/** The skin's place in the world. Comes with every frame, as samples do. */
+Value PlateNode::place_fingertip(const Value* arguments) {
+  if (!is_fitted(fingertip_, "place_fingertip: nothing is fitted; call fit_fingertip() first"))
+    return kNowhere;
+  const hrt_joint_touch joint = joint_touch(std::get<Pose>(arguments[0]));
+  hrt_sample sample{};
+  sample.struct_size = sizeof sample;
+  result_ = hrt_fingertip_place(&fingertip_, &joint, &sample);
+  if (result_ == HRT_OK) {
+    const auto [x, y, z] = sample.finger_position_m;
+    return Vector3{x, y, z};
+  }
+  report_sample(reason_of(result_), hrt_last_error());
+  return kNowhere;
 }
 
 Value PlateNode::load_profile(const Value* arguments) {

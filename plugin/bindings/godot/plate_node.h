@@ -5,8 +5,10 @@
 #include <haptic_retargeting/haptic_retargeting.h>
 
 #include <bitset>
+#include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "fields.h"
 #include "plate_device.h"
@@ -18,12 +20,6 @@ inline constexpr const char* kClassName = "HapticRetargeting";
 
 /** The value of Godot's enumeration Error for a result. */
 int64_t to_godot_error(hrt_result result);
-
-/** Where the node stands in the world: the columns of its basis, and its origin. */
-struct Pose {
-  Vector3 x_axis, y_axis, z_axis;
-  Vector3 origin;
-};
 
 struct Argument {
   const char* name;
@@ -41,6 +37,7 @@ class Engine {
  public:
   virtual ~Engine() = default;
   virtual Pose node_pose() = 0;
+  virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
 };
@@ -90,6 +87,10 @@ class PlateNode {
   Value get_summary(const Value* arguments);
   Value get_authority(const Value* arguments);
   Value get_best_authority(const Value* arguments);
+  Value assign_targets(const Value* arguments);
+  Value get_assigned(const Value* arguments);
+  Value load_scene(const Value* arguments);
+  Value find_target(const Value* arguments);
   Value begin_calibration(const Value* arguments);
   Value begin_calibration_within(const Value* arguments);
   Value get_next_angle(const Value* arguments);
@@ -100,7 +101,17 @@ class PlateNode {
   Value solve_calibration(const Value* arguments);
   Value get_slide(const Value* arguments);
   Value apply_calibration(const Value* arguments);
+  Value compare_calibrations(const Value* arguments);
   Value end_calibration(const Value* arguments);
+  Value clear_touches(const Value* arguments);
+  Value add_mark_touch(const Value* arguments);
+  Value fit_registration(const Value* arguments);
+  Value get_registration_advice(const Value* arguments);
+  Value apply_registration(const Value* arguments);
+  Value confirm_registration(const Value* arguments);
+  Value add_joint_touch(const Value* arguments);
+  Value fit_fingertip(const Value* arguments);
+  Value place_fingertip(const Value* arguments);
   Value load_profile(const Value* arguments);
   Value save_profile(const Value* arguments);
   Value set_conditions(const Value* arguments);
@@ -119,9 +130,13 @@ class PlateNode {
 
  private:
   bool ok(hrt_result result);
+  template <typename Result>
+  bool is_fitted(const Result& result, const char* text);
   Value after_device(hrt_result result);
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
+  void move_to_plate();
+  bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
   Value add_target(const hrt_target_config& config);
   Value begin_reach(const hrt_reach_config& config);
   Value create_calibration(const hrt_calibration_config& config);
@@ -134,8 +149,15 @@ class PlateNode {
   hrt_session session_{};
   hrt_calibration calibration_{};
   hrt_calibration_result user_{};    ///< struct_size 0: no calibration is solved
+  hrt_calibration_result before_{};  ///< of the calibration before; struct_size 0: none
+  std::vector<hrt_authority> assigned_;
+  std::vector<hrt_mark_touch> mark_touches_;
+  std::vector<hrt_joint_touch> joint_touches_;
+  hrt_registration registration_{};  ///< struct_size 0: none is fitted
+  hrt_fingertip fingertip_{};        ///< struct_size 0: none is fitted
   hrt_session_config config_;        ///< the properties and the node's pose
   hrt_session_config configured_{};  ///< what the session has of them
+  std::optional<Pose> plate_pose_;   ///< the node's, where the library has placed it: doubles in floats
   hrt_command command_{};            ///< struct_size 0: none yet in this reach
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin

@@ -178,6 +178,53 @@ constexpr Field kSlide[] = {
     {"residual_deg", FieldKind::kDouble, offsetof(hrt_calibration_slide, residual_deg)},
 };
 
+constexpr Field kComparison[] = {
+    {"differing", FieldKind::kUint32, offsetof(hrt_calibration_comparison, differing)},
+    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.value)},
+    {"tactile_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.lower)},
+    {"tactile_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.upper)},
+    {"tactile_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, tactile_weight.known)},
+    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.value)},
+    {"largest_gap_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.lower)},
+    {"largest_gap_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.upper)},
+    {"largest_gap_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, largest_gap_deg.known)},
+    {"bias_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.value)},
+    {"bias_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.lower)},
+    {"bias_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.upper)},
+    {"bias_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, bias_deg.known)},
+    {"habit_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.value)},
+    {"habit_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.lower)},
+    {"habit_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.upper)},
+    {"habit_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, habit_deg.known)},
+    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.value)},
+    {"tracker_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.lower)},
+    {"tracker_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.upper)},
+    {"tracker_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, tracker_noise_m.known)},
+};
+
+constexpr Field kRegistration[] = {
+    {"verdict", FieldKind::kUint32, offsetof(hrt_registration, verdict), "Holds:1,Too Few:2,Degenerate:3,Inconsistent:4,Upside Down:5"},
+    {"touches", FieldKind::kUint32, offsetof(hrt_registration, touches)},
+    {"left_out", FieldKind::kInt32, offsetof(hrt_registration, left_out)},
+    {"plate_position_m", FieldKind::kVector3, offsetof(hrt_registration, plate_position_m)},
+    {"plate_scale", FieldKind::kDouble, offsetof(hrt_registration, plate_scale)},
+    {"touch_sd_m", FieldKind::kDouble, offsetof(hrt_registration, touch_sd_m)},
+    {"residual_m", FieldKind::kDouble, offsetof(hrt_registration, residual_m)},
+    {"turn_sd_deg", FieldKind::kDouble, offsetof(hrt_registration, turn_sd_deg)},
+};
+
+constexpr Field kTouch[] = {
+    {"holds", FieldKind::kUint32, offsetof(hrt_touch_check, holds)},
+    {"distance_m", FieldKind::kDouble, offsetof(hrt_touch_check, distance_m)},
+    {"allowed_m", FieldKind::kDouble, offsetof(hrt_touch_check, allowed_m)},
+};
+
+constexpr Field kFingertip[] = {
+    {"known", FieldKind::kUint32, offsetof(hrt_fingertip, known)},
+    {"offset_m", FieldKind::kVector3, offsetof(hrt_fingertip, offset_m)},
+    {"sd_m", FieldKind::kVector3, offsetof(hrt_fingertip, sd_m)},
+};
+
 constexpr Field kRecording[] = {
     {"system_error", FieldKind::kInt32, offsetof(hrt_recording_status, system_error)},
     {"rows_written", FieldKind::kInt64, offsetof(hrt_recording_status, rows_written)},
@@ -320,6 +367,22 @@ std::span<const Field> calibration_fields() {
 
 std::span<const Field> slide_fields() {
   return kSlide;
+}
+
+std::span<const Field> comparison_fields() {
+  return kComparison;
+}
+
+std::span<const Field> registration_fields() {
+  return kRegistration;
+}
+
+std::span<const Field> touch_fields() {
+  return kTouch;
+}
+
+std::span<const Field> fingertip_fields() {
+  return kFingertip;
 }
 
 std::span<const Field> recording_fields() {

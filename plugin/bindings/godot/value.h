@@ -12,20 +12,28 @@ namespace hrt_godot {
 /** Godot's vectors are of floats: each goes through the plugin's doubles and back unchanged. */
 struct Vector3 {
   double x, y, z;
+  bool operator==(const Vector3&) const = default;
 };
 
 inline Vector3 widen(float x, float y, float z) {
   return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
 
-/** A Dictionary of numbers. Keys are string literals. */
-using Number = std::variant<int64_t, double>;
-using Record = std::vector<std::pair<const char*, Number>>;
+/** A place in the world and a rotation: the columns of a basis, and its origin. */
+struct Pose {
+  Vector3 x_axis, y_axis, z_axis;
+  Vector3 origin;
+  bool operator==(const Pose&) const = default;
+};
+
+/** A Dictionary of numbers and places. Keys are string literals. */
+using Entry = std::variant<int64_t, double, Vector3>;
+using Record = std::vector<std::pair<const char*, Entry>>;
 
 /** The alternatives are in the order of Type. */
-using Value = std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record>;
+using Value = std::variant<std::monostate, bool, int64_t, double, std::string, Vector3, Record, Pose>;
 
-enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord };
+enum class Type { kNil, kBool, kInt, kReal, kString, kVector3, kRecord, kPose };
 
 inline Type type_of(const Value& value) {
   return static_cast<Type>(value.index());
@@ -47,6 +55,8 @@ inline const char* type_name(Type type) {
       return "Vector3";
     case Type::kRecord:
       return "Dictionary";
+    case Type::kPose:
+      return "Transform";
   }
   return "?";
 }

@@ -31,10 +31,12 @@ using namespace hrt_godot;
 
 class StillEngine : public Engine {
  public:
-  Pose node_pose() override { return {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}}; }
+  Pose node_pose() override { return pose; }
+  void move_node(const Pose& to) override { pose = to; }
   void emit(const Signal&, const Value&) override { ++signals; }
   void push_error(const char* text) override { FAIL() << text; }
   int64_t signals = 0;
+  Pose pose{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 };
 
 const Method& method(std::string_view name) {

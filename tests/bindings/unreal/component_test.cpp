@@ -406,8 +406,110 @@ TEST_F(Component, CalibratesAUser) {
   EXPECT_EQ(time, 1767225600);
   EXPECT_TRUE(plate_differs);
   EXPECT_FALSE(tracker_differs);
+  FHapticCalibrationComparison change;
+  EXPECT_FALSE(component_.CompareCalibrations(change));
+  EXPECT_NE(last_log().find("needs two calibrations"), std::string::npos) << last_log();
+  ASSERT_TRUE(component_.BeginCalibration(0));
+  for (int round = 0; round < 4; ++round)
+    for (const double plate_yaw : {-60, -30, 0, 30, 60}) ::slide(component_, plate_yaw, random);
+  FHapticCalibration again;
+  ASSERT_TRUE(component_.SolveCalibration(again)) << last_log();
+  ASSERT_TRUE(component_.CompareCalibrations(change)) << last_log();
+  EXPECT_NEAR(change.TactileWeight.Value, again.TactileWeight.Value - user.TactileWeight.Value, 1e-12);
+  EXPECT_NEAR(change.BiasYaw.Value, again.BiasYaw.Value - user.BiasYaw.Value, 1e-12);
+  EXPECT_LT(change.BiasYaw.Lower, change.BiasYaw.Upper);
   EXPECT_TRUE(component_.EndCalibration());
   EXPECT_FALSE(component_.EndCalibration());
+}
+
+// The apparatus of the desk stands at (0.12, 0.75, -0.32) m, turned by 20 degrees to the left.
+TEST_F(Component, LoadsASceneAndAssignsItsTargets) {
+  TArray<FHapticTarget> ids;
+  TArray<FHapticSceneTarget> targets;
+  ASSERT_TRUE(component_.LoadScene(Stub::ToUtf16(HRT_DESK).c_str(), ids, targets)) << last_log();
+  ASSERT_EQ(ids.Num(), 4);
+  ASSERT_EQ(targets.Num(), 4);
+  const FTransform& plate = component_.GetComponentTransform();
+  EXPECT_TRUE(plate.GetLocation().Equals(FVector(32, 12, 75), 1e-9));
+  EXPECT_TRUE(plate.GetRotation().Equals(FQuat(FVector(0, 0, 1), -20 * std::numbers::pi / 180), 1e-9));
+  EXPECT_EQ(component_.Settings.PlateMaxSpeed, 400);
+  EXPECT_EQ(Stub::ToUtf8(*targets[1].Name), "bottle");
+  EXPECT_EQ(targets[1].Role, kVirtual);
+  EXPECT_EQ(targets[1].ServedBy, 0);
+  EXPECT_NEAR(targets[1].Yaw, -6, 1e-6);  // to the left
+  EXPECT_NEAR(targets[1].Distance, 10, 1e-6);
+  EXPECT_TRUE(plate.TransformPosition(targets[1].Position).Equals(targets[1].WorldPosition, 1e-6));
+
+  TArray<FHapticAuthority> served;
+  ASSERT_TRUE(component_.AssignTargets({ids[1], ids[2], ids[3]}, {ids[0]}, false, served)) << last_log();
+  ASSERT_EQ(served.Num(), 3);
+  EXPECT_EQ(served[0].RealTarget.Id, ids[0].Id);
+  ASSERT_TRUE(component_.AssignTargets({ids[1], ids[2], ids[3]}, {ids[0]}, true, served)) << last_log();
+  EXPECT_EQ(served[0].bReachable + served[1].bReachable + served[2].bReachable, 1);
+  EXPECT_FALSE(component_.AssignTargets({}, {ids[0]}, true, served));
+  EXPECT_EQ(served.Num(), 3);
+  ASSERT_TRUE(component_.BeginReach(ids[0], ids[1])) << last_log();
+  ASSERT_TRUE(component_.CancelReach());
+  EXPECT_FALSE(component_.LoadScene(Stub::ToUtf16(HRT_DESK).c_str(), ids, targets));  // the names are taken
+  EXPECT_FALSE(component_.LoadScene(TEXT("/nowhere.gltf"), ids, targets));
+  EXPECT_EQ(ids.Num(), 4);
+}
+
+TEST_F(Component, IsRegisteredByTouchesOfMarks) {
+  EXPECT_FALSE(component_.ApplyRegistration(0));
+  EXPECT_NE(last_log().find("call FitRegistration first"), std::string::npos) << last_log();
+  const FTransform plate(FQuat(FVector(0, 0, 1), 0.7), FVector(120, -45, 80));
+  const FVector start(-5, 0, 0);
+  TArray<FHapticMarkTouch> touches;
+  FHapticRegistration found;
+  FString advice;
+  ASSERT_TRUE(component_.FitRegistration(touches, found, advice)) << last_log();
+  EXPECT_EQ(found.Verdict, EHapticRegistrationVerdict::TooFew);
+  EXPECT_GT(Stub::ToUtf8(*advice).size(), 10u);
+  for (const FVector& mark : {start, FVector(-4.4, 7.6, 0), FVector(4.4, 7.6, 0), FVector(4.4, -7.6, 0), FVector(-4.4, -7.6, 0)})
+    touches.Add({mark, plate.TransformPosition(mark)});
+  ASSERT_TRUE(component_.FitRegistration(touches, found, advice)) << last_log();
+  ASSERT_EQ(found.Verdict, EHapticRegistrationVerdict::Holds);
+  EXPECT_EQ(found.LeftOut, -1);
+  EXPECT_TRUE(found.PlatePosition.Equals(plate.GetLocation(), 1e-6));
+
+  ASSERT_TRUE(component_.ApplyRegistration(5)) << last_log();
+  EXPECT_TRUE(component_.GetComponentTransform().Equals(plate, 1e-6));
+  EXPECT_TRUE(component_.Settings.bRegistered);
+  FHapticTouchCheck check;
+  ASSERT_TRUE(component_.ConfirmRegistration({start, plate.TransformPosition(start)}, 6, check)) << last_log();
+  EXPECT_TRUE(check.bHolds);
+  EXPECT_LT(check.Distance, 1e-6);
+  EXPECT_EQ(component_.Settings.RegistrationTime, 6);
+  ASSERT_TRUE(component_.ConfirmRegistration({start, FVector(0, 0, 0)}, 7, check)) << last_log();
+  EXPECT_FALSE(check.bHolds);
+  EXPECT_FALSE(component_.Settings.bRegistered);
+
+  ASSERT_TRUE(component_.ApplyRegistration(8)) << last_log();
+  component_.SetWorldTransform(somewhere());
+  EXPECT_FALSE(component_.ConfirmRegistration({start, plate.TransformPosition(start)}, 9, check));
+  EXPECT_NE(last_log().find("registration is not that of the session"), std::string::npos) << last_log();
+  EXPECT_FALSE(component_.Settings.bRegistered);
+}
+
+// A joint 0.8 cm above the skin and 0.5 cm behind it, which touches one mark in several ways.
+TEST_F(Component, PlacesTheSkinByItsOffsetFromTheJoint) {
+  FVector skin;
+  EXPECT_FALSE(component_.PlaceFingertip(FTransform(), skin));
+  EXPECT_NE(last_log().find("call FitFingertip first"), std::string::npos) << last_log();
+  const FVector mark(40, 30, 75), offset(0.5, 0, -0.8);
+  TArray<FTransform> joints;
+  for (const FQuat& turn : {FQuat(), FQuat(FVector(1, 0, 0), 0.7), FQuat(FVector(1, 0, 0), -0.6), FQuat(FVector(0, 1, 0), 0.8),
+                            FQuat(FVector(0, 0, 1), 0.6), FQuat(FVector(0, 1, 0), -0.7)})
+    joints.Add(FTransform(turn, mark + turn.RotateVector(offset) * -1.0));
+  FHapticFingertip fingertip;
+  ASSERT_TRUE(component_.FitFingertip(joints, fingertip)) << last_log();
+  EXPECT_TRUE(fingertip.bKnown);
+  EXPECT_TRUE(fingertip.Offset.Equals(offset, 1e-6));
+  for (const FTransform& joint : joints) {
+    ASSERT_TRUE(component_.PlaceFingertip(joint, skin)) << last_log();
+    EXPECT_TRUE(skin.Equals(mark, 1e-6));
+  }
 }
 
 TEST_F(Component, Records) {
@@ -464,6 +566,22 @@ TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
   EXPECT_FALSE(component.AddTarget(EHapticTargetRole::Real, TEXT("cylinder"), 5.0, 10.0, target));
   EXPECT_FALSE(component.BeginReach(none, none));
   EXPECT_FALSE(component.BeginCalibration(0.0));
+  EXPECT_FALSE(component.BeginCalibrationWithin(0.0, 60.0, 0.1));
+  double yaw = 0;
+  bool enough = false;
+  EXPECT_FALSE(component.GetNextAngle(yaw, enough));
+  FHapticSlide slide;
+  EXPECT_FALSE(component.GetSlide(0, slide));
+  int64 written = 0, lost = 0;
+  EXPECT_FALSE(component.GetRecordingStatus(written, lost));
+  TArray<FHapticTarget> targets;
+  TArray<FHapticSceneTarget> descriptions;
+  EXPECT_FALSE(component.LoadScene(TEXT("desk.gltf"), targets, descriptions));
+  FHapticRegistration registration;
+  FString advice;
+  EXPECT_FALSE(component.FitRegistration({}, registration, advice));
+  FHapticFingertip fingertip;
+  EXPECT_FALSE(component.FitFingertip({}, fingertip));
   for (int frame = 0; frame < 90; ++frame) EXPECT_FALSE(component.UpdateFinger({}, frame / 90.0));
   EXPECT_FALSE(component.EndReach(summary));
   EXPECT_EQ(FLogCategory::Lines.size(), logged + 1);

@@ -53,6 +53,7 @@ enum {
   GODOT_REAL = 3,
   GODOT_STRING = 4,
   GODOT_VECTOR3 = 7,
+  GODOT_TRANSFORM = 13,
   GODOT_DICTIONARY = 18
 };
 
@@ -100,7 +101,9 @@ typedef struct {
   void (*variant_new_string)(godot_variant* out, const godot_string* value);
   godot_slot slots_515[517 - 515];
   void (*variant_new_vector3)(godot_variant* out, const godot_vector3* value);
-  godot_slot slots_518[528 - 518];
+  godot_slot slots_518[523 - 518];
+  void (*variant_new_transform)(godot_variant* out, const godot_transform* value);
+  godot_slot slots_524[528 - 524];
   void (*variant_new_dictionary)(godot_variant* out, const godot_dictionary* value);
   godot_slot slots_529[537 - 529];
   godot_bool (*variant_as_bool)(const godot_variant* self);
@@ -110,7 +113,9 @@ typedef struct {
   godot_string (*variant_as_string)(const godot_variant* self);
   godot_slot slots_542[544 - 542];
   godot_vector3 (*variant_as_vector3)(const godot_variant* self);
-  godot_slot slots_545[570 - 545];
+  godot_slot slots_545[550 - 545];
+  godot_transform (*variant_as_transform)(const godot_variant* self);
+  godot_slot slots_551[570 - 551];
   void (*variant_destroy)(godot_variant* self);
   godot_slot slots_571[1];
   const char* (*char_string_get_data)(const godot_char_string* self);

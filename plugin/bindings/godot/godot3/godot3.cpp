@@ -54,18 +54,46 @@ class EngineVariant {
   alignas(8) godot_variant variant_;
 };
 
-void new_number(godot_variant* out, const Number& number) {
-  if (const double* real = std::get_if<double>(&number)) return core->variant_new_real(out, *real);
-  core->variant_new_int(out, std::get<int64_t>(number));
+void new_vector3(godot_variant* out, const Vector3& vector) {
+  const float parts[3] = {static_cast<float>(vector.x), static_cast<float>(vector.y),
+                          static_cast<float>(vector.z)};
+  godot_vector3 bytes;
+  std::memcpy(&bytes, parts, sizeof bytes);
+  core->variant_new_vector3(out, &bytes);
+}
+
+void new_entry(godot_variant* out, const Entry& entry) {
+  if (const double* real = std::get_if<double>(&entry)) return core->variant_new_real(out, *real);
+  if (const Vector3* vector = std::get_if<Vector3>(&entry)) return new_vector3(out, *vector);
+  core->variant_new_int(out, std::get<int64_t>(entry));
+}
+
+Pose to_pose(const godot_transform& transform) {
+  float m[12];
+  std::memcpy(m, &transform, sizeof m);
+  return {.x_axis = widen(m[0], m[3], m[6]),
+          .y_axis = widen(m[1], m[4], m[7]),
+          .z_axis = widen(m[2], m[5], m[8]),
+          .origin = widen(m[9], m[10], m[11])};
+}
+
+godot_transform to_transform(const Pose& pose) {
+  const Vector3 &x = pose.x_axis, &y = pose.y_axis, &z = pose.z_axis, &at = pose.origin;
+  const double m[12] = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z, at.x, at.y, at.z};
+  float floats[12];
+  std::transform(m, m + 12, floats, [](double part) { return static_cast<float>(part); });
+  godot_transform transform;
+  std::memcpy(&transform, floats, sizeof transform);
+  return transform;
 }
 
 void new_dictionary(godot_variant* out, const Record& record) {
   godot_dictionary dictionary;
   core->dictionary_new(&dictionary);
-  for (const auto& [name, number] : record) {
+  for (const auto& [name, entry] : record) {
     const EngineVariant key{std::string(name)};
     godot_variant value;
-    new_number(&value, number);
+    new_entry(&value, entry);
     core->dictionary_set(&dictionary, &key.get(), &value);
     core->variant_destroy(&value);
   }
@@ -94,18 +122,17 @@ godot_variant to_variant(const Value& value) {
       core->variant_new_string(&variant, &string.get());
       break;
     }
-    case Type::kVector3: {
-      const Vector3& vector = std::get<Vector3>(value);
-      const float parts[3] = {static_cast<float>(vector.x), static_cast<float>(vector.y),
-                              static_cast<float>(vector.z)};
-      godot_vector3 bytes;
-      std::memcpy(&bytes, parts, sizeof bytes);
-      core->variant_new_vector3(&variant, &bytes);
+    case Type::kVector3:
+      new_vector3(&variant, std::get<Vector3>(value));
       break;
-    }
     case Type::kRecord:
       new_dictionary(&variant, std::get<Record>(value));
       break;
+    case Type::kPose: {
+      const godot_transform transform = to_transform(std::get<Pose>(value));
+      core->variant_new_transform(&variant, &transform);
+      break;
+    }
   }
   return variant;
 }
@@ -127,6 +154,8 @@ Value to_value(const godot_variant& variant) {
       std::memcpy(parts, &bytes, sizeof parts);
       return widen(parts[0], parts[1], parts[2]);
     }
+    case GODOT_TRANSFORM:
+      return to_pose(core->variant_as_transform(&variant));
     default:
       return {};
   }
@@ -148,6 +177,8 @@ godot_int variant_type(Type type) {
       return GODOT_VECTOR3;
     case Type::kRecord:
       return GODOT_DICTIONARY;
+    case Type::kPose:
+      return GODOT_TRANSFORM;
   }
   return GODOT_NIL;
 }
@@ -159,21 +190,22 @@ class Instance : public Engine {
   PlateNode& node() { return node_; }
 
   Pose node_pose() override {
-    static godot_method_bind* const is_inside_tree = core->method_bind_get_method("Node", "is_inside_tree");
     static godot_method_bind* const get_global =
         core->method_bind_get_method("Spatial", "get_global_transform");
     static godot_method_bind* const get_local = core->method_bind_get_method("Spatial", "get_transform");
     const void* no_arguments[1] = {nullptr};
-    uint64_t inside = 0;
-    core->method_bind_ptrcall(is_inside_tree, object_, no_arguments, &inside);
     godot_transform transform;
-    core->method_bind_ptrcall(inside ? get_global : get_local, object_, no_arguments, &transform);
-    float m[12];
-    std::memcpy(m, &transform, sizeof m);
-    return {.x_axis = widen(m[0], m[3], m[6]),
-            .y_axis = widen(m[1], m[4], m[7]),
-            .z_axis = widen(m[2], m[5], m[8]),
-            .origin = widen(m[9], m[10], m[11])};
+    core->method_bind_ptrcall(is_inside_tree() ? get_global : get_local, object_, no_arguments, &transform);
+    return to_pose(transform);
+  }
+
+  void move_node(const Pose& pose) override {
+    static godot_method_bind* const set_global =
+        core->method_bind_get_method("Spatial", "set_global_transform");
+    static godot_method_bind* const set_local = core->method_bind_get_method("Spatial", "set_transform");
+    const godot_transform transform = to_transform(pose);
+    const void* arguments[1] = {&transform};
+    core->method_bind_ptrcall(is_inside_tree() ? set_global : set_local, object_, arguments, nullptr);
   }
 
   void emit(const Signal& signal, const Value& argument) override {
@@ -189,6 +221,14 @@ class Instance : public Engine {
   void push_error(const char* text) override { core->print_error(text, kClassName, "godot3.cpp", __LINE__); }
 
  private:
+  bool is_inside_tree() {
+    static godot_method_bind* const method = core->method_bind_get_method("Node", "is_inside_tree");
+    const void* no_arguments[1] = {nullptr};
+    uint64_t inside = 0;
+    core->method_bind_ptrcall(method, object_, no_arguments, &inside);
+    return inside != 0;
+  }
+
   godot_object* object_;
   PlateNode node_;
 };

@@ -82,6 +82,26 @@ T from_variant(const gde_variant& variant, int32_t type) {
 struct EngineVector3 {
   float x, y, z;
 };
+EngineVector3 narrow(const Vector3& vector) {
+  return {static_cast<float>(vector.x), static_cast<float>(vector.y), static_cast<float>(vector.z)};
+}
+
+/** The rows of the basis, and the origin. */
+struct EngineTransform {
+  float m[12];
+};
+Pose to_pose(const EngineTransform& transform) {
+  const float(&m)[12] = transform.m;
+  return {.x_axis = widen(m[0], m[3], m[6]),
+          .y_axis = widen(m[1], m[4], m[7]),
+          .z_axis = widen(m[2], m[5], m[8]),
+          .origin = widen(m[9], m[10], m[11])};
+}
+EngineTransform to_transform(const Pose& pose) {
+  const auto [x, y, z, at] =
+      std::array{narrow(pose.x_axis), narrow(pose.y_axis), narrow(pose.z_axis), narrow(pose.origin)};
+  return {{x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z, at.x, at.y, at.z}};
+}
 
 int32_t variant_type(Type type) {
   switch (type) {
@@ -99,6 +119,8 @@ int32_t variant_type(Type type) {
       return GDE_VECTOR3;
     case Type::kRecord:
       return GDE_DICTIONARY;
+    case Type::kPose:
+      return GDE_TRANSFORM3D;
   }
   return GDE_NIL;
 }
@@ -106,15 +128,19 @@ int32_t variant_type(Type type) {
 void to_variant(gde_variant* out, const Value& value);
 
 void fill_dictionary(gde_dictionary* dictionary, const Record& record) {
-  for (const auto& [name, number] : record) {
+  for (const auto& [name, entry] : record) {
     gde_variant key;
     to_variant(&key, std::string(name));
     gde_variant* value = engine.dictionary_operator_index(dictionary, &key);
     engine.variant_destroy(value);
-    if (const double* real = std::get_if<double>(&number))
+    if (const Vector3* vector = std::get_if<Vector3>(&entry)) {
+      const EngineVector3 floats = narrow(*vector);
+      new_variant(value, GDE_VECTOR3, &floats);
+    } else if (const double* real = std::get_if<double>(&entry)) {
       new_variant(value, GDE_FLOAT, real);
-    else
-      new_variant(value, GDE_INT, &std::get<int64_t>(number));
+    } else {
+      new_variant(value, GDE_INT, &std::get<int64_t>(entry));
+    }
     engine.variant_destroy(&key);
   }
 }
@@ -137,9 +163,7 @@ void to_type(void* out, const Value& value) {
       engine.string_new_with_utf8_chars(static_cast<gde_string*>(out), std::get<std::string>(value).c_str());
       break;
     case Type::kVector3: {
-      const Vector3& vector = std::get<Vector3>(value);
-      const EngineVector3 floats{static_cast<float>(vector.x), static_cast<float>(vector.y),
-                                 static_cast<float>(vector.z)};
+      const EngineVector3 floats = narrow(std::get<Vector3>(value));
       std::memcpy(out, &floats, sizeof floats);
       break;
     }
@@ -147,6 +171,11 @@ void to_type(void* out, const Value& value) {
       engine.variant_get_ptr_constructor(GDE_DICTIONARY, 0)(out, nullptr);
       fill_dictionary(static_cast<gde_dictionary*>(out), std::get<Record>(value));
       break;
+    case Type::kPose: {
+      const EngineTransform transform = to_transform(std::get<Pose>(value));
+      std::memcpy(out, &transform, sizeof transform);
+      break;
+    }
   }
 }
 
@@ -159,7 +188,7 @@ void destroy(void* value, Type type) {
 void to_variant(gde_variant* out, const Value& value) {
   const Type type = type_of(value);
   if (type == Type::kNil) return engine.variant_new_nil(out);
-  alignas(8) uint8_t bytes[sizeof(EngineVector3) + 4];
+  alignas(8) uint8_t bytes[sizeof(EngineTransform)];
   to_type(bytes, value);
   new_variant(out, variant_type(type), bytes);
   destroy(bytes, type);
@@ -179,6 +208,11 @@ Value from_type(const void* value, Type type) {
       EngineVector3 floats;
       std::memcpy(&floats, value, sizeof floats);
       return widen(floats.x, floats.y, floats.z);
+    }
+    case Type::kPose: {
+      EngineTransform transform;
+      std::memcpy(&transform, value, sizeof transform);
+      return to_pose(transform);
     }
     case Type::kNil:
     case Type::kRecord:
@@ -216,6 +250,8 @@ Value to_value(const gde_variant& variant) {
       const EngineVector3 floats = from_variant<EngineVector3>(variant, GDE_VECTOR3);
       return widen(floats.x, floats.y, floats.z);
     }
+    case GDE_TRANSFORM3D:
+      return to_pose(from_variant<EngineTransform>(variant, GDE_TRANSFORM3D));
     default:
       return {};
   }
@@ -228,19 +264,18 @@ class Instance : public Engine {
   PlateNode& node() { return node_; }
 
   Pose node_pose() override {
-    gde_variant inside = call("is_inside_tree", {});
-    gde_variant transform =
-        call(std::get<bool>(to_value(inside)) ? "get_global_transform" : "get_transform", {});
-    struct Transform {
-      float m[12];
-    };
-    const auto [m] = from_variant<Transform>(transform, GDE_TRANSFORM3D);
+    gde_variant transform = call(is_inside_tree() ? "get_global_transform" : "get_transform", {});
+    const Pose pose = to_pose(from_variant<EngineTransform>(transform, GDE_TRANSFORM3D));
     engine.variant_destroy(&transform);
-    engine.variant_destroy(&inside);
-    return {.x_axis = widen(m[0], m[3], m[6]),
-            .y_axis = widen(m[1], m[4], m[7]),
-            .z_axis = widen(m[2], m[5], m[8]),
-            .origin = widen(m[9], m[10], m[11])};
+    return pose;
+  }
+
+  void move_node(const Pose& pose) override {
+    gde_variant transform;
+    to_variant(&transform, pose);
+    gde_variant nothing = call(is_inside_tree() ? "set_global_transform" : "set_transform", {&transform});
+    engine.variant_destroy(&nothing);
+    engine.variant_destroy(&transform);
   }
 
   void emit(const Signal& signal, const Value& argument) override {
@@ -257,6 +292,13 @@ class Instance : public Engine {
   }
 
  private:
+  bool is_inside_tree() {
+    gde_variant inside = call("is_inside_tree", {});
+    const bool is_inside = std::get<bool>(to_value(inside));
+    engine.variant_destroy(&inside);
+    return is_inside;
+  }
+
   /** The caller destroys what is returned. */
   gde_variant call(const char* method, std::initializer_list<const gde_variant*> arguments) {
     const EngineName name(method);

@@ -18,6 +18,9 @@ func _ready():
 	check_adaptation_and_profile()
 	check_calibration()
 	check_recording()
+	check_scene_and_assignment()
+	check_registration()
+	check_fingertip()
 	check_freed()
 	print("FAIL %d of %d" % [failures, checks] if failures else "PASS %d" % checks)
 	get_tree().quit(1 if failures else 0)
@@ -242,6 +245,16 @@ func check_calibration():
 	check_equal(plate.get_conditions().time_s, 1767225600, "when")
 	check_equal(plate.tactile_weight, found.tactile_weight, "tactile weight, applied")
 	check_equal(plate.bias_deg, found.bias_deg, "bias, applied")
+	expect_error("compare_calibrations: it needs two calibrations")
+	check(plate.compare_calibrations().empty(), "one calibration is no comparison")
+	check_equal(plate.begin_calibration(0), OK, "a second calibration")
+	for round_of_trials in 4:
+		for plate_deg in [-60.0, -30.0, 0.0, 30.0, 60.0]:
+			slide(plate, plate_deg, random)
+	var again = plate.solve_calibration()
+	var change = plate.compare_calibrations()
+	check_near(change.tactile_weight, again.tactile_weight - found.tactile_weight, "test and retest")
+	check_equal(change.differing & HRT.DIFFERS_TACTILE_WEIGHT, 0, "the same user")
 	check_equal(plate.end_calibration(), OK, "end")
 	expect_error("hrt_calibration_destroy")
 	check_equal(plate.end_calibration(), ERR_DOES_NOT_EXIST, "end twice")
@@ -277,6 +290,78 @@ func check_recording():
 	check_equal(plate.stop_recording(), ERR_UNAVAILABLE, "stop twice")
 	expect_error("hrt_recording_start")
 	check_equal(plate.start_recording("/nowhere/recording.csv"), ERR_FILE_CANT_WRITE, "a folder that is not there")
+
+# The apparatus of the desk stands at (0.12, 0.75, -0.32), turned by 20 degrees to the left.
+func check_scene_and_assignment():
+	var plate = new_plate()
+	var desk = OS.get_environment("HRT_BINDINGS") + "/../../samples/scenes/desk.gltf"
+	check_equal(plate.load_scene(desk), OK, "scene")
+	check((plate.translation - Vector3(0.12, 0.75, -0.32)).length() < 1e-6, "the plate's place: %s" % plate.translation)
+	check(abs(plate.rotation_degrees.y - 20) < 1e-4, "the plate's turn: %s" % plate.rotation_degrees)
+	var cylinder = plate.find_target("cylinder")
+	var bottle = plate.find_target("bottle")
+	check(cylinder != 0 and bottle != 0, "targets of the scene")
+	expect_error("hrt_target_find")
+	check_equal(plate.find_target("teapot"), 0, "a target that is not there")
+	expect_error("get_assigned: no assignment")
+	check(plate.get_assigned(bottle).empty(), "no assignment yet")
+	check_equal(plate.assign_targets(false), OK, "assignment")
+	check_equal(plate.get_assigned(bottle).real_target, cylinder, "assigned")
+	check_equal(plate.begin(cylinder, bottle), OK, "begin")
+	expect_error("hrt_scene_register: a reach is under way")
+	check_equal(plate.load_scene(desk), ERR_UNAVAILABLE, "a scene during a reach")
+	check_equal(plate.cancel(), OK, "cancel")
+	expect_error("hrt_scene_register")
+	check_equal(plate.load_scene(desk), ERR_ALREADY_EXISTS, "the same names again")
+
+func touch_marks(plate, pose):
+	for mark in [Vector3(0, 0, 0.05), Vector3(0.076, 0, 0.044), Vector3(0.076, 0, -0.044), Vector3(-0.076, 0, -0.044),
+			Vector3(-0.076, 0, 0.044)]:
+		check_equal(plate.add_mark_touch(mark, pose.xform(mark)), OK, "touch")
+
+func check_registration():
+	var plate = new_plate()
+	var pose = Transform(Basis(Vector3.UP, deg2rad(70)), Vector3(0.3, 0.75, -0.4))
+	expect_error("apply_registration: nothing is fitted")
+	check_equal(plate.apply_registration(0), ERR_UNAVAILABLE, "nothing to apply")
+	check_equal(plate.fit_registration().verdict, HRT.REGISTRATION_TOO_FEW, "no touches")
+	check(plate.get_registration_advice().length() > 10, "advice")
+	touch_marks(plate, pose)
+	var found = plate.fit_registration()
+	check_equal(found.verdict, HRT.REGISTRATION_HOLDS, "verdict")
+	check((found.plate_position_m - pose.origin).length() < 1e-6, "place: %s" % found.plate_position_m)
+	check_equal(plate.apply_registration(5000000), OK, "apply")
+	check(plate.global_transform.is_equal_approx(pose), "the node is at the plate: %s" % plate.global_transform)
+	var start = Vector3(0, 0, 0.05)
+	var good = plate.confirm_registration(start, pose.xform(start), 6000000)
+	check_equal(good.holds, 1, "a touch that agrees")
+	check_equal(plate.registration_time_ns, 6000000, "counts")
+	check_equal(plate.flags & HRT.SESSION_REGISTERED, HRT.SESSION_REGISTERED, "registered")
+	check_equal(plate.confirm_registration(start, Vector3(), 7000000).holds, 0, "a touch that does not")
+	check_equal(plate.flags & HRT.SESSION_REGISTERED, 0, "unregistered")
+	check_equal(plate.apply_registration(8000000), OK, "apply again")
+	plate.translate(Vector3(0.01, 0, 0))
+	expect_error("hrt_registration_confirm")
+	check(plate.confirm_registration(start, pose.xform(start), 9000000).empty(), "a plate that was moved")
+	check_equal(plate.flags & HRT.SESSION_REGISTERED, 0, "ends the registration")
+
+# A joint 8 mm above the skin and 5 mm behind it, which touches one mark in several ways.
+func check_fingertip():
+	var plate = new_plate()
+	var offset = Vector3(0, -0.008, -0.005)
+	var mark = Vector3(0.3, 0.75, -0.4)
+	expect_error("place_fingertip: nothing is fitted")
+	check(is_nan(plate.place_fingertip(Transform()).x), "no offset yet")
+	var joints = []
+	for turn in [Vector3(), Vector3(0.7, 0, 0), Vector3(-0.6, 0, 0), Vector3(0, 0.8, 0), Vector3(0, 0, 0.6), Vector3(0, -0.7, -0.5)]:
+		var basis = Basis(turn)
+		joints.append(Transform(basis, mark - basis.xform(offset)))
+		check_equal(plate.add_joint_touch(joints[-1]), OK, "touch by a joint")
+	var fingertip = plate.fit_fingertip()
+	check_equal(fingertip.known, 1, "the offset")
+	check((fingertip.offset_m - offset).length() < 1e-5, "offset: %s" % fingertip.offset_m)
+	for joint in joints:
+		check((plate.place_fingertip(joint) - mark).length() < 1e-5, "the skin: %s" % plate.place_fingertip(joint))
 
 # Nodes end their sessions, of which a process has 64.
 func check_freed():

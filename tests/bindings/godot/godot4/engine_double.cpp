@@ -196,6 +196,12 @@ void variant_call(gde_variant* self, const gde_string_name* name, const gde_vari
   if (method == "get_global_transform" && !object.inside_tree) throw std::logic_error("not in the tree");
   if (method == "get_global_transform" || method == "get_transform")
     return emplace(out_return, Any(object.transform));
+  if (method == "set_global_transform" && !object.inside_tree) throw std::logic_error("not in the tree");
+  if (method == "set_global_transform" || method == "set_transform") {
+    if (argument_count != 1) throw std::logic_error("the arguments of " + method);
+    object.transform = std::get<Transform3D>(*held<Any>(arguments[0]));
+    return emplace(out_return, Any());
+  }
   if (method != "emit_signal" || argument_count != 2) throw std::logic_error("a call of " + method);
   const std::string& signal = std::get<std::string>(*held<Any>(arguments[0]));
   const Any& argument = *held<Any>(arguments[1]);

@@ -4,8 +4,11 @@
 #include <haptic_retargeting/haptic_retargeting.h>
 #include <haptic_retargeting/plate.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cinttypes>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -222,6 +225,125 @@ TEST_F(Extension, RefusesACalibrationWithTooFewData) {
   EXPECT_TRUE(std::get<Dictionary>(call("solve_calibration"))->values.empty());
   EXPECT_NE(last_error().find("hrt_calibration_solve"), std::string::npos) << last_error();
   EXPECT_EQ(call_int("apply_calibration"), 2);  // ERR_UNAVAILABLE; and the node ends its calibration
+}
+
+// The apparatus of the desk stands at (0.12, 0.75, -0.32), turned by 20 degrees to the left.
+TEST_F(Extension, LoadsASceneAndAssignsItsTargets) {
+  node_->transform = {0, 0, 1, 0, 1, 0, -1, 0, 0, 1, 2, 3};
+  ASSERT_EQ(call_int("load_scene", {std::string(HRT_DESK)}), kOk) << last_error();
+  const float cos = std::cos(20 * M_PIf / 180), sin = std::sin(20 * M_PIf / 180);
+  const float expected[] = {cos, 0, sin, 0, 1, 0, -sin, 0, cos, 0.12f, 0.75f, -0.32f};
+  for (size_t i = 0; i < 12; ++i) EXPECT_NEAR(node_->transform[i], expected[i], 1e-6f) << i;
+  EXPECT_EQ(std::get<double>(engine_.get(node_, "plate_max_speed_deg_s")), 400);
+
+  const Any cylinder = call("find_target", {"cylinder"}), bottle = call("find_target", {"bottle"});
+  EXPECT_EQ(call_int("find_target", {"teapot"}), 0);
+  ASSERT_EQ(call_int("assign_targets", {false}), kOk) << last_error();
+  const auto assigned = [&](const Any& target) {
+    return std::get<Dictionary>(call("get_assigned", {target}));
+  };
+  EXPECT_EQ(std::get<int64_t>(assigned(bottle)->at("real_target")), std::get<int64_t>(cylinder));
+  EXPECT_NEAR(std::get<double>(assigned(bottle)->at("gap_deg")), 6, 1e-6);
+  EXPECT_TRUE(assigned(cylinder)->values.empty());
+  EXPECT_NE(last_error().find("call assign_targets() first"), std::string::npos) << last_error();
+  ASSERT_EQ(call_int("assign_targets", {true}), kOk) << last_error();
+  int64_t served = 0;
+  for (const char* name : {"bottle", "goblet", "pawn"})
+    served += std::get<int64_t>(assigned(call("find_target", {name}))->at("reachable"));
+  EXPECT_EQ(served, 1);
+
+  ASSERT_EQ(call_int("begin", {cylinder, bottle}), kOk) << last_error();
+  EXPECT_EQ(call_int("load_scene", {std::string(HRT_DESK)}), 2) << last_error();  // ERR_UNAVAILABLE
+  ASSERT_EQ(call_int("cancel"), kOk);
+  EXPECT_EQ(call_int("load_scene", {std::string("/nowhere.gltf")}), 43) << last_error();  // ERR_PARSE_ERROR
+  EXPECT_EQ(call_int("load_scene", {std::string(HRT_DESK)}), 32) << last_error();  // ERR_ALREADY_EXISTS
+}
+
+// A plate at (0.3, 0.75, -0.4) that faces the world's -x, so that its x axis points to -z and its z axis to
+// x.
+constexpr godot4_double::Transform3D kPlate{0, 0, 1, 0, 1, 0, -1, 0, 0, 0.3f, 0.75f, -0.4f};
+Vector3 on_plate(const Vector3& mark) {
+  return {0.3f + mark[2], 0.75f + mark[1], -0.4f - mark[0]};
+}
+
+TEST_F(Extension, IsRegisteredByTouchesOfMarks) {
+  EXPECT_EQ(call_int("apply_registration", {int64_t{0}}), 2);  // ERR_UNAVAILABLE
+  EXPECT_NE(last_error().find("call fit_registration() first"), std::string::npos) << last_error();
+  const Vector3 marks[] = {
+      {0, 0, 0.05f}, {0.076f, 0, 0.044f}, {0.076f, 0, -0.044f}, {-0.076f, 0, -0.044f}, {-0.076f, 0, 0.044f}};
+  const auto fit = [&] { return std::get<Dictionary>(call("fit_registration")); };
+  EXPECT_EQ(std::get<int64_t>(fit()->at("verdict")), HRT_REGISTRATION_TOO_FEW);
+  EXPECT_FALSE(std::get<std::string>(call("get_registration_advice")).empty());
+  ASSERT_EQ(call_int("add_mark_touch", {marks[0], Vector3{9, 9, 9}}), kOk);
+  ASSERT_EQ(call_int("clear_touches"), kOk);
+  for (const Vector3& mark : marks) ASSERT_EQ(call_int("add_mark_touch", {mark, on_plate(mark)}), kOk);
+  const Dictionary found = fit();
+  ASSERT_EQ(std::get<int64_t>(found->at("verdict")), HRT_REGISTRATION_HOLDS);
+  EXPECT_NEAR(std::get<Vector3>(found->at("plate_position_m"))[2], -0.4f, 1e-6f);
+
+  const auto registered = [&] {
+    return (std::get<int64_t>(engine_.get(node_, "flags")) & HRT_SESSION_REGISTERED) != 0;
+  };
+  ASSERT_EQ(call_int("apply_registration", {int64_t{5'000'000}}), kOk) << last_error();
+  EXPECT_TRUE(registered());
+  for (size_t i = 0; i < 12; ++i) EXPECT_NEAR(node_->transform[i], kPlate[i], 1e-6f) << i;
+  const auto confirm = [&](const Vector3& touched, int64_t time_ns) {
+    return std::get<Dictionary>(call("confirm_registration", {marks[0], touched, time_ns}));
+  };
+  EXPECT_EQ(std::get<int64_t>(confirm(on_plate(marks[0]), 7'000'000)->at("holds")), 1) << last_error();
+  EXPECT_EQ(std::get<int64_t>(engine_.get(node_, "registration_time_ns")), 7'000'000);
+  // The session's plate is the registration's to the last bit, though the node has floats.
+  begin();
+  ASSERT_EQ(call_int("update", {on_plate({0, 0, 0.05f}), int64_t{8'000'000}}), kOk) << last_error();
+  ASSERT_EQ(call_int("cancel"), kOk);
+  EXPECT_EQ(std::get<int64_t>(confirm({0.3f, 0.85f, -0.4f}, 9'000'000)->at("holds")), 0) << last_error();
+  EXPECT_FALSE(registered());
+
+  ASSERT_EQ(call_int("apply_registration", {int64_t{10'000'000}}), kOk) << last_error();
+  node_->transform[9] += 0.01f;
+  EXPECT_TRUE(confirm(on_plate(marks[0]), 11'000'000)->values.empty());
+  EXPECT_NE(last_error().find("registration is not that of the session"), std::string::npos) << last_error();
+  EXPECT_FALSE(registered());
+}
+
+TEST_F(Extension, PlacesTheSkinByItsOffsetFromTheJoint) {
+  const Any joint = godot4_double::Transform3D{1, 0, 0, 0, 1, 0, 0, 0, 1, 0.3f, 0.758f, -0.395f};
+  EXPECT_TRUE(std::isnan(std::get<Vector3>(call("place_fingertip", {joint}))[0]));
+  EXPECT_NE(last_error().find("call fit_fingertip() first"), std::string::npos) << last_error();
+  // A joint 8 mm above the skin and 5 mm behind it: upright, and turned by quarters about each axis.
+  using Rows = std::array<float, 9>;
+  constexpr Rows kTurns[] = {{1, 0, 0, 0, 1, 0, 0, 0, 1},
+                             {1, 0, 0, 0, 0, -1, 0, 1, 0},
+                             {0, 0, 1, 0, 1, 0, -1, 0, 0},
+                             {0, -1, 0, 1, 0, 0, 0, 0, 1},
+                             {1, 0, 0, 0, 0, 1, 0, -1, 0}};
+  constexpr float kOffset[] = {0, -0.008f, -0.005f};
+  constexpr float kMark[] = {0.3f, 0.75f, -0.4f};
+  std::vector<Any> joints;
+  for (const Rows& rows : kTurns) {
+    godot4_double::Transform3D turned{};
+    for (size_t i = 0; i < 3; ++i) {
+      std::copy_n(rows.begin() + 3 * i, 3, turned.begin() + 3 * i);
+      turned[9 + i] = kMark[i];
+      for (size_t j = 0; j < 3; ++j) turned[9 + i] -= rows[3 * i + j] * kOffset[j];
+    }
+    joints.push_back(turned);
+    ASSERT_EQ(call_int("add_joint_touch", {joints.back()}), kOk);
+  }
+  const Dictionary fingertip = std::get<Dictionary>(call("fit_fingertip"));
+  ASSERT_EQ(std::get<int64_t>(fingertip->at("known")), 1);
+  EXPECT_NEAR(std::get<Vector3>(fingertip->at("offset_m"))[1], -0.008f, 1e-6f);
+  for (const Any& each : joints) {
+    const Vector3 skin = std::get<Vector3>(call("place_fingertip", {each}));
+    EXPECT_EQ(std::get<Vector3>(engine_.ptrcall(node_, "place_fingertip", {each})), skin);
+    for (size_t i = 0; i < 3; ++i) EXPECT_NEAR(skin[i], kMark[i], 1e-6f);
+  }
+}
+
+TEST_F(Extension, ComparesOnlySolvedCalibrations) {
+  ASSERT_EQ(call_int("begin_calibration", {0.0}), kOk);
+  EXPECT_TRUE(std::get<Dictionary>(call("compare_calibrations"))->values.empty());
+  EXPECT_NE(last_error().find("two calibrations of this node"), std::string::npos) << last_error();
 }
 
 TEST(ExtensionEntry, RefusesAnEngineThatLacksAFunction) {

@@ -1,6 +1,6 @@
-// gdextension.h against facts of the engine's own gdextension_interface.h (MIT licence), read off godot-cpp
-// for Godot 4.2 to 4.5: numbers, sizes and offsets on 64-bit machines, and how many arguments each function
-// takes. Compiling is the test.
+// gdextension.h against facts of the engine's own gdextension_interface.h (MIT licence), read off godot-cpp's
+// commits 04b3f745 (Godot 4.5) and e3f3cb58 (Godot 4.3): numbers, sizes and offsets on 64-bit machines, and
+// how many arguments each function takes. Compiling is the test.
 
 #include <cstddef>
 #include <type_traits>
@@ -10,8 +10,8 @@
 static_assert(GDE_NIL == 0 && GDE_BOOL == 1 && GDE_INT == 2 && GDE_FLOAT == 3 && GDE_STRING == 4);
 static_assert(GDE_VECTOR3 == 9 && GDE_TRANSFORM3D == 18 && GDE_STRING_NAME == 21 && GDE_OBJECT == 24);
 static_assert(GDE_DICTIONARY == 27 && GDE_METHOD_NORMAL == 1 && GDE_LEVEL_SCENE == 2);
-// extension_api.json: PropertyHint, PropertyUsageFlags (storage 2, editor 4), constructors of String, sizes
-// "float_64".
+// extension_api.json of Godot 4.7: sizes "float_64". PropertyHint, PropertyUsageFlags (storage 2, editor 4),
+// constructors of String: of the class reference.
 static_assert(GDE_HINT_NONE == 0 && GDE_HINT_ENUM == 2 && GDE_USAGE_DEFAULT == 6 &&
               GDE_STRING_OF_STRING_NAME == 2);
 static_assert(sizeof(gde_variant) == 24 && sizeof(gde_string) == 8 && sizeof(gde_string_name) == 8);

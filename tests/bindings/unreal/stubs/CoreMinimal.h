@@ -6,6 +6,7 @@
 #include <codecvt>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <locale>
 #include <string>
 #include <vector>
@@ -71,6 +72,25 @@ struct FLogCategory
 #define DEFINE_LOG_CATEGORY(Category) const FLogCategory Category{#Category}
 #define UE_LOG(Category, Verbosity, Format, Argument) Category.Write(#Verbosity, Format, Argument)
 
+/** As far as it is used here: the engine's checks indices and has its own allocators. */
+template <typename Element>
+class TArray
+{
+public:
+	TArray() = default;
+	TArray(std::initializer_list<Element> List) : Elements(List) {}
+	void Reset() { Elements.clear(); }
+	void Add(const Element& Item) { Elements.push_back(Item); }
+	int32 Num() const { return static_cast<int32>(Elements.size()); }
+	const Element& operator[](int32 Index) const { return Elements.at(static_cast<size_t>(Index)); }
+	Element& operator[](int32 Index) { return Elements.at(static_cast<size_t>(Index)); }
+	auto begin() const { return Elements.begin(); }
+	auto end() const { return Elements.end(); }
+
+private:
+	std::vector<Element> Elements;
+};
+
 struct FVector
 {
 	double X = 0.0, Y = 0.0, Z = 0.0;
@@ -95,10 +115,16 @@ struct FQuat
 	double X = 0.0, Y = 0.0, Z = 0.0, W = 1.0;
 
 	FQuat() = default;
+	FQuat(double InX, double InY, double InZ, double InW) : X(InX), Y(InY), Z(InZ), W(InW) {}
 	FQuat(const FVector& Axis, double Radians)
 		: X(Axis.X * std::sin(Radians / 2)), Y(Axis.Y * std::sin(Radians / 2)), Z(Axis.Z * std::sin(Radians / 2)),
 		  W(std::cos(Radians / 2))
 	{
+	}
+	bool Equals(const FQuat& Q, double Tolerance) const
+	{
+		return std::abs(X - Q.X) <= Tolerance && std::abs(Y - Q.Y) <= Tolerance && std::abs(Z - Q.Z) <= Tolerance &&
+			   std::abs(W - Q.W) <= Tolerance;
 	}
 	FVector RotateVector(const FVector& V) const
 	{
@@ -134,6 +160,10 @@ public:
 	FQuat GetRotation() const { return Rotation; }
 	FVector GetLocation() const { return Location; }
 	FVector GetScale3D() const { return Scale; }
+	bool Equals(const FTransform& T, double Tolerance) const
+	{
+		return Rotation.Equals(T.Rotation, Tolerance) && Location.Equals(T.Location, Tolerance) && Scale.Equals(T.Scale, Tolerance);
+	}
 	FVector TransformPosition(const FVector& V) const
 	{
 		return Rotation.RotateVector({V.X * Scale.X, V.Y * Scale.Y, V.Z * Scale.Z}) + Location;

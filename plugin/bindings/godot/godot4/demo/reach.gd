@@ -44,8 +44,8 @@ func finish() -> void:
 	print("hash 0x%08x%08x" % [(fnv >> 32) & 0xffffffff, fnv & 0xffffffff])
 	print("updates %d, steps %d, of these predicted %d" % [updates, summary.steps + summary.predicted_steps,
 			summary.predicted_steps])
-	print("final direction %.2f deg, miss %.2f deg; felt %.2f deg (simulated)" % [summary.final_direction_deg,
-			summary.bearing_error_deg, summary.perceived_direction_deg])
+	print("ended %.1f mm from the real target, %.2f deg beside it (simulated)" % [
+			summary.distance_to_target_m * 1000, abs(summary.bearing_error_deg)])
 	set_process(false)
 	get_tree().quit(0)
 

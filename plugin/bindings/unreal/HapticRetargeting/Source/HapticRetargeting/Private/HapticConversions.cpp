@@ -25,6 +25,27 @@ namespace HapticConversions
 		OutRotation[3] = Rotation.W;
 	}
 
+	FQuat FromQuaternion(const double (&Rotation)[4])
+	{
+		return FQuat(Rotation[2], 0.0 - Rotation[0], 0.0 - Rotation[1], Rotation[3]);
+	}
+
+	hrt_mark_touch ToMarkTouch(const FHapticMarkTouch& Touch)
+	{
+		hrt_mark_touch Result{};
+		ToMetres(Touch.Mark, Result.mark_m);
+		ToMetres(Touch.Touched, Result.touched_m);
+		return Result;
+	}
+
+	hrt_joint_touch ToJointTouch(const FTransform& Joint)
+	{
+		hrt_joint_touch Result{};
+		ToMetres(Joint.GetLocation(), Result.position_m);
+		ToQuaternion(Joint.GetRotation(), Result.rotation);
+		return Result;
+	}
+
 	int64_t ToNanoseconds(double Seconds)
 	{
 		// Beyond this, and for what is not a number, the plugin's own refusal is provoked: llround is undefined there.

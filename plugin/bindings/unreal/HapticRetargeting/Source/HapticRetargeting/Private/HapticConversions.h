@@ -4,6 +4,7 @@
 // towards the user. So (x, y, z) = (Y, Z, -X) / 100, a reflection, under which a rotation's axis changes its sign too.
 #pragma once
 
+#include "HapticRetargetingComponent.h"
 #include "HapticStructs.h"
 
 namespace HapticConversions
@@ -14,6 +15,9 @@ namespace HapticConversions
 	void ToMetres(const FVector& Centimetres, double (&OutMetres)[3]);
 	FVector FromMetres(const double (&Metres)[3]);
 	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4]);
+	FQuat FromQuaternion(const double (&Rotation)[4]);
+	hrt_mark_touch ToMarkTouch(const FHapticMarkTouch& Touch);
+	hrt_joint_touch ToJointTouch(const FTransform& Joint);
 	int64_t ToNanoseconds(double Seconds);
 	/** A yaw as a direction, and the other way round; never -0. */
 	inline double Turned(double Degrees) { return 0.0 - Degrees; }

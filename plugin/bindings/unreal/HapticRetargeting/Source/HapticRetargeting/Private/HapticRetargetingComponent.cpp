@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <string>
+#include <vector>
 
 DEFINE_LOG_CATEGORY(LogHapticRetargeting);
 
@@ -56,7 +58,13 @@ bool UHapticRetargetingComponent::Configure()
 		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("the component is scaled; allowed: moved and turned"));
 		return false;
 	}
+	if (bPlacedByPlugin && !IsAtPlate())
+	{
+		bPlacedByPlugin = false;
+		Settings.bRegistered = false;
+	}
 	hrt_session_config Config = ToConfig(Settings, GetComponentTransform(), Configured);
+	PlatePose(Config.plate_position_m, Config.plate_rotation);
 	if (Session.value == 0)
 	{
 		if (!HAPTIC_CALL(hrt_session_create(&Config, &Session)))
@@ -73,6 +81,45 @@ bool UHapticRetargetingComponent::Configure()
 	}
 	Configured = Config;
 	return true;
+}
+
+/** Whether there is a result of an earlier call; otherwise the log has the message. */
+bool UHapticRetargetingComponent::HasResult(uint32_t StructSize, const TCHAR* Message) const
+{
+	if (StructSize == 0)
+	{
+		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), Message);
+		return false;
+	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::IsAtPlate() const
+{
+	return bPlacedByPlugin && GetComponentTransform().Equals(PlatePlace, 0.0);
+}
+
+/** Puts the component where the session has the plate. */
+void UHapticRetargetingComponent::MoveToPlate()
+{
+	TakeFromSession();
+	SetWorldTransform(FTransform(FromQuaternion(Configured.plate_rotation), FromMetres(Configured.plate_position_m)));
+	PlatePlace = GetComponentTransform();
+	bPlacedByPlugin = true;
+}
+
+/** Of the component; where the plugin has placed it, the plugin's own numbers, which units and parents may round. */
+void UHapticRetargetingComponent::PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const
+{
+	if (IsAtPlate())
+	{
+		std::copy(std::begin(Configured.plate_position_m), std::end(Configured.plate_position_m), OutPosition);
+		std::copy(std::begin(Configured.plate_rotation), std::end(Configured.plate_rotation), OutRotation);
+		return;
+	}
+	const FTransform& Plate = GetComponentTransform();
+	ToMetres(Plate.GetLocation(), OutPosition);
+	ToQuaternion(Plate.GetRotation(), OutRotation);
 }
 
 bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTarget& OutTarget)
@@ -155,6 +202,71 @@ bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual,
 	return true;
 }
 
+bool UHapticRetargetingComponent::AssignTargets(const TArray<FHapticTarget>& Virtual, const TArray<FHapticTarget>& Real,
+	bool bExclusive, TArray<FHapticAuthority>& OutAuthorities)
+{
+	std::vector<hrt_target> VirtualIds, RealIds;
+	for (const FHapticTarget& Target : Virtual)
+	{
+		VirtualIds.push_back(ToTarget(Target));
+	}
+	for (const FHapticTarget& Target : Real)
+	{
+		RealIds.push_back(ToTarget(Target));
+	}
+	hrt_authority Sized{};
+	Sized.struct_size = sizeof Sized;
+	// One more than is filled, because the plugin reads the first one's size.
+	std::vector<hrt_authority> Authorities(VirtualIds.size() + 1, Sized);
+	const uint32_t Flags = bExclusive ? HRT_ASSIGN_EXCLUSIVE : 0u;
+	if (!Configure() || !HAPTIC_CALL(hrt_target_assign(Session, VirtualIds.data(), VirtualIds.size(), RealIds.data(), RealIds.size(), Flags,
+							VirtualIds.size(), Authorities.data())))
+	{
+		return false;
+	}
+	OutAuthorities.Reset();
+	for (size_t i = 0; i < VirtualIds.size(); ++i)
+	{
+		OutAuthorities.Add(FromAuthority(Authorities[i]));
+	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets,
+	TArray<FHapticSceneTarget>& OutDescriptions)
+{
+	hrt_scene Scene{};
+	if (!Configure() || !HAPTIC_CALL(hrt_scene_load_file(TCHAR_TO_UTF8(*Path), &Scene)))
+	{
+		return false;
+	}
+	hrt_scene_info Info{};
+	Info.struct_size = sizeof Info;
+	bool bLoaded = HAPTIC_CALL(hrt_scene_get_info(Scene, &Info));
+	std::vector<hrt_target> Ids(Info.target_count);
+	std::vector<hrt_scene_target> Targets(Info.target_count);
+	for (uint32_t i = 0; bLoaded && i < Info.target_count; ++i)
+	{
+		Targets[i].struct_size = sizeof Targets[i];
+		bLoaded = HAPTIC_CALL(hrt_scene_get_target(Scene, i, &Targets[i]));
+	}
+	bLoaded = bLoaded && HAPTIC_CALL(hrt_scene_register(Scene, Session, Ids.size(), Ids.data()));
+	hrt_scene_destroy(Scene);
+	if (!bLoaded)
+	{
+		return false;
+	}
+	OutTargets.Reset();
+	OutDescriptions.Reset();
+	for (size_t i = 0; i < Ids.size(); ++i)
+	{
+		OutTargets.Add(FromTarget(Ids[i]));
+		OutDescriptions.Add(FromSceneTarget(Targets[i]));
+	}
+	MoveToPlate();
+	return true;
+}
+
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
 {
 	if (!HasLibrary())
@@ -196,14 +308,12 @@ bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
 
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
-	const FTransform& Plate = GetComponentTransform();
 	hrt_sample Sample{};
 	Sample.struct_size = sizeof Sample;
 	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
 	Sample.time_ns = ToNanoseconds(Time);
 	ToMetres(Location, Sample.finger_position_m);
-	ToMetres(Plate.GetLocation(), Sample.plate_position_m);
-	ToQuaternion(Plate.GetRotation(), Sample.plate_rotation);
+	PlatePose(Sample.plate_position_m, Sample.plate_rotation);
 	return Sample;
 }
 
@@ -303,6 +413,10 @@ bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
 
 bool UHapticRetargetingComponent::BeginCalibrationWithin(double GoalYaw, double LargestPlateAngle, double EnoughWeightWidth)
 {
+	if (!HasLibrary())
+	{
+		return false;
+	}
 	hrt_calibration_config Config = hrt_calibration_config_init();
 	Config.goal_direction_deg = Turned(GoalYaw);
 	Config.lower_plate_deg = -LargestPlateAngle;
@@ -323,6 +437,10 @@ bool UHapticRetargetingComponent::CreateCalibration(const hrt_calibration_config
 		hrt_calibration_destroy(Calibration);
 	}
 	Calibration = Begun;
+	if (User.struct_size != 0)
+	{
+		UserBefore = User;
+	}
 	User = {};
 	return true;
 }
@@ -331,7 +449,7 @@ bool UHapticRetargetingComponent::GetNextAngle(double& OutPlateYaw, bool& bOutEn
 {
 	double Orientation = 0;
 	uint32_t Enough = 0;
-	if (!Succeeded(hrt_calibration_next_angle(Calibration, &Orientation, &Enough)))
+	if (!HAPTIC_CALL(hrt_calibration_next_angle(Calibration, &Orientation, &Enough)))
 	{
 		return false;
 	}
@@ -378,7 +496,7 @@ bool UHapticRetargetingComponent::GetSlide(int32 Number, FHapticSlide& OutSlide)
 {
 	hrt_calibration_slide Slide{};
 	Slide.struct_size = sizeof Slide;
-	if (!Succeeded(hrt_calibration_get_residual(Calibration, static_cast<uint32_t>(Number), &Slide)))
+	if (!HAPTIC_CALL(hrt_calibration_get_residual(Calibration, static_cast<uint32_t>(Number), &Slide)))
 	{
 		return false;
 	}
@@ -388,12 +506,7 @@ bool UHapticRetargetingComponent::GetSlide(int32 Number, FHapticSlide& OutSlide)
 
 bool UHapticRetargetingComponent::ApplyCalibration()
 {
-	if (User.struct_size == 0)
-	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), TEXT("no calibration is solved; call SolveCalibration first"));
-		return false;
-	}
-	if (!Configure() || !HAPTIC_CALL(hrt_calibration_apply(Session, &User)))
+	if (!HasResult(User.struct_size, TEXT("no calibration is solved; call SolveCalibration first")) || !Configure() || !HAPTIC_CALL(hrt_calibration_apply(Session, &User)))
 	{
 		return false;
 	}
@@ -408,6 +521,98 @@ bool UHapticRetargetingComponent::EndCalibration()
 		return false;
 	}
 	Calibration = {};
+	return true;
+}
+
+bool UHapticRetargetingComponent::CompareCalibrations(FHapticCalibrationComparison& OutComparison)
+{
+	constexpr const TCHAR* Missing = TEXT("a comparison needs two calibrations of this component that were solved");
+	hrt_calibration_comparison Comparison{};
+	Comparison.struct_size = sizeof Comparison;
+	if (!HasResult(User.struct_size, Missing) || !HasResult(UserBefore.struct_size, Missing) ||
+		!HAPTIC_CALL(hrt_calibration_compare(&UserBefore, &User, &Comparison)))
+	{
+		return false;
+	}
+	OutComparison = FromCalibrationComparison(Comparison);
+	return true;
+}
+
+bool UHapticRetargetingComponent::FitRegistration(const TArray<FHapticMarkTouch>& Touches, FHapticRegistration& OutRegistration,
+	FString& OutAdvice)
+{
+	std::vector<hrt_mark_touch> Marks;
+	for (const FHapticMarkTouch& Touch : Touches)
+	{
+		Marks.push_back(ToMarkTouch(Touch));
+	}
+	hrt_registration Fitted{};
+	Fitted.struct_size = sizeof Fitted;
+	if (!HAPTIC_CALL(hrt_registration_fit(nullptr, Marks.data(), Marks.size(), 0, nullptr, &Fitted)))
+	{
+		return false;
+	}
+	Registration = Fitted;
+	OutRegistration = FromRegistration(Fitted);
+	OutAdvice = UTF8_TO_TCHAR(hrt_registration_advice(Fitted.verdict));
+	return true;
+}
+
+bool UHapticRetargetingComponent::ApplyRegistration(double Time)
+{
+	if (!HasResult(Registration.struct_size, TEXT("no registration is fitted; call FitRegistration first")) || !Configure() ||
+		!HAPTIC_CALL(hrt_registration_apply(Session, &Registration, ToNanoseconds(Time))))
+	{
+		return false;
+	}
+	MoveToPlate();
+	return true;
+}
+
+bool UHapticRetargetingComponent::ConfirmRegistration(const FHapticMarkTouch& Touch, double Time, FHapticTouchCheck& OutCheck)
+{
+	const hrt_mark_touch Mark = ToMarkTouch(Touch);
+	hrt_touch_check Check{};
+	Check.struct_size = sizeof Check;
+	if (!HasResult(Registration.struct_size, TEXT("no registration is fitted; call FitRegistration first")) || !Configure() ||
+		!HAPTIC_CALL(hrt_registration_confirm(Session, &Registration, &Mark, ToNanoseconds(Time), &Check)))
+	{
+		return false;
+	}
+	TakeFromSession();
+	OutCheck = FromTouchCheck(Check);
+	return true;
+}
+
+bool UHapticRetargetingComponent::FitFingertip(const TArray<FTransform>& Joints, FHapticFingertip& OutFingertip)
+{
+	std::vector<hrt_joint_touch> Touches;
+	for (const FTransform& Joint : Joints)
+	{
+		Touches.push_back(ToJointTouch(Joint));
+	}
+	hrt_fingertip Fitted{};
+	Fitted.struct_size = sizeof Fitted;
+	if (!HAPTIC_CALL(hrt_fingertip_fit(nullptr, Touches.data(), Touches.size(), &Fitted)))
+	{
+		return false;
+	}
+	Fingertip = Fitted;
+	OutFingertip = FromFingertip(Fitted);
+	return true;
+}
+
+bool UHapticRetargetingComponent::PlaceFingertip(const FTransform& Joint, FVector& OutLocation) const
+{
+	const hrt_joint_touch Touch = ToJointTouch(Joint);
+	hrt_sample Sample{};
+	Sample.struct_size = sizeof Sample;
+	if (!HasResult(Fingertip.struct_size, TEXT("no fingertip is fitted; call FitFingertip first")) ||
+		!HAPTIC_CALL(hrt_fingertip_place(&Fingertip, &Touch, &Sample)))
+	{
+		return false;
+	}
+	OutLocation = FromMetres(Sample.finger_position_m);
 	return true;
 }
 
@@ -457,14 +662,14 @@ bool UHapticRetargetingComponent::SetConditions(const FString& Plate, const FStr
 	const std::string PlateName = TCHAR_TO_UTF8(*Plate), TrackerName = TCHAR_TO_UTF8(*Tracker);
 	PlateName.copy(Now.plate, sizeof Now.plate);
 	TrackerName.copy(Now.tracker, sizeof Now.tracker);
-	return Configure() && Succeeded(hrt_profile_set_conditions(Session, &Now));
+	return Configure() && HAPTIC_CALL(hrt_profile_set_conditions(Session, &Now));
 }
 
 bool UHapticRetargetingComponent::GetConditions(FString& OutPlate, FString& OutTracker, int64& OutTime, bool& bOutPlateDiffers, bool& bOutTrackerDiffers)
 {
 	hrt_conditions Measured{};
 	Measured.struct_size = sizeof Measured;
-	if (!Configure() || !Succeeded(hrt_profile_get_conditions(Session, &Measured)))
+	if (!Configure() || !HAPTIC_CALL(hrt_profile_get_conditions(Session, &Measured)))
 	{
 		return false;
 	}
@@ -485,7 +690,7 @@ bool UHapticRetargetingComponent::GetRecordingStatus(int64& OutRowsWritten, int6
 {
 	hrt_recording_status Status{};
 	Status.struct_size = sizeof Status;
-	if (!Succeeded(hrt_recording_get_status(Session, &Status)))
+	if (!HAPTIC_CALL(hrt_recording_get_status(Session, &Status)))
 	{
 		return false;
 	}

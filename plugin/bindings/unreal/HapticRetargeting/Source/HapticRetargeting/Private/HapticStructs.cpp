@@ -319,4 +319,61 @@ namespace HapticConversions
 		Result.ResidualYaw = Turned(C.residual_deg);
 		return Result;
 	}
+
+	FHapticCalibrationComparison FromCalibrationComparison(const hrt_calibration_comparison& C)
+	{
+		FHapticCalibrationComparison Result;
+		Result.Differing = static_cast<int32>(C.differing);
+		Result.TactileWeight = FromInterval(C.tactile_weight, 1.0);
+		Result.LargestGap = FromInterval(C.largest_gap_deg, 1.0);
+		Result.BiasYaw = FromMirrored(C.bias_deg);
+		Result.HabitYaw = FromMirrored(C.habit_deg);
+		Result.TrackerNoise = FromInterval(C.tracker_noise_m, CentimetresPerMetre);
+		return Result;
+	}
+
+	FHapticRegistration FromRegistration(const hrt_registration& C)
+	{
+		FHapticRegistration Result;
+		Result.Verdict = static_cast<EHapticRegistrationVerdict>(C.verdict);
+		Result.Touches = static_cast<int32>(C.touches);
+		Result.LeftOut = static_cast<int32>(C.left_out);
+		Result.PlatePosition = FromMetres(C.plate_position_m);
+		Result.PlateScale = C.plate_scale;
+		Result.TouchSd = C.touch_sd_m * CentimetresPerMetre;
+		Result.Residual = C.residual_m * CentimetresPerMetre;
+		Result.TurnSd = C.turn_sd_deg;
+		return Result;
+	}
+
+	FHapticTouchCheck FromTouchCheck(const hrt_touch_check& C)
+	{
+		FHapticTouchCheck Result;
+		Result.bHolds = C.holds != 0;
+		Result.Distance = C.distance_m * CentimetresPerMetre;
+		Result.Allowed = C.allowed_m * CentimetresPerMetre;
+		return Result;
+	}
+
+	FHapticFingertip FromFingertip(const hrt_fingertip& C)
+	{
+		FHapticFingertip Result;
+		Result.bKnown = C.known != 0;
+		Result.Offset = FromMetres(C.offset_m);
+		return Result;
+	}
+
+	FHapticSceneTarget FromSceneTarget(const hrt_scene_target& C)
+	{
+		FHapticSceneTarget Result;
+		Result.Role = static_cast<EHapticTargetRole>(C.role);
+		Result.ServedBy = static_cast<int32>(C.served_by);
+		Result.Position = FromMetres(C.position_m);
+		Result.WorldPosition = FromMetres(C.world_position_m);
+		Result.Yaw = Turned(C.direction_deg);
+		Result.Distance = C.distance_m * CentimetresPerMetre;
+		Result.Radius = C.radius_m * CentimetresPerMetre;
+		Result.Name = FString(UTF8_TO_TCHAR(C.name));
+		return Result;
+	}
 }

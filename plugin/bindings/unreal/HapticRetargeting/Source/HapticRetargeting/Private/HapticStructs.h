@@ -15,4 +15,9 @@ namespace HapticConversions
 	FHapticAuthority FromAuthority(const hrt_authority& C);
 	FHapticCalibration FromCalibration(const hrt_calibration_result& C);
 	FHapticSlide FromSlide(const hrt_calibration_slide& C);
+	FHapticCalibrationComparison FromCalibrationComparison(const hrt_calibration_comparison& C);
+	FHapticRegistration FromRegistration(const hrt_registration& C);
+	FHapticTouchCheck FromTouchCheck(const hrt_touch_check& C);
+	FHapticFingertip FromFingertip(const hrt_fingertip& C);
+	FHapticSceneTarget FromSceneTarget(const hrt_scene_target& C);
 }

@@ -13,6 +13,21 @@ DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticPlateCommanded, double, Plate
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticFlagsChanged, int32, Flags);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticReachEnded, const FHapticSummary&, Summary);
 
+/** A touch of a mark on the plate, whose place on it is known. */
+USTRUCT(BlueprintType)
+struct FHapticMarkTouch
+{
+	GENERATED_BODY()
+
+	/** The mark in the plate's coordinates: X away from the user, Y right, Z up, from its centre. In cm. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
+	FVector Mark = FVector(0.0, 0.0, 0.0);
+
+	/** Where the tracker saw the fingertip, in the world. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
+	FVector Touched = FVector(0.0, 0.0, 0.0);
+};
+
 /**
  * Put it where the plate is: its transform is the plate's, X away from the user, Y right, Z up, and it may move. Do not
  * scale it. Calls that are refused return false, change nothing, and log what was wrong and what is allowed.
@@ -60,6 +75,17 @@ public:
 	/** Of the real target that serves a virtual one best. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
+
+	/** The real target that serves each virtual one, so that the largest needed share of the authority is the smallest;
+	 *  each real one serves one at most if Exclusive. One that cannot be served has Reachable false and no real target. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool AssignTargets(const TArray<FHapticTarget>& Virtual, const TArray<FHapticTarget>& Real, bool bExclusive,
+		TArray<FHapticAuthority>& OutAuthorities);
+
+	/** Plate, start and targets of a glTF file, at its path on disk. The component moves to the scene's plate. The targets'
+	 *  names and places come in the order of their ids. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Scene")
+	bool LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets, TArray<FHapticSceneTarget>& OutDescriptions);
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
@@ -144,6 +170,32 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool EndCalibration();
 
+	/** The component's last solved calibration against the one before it: which values differ. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool CompareCalibrations(FHapticCalibrationComparison& OutComparison);
+
+	/** Where the plate is, from touches of its marks: five or more let one bad touch be found. A verdict other than Holds is
+	 *  no failure; Advice says what to do about it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Registration")
+	bool FitRegistration(const TArray<FHapticMarkTouch>& Touches, FHapticRegistration& OutRegistration, FString& OutAdvice);
+
+	/** The component moves to the plate of the last fit; Time is when the touches were made, on the clock of the samples.
+	 *  Moving the component elsewhere ends the registration. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Registration")
+	bool ApplyRegistration(double Time);
+
+	/** Whether a touch of a mark, as before each reach, agrees with the registration; if not, the session is unregistered. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Registration")
+	bool ConfirmRegistration(const FHapticMarkTouch& Touch, double Time, FHapticTouchCheck& OutCheck);
+
+	/** The offset from a tracked joint to the skin, from touches of one mark with the finger held differently each time. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Registration")
+	bool FitFingertip(const TArray<FTransform>& Joints, FHapticFingertip& OutFingertip);
+
+	/** Where the skin is, by the offset of the last fit: for Update Finger and for touches. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Registration")
+	bool PlaceFingertip(const FTransform& Joint, FVector& OutLocation) const;
+
 	/** What is known of the user, as JSON. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool SaveProfile(FString& OutJson);
@@ -184,6 +236,10 @@ private:
 	bool Configure();
 	bool CreateCalibration(const hrt_calibration_config& Config);
 	bool Begin(const hrt_reach_config& Config);
+	bool HasResult(uint32_t StructSize, const TCHAR* Message) const;
+	bool IsAtPlate() const;
+	void MoveToPlate();
+	void PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const;
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
 	void TakeFromSession();
@@ -193,6 +249,13 @@ private:
 	hrt_calibration Calibration{};
 	/** Its struct_size is 0 while nothing is solved. */
 	hrt_calibration_result User{};
+	/** Of the calibration before. */
+	hrt_calibration_result UserBefore{};
+	hrt_registration Registration{};
+	hrt_fingertip Fingertip{};
+	/** The component's transform where the plugin has placed it: the session has the same to the last bit. */
+	FTransform PlatePlace;
+	bool bPlacedByPlugin = false;
 	hrt_session_config Configured{};
 	hrt_command Command{};
 	bool bReaching = false;

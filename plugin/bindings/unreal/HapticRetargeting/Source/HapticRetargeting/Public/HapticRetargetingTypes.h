@@ -56,6 +56,18 @@ enum class EHapticSlide : uint8
 	AlongRidges = 2
 };
 
+/** Values of two calibrations that differ: Differing. */
+UENUM(meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true"))
+enum class EHapticDiffersFlags : int32
+{
+	None = 0 UMETA(Hidden),
+	TactileWeight = 1,
+	LargestGap = 2,
+	Bias = 4,
+	Habit = 8,
+	TrackerNoise = 16
+};
+
 UENUM(meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true"))
 enum class EHapticCommandFlags : int32
 {
@@ -90,6 +102,23 @@ enum class EHapticCommandFlags : int32
 	 *  MaxRegistrationAge, MaxRegistrationSd. Touch the marks again (registration.h). The log has it at the next
 	 *  call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
 	Registration = 4096
+};
+
+/** Verdict on a set of touches. hrt_registration_advice() has what to do. */
+UENUM(BlueprintType)
+enum class EHapticRegistrationVerdict : uint8
+{
+	None = 0 UMETA(Hidden),
+	/** a pose explains the touches, or all of them but one. */
+	Holds = 1,
+	/** fewer than 3 touches. */
+	TooFew = 2,
+	/** the marks lie within 1 cm of a line: the plate could turn about it. */
+	Degenerate = 3,
+	/** no pose explains the touches, nor all of them but one. */
+	Inconsistent = 4,
+	/** the face looks away from up: marks were confused. */
+	UpsideDown = 5
 };
 
 /** Source of the plate's commands. */
@@ -773,4 +802,149 @@ struct FHapticSlide
 	/** Of the second half of the path, seen and fitted, and their difference. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double ResidualYaw = 0.0;
+};
+
+/** Test and retest: two calibrations of a user, or of two users. Each field is the second value less the first,
+ *  with the 95 % interval of the difference; known if both values are. */
+USTRUCT(BlueprintType)
+struct FHapticCalibrationComparison
+{
+	GENERATED_BODY()
+
+	/** By Holm's procedure over the known values: if nothing has changed, any of them is set in 5 % of comparisons.
+	 *  0 is no proof that nothing has changed: see the intervals. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting",
+		meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticDiffersFlags"))
+	int32 Differing = 0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval TactileWeight;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval LargestGap;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval BiasYaw;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval HabitYaw;
+
+	/** In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval TrackerNoise;
+};
+
+/** A registered pose. Its numbers mean something if it HOLDS; INCONSISTENT and UpsideDown have those of the fit
+ *  to all touches, to look at. */
+USTRUCT(BlueprintType)
+struct FHapticRegistration
+{
+	GENERATED_BODY()
+
+	/** Verdict on a set of touches. hrt_registration_advice() has what to do. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	EHapticRegistrationVerdict Verdict = EHapticRegistrationVerdict::Holds;
+
+	/** Touches that were given. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 Touches = 0;
+
+	/** Index of the one touch that does not fit the others and was left out; -1: none. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 LeftOut = 0;
+
+	/** Pose and scale, as FHapticSettings has them. The scale is 1 unless fitted. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FVector PlatePosition = FVector(0.0, 0.0, 0.0);
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double PlateScale = 0.0;
+
+	/** Standard deviation of a touch's coordinate: as expected and as seen, weighted. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double TouchSd = 0.0;
+
+	/** Root mean square distance of the touches from their marks. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Residual = 0.0;
+
+	/** Standard deviation of the plate's turn about its normal, which turns every reach. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double TurnSd = 0.0;
+};
+
+/** Result of hrt_registration_check(). */
+USTRUCT(BlueprintType)
+struct FHapticTouchCheck
+{
+	GENERATED_BODY()
+
+	/** True if the touch agrees with the registration; else false: register again. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	bool bHolds = false;
+
+	/** Distance of the touch from where its mark should be. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Distance = 0.0;
+
+	/** Distance within which 999 touches in 1000 are while the registration is true. A plate that has moved by less
+	 *  may pass. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Allowed = 0.0;
+};
+
+/** Where the skin that touches is, in the joint's axes: at position + rotation * Offset in the world. Of one
+ *  hand. */
+USTRUCT(BlueprintType)
+struct FHapticFingertip
+{
+	GENERATED_BODY()
+
+	/** True if every deviation is below 5 mm; else false: the joint was not turned enough, and the numbers are
+	 *  0. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	bool bKnown = false;
+
+	/** In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FVector Offset = FVector(0.0, 0.0, 0.0);
+};
+
+/** A target of a scene. */
+USTRUCT(BlueprintType)
+struct FHapticSceneTarget
+{
+	GENERATED_BODY()
+
+	/** Role of a target. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	EHapticTargetRole Role = EHapticTargetRole::Real;
+
+	/** Index of the real target that serves this virtual one: the one that the file names, or else the nearest in
+	 *  direction, the first among equals; -1 for a real target. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 ServedBy = 0;
+
+	/** In plate coordinates; Z is the height above the plate. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FVector Position = FVector(0.0, 0.0, 0.0);
+
+	/** In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FVector WorldPosition = FVector(0.0, 0.0, 0.0);
+
+	/** From the start, along the plate. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Yaw = 0.0;
+
+	/** From the start, along the plate. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Distance = 0.0;
+
+	/** 0: not in the file. In cm. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double Radius = 0.0;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FString Name;
 };
