@@ -38,8 +38,8 @@ def main() -> None:
         cup = session.add_virtual("cup", direction_deg=5)
         record = session.run_reach(cylinder, cup, samples)
     print(f"hash 0x{fnv1a(record.commands):016x}")
-    print(f"updates {len(samples)}, final direction {record.final_direction_deg:.2f} deg, "
-          f"miss {record.summary.bearing_error_deg:.2f} deg (simulated)")
+    print(f"updates {len(samples)}; ended {1000 * record.summary.distance_to_target_m:.1f} mm from the real target, "
+          f"{abs(record.summary.bearing_error_deg):.2f} deg beside it (simulated)")
     if len(sys.argv) == 3:
         from haptic_retargeting import plot
 
