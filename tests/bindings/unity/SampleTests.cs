@@ -98,7 +98,7 @@ namespace Hrt.HostTests
             }
             Assert.AreEqual(45, states.IndexOf(true), 2, "after half a second at rest");
             Assert.AreEqual(90 * 3 + 45, states.LastIndexOf(true), 2, "until half a second at rest at the target");
-            StringAssert.Contains("To the goblet: 13 mm from the real target", string.Join("\n", logged));
+            StringAssert.Contains("To the goblet: 14 mm from the real target", string.Join("\n", logged));
 
             hands.rightHand = new XRHand();
             finger.Message("Update")();
