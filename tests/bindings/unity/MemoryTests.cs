@@ -49,10 +49,7 @@ namespace Hrt.HostTests
         public void ReportsOfAPlateMakeNoGarbage()
         {
             using (var plate = new HapticRetargetingPlate("serial:/nonexistent"))
-            {
-                PlateReport report;
-                AssertNoGarbage(i => report = plate.Get());
-            }
+                AssertNoGarbage(i => plate.Get());
         }
 
         [Test]
