@@ -92,7 +92,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
       {R"({"calls": [{"function": "xrFly", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0].function must be the name of a function"},
       {R"({"calls": [{"function": "xrWaitFrame", "result": "XR_ERROR_POSE_INVALID"}]})",
-       "script.calls[0].result must be one of \"XR_ERROR_SESSION_NOT_RUNNING\""},
+       "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
       {R"({"calls": [{"function": "xrDestroySession", "result": "XR_ERROR_RUNTIME_FAILURE"}]})",
        "script.calls[0].result must be one of \"XR_ERROR_HANDLE_INVALID\""},
       {R"({"calls": [{"function": "xrWaitFrame"}]})",
