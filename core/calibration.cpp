@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "core/estimator.h"
 #include "core/time.h"
@@ -35,6 +36,10 @@ std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& tri
       return CalibrationRefusal{name + ": the plate orientation is not a finite number"};
     }
     const auto& samples = trials[i].samples;
+    if (!trials[i].plate_deg.empty() && trials[i].plate_deg.size() != samples.size())
+      return CalibrationRefusal{name + ": not every sample has the plate's orientation"};
+    for (const double plate_deg : trials[i].plate_deg)
+      if (!std::isfinite(plate_deg)) return CalibrationRefusal{name + ": a plate orientation is not finite"};
     for (std::size_t k = 0; k < samples.size(); ++k) {
       if (!std::isfinite(samples[k].position.right_m) || !std::isfinite(samples[k].position.away_m)) {
         return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
@@ -156,6 +161,12 @@ std::vector<std::string> Calibration::advice() const {
     sentences.emplace_back(
         "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
         "both sides");
+  if (steering.slides > 0 && steering.slides < least_turning_slides)
+    sentences.emplace_back("the steering takes " + std::to_string(least_turning_slides) +
+                           " slides within which the plate turns");
+  else if (fits() && steering.slides > 0 && !(steering.rate_per_s.known && steering.delay_s.known))
+    sentences.emplace_back(
+        "the steering is not determined: add slides within which the plate turns farther, to and fro");
   if (5 * count(SlideVerdict::outlying) > slides.size())
     sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
   return sentences;
@@ -165,16 +176,21 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
                                                         const CalibrationConfig& config) {
   if (auto refusal = check(trials, config)) return *refusal;
   std::vector<SlideTrack> tracks;
+  std::vector<TurningSlide> turning;
   std::vector<double> order;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto track = track_slide(trials[i], config.goal_direction_deg);
     if (!track) continue;
+    if (auto slide = turning_slide(trials[i], *track, config.goal_direction_deg)) {
+      turning.push_back(std::move(*slide));
+      continue;
+    }
     tracks.push_back(*track);
     order.push_back(static_cast<double>(i));
   }
   if (tracks.size() < least_trials) {
     return CalibrationRefusal{std::to_string(tracks.size()) + " of " + std::to_string(trials.size()) +
-                              " trials have a slide of at least 30 mm; at least " +
+                              " trials have a slide of at least 30 mm over a plate at rest; at least " +
                               std::to_string(least_trials) + " are needed"};
   }
   const std::vector<SlideVerdict> verdicts = slide_verdicts(tracks);
@@ -227,6 +243,12 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
     calibration.largest_plate_deg = std::max(calibration.largest_plate_deg, std::abs(tracks[i].plate_deg));
   }
   calibration.noise = fit_rest_noise(rests);
+  calibration.steering.slides = static_cast<int>(turning.size());
+  if (calibration.steering.slides >= least_turning_slides) {
+    calibration.steering = fit_steering(turning, person.best(), calibration.noise);
+    for (Interval* interval : {&calibration.steering.rate_per_s, &calibration.steering.delay_s})
+      interval->known = interval->known && calibration.fits();
+  }
   if (config.variances) {
     const Variances variances =
         fit_variances(used, config.goal_direction_deg + calibration.bias_deg.value, w.value,

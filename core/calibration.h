@@ -1,6 +1,6 @@
 // Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
 // plate that stands still (paper section V, "calibration"; the method is ours, derived in core/README.md),
-// and whether that account fits the slides at all.
+// and whether that account fits the slides at all. Slides within which the plate turns show the steering.
 //
 // Off-line work: it allocates and takes as long as it needs. Any thread.
 #pragma once
@@ -12,6 +12,7 @@
 
 #include "core/person_fit.h"
 #include "core/slide_track.h"
+#include "core/steering_fit.h"
 #include "core/tracker_noise.h"
 
 namespace hrt {
@@ -58,11 +59,13 @@ struct Calibration {
   Interval sensory_variance_deg2{0.1, 0.01, 3.0, false};  ///< sigma_h^2; never known
   RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
 
+  SteeringFit steering;  ///< known with slides over a turning plate only
+
   IllusionCurve illusion;             ///< of the likeliest family
   std::vector<FamilyScore> families;  ///< compared, the likeliest first; linear alone with few angles
   std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
   LackOfFit lack_of_fit;
-  std::vector<CalibratedSlide> slides;  ///< every trial with a slide
+  std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
   double largest_plate_deg = 0.0;       ///< of the slides used; published human data cover 60
 
   /// No pattern is left in the residuals.
@@ -79,8 +82,9 @@ struct CalibrationRefusal {
 
 /// Needs at least `least_trials` slides of at least 30 mm that count, at three plate angles or more that span
 /// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `least_curve_angles`; with
-/// fewer the illusion is taken for linear. Refuses a w_T whose interval is not within the usable range (0.02,
-/// 0.48).
+/// fewer the illusion is taken for linear. The steering takes `least_turning_slides` slides more, within
+/// which the plate turns; they count for nothing else. Refuses a w_T whose interval is not within the usable
+/// range (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         const CalibrationConfig& config = {});
 

@@ -9,6 +9,7 @@
 
 #include "core/exponential.h"
 #include "core/person_fit.h"
+#include "core/steering_fit.h"
 
 namespace hrt {
 namespace {
@@ -148,7 +149,7 @@ NextSlide next_slide(const std::vector<CalibrationTrial>& trials, double goal_di
   std::vector<double> order;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto track = track_slide(trials[i], goal_direction_deg);
-    if (!track) continue;
+    if (!track || turning_slide(trials[i], *track, goal_direction_deg)) continue;
     tracks.push_back(*track);
     order.push_back(static_cast<double>(i));
   }

@@ -151,8 +151,11 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   SlideDirections mean_along_m = SlideDirections::Zero();
   for (const Place& place : places) {
     const auto i = static_cast<std::size_t>(place.time_s / track.step_s);
-    if (i >= track.steps.size() || track.steps[i].window < 0) continue;
+    if (i >= track.steps.size()) continue;
     SlideTrack::Step& step = track.steps[i];
+    step.seen += 1.0;
+    step.left_m += (place.left_m - step.left_m) / step.seen;
+    if (step.window < 0) continue;
     step.samples += 1.0;
     track.window_samples(step.window) += 1.0;
     left_m(step.window) += place.left_m;

@@ -16,6 +16,8 @@ namespace hrt {
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
+  /// Of a plate that turns: where it stood when each sample was made, finite, continuous. Empty: it rested.
+  std::vector<double> plate_deg = {};
 };
 
 /// The parts of a path lie between its start and four windows over the share of the path along the goal.
@@ -33,6 +35,8 @@ struct SlideTrack {
     double share;          ///< of the path, at the step's middle
     int window = -1;       ///< in which the step lies, -1: none
     double samples = 0.0;  ///< positions that were seen in it and count to the window
+    double seen = 0.0;     ///< positions that were seen in it
+    double left_m = 0.0;   ///< their mean, to the left of the line from the start to the goal
   };
   std::int64_t onset_ns = 0;  ///< the finger rested until then
   double step_s = 0.01;

@@ -1,5 +1,7 @@
 #include "core/simulation/calibration_trial.h"
 
+#include "core/plate_model.h"
+
 #include <cmath>
 
 #include "core/simulation/participant.h"
@@ -13,6 +15,8 @@ namespace {
 // Streams of Draws, apart from those of people.cpp.
 constexpr std::uint32_t tracking_stream = 16;
 constexpr std::uint32_t steering_stream = 17;
+constexpr double first_turn_share = 0.2;
+constexpr double second_turn_share = 0.55;
 
 constexpr double start_deviation_deg = 2.0;
 constexpr double tail_s = 0.1;  // tracked at rest after the motion
@@ -44,8 +48,11 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
   return trial;
 }
 
-CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg,
-                                std::uint64_t seed, std::uint32_t person, std::uint32_t slide) {
+namespace {
+
+// Without `turns` the plate rests.
+CalibrationTrial slide_of(const PersonCondition& condition, double plate_orientation_deg, bool turns,
+                          std::uint64_t seed, std::uint32_t person, std::uint32_t slide) {
   const PlatePoint start{0.0, 0.0};
   Draws draws(seed, tracking_stream, person, slide);
   const double rest_s = 0.4 + 0.2 * draws.uniform();
@@ -54,19 +61,40 @@ CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_o
   Tracker tracker(condition.tracker, start, draws);
   SlidingPerson finger(sliding, start, 0.0, condition.distance_m,
                        Draws(seed, steering_stream, person, slide));
+  PlateModel plate(condition.plate, plate_orientation_deg);
   CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}};
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += 1'000'000) {
     const double now_s = 1e-9 * static_cast<double>(now_ns);
-    if (now_s > rest_s && !finger.done()) finger.advance(plate_orientation_deg);
+    plate.advance(now_ns);
+    if (turns) {
+      const double share = distance_m(start, finger.position()) / condition.distance_m;
+      const bool over = share > first_turn_share && share <= second_turn_share;
+      plate.command(over ? -plate_orientation_deg : plate_orientation_deg);
+    }
+    if (now_s > rest_s && !finger.done()) finger.advance(plate.orientation_deg());
     if (finger.done() && ended_s < 0.0) ended_s = now_s;
     if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s) break;
     tracker.look(now_s, finger.position());
-    while (const auto sample = tracker.arrived(now_ns))
-      if (sample->observation == Observation::position)
-        trial.samples.push_back({sample->time_ns, sample->position});
+    while (const auto sample = tracker.arrived(now_ns)) {
+      if (sample->observation != Observation::position) continue;
+      trial.samples.push_back({sample->time_ns, sample->position});
+      if (turns) trial.plate_deg.push_back(plate.orientation_deg());
+    }
   }
   return trial;
+}
+
+}  // namespace
+
+CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg,
+                                std::uint64_t seed, std::uint32_t person, std::uint32_t slide) {
+  return slide_of(condition, plate_orientation_deg, false, seed, person, slide);
+}
+
+CalibrationTrial simulate_turning_slide(const PersonCondition& condition, double plate_orientation_deg,
+                                        std::uint64_t seed, std::uint32_t person, std::uint32_t slide) {
+  return slide_of(condition, plate_orientation_deg, true, seed, person, slide);
 }
 
 }  // namespace hrt

@@ -100,7 +100,7 @@ class Reader {
     std::array<double, columns.size()> values;
     for (std::size_t i = 0; i < columns.size(); ++i) values[i] = parse(i, fields[places_[i]]);
     if (trials_.empty() || values[trial] != number_) begin_trial(values[trial], values[plate]);
-    add(values, fields[places_[time]], fields[places_[plate]]);
+    add(values, fields[places_[time]]);
   }
 
   void begin_trial(double number_of_trial, double plate_deg) {
@@ -111,19 +111,17 @@ class Reader {
     number_ = number_of_trial;
     first_plate_deg_ = plate_deg;
     plate_sum_deg_ = 0.0;
+    turns_ = false;
     trials_.emplace_back();
   }
 
-  void add(const std::array<double, columns.size()>& values, std::string_view time_text,
-           std::string_view plate_text) {
+  void add(const std::array<double, columns.size()>& values, std::string_view time_text) {
     std::vector<TimedPoint>& samples = trials_.back().samples;
     const std::int64_t time_ns = std::llround(values[time] * 1e9);
     if (!samples.empty() && time_ns <= samples.back().time_ns)
       throw wrong("column time_s", time_text, "later than in the row before, by a nanosecond or more");
-    if (std::abs(values[plate] - first_plate_deg_) > rest_tolerance_deg)
-      throw wrong("column plate_orientation_deg", plate_text,
-                  "within " + number(rest_tolerance_deg) + " of the trial's first, " +
-                      number(first_plate_deg_) + ": the plate rests during a trial");
+    turns_ = turns_ || std::abs(values[plate] - first_plate_deg_) > rest_tolerance_deg;
+    trials_.back().plate_deg.push_back(values[plate]);
     samples.push_back({time_ns, {values[right_of_midline], values[away]}});
     plate_sum_deg_ += values[plate] - first_plate_deg_;
   }
@@ -132,6 +130,7 @@ class Reader {
     if (trials_.empty()) return;
     CalibrationTrial& last = trials_.back();
     last.plate_orientation_deg = first_plate_deg_ + plate_sum_deg_ / static_cast<double>(last.samples.size());
+    if (!turns_) last.plate_deg.clear();
   }
 
   const std::string& name_;
@@ -144,6 +143,7 @@ class Reader {
   double number_ = 0.0;
   double first_plate_deg_ = 0.0;
   double plate_sum_deg_ = 0.0;
+  bool turns_ = false;  // the plate, in this trial
 };
 
 }  // namespace

@@ -70,6 +70,7 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   add_participants(app);
   add_calibrate(app);
   add_coverage(app);
+  add_steering(app);
   add_robustness(app);
   add_power(app);
   add_authority(app);

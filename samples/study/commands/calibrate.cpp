@@ -152,7 +152,8 @@ together, its time increasing. Lines that start with # and other columns are ign
 Let the person slide to one target, four or five times at each of the plate orientations -75 to 75 in
 steps of 15 in random order; a slide of 30 mm or more, and half a second at rest before it. Needed are
 ten such slides at three orientations that span 40 deg; with fewer than seven orientations the illusion
-is taken for linear. If the data do not suffice, the reason is on standard error, and the exit code is
+is taken for linear. Six slides more, within which the plate turns by 30 deg or more and back, show
+rate and delay of the person's steering; their rows have the plate's orientation as it turns. If the data do not suffice, the reason is on standard error, and the exit code is
 1. If the person is unlike the model, the page says so and what to do, and their values are not
 determined. Published human data cover orientations of -60 to 60.
 

@@ -16,6 +16,7 @@ void add_report(CLI::App& app);
 void add_participants(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_coverage(CLI::App& app);
+void add_steering(CLI::App& app);
 void add_robustness(CLI::App& app);
 void add_power(CLI::App& app);
 

@@ -96,6 +96,31 @@ std::string fit_text(const Calibration& calibration) {
   return text;
 }
 
+Interval in_ms(Interval seconds) {
+  for (double* value : {&seconds.value, &seconds.lower, &seconds.upper}) *value *= 1e3;
+  return seconds;
+}
+
+std::array<Quantity, 2> steering_quantities(const SteeringFit& steering) {
+  return {{{"steering_rate_per_s", "steering, rate k, 1/s", steering.rate_per_s, 1},
+           {"steering_delay_ms", "steering, delay, ms", in_ms(steering.delay_s), 0}}};
+}
+
+constexpr const char* law_name[steering_laws] = {"delayed", "predicted", "place"};
+
+std::string steering_text(const SteeringFit& steering) {
+  std::string text;
+  for (const Quantity& quantity : steering_quantities(steering))
+    text +=
+        quantity.interval.known
+            ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals), interval_text(quantity))
+            : row(quantity.words, "not determined",
+                  steering.slides < least_turning_slides
+                      ? "too few slides over a turning plate"
+                      : "best fit " + fixed(quantity.interval.value, quantity.decimals));
+  return text;
+}
+
 }  // namespace
 
 std::string calibration_text(const CalibrationReport& report) {
@@ -116,6 +141,7 @@ std::string calibration_text(const CalibrationReport& report) {
                                     : row(quantity.words, "not determined",
                                           "best fit " + fixed(quantity.interval.value, quantity.decimals));
   }
+  if (calibration.steering.slides > 0) text += steering_text(calibration.steering);
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
@@ -135,6 +161,14 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
                            {"interval", {quantity.interval.lower, quantity.interval.upper}},
                            {"known", quantity.interval.known},
                            {"withheld", quantity.withheld}};
+  const SteeringFit& steering = calibration.steering;
+  page["turning_slides"] = steering.slides;
+  for (const Quantity& quantity : steering_quantities(steering))
+    page[quantity.name] = {{"value", quantity.interval.value},
+                           {"interval", {quantity.interval.lower, quantity.interval.upper}},
+                           {"known", quantity.interval.known}};
+  for (std::size_t law = 0; law < steering.probability.size(); ++law)
+    page["steering_laws"][law_name[law]] = steering.probability[law];
   page["fits"] = calibration.fits();
   page["lack_of_fit"] = {{"angle_p", calibration.lack_of_fit.angle_p},
                          {"order_p", calibration.lack_of_fit.order_p},

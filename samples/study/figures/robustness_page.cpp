@@ -116,6 +116,16 @@ std::string table(Rows rows) {
   return html + "</table></div>\n";
 }
 
+// For a page, where w_T has its subscript.
+std::string prose(const std::string& text) {
+  std::string html = escaped(text);
+  const std::string plain = "w_T";
+  const std::string set = "w<sub>T</sub>";
+  for (std::size_t at = html.find(plain); at != std::string::npos; at = html.find(plain, at + set.size()))
+    html.replace(at, plain.size(), set);
+  return html;
+}
+
 }  // namespace
 
 std::string condition_words(const RobustnessStudy& study) {
@@ -137,9 +147,10 @@ std::string robustness_page(const RobustnessStudy& study, const std::vector<Figu
                             const std::vector<std::string>& drawings) {
   std::string page = page_start("Haptic retargeting by touch: people as they are");
   page +=
-      "<p>" + escaped(condition_words(study)) +
+      "<p>" + prose(condition_words(study)) +
       " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with "
-      "the paper's controller, which assumes w_T = 0.15; five times with ours, which does not know the "
+      "the paper's controller, which assumes w<sub>T</sub> = 0.15; five times with ours, which does not know "
+      "the "
       "person at first and carries what it learns; and once with ours informed of the person's "
       "traits.</p>\n<p>Whether a person can hold the gap does not depend on the controller: their largest "
       "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges "

@@ -1,0 +1,401 @@
+#include "core/steering_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/distributions.h"
+#include "core/exponential.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double rad_per_deg = 0.017453292519943295;
+constexpr double least_felt_speed_m_s = 0.002;
+constexpr double most_direction_deg = 60.0;
+constexpr int history = 64;
+constexpr double least_place_share = 0.15;
+
+constexpr double bin_s = 0.04;
+// Of how a person moves, for the weights; what differs from it widens the intervals.
+constexpr double noise_deg2_per_s = 8.0;
+constexpr double usual_rate_per_s = 8.0;
+constexpr double usual_log_rate = 2.08;
+constexpr double start_deviation_deg = 3.0;
+constexpr double start_place_deviation_m = 0.0003;
+constexpr double least_noise_m = 0.0003;
+// The values of slides over a plate at rest hold within this many of their deviations.
+constexpr double rest_deviations = 1.5;
+constexpr int most_passes = 20;
+// What the laws may get wrong.
+constexpr double law_log_rate = 0.05;
+constexpr double law_delay_s = 0.004;
+// An interval that is wider says nothing of a person.
+constexpr double most_rate_ratio = 2.5;
+constexpr double most_delay_width_s = 0.1;
+
+enum Parameter { log_rate, delay, bias, habit, start, scale, parameters };
+using Vector = Eigen::Matrix<double, parameters, 1>;
+using Matrix = Eigen::Matrix<double, parameters, parameters>;
+constexpr std::array<double, parameters> derivative_step{0.02, 0.002, 0.05, 0.05, 0.05, 0.01};
+
+struct Bin {
+  std::size_t begin;
+  std::size_t end;
+  double seen;
+};
+
+struct Observed {
+  const TurningSlide* slide;
+  std::vector<Bin> bins;
+  Eigen::VectorXd left_m;
+  Eigen::MatrixXd whitening;  // L^-1 of the covariance L L'
+};
+
+// Where the finger is, to the left of the goal, in each bin.
+Eigen::VectorXd predicted_left_m(const Observed& observed, const IllusionCurve& curve, const Vector& person,
+                                 SteeringLaw law) {
+  const SlideTrack& track = observed.slide->track;
+  const double gain = std::min(exponential(person(log_rate)) * track.step_s, 1.0);
+  // Directions are those of the steps' middles, so an answer is of half a step before the next one.
+  const double late = std::min(person(delay) / track.step_s - 0.5, history - 2.0);
+  const int whole = std::max(static_cast<int>(late), 0);
+  const double rest = late - whole;
+  const bool predicts = law == SteeringLaw::predicted;
+  double length_m = 0.0;
+  for (const SlideTrack::Step& step : track.steps) length_m += step.advance_m;
+  double felt_along_m = 0.0;
+  double felt_left_m = 0.0;
+  const double least_advance_m = least_felt_speed_m_s * track.step_s;
+  std::array<double, history> felt_deg{};
+  Eigen::VectorXd left_m = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(observed.bins.size()));
+  double direction_deg = person(start);
+  double here_m = 0.0;
+  int felt = 0;
+  std::size_t bin = 0;
+  for (std::size_t i = 0; i < track.steps.size() && bin < observed.bins.size(); ++i) {
+    const SlideTrack::Step& step = track.steps[i];
+    const double across_m = step.advance_m * sin_deg(direction_deg) / cos_deg(direction_deg);
+    if (i >= observed.bins[bin].end) ++bin;
+    if (bin < observed.bins.size() && i >= observed.bins[bin].begin && step.seen > 0.0)
+      left_m(static_cast<Eigen::Index>(bin)) +=
+          step.seen / observed.bins[bin].seen * (here_m + 0.5 * across_m);
+    here_m += across_m;
+    // A finger at rest feels no motion to steer.
+    if (step.advance_m < least_advance_m) {
+      felt = 0;
+      continue;
+    }
+    const double shift_deg =
+        person(scale) * curve_shift_deg(curve, observed.slide->plate_deg[i] - direction_deg);
+    felt_deg[static_cast<std::size_t>(felt % history)] = shift_deg + (predicts ? 0.0 : direction_deg);
+    double goal_deg = person(bias) + person(habit) * (1.0 - 2.0 * step.share);
+    if (law == SteeringLaw::place) {
+      // Nearer to the target nobody turns after it.
+      const double ahead_m = length_m - felt_along_m;
+      if (ahead_m > least_place_share * length_m) goal_deg -= atan2_deg(felt_left_m, ahead_m);
+      felt_along_m += step.advance_m;
+      felt_left_m += rad_per_deg * step.advance_m * (direction_deg + shift_deg);
+    }
+    const auto before = [&](int steps) {
+      return felt_deg[static_cast<std::size_t>((felt - steps) % history)];
+    };
+    if (felt >= whole) {
+      const double share = felt > whole ? 1.0 : std::min(1.0 - rest, 1.0);  // the first moment that is felt
+      double delayed_deg = before(whole);
+      if (felt > whole) delayed_deg = (1.0 - rest) * delayed_deg + rest * before(whole + 1);
+      // The own direction half a step ahead is the mean of this step's and the next one's.
+      const double own = predicts ? 0.5 * gain * share : 0.0;
+      if (predicts) delayed_deg += direction_deg;
+      direction_deg = std::clamp(direction_deg - gain * share * (delayed_deg - goal_deg) / (1.0 + own),
+                                 -most_direction_deg, most_direction_deg);
+    }
+    ++felt;
+  }
+  return left_m;
+}
+
+Observed observe(const TurningSlide& slide, const RestNoise& noise) {
+  const SlideTrack& track = slide.track;
+  Observed observed{.slide = &slide, .bins = {}, .left_m = {}, .whitening = {}};
+  std::vector<double> left_m;
+  const auto least_steps = static_cast<std::size_t>(std::ceil(bin_s / track.step_s));
+  for (std::size_t i = 0; i < track.steps.size();) {
+    Bin bin{.begin = i, .end = i, .seen = 0.0};
+    double sum_m = 0.0;
+    while (bin.end < track.steps.size() && (bin.end - bin.begin < least_steps || !(bin.seen > 0.0))) {
+      const SlideTrack::Step& step = track.steps[bin.end++];
+      bin.seen += step.seen;
+      sum_m += step.seen * step.left_m;
+    }
+    i = bin.end;
+    if (!(bin.seen > 0.0)) break;
+    observed.bins.push_back(bin);
+    left_m.push_back(sum_m / bin.seen);
+  }
+  const auto count = static_cast<Eigen::Index>(observed.bins.size());
+  observed.left_m = Eigen::Map<const Eigen::VectorXd>(left_m.data(), count);
+
+  // What a kick of one degree at a step does to the places in the bins.
+  const auto steps = static_cast<Eigen::Index>(track.steps.size());
+  Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(count, steps);
+  const double kept = exponential(-usual_rate_per_s * track.step_s);
+  for (Eigen::Index j = 0; j < steps; ++j) {
+    double left = 1.0;
+    double here_m = 0.0;
+    std::size_t bin = 0;
+    for (auto i = static_cast<std::size_t>(j); i < track.steps.size(); ++i) {
+      while (bin < observed.bins.size() && i >= observed.bins[bin].end) ++bin;
+      if (bin == observed.bins.size()) break;
+      here_m += rad_per_deg * track.steps[i].advance_m * left;
+      left *= kept;
+      kicks(static_cast<Eigen::Index>(bin), j) +=
+          here_m / static_cast<double>(observed.bins[bin].end - observed.bins[bin].begin);
+    }
+  }
+  Eigen::MatrixXd covariance =
+      noise_deg2_per_s * track.step_s * kicks * kicks.transpose() +
+      start_deviation_deg * start_deviation_deg * kicks.col(0) * kicks.col(0).transpose();
+  covariance.array() += start_place_deviation_m * start_place_deviation_m;
+  const double white_m = std::max(noise.white_m.value, least_noise_m);
+  const double correlated_m = noise.correlated_m.value;
+  const auto middle_s = [&](Eigen::Index b) {
+    const Bin& bin = observed.bins[static_cast<std::size_t>(b)];
+    return 0.5 * track.step_s * static_cast<double>(bin.begin + bin.end);
+  };
+  for (Eigen::Index a = 0; a < count; ++a) {
+    covariance(a, a) += white_m * white_m / observed.bins[static_cast<std::size_t>(a)].seen;
+    if (!(correlated_m > 0.0)) continue;
+    for (Eigen::Index b = 0; b < count; ++b)
+      covariance(a, b) +=
+          correlated_m * correlated_m *
+          exponential(-std::abs(middle_s(a) - middle_s(b)) / std::max(noise.correlation_s.value, 0.01));
+  }
+  const Eigen::MatrixXd lower = covariance.llt().matrixL();
+  observed.whitening = lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
+  return observed;
+}
+
+struct Prior {
+  Vector mean;
+  Matrix information;
+};
+
+struct LawFit {
+  Vector person;
+  double misfit = std::numeric_limits<double>::infinity();
+  Matrix covariance;
+};
+
+Vector clamped(Vector person) {
+  person(log_rate) = std::clamp(person(log_rate), 0.0, 3.7);
+  person(delay) = std::clamp(person(delay), 0.0, 0.35);
+  person(start) = std::clamp(person(start), -45.0, 45.0);
+  person(scale) = std::clamp(person(scale), 0.2, 3.0);
+  return person;
+}
+
+class Fit {
+ public:
+  Fit(std::span<const TurningSlide> slides, const IllusionCurve& curve, const RestNoise& noise,
+      const Prior& prior)
+      : curve_(curve), prior_(prior) {
+    for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
+  }
+
+  LawFit fit(SteeringLaw law) const {
+    LawFit best;
+    for (const double late_s : {0.02, 0.1}) {
+      Vector first = prior_.mean;
+      first(delay) = late_s;
+      const LawFit found = descend(first, law);
+      if (found.misfit < best.misfit) best = found;
+    }
+    best.covariance = covariance(best.person, law);
+    return best;
+  }
+
+ private:
+  Eigen::VectorXd residual(const Observed& observed, const Vector& person, SteeringLaw law) const {
+    return observed.whitening * (observed.left_m - predicted_left_m(observed, curve_, person, law));
+  }
+
+  double misfit(const Vector& person, SteeringLaw law) const {
+    double sum = (person - prior_.mean).dot(prior_.information * (person - prior_.mean));
+    for (const Observed& observed : observed_) sum += residual(observed, person, law).squaredNorm();
+    return sum;
+  }
+
+  Eigen::MatrixXd jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const {
+    Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(parameters));
+    for (int i = 0; i < parameters; ++i) {
+      Vector above = person;
+      Vector below = person;
+      above(i) += derivative_step[static_cast<std::size_t>(i)];
+      below(i) -= derivative_step[static_cast<std::size_t>(i)];
+      below = clamped(below);
+      columns.col(i) =
+          observed.whitening *
+          (predicted_left_m(observed, curve_, above, law) - predicted_left_m(observed, curve_, below, law)) /
+          (above(i) - below(i));
+    }
+    return columns;
+  }
+
+  LawFit descend(Vector person, SteeringLaw law) const {
+    double now = misfit(person, law);
+    double damping = 1e-3;
+    for (int pass = 0; pass < most_passes; ++pass) {
+      Matrix information = prior_.information;
+      Vector gradient = -prior_.information * (person - prior_.mean);
+      for (const Observed& observed : observed_) {
+        const Eigen::MatrixXd columns = jacobian(observed, person, law);
+        information += columns.transpose() * columns;
+        gradient += columns.transpose() * residual(observed, person, law);
+      }
+      double gained = 0.0;
+      for (int attempt = 0; attempt < 8 && !(gained > 0.0); ++attempt) {
+        Matrix damped = information;
+        damped.diagonal() *= 1.0 + damping;
+        const Vector next = clamped(person + damped.ldlt().solve(gradient));
+        const double then = misfit(next, law);
+        gained = now - then;
+        if (gained > 0.0) {
+          person = next;
+          now = then;
+          damping = std::max(0.1 * damping, 1e-9);
+        } else {
+          damping *= 10.0;
+        }
+      }
+      if (!(gained > 1e-4)) break;
+    }
+    LawFit found;
+    found.person = person;
+    found.misfit = now;
+    return found;
+  }
+
+  // By leaving slides out one at a time, to first order, and by the width of the prior.
+  Matrix covariance(const Vector& person, SteeringLaw law) const {
+    Matrix information = prior_.information;
+    std::vector<Eigen::MatrixXd> columns;
+    for (const Observed& observed : observed_) {
+      columns.push_back(jacobian(observed, person, law));
+      information += columns.back().transpose() * columns.back();
+    }
+    const Matrix inverse = information.inverse();
+    Matrix left_out = Matrix::Zero();
+    for (std::size_t i = 0; i < observed_.size(); ++i) {
+      const Eigen::VectorXd off = residual(observed_[i], person, law);
+      const Eigen::MatrixXd kept =
+          Eigen::MatrixXd::Identity(off.size(), off.size()) - columns[i] * inverse * columns[i].transpose();
+      const Vector change = inverse * (columns[i].transpose() * kept.partialPivLu().solve(off));
+      left_out += change * change.transpose();
+    }
+    const auto n = static_cast<double>(observed_.size());
+    Matrix sum = left_out * ((n - 1.0) / n) + inverse * prior_.information * inverse;
+    sum(log_rate, log_rate) += law_log_rate * law_log_rate;
+    sum(delay, delay) += law_delay_s * law_delay_s;
+    return sum;
+  }
+
+  IllusionCurve curve_;
+  Prior prior_;
+  std::vector<Observed> observed_;
+};
+
+// The median and the 95 % interval of one parameter over the laws.
+Interval mixture(const std::array<LawFit, steering_laws>& fits,
+                 const std::array<double, steering_laws>& probability, int parameter, double widening) {
+  const auto quantile = [&](double share) {
+    double low = -10.0;
+    double high = 10.0;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      double below = 0.0;
+      for (std::size_t law = 0; law < fits.size(); ++law) {
+        const double sd = widening * std::sqrt(fits[law].covariance(parameter, parameter));
+        below += probability[law] * normal_cdf((middle - fits[law].person(parameter)) / sd);
+      }
+      (below < share ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
+  };
+  return {quantile(0.5), quantile(0.025), quantile(0.975), true};
+}
+
+}  // namespace
+
+std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const SlideTrack& track,
+                                          double goal_direction_deg) {
+  if (trial.plate_deg.size() != trial.samples.size() || trial.samples.empty()) return std::nullopt;
+  TurningSlide slide{.track = track, .plate_deg = {}};
+  double least_deg = std::numeric_limits<double>::infinity();
+  double most_deg = -least_deg;
+  std::size_t before = 0;
+  for (std::size_t i = 0; i < track.steps.size(); ++i) {
+    const std::int64_t time_ns =
+        track.onset_ns + std::llround(1e9 * track.step_s * (static_cast<double>(i) + 0.5));
+    while (before + 1 < trial.samples.size() && trial.samples[before + 1].time_ns <= time_ns) ++before;
+    double plate_deg = trial.plate_deg[before];
+    if (before + 1 < trial.samples.size() && time_ns > trial.samples[before].time_ns) {
+      const double share =
+          static_cast<double>(time_ns - trial.samples[before].time_ns) /
+          static_cast<double>(trial.samples[before + 1].time_ns - trial.samples[before].time_ns);
+      plate_deg += share * (trial.plate_deg[before + 1] - plate_deg);
+    }
+    slide.plate_deg.push_back(plate_deg - goal_direction_deg);
+    if (track.steps[i].share < 0.02 || track.steps[i].share > 0.98) continue;
+    least_deg = std::min(least_deg, plate_deg);
+    most_deg = std::max(most_deg, plate_deg);
+  }
+  if (!(most_deg - least_deg > least_turn_deg)) return std::nullopt;
+  return slide;
+}
+
+SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& person,
+                         const RestNoise& noise) {
+  SteeringFit steering;
+  steering.slides = static_cast<int>(slides.size());
+  Prior prior{Vector::Zero(), Matrix::Zero()};
+  const FitValue weight =
+      fit_value(person, [](const SlidingPersonModel& p) { return curve_weight(p.curve); });
+  const FitValue bias_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.bias_deg; });
+  const FitValue habit_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.habit_deg; });
+  const auto expect = [&](int parameter, double mean, double sd) {
+    prior.mean(parameter) = mean;
+    prior.information(parameter, parameter) = 1.0 / (sd * sd);
+  };
+  expect(log_rate, usual_log_rate, 1.0);
+  expect(delay, 0.07, 0.15);
+  expect(bias, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
+  expect(habit, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
+  expect(start, person.person.start_deg, 5.0);
+  expect(scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
+  const Fit fit(slides, person.person.curve, noise, prior);
+  std::array<LawFit, steering_laws> fits;
+  double least = std::numeric_limits<double>::infinity();
+  for (int law = 0; law < steering_laws; ++law) {
+    fits[static_cast<std::size_t>(law)] = fit.fit(static_cast<SteeringLaw>(law));
+    least = std::min(least, fits[static_cast<std::size_t>(law)].misfit);
+  }
+  double sum = 0.0;
+  for (std::size_t law = 0; law < fits.size(); ++law)
+    sum += steering.probability[law] = exponential(std::max(-0.5 * (fits[law].misfit - least), -700.0));
+  for (double& probability : steering.probability) probability /= sum;
+  const double widening = student_975(static_cast<double>(slides.size()) - 2.0) / normal_975;
+  const Interval log_rates = mixture(fits, steering.probability, log_rate, widening);
+  steering.rate_per_s = {exponential(log_rates.value), exponential(log_rates.lower),
+                         exponential(log_rates.upper), true};
+  steering.delay_s = mixture(fits, steering.probability, delay, widening);
+  steering.rate_per_s.known = steering.rate_per_s.upper <= most_rate_ratio * steering.rate_per_s.lower;
+  steering.delay_s.known = steering.delay_s.upper - steering.delay_s.lower <= most_delay_width_s;
+  return steering;
+}
+
+}  // namespace hrt

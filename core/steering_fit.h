@@ -1,0 +1,53 @@
+// How fast and how late a person steers: from slides within which the plate turns.
+//
+// A plate that rests shows the steering only as the person sets out, where it cannot be separated from the
+// direction in which they do. A plate that turns in the middle of a slide turns what they feel, and the path
+// shows how late and how fast they answer (core/README.md).
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/curve_fit.h"
+#include "core/interval.h"
+#include "core/tracker_noise.h"
+
+namespace hrt {
+
+/// A slide with the plate's orientation at each of its steps.
+struct TurningSlide {
+  SlideTrack track;
+  std::vector<double> plate_deg;  ///< one a step of the track, relative to the goal, continuous
+};
+
+/// The trial if its plate turned by more than `least_turn_deg` while the finger moved; none if it rested.
+std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const SlideTrack& track,
+                                          double goal_direction_deg);
+inline constexpr double least_turn_deg = 5.0;
+
+/// Laws of steering that are compared.
+enum class SteeringLaw {
+  delayed,    ///< all that is felt is answered after the delay
+  predicted,  ///< the own motion is known without the delay
+  place,      ///< as delayed, towards the target's place as seen from where the finger is felt to be
+};
+inline constexpr int steering_laws = 3;
+
+struct SteeringFit {
+  Interval rate_per_s{0.0, 0.0, 0.0, false};  ///< k, from a felt error to the direction's change
+  Interval delay_s{0.0, 0.0, 0.0, false};  ///< D, from what is felt to the answer; arm and tracker included
+  std::array<double, steering_laws> probability{};  ///< of each law among those compared
+  int slides = 0;
+};
+
+/// Fewest slides over a turning plate that show the steering.
+inline constexpr int least_turning_slides = 6;
+
+/// `person`: from slides over a plate at rest: the curve, bias and habit, and their covariance. At least
+/// least_turning_slides slides. Medians and 95 % intervals of the mixture of all laws.
+SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& person,
+                         const RestNoise& noise);
+
+}  // namespace hrt
