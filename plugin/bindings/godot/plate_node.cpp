@@ -2,64 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstring>
 #include <exception>
-#include <limits>
+
+#include "pose.h"
 
 namespace hrt_godot {
 namespace {
 
-constexpr Signal kSignals[] = {
-    {"plate_commanded", {"orientation_deg", Type::kReal}},
-    {"flags_changed", {"flags", Type::kInt}},
-    {"reach_ended", {"final_miss_deg", Type::kReal}},
-};
-constexpr const Signal& kPlateCommanded = kSignals[0];
-constexpr const Signal& kFlagsChanged = kSignals[1];
-constexpr const Signal& kReachEnded = kSignals[2];
-
-constexpr Argument kPolarTarget[] = {
-    {"name", Type::kString}, {"direction_deg", Type::kReal}, {"distance_m", Type::kReal}};
-constexpr Argument kPlacedTarget[] = {{"name", Type::kString}, {"world_position", Type::kVector3}};
-constexpr Argument kTarget[] = {{"target", Type::kInt}};
-constexpr Argument kTargetAndPlace[] = {{"target", Type::kInt}, {"world_position", Type::kVector3}};
-constexpr Argument kPair[] = {{"real_target", Type::kInt}, {"virtual_target", Type::kInt}};
-constexpr Argument kVirtualTarget[] = {{"virtual_target", Type::kInt}};
-constexpr Argument kPairAndPlate[] = {
-    {"real_target", Type::kInt}, {"virtual_target", Type::kInt}, {"plate_orientation_deg", Type::kReal}};
-constexpr Argument kPairAndDuration[] = {
-    {"real_target", Type::kInt}, {"virtual_target", Type::kInt}, {"duration_s", Type::kReal}};
-constexpr Argument kFinger[] = {{"world_position", Type::kVector3}, {"time_ns", Type::kInt}};
-constexpr Argument kTime[] = {{"time_ns", Type::kInt}};
-constexpr Argument kSample[] = {{"flags", Type::kInt},
-                                {"time_ns", Type::kInt},
-                                {"finger_direction_deg", Type::kReal},
-                                {"finger_x_m", Type::kReal},
-                                {"finger_y_m", Type::kReal},
-                                {"finger_z_m", Type::kReal},
-                                {"plate_orientation_deg", Type::kReal}};
-constexpr Argument kGoal[] = {{"goal_direction_deg", Type::kReal}};
-constexpr Argument kGoalAndRange[] = {{"goal_direction_deg", Type::kReal},
-                                      {"lower_plate_deg", Type::kReal},
-                                      {"upper_plate_deg", Type::kReal},
-                                      {"enough_weight_width", Type::kReal}};
-constexpr Argument kSlide[] = {{"slide", Type::kInt}};
-constexpr Argument kConditions[] = {
-    {"plate", Type::kString}, {"tracker", Type::kString}, {"time_s", Type::kInt}};
-constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
-constexpr Argument kExclusive[] = {{"exclusive", Type::kBool}};
-constexpr Argument kName[] = {{"name", Type::kString}};
-constexpr Argument kMark[] = {{"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}};
-constexpr Argument kMarkAndTime[] = {
-    {"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}, {"time_ns", Type::kInt}};
-constexpr Argument kJoint[] = {{"joint", Type::kPose}};
-constexpr Argument kDevice[] = {{"device", Type::kString}};
-constexpr Argument kOrientation[] = {{"orientation_deg", Type::kReal}};
-constexpr Argument kJson[] = {{"json", Type::kString}};
-constexpr Argument kPath[] = {{"path", Type::kString}};
-
-constexpr int64_t kErrInvalidParameter = 31;
 /** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
 constexpr size_t kFlagsReason = 126, kPoseReason = 127;
 constexpr size_t reason_of(hrt_result error) {
@@ -67,74 +17,6 @@ constexpr size_t reason_of(hrt_result error) {
 }
 constexpr const char* kNotRigid =
     "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
-const Value kError = kErrInvalidParameter;
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-/** update() refuses it. */
-const Value kNowhere = Vector3{kNan, kNan, kNan};
-const Value kNoTarget = int64_t{0};
-
-const Method kMethods[] = {
-    {"add_real_target", Type::kInt, kNoTarget, kPolarTarget, &PlateNode::add_real_target},
-    {"add_virtual_target", Type::kInt, kNoTarget, kPolarTarget, &PlateNode::add_virtual_target},
-    {"add_real_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_real_target_at},
-    {"add_virtual_target_at", Type::kInt, kNoTarget, kPlacedTarget, &PlateNode::add_virtual_target_at},
-    {"move_target_to", Type::kInt, kError, kTargetAndPlace, &PlateNode::move_target_to},
-    {"remove_target", Type::kInt, kError, kTarget, &PlateNode::remove_target},
-    {"begin", Type::kInt, kError, kPair, &PlateNode::begin},
-    {"begin_with_plate_at", Type::kInt, kError, kPairAndPlate, &PlateNode::begin_with_plate_at},
-    {"begin_for", Type::kInt, kError, kPairAndDuration, &PlateNode::begin_for},
-    {"update", Type::kInt, kError, kFinger, &PlateNode::update},
-    {"update_lost", Type::kInt, kError, kTime, &PlateNode::update_lost},
-    {"update_sample", Type::kInt, kError, kSample, &PlateNode::update_sample},
-    {"retarget", Type::kInt, kError, kPair, &PlateNode::retarget},
-    {"cancel", Type::kInt, kError, {}, &PlateNode::cancel},
-    {"end", Type::kInt, kError, {}, &PlateNode::end},
-    {"is_reaching", Type::kBool, false, {}, &PlateNode::is_reaching},
-    {"get_command", Type::kRecord, Record{}, {}, &PlateNode::get_command},
-    {"get_summary", Type::kRecord, Record{}, {}, &PlateNode::get_summary},
-    {"get_authority", Type::kRecord, Record{}, kPair, &PlateNode::get_authority},
-    {"get_best_authority", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_best_authority},
-    {"assign_targets", Type::kInt, kError, kExclusive, &PlateNode::assign_targets},
-    {"get_assigned", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_assigned},
-    {"load_scene", Type::kInt, kError, kPath, &PlateNode::load_scene},
-    {"find_target", Type::kInt, kNoTarget, kName, &PlateNode::find_target},
-    {"begin_calibration", Type::kInt, kError, kGoal, &PlateNode::begin_calibration},
-    {"begin_calibration_within", Type::kInt, kError, kGoalAndRange, &PlateNode::begin_calibration_within},
-    {"get_next_angle", Type::kRecord, Record{}, {}, &PlateNode::get_next_angle},
-    {"begin_trial", Type::kInt, kError, kPlate, &PlateNode::begin_trial},
-    {"add_trial_sample", Type::kInt, kError, kFinger, &PlateNode::add_trial_sample},
-    {"end_trial", Type::kInt, kError, {}, &PlateNode::end_trial},
-    {"cancel_trial", Type::kInt, kError, {}, &PlateNode::cancel_trial},
-    {"solve_calibration", Type::kRecord, Record{}, {}, &PlateNode::solve_calibration},
-    {"get_slide", Type::kRecord, Record{}, kSlide, &PlateNode::get_slide},
-    {"apply_calibration", Type::kInt, kError, {}, &PlateNode::apply_calibration},
-    {"compare_calibrations", Type::kRecord, Record{}, {}, &PlateNode::compare_calibrations},
-    {"end_calibration", Type::kInt, kError, {}, &PlateNode::end_calibration},
-    {"clear_touches", Type::kInt, kError, {}, &PlateNode::clear_touches},
-    {"add_mark_touch", Type::kInt, kError, kMark, &PlateNode::add_mark_touch},
-    {"fit_registration", Type::kRecord, Record{}, {}, &PlateNode::fit_registration},
-    {"get_registration_advice", Type::kString, std::string(), {}, &PlateNode::get_registration_advice},
-    {"apply_registration", Type::kInt, kError, kTime, &PlateNode::apply_registration},
-    {"confirm_registration", Type::kRecord, Record{}, kMarkAndTime, &PlateNode::confirm_registration},
-    {"add_joint_touch", Type::kInt, kError, kJoint, &PlateNode::add_joint_touch},
-    {"fit_fingertip", Type::kRecord, Record{}, {}, &PlateNode::fit_fingertip},
-    {"place_fingertip", Type::kVector3, kNowhere, kJoint, &PlateNode::place_fingertip},
-    {"load_profile", Type::kInt, kError, kJson, &PlateNode::load_profile},
-    {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
-    {"set_conditions", Type::kInt, kError, kConditions, &PlateNode::set_conditions},
-    {"get_conditions", Type::kRecord, Record{}, {}, &PlateNode::get_conditions},
-    {"start_recording", Type::kInt, kError, kPath, &PlateNode::start_recording},
-    {"get_recording_status", Type::kRecord, Record{}, {}, &PlateNode::get_recording_status},
-    {"stop_recording", Type::kInt, kError, {}, &PlateNode::stop_recording},
-    {"open_device", Type::kInt, kError, kDevice, &PlateNode::open_device},
-    {"turn_device", Type::kInt, kError, kOrientation, &PlateNode::turn_device},
-    {"stop_device", Type::kInt, kError, {}, &PlateNode::stop_device},
-    {"get_device_report", Type::kRecord, Record{}, {}, &PlateNode::get_device_report},
-    {"get_device_description", Type::kString, std::string(), {}, &PlateNode::get_device_description},
-    {"get_device_message", Type::kString, std::string(), {}, &PlateNode::get_device_message},
-    {"close_device", Type::kInt, kError, {}, &PlateNode::close_device},
-    {"get_version", Type::kString, std::string(), {}, &PlateNode::get_version},
-};
 
 int64_t to_int(const Value& value) {
   return std::get<int64_t>(value);
@@ -162,58 +44,6 @@ std::string signature(const Method& method) {
     text += std::string(argument.name) + ": " + type_name(argument.type);
   }
   return text + ')';
-}
-
-double dot(const Vector3& a, const Vector3& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/** Of axes that are orthogonal, of length 1 and right-handed, within what floats can do. */
-bool is_rigid(const Pose& pose) {
-  const Vector3& x = pose.x_axis;
-  const Vector3& y = pose.y_axis;
-  const Vector3& z = pose.z_axis;
-  const Vector3 cross{x.y * y.z - x.z * y.y, x.z * y.x - x.x * y.z, x.x * y.y - x.y * y.x};
-  const auto near = [](double value, double wanted) { return std::abs(value - wanted) < 1e-3; };
-  return near(dot(x, x), 1) && near(dot(y, y), 1) && near(dot(z, z), 1) && near(dot(x, y), 0) &&
-         near(dot(y, z), 0) && near(dot(z, x), 0) && near(dot(cross, z), 1);
-}
-
-/** The unit quaternion x, y, z, w of a rotation, by Shepperd's method: the largest of its four parts from the
- *  diagonal, the others by division through it. */
-std::array<double, 4> to_quaternion(const Pose& pose) {
-  const Vector3& x = pose.x_axis;
-  const Vector3& y = pose.y_axis;
-  const Vector3& z = pose.z_axis;
-  const std::array<std::array<double, 4>, 4> rows{{
-      {1 + x.x - y.y - z.z, x.y + y.x, z.x + x.z, y.z - z.y},
-      {x.y + y.x, 1 - x.x + y.y - z.z, y.z + z.y, z.x - x.z},
-      {z.x + x.z, y.z + z.y, 1 - x.x - y.y + z.z, x.y - y.x},
-      {y.z - z.y, z.x - x.z, x.y - y.x, 1 + x.x + y.y + z.z},
-  }};
-  size_t largest = 0;
-  for (size_t i = 1; i < 4; ++i)
-    if (rows[i][i] > rows[largest][largest]) largest = i;
-  std::array<double, 4> quaternion = rows[largest];
-  double square = 0;
-  for (const double part : quaternion) square += part * part;
-  for (double& part : quaternion) part /= std::sqrt(square);
-  return quaternion;
-}
-
-/** The axes of a unit quaternion. */
-Pose to_pose(const double (&position)[3], const double (&rotation)[4]) {
-  const auto [x, y, z, w] = rotation;
-  return {.x_axis = {1 - 2 * (y * y + z * z), 2 * (x * y + w * z), 2 * (x * z - w * y)},
-          .y_axis = {2 * (x * y - w * z), 1 - 2 * (x * x + z * z), 2 * (y * z + w * x)},
-          .z_axis = {2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)},
-          .origin = {position[0], position[1], position[2]}};
-}
-
-void copy(const Vector3& from, double (&to)[3]) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
 }
 
 hrt_mark_touch mark_touch(const Value* arguments) {
@@ -258,13 +88,6 @@ hrt_target_config placed_target(uint32_t role, const Value* arguments) {
 }
 
 }  // namespace
-
-std::span<const Signal> signals() {
-  return kSignals;
-}
-std::span<const Method> methods() {
-  return kMethods;
-}
 
 int64_t to_godot_error(hrt_result result) {
   switch (result) {
@@ -508,7 +331,7 @@ Value PlateNode::update_sample(const Value* arguments) {
                   ("flags " + std::to_string(flags) +
                    "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
                       .c_str());
-    return kError;
+    return kErrInvalidParameter;
   }
   hrt_sample sample{};
   sample.flags = static_cast<uint32_t>(flags);

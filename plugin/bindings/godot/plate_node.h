@@ -5,6 +5,7 @@
 #include <haptic_retargeting/haptic_retargeting.h>
 
 #include <bitset>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -20,6 +21,11 @@ inline constexpr const char* kClassName = "HapticRetargeting";
 
 /** The value of Godot's enumeration Error for a result. */
 int64_t to_godot_error(hrt_result result);
+inline constexpr int64_t kErrInvalidParameter = 31;
+
+/** What methods return that fail: no target; a place that update() refuses. */
+inline constexpr int64_t kNoTarget = 0;
+inline constexpr Vector3 kNowhere{std::numeric_limits<double>::quiet_NaN(), 0, 0};
 
 struct Argument {
   const char* name;
@@ -30,6 +36,9 @@ struct Signal {
   const char* name;
   Argument argument;
 };
+inline constexpr Signal kPlateCommanded{"plate_commanded", {"orientation_deg", Type::kReal}};
+inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
+inline constexpr Signal kReachEnded{"reach_ended", {"final_miss_deg", Type::kReal}};
 std::span<const Signal> signals();
 
 /** The engine, as the node needs it. */
