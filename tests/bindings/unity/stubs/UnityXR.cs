@@ -1,7 +1,6 @@
 // Stubs of the types of Unity's XR module and of its package XR Hands that the samples use. They show that the samples are
 // right if the engine's types do what these do.
 using System.Collections.Generic;
-using System.Linq;
 
 namespace UnityEngine
 {
@@ -32,7 +31,8 @@ namespace UnityEngine
         public static void GetSubsystems<T>(List<T> subsystems) where T : ISubsystem
         {
             subsystems.Clear();
-            subsystems.AddRange(All.OfType<T>());
+            foreach (ISubsystem subsystem in All)
+                if (subsystem is T found) subsystems.Add(found);
         }
     }
 }
