@@ -312,9 +312,9 @@ TEST(ReachKeys, ACalibrationWithoutSight) {
   Path path(plate_of_desk);
   for (int slide = 0; slide < 40; ++slide) path.hold(start, 900).slide({0.0, -0.05}, 500).rest(500).lift();
   const Terminal terminal;
-  const Program program(person_and({"--plate", "servo", "--calibrate", voice.folder + "/profile.json",
-                                    "--speak-with", voice.program}),
-                        scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
+  const Program program(
+      person_and({"--calibrate", voice.folder + "/profile.json", "--speak-with", voice.program}),
+      scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
   const auto give_up = Clock::now() + 60s;
   const auto await = [&](const char* part) {
     while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up)
