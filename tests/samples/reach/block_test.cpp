@@ -1,12 +1,14 @@
 // Whatever call the runtime blocks in, hrt-reach ends: by its limit, and within a second of a signal.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <csignal>
 #include <fstream>
 #include <set>
 #include <sstream>
 #include <thread>
+#include <vector>
 
 #include "tests/samples/reach/program.h"
 
@@ -68,17 +70,22 @@ TEST(ReachBlock, EveryCallEndsAtTheLimit) {
        {"xrPollEvent", "xrLocateHandJointsEXT", "xrEndFrame", "xrBeginSession", "xrWaitFrame",
         "xrCreateSession", "xrCreateInstance", "xrDestroyInstance", "xrDestroySession"})
     EXPECT_EQ(functions.count(named), 1U) << named;
-  std::vector<Blocked> all;
-  for (const std::string& function : functions) all.push_back(start(function, 1, "0.3"));
-  for (const Blocked& blocked : all) {
-    const Outcome outcome = blocked.program->wait();
-    EXPECT_EQ(outcome.exit_code, 11) << blocked.function << outcome.err;
-    // The loader looks functions up within another call.
-    const std::string named = blocked.function == "xrGetInstanceProcAddr" ? "xr" : blocked.function + " ";
-    EXPECT_NE(outcome.err.find("has not returned from " + named), std::string::npos)
-        << blocked.function << outcome.err;
-    EXPECT_NE(outcome.err.find(" within 0.3 s"), std::string::npos) << outcome.err;
-    expect_whole_files(blocked);
+  // A few at a time, and with a limit that no other call reaches on a busy machine.
+  const std::vector<std::string> all(functions.begin(), functions.end());
+  for (std::size_t first = 0; first < all.size(); first += 6) {
+    std::vector<Blocked> some;
+    for (std::size_t i = first; i < std::min(first + 6, all.size()); ++i)
+      some.push_back(start(all[i], 1, "2"));
+    for (const Blocked& blocked : some) {
+      const Outcome outcome = blocked.program->wait();
+      EXPECT_EQ(outcome.exit_code, 11) << blocked.function << outcome.err;
+      // The loader looks functions up within another call.
+      const std::string named = blocked.function == "xrGetInstanceProcAddr" ? "xr" : blocked.function + " ";
+      EXPECT_NE(outcome.err.find("has not returned from " + named), std::string::npos)
+          << blocked.function << outcome.err;
+      EXPECT_NE(outcome.err.find(" within 2 s"), std::string::npos) << outcome.err;
+      expect_whole_files(blocked);
+    }
   }
 }
 
@@ -98,7 +105,7 @@ TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
     EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << blocked.function << outcome.err;
     expect_whole_files(blocked);
   }
-  EXPECT_LT(Clock::now() - began, 20s);  // not the minute that a call takes
+  EXPECT_LT(Clock::now() - began, 50s);  // not the minute that a call takes
 }
 
 // In the middle of a reach, and with reaches before it: these are kept.
@@ -109,7 +116,7 @@ TEST(ReachBlock, WhatWasReachedIsKept) {
   };
   for (const auto& [function, call] :
        {Call{"xrLocateHandJointsEXT", 400}, {"xrWaitFrame", 400}, {"xrGetReachTruthHRTX", 800}}) {
-    const Blocked blocked = start(function, call, "0.3", {"--repeat", "3"});
+    const Blocked blocked = start(function, call, "1", {"--repeat", "3"});
     const Outcome outcome = blocked.program->wait();
     EXPECT_EQ(outcome.exit_code, 11) << function << outcome.err;
     EXPECT_EQ(rows_of(outcome).size(), 1U) << function << outcome.out;
