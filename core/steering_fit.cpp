@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "core/distributions.h"
 #include "core/exponential.h"
@@ -201,9 +202,8 @@ Vector clamped(Vector person) {
 
 class Fit {
  public:
-  Fit(std::span<const TurningSlide> slides, const IllusionCurve& curve, const RestNoise& noise,
-      const Prior& prior)
-      : curve_(curve), prior_(prior) {
+  Fit(std::span<const TurningSlide> slides, const IllusionCurve& curve, const RestNoise& noise, Prior prior)
+      : curve_(curve), prior_(std::move(prior)) {
     for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
   }
 
