@@ -1,6 +1,9 @@
 #include "samples/mock_runtime/playback/player.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -32,8 +35,10 @@ XrTime nearest_time(const Stream<Value>& stream, XrTime time) {
   return distance(before, time) <= distance(after->first, time) ? before : after->first;
 }
 
+// To the last bit.
 bool same(const XrPosef& a, const XrPosef& b) {
-  return std::memcmp(&a, &b, sizeof a) == 0;
+  using Bits = std::array<std::uint32_t, 7>;
+  return std::bit_cast<Bits>(a) == std::bit_cast<Bits>(b);
 }
 
 Pose pose_of(const XrPosef& pose) {
