@@ -53,8 +53,9 @@ std::optional<std::int64_t> time_of(const std::string& text) {
   const bool whole = static_cast<std::size_t>(taken) == text.size();
   if (!whole || !date.ok() || year < 1970 || hour < 0 || hour > 23 || minute < 0 || minute > 59)
     return std::nullopt;
-  const std::chrono::seconds time = std::chrono::sys_days(date).time_since_epoch();
-  return time.count() + 60 * (60 * hour + minute);
+  const std::chrono::seconds time = std::chrono::sys_days(date).time_since_epoch() +
+                                    std::chrono::hours(hour) + std::chrono::minutes(minute);
+  return time.count();
 }
 
 bool is_name(const std::string& text) {

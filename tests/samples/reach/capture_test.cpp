@@ -52,7 +52,7 @@ Made expect_the_same_again(const std::string& script, const std::vector<std::str
   const std::string file = scratch_folder() + "/capture.json";
   const auto environment = scripted_environment(script);
   const Made plain = run(arguments, environment);
-  const Made first = run(arguments, captured(environment, file));
+  Made first = run(arguments, captured(environment, file));
   EXPECT_TRUE(plain == first) << plain.outcome.out << first.outcome.out << first.outcome.err;
   const Made again = run(arguments, played(file));
   EXPECT_TRUE(first == again) << first.outcome.out << first.outcome.err << again.outcome.out
