@@ -201,7 +201,8 @@ TEST_F(CalibrationTest, WorldPositionsAreTakenToThePlate) {
 
 TEST_F(CalibrationTest, TooFewDataAreRefusedWithTheReason) {
   expect_refusal(
-      "hrt_calibration_solve: 0 of 0 trials have a slide of at least 30 mm over a plate at rest; at least 10 are needed");
+      "hrt_calibration_solve: 0 of 0 trials have a slide of at least 30 mm over a plate at rest; at least 10 "
+      "are needed");
   const auto trials = simulate({}, 3);
   stream({trials.begin(), trials.begin() + 9});
   expect_refusal("9 of 9 trials");
