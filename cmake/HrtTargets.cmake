@@ -53,6 +53,21 @@ function(hrt_add_executable name)
   endif()
 endfunction()
 
+# hrt_precompile(name HEADERS...): for targets of many sources, whose time to compile is mostly that of Eigen's
+# headers. The options let ccache store what uses them.
+function(hrt_precompile name)
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+  target_compile_options(${name} PRIVATE
+    $<IF:$<CXX_COMPILER_ID:GNU>,-fpch-preprocess,SHELL:-Xclang -fno-pch-timestamp>)
+endfunction()
+
+# hrt_fuzzed(name): what the fuzz targets run has their counters in it.
+function(hrt_fuzzed name)
+  if(HRT_FUZZ)
+    target_compile_options(${name} PRIVATE -fsanitize=fuzzer-no-link)
+  endif()
+endfunction()
+
 # hrt_make_loadable(name MAP): what a shared library needs that any process may load: it exports what MAP names, has
 # the C++ runtime inside, needs glibc 2.31 at most. On Windows import libraries of MinGW (.dll.a) and of MSVC (.lib) are beside
 # the DLL, and the .def from which others are made.

@@ -164,6 +164,10 @@ std::vector<std::string> Calibration::advice() const {
   if (steering.slides > 0 && steering.slides < least_turning_slides)
     sentences.emplace_back("the steering takes " + std::to_string(least_turning_slides) +
                            " slides within which the plate turns");
+  else if (steering.law_p < least_fit_p)
+    sentences.emplace_back(
+        "the paths over a turning plate are unlike every law of steering that is known here: let the person "
+        "practise, and repeat these slides");
   else if (fits() && steering.slides > 0 && !(steering.rate_per_s.known && steering.delay_s.known))
     sentences.emplace_back(
         "the steering is not determined: add slides within which the plate turns farther, to and fro");
@@ -247,7 +251,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
   if (calibration.steering.slides >= least_turning_slides) {
     calibration.steering = fit_steering(turning, person.best(), calibration.noise);
     for (Interval* interval : {&calibration.steering.rate_per_s, &calibration.steering.delay_s})
-      interval->known = interval->known && calibration.fits();
+      interval->known = interval->known && calibration.fits() && calibration.steering.law_p >= least_fit_p;
   }
   if (config.variances) {
     const Variances variances =

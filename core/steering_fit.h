@@ -39,8 +39,13 @@ struct SteeringFit {
   Interval rate_per_s{0.0, 0.0, 0.0, false};  ///< k, from a felt error to the direction's change
   Interval delay_s{0.0, 0.0, 0.0, false};  ///< D, from what is felt to the answer; arm and tracker included
   std::array<double, steering_laws> probability{};  ///< of each law among those compared
+  /// Of residuals that are as alike from slide to slide, if the likeliest law is the person's.
+  double law_p = 1.0;
   int slides = 0;
 };
+
+/// Of a delay that is known: 0 says in profiles that it is not.
+inline constexpr double least_known_delay_s = 1e-3;
 
 /// Fewest slides over a turning plate that show the steering.
 inline constexpr int least_turning_slides = 6;

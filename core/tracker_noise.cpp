@@ -465,4 +465,13 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   return noise;
 }
 
+std::optional<KnownNoise> known_noise(const RestNoise& noise) {
+  if (!noise.white_m.known) return std::nullopt;
+  if (!noise.correlated_m.known) return KnownNoise{noise.white_m.value};
+  if (noise.correlated_m.lower > 0.0 && noise.correlation_s.known)
+    return KnownNoise{noise.white_m.value, noise.correlated_m.value, noise.correlation_s.value};
+  return KnownNoise{std::sqrt(noise.white_m.value * noise.white_m.value +
+                              noise.correlated_m.value * noise.correlated_m.value)};
+}
+
 }  // namespace hrt

@@ -9,6 +9,7 @@
 // Off-line work: it allocates. Any thread.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -29,5 +30,16 @@ struct RestNoise {
 /// Maximum likelihood over all rests, each at a place of its own; intervals by profile likelihood. Positions
 /// that the tracker made up are left out. Times increase within a rest; positions are finite.
 RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
+
+/// What a controller takes of it.
+struct KnownNoise {
+  double white_m;              ///< all of the noise if correlated_m is 0
+  double correlated_m = 0.0;   ///< 0: not told apart
+  double correlation_s = 0.0;  ///< with correlated_m
+};
+
+/// None if the white part is not known. The correlated part goes with its time, and only if there is
+/// certainly one; else all noise is one.
+std::optional<KnownNoise> known_noise(const RestNoise& noise);
 
 }  // namespace hrt

@@ -9,6 +9,8 @@
 #include "core/calibrated_person.h"
 #include "core/learning.h"
 #include "core/retest.h"
+#include "core/steering_fit.h"
+#include "core/tracker_noise.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/sessions.h"
@@ -55,17 +57,20 @@ Interval from_abi(const hrt_interval& interval) {
   return {interval.value, interval.lower, interval.upper, interval.known != 0};
 }
 
-// Correlated noise goes with its time or not at all; without it tracker_noise_m is of all noise.
 void write_noise(const hrt_calibration_result& result, hrt_session_config* config) {
-  if (!result.tracker_noise_m.known) return;
-  const bool separate = result.correlated_noise_m.known && result.correlated_noise_m.lower > 0.0 &&
-                        result.noise_correlation_s.known;
-  const double correlated_m = result.correlated_noise_m.known ? result.correlated_noise_m.value : 0.0;
-  config->tracker_noise_m = separate ? result.tracker_noise_m.value
-                                     : std::sqrt(result.tracker_noise_m.value * result.tracker_noise_m.value +
-                                                 correlated_m * correlated_m);
-  config->tracker_correlated_noise_m = separate ? correlated_m : 0.0;
-  if (separate) config->tracker_correlation_s = result.noise_correlation_s.value;
+  const auto noise = known_noise({.white_m = from_abi(result.tracker_noise_m),
+                                  .correlated_m = from_abi(result.correlated_noise_m),
+                                  .correlation_s = from_abi(result.noise_correlation_s)});
+  if (!noise) return;
+  config->tracker_noise_m = noise->white_m;
+  config->tracker_correlated_noise_m = noise->correlated_m;
+  if (noise->correlated_m > 0.0) config->tracker_correlation_s = noise->correlation_s;
+}
+
+void write_steering(const hrt_calibration_result& result, hrt_session_config* config) {
+  if (result.steering_rate_per_s.known) config->steering_rate_per_s = result.steering_rate_per_s.value;
+  if (result.steering_delay_s.known)
+    config->steering_delay_s = std::max(result.steering_delay_s.value, least_known_delay_s);
 }
 
 // What a checked result makes of a configuration.
@@ -82,6 +87,7 @@ hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_r
   }
   if (result.sensory_variance_deg2.known) config.sensory_variance_deg2 = result.sensory_variance_deg2.value;
   write_noise(result, &config);
+  write_steering(result, &config);
   // What reaches have learnt would override the weight and the bias.
   if (result.tactile_weight.known || result.bias_deg.known) forget_person(&config);
   if (describes_person(result)) {
@@ -114,6 +120,8 @@ hrt_result check_calibration_result(const hrt_calibration_result& result) {
       {"person_weight", result.person_weight},
       {"person_curve", result.person_curve},
       {"habit_deg", result.habit_deg},
+      {"steering_rate_per_s", result.steering_rate_per_s},
+      {"steering_delay_s", result.steering_delay_s},
   };
   for (const auto& [name, interval] : intervals) HRT_RETURN_IF_FAILED(check_interval(name, interval));
   if (!describes_person(result)) return HRT_OK;

@@ -36,8 +36,11 @@ constexpr NumberField all_number_fields[] = {
     {"motion_bound_deg", &C::motion_bound_deg, 1.0, 89.0, false},
     {"plate_scale", &C::plate_scale, least_plate_scale, most_plate_scale, false},
     {"max_registration_sd_deg", &C::max_registration_sd_deg, 0.0, 180.0, false},
-    {"tracker_correlated_noise_m", &C::tracker_correlated_noise_m, 0.0, 0.1, true},
-    {"tracker_correlation_s", &C::tracker_correlation_s, 0.01, 2.0, true},
+    {"tracker_correlated_noise_m", &C::tracker_correlated_noise_m, 0.0, 0.1, true,
+     &C::tracker_correlated_noise_m},
+    {"tracker_correlation_s", &C::tracker_correlation_s, 0.01, 2.0, true, &C::tracker_correlated_noise_m},
+    {"steering_rate_per_s", &C::steering_rate_per_s, 0.0, 50.0, true, &C::steering_rate_per_s},
+    {"steering_delay_s", &C::steering_delay_s, 0.0, 0.5, true, &C::steering_delay_s},
 };
 
 constexpr VectorField all_vector_fields[] = {
@@ -198,6 +201,8 @@ hrt_session_config default_session_config() {
       .max_registration_sd_deg = 0.0,
       .tracker_correlated_noise_m = core.estimator.correlated_noise_m,
       .tracker_correlation_s = core.estimator.correlation_s,
+      .steering_rate_per_s = 0.0,
+      .steering_delay_s = 0.0,
   };
 }
 

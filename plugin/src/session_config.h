@@ -19,7 +19,8 @@ struct NumberField {
   double hrt_session_config::*value;
   double low;
   double high;
-  bool of_participant;  ///< part of a profile
+  bool of_participant;                             ///< part of a profile
+  double hrt_session_config::*known_by = nullptr;  ///< in the profile only if this is above 0
 };
 std::span<const NumberField> number_fields();
 

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/slide_plan.h"
+#include "core/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 
@@ -75,6 +76,7 @@ StreamedCalibration::StreamedCalibration(const hrt_session_config& session_confi
     : session_config_(session_config), config_(checked_config), under_way_(std::move(under_way)) {
   trials_.reserve(checked_config.max_trials);
   samples_.reserve(checked_config.max_samples);
+  plate_deg_.reserve(checked_config.max_samples);
 }
 
 StreamedCalibration::~StreamedCalibration() {
@@ -90,6 +92,7 @@ hrt_result StreamedCalibration::begin_trial(double plate_orientation_deg) {
   in_trial_ = true;
   ++*under_way_;
   sampled_ = false;
+  now_plate_deg_ = plate_orientation_deg;
   return HRT_OK;
 }
 
@@ -110,7 +113,11 @@ hrt_result StreamedCalibration::add_sample(const hrt_sample& sample) {
     if (samples_.size() == config_.max_samples)
       return fail(HRT_ERROR_LIMIT_REACHED, "the calibration holds max_samples samples, ",
                   config_.max_samples);
+    // Ridges are the same after half a turn, and a plate does not jump.
+    if (observed.plate_orientation_deg)
+      now_plate_deg_ += wrap_deg(*observed.plate_orientation_deg - now_plate_deg_, 180.0);
     samples_.push_back({observed.time_ns, observed.position});
+    plate_deg_.push_back(now_plate_deg_);
   }
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
@@ -126,6 +133,7 @@ hrt_result StreamedCalibration::end_trial() {
 hrt_result StreamedCalibration::cancel_trial() {
   HRT_RETURN_IF_FAILED(check_trial());
   samples_.resize(trials_.back().first_sample);
+  plate_deg_.resize(trials_.back().first_sample);
   trials_.pop_back();
   leave_trial();
   return HRT_OK;
@@ -151,7 +159,7 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
   auto& calibration = std::get<Calibration>(found);
   *out = {
       .struct_size = sizeof *out,
-      .reserved = 0,
+      .slides_turning = static_cast<std::uint32_t>(calibration.steering.slides),
       .trials = static_cast<std::uint32_t>(trials_.size()),
       .trials_used = static_cast<std::uint32_t>(calibration.slides.size()),
       .tactile_weight = to_abi(calibration.tactile_weight),
@@ -175,6 +183,9 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
       .angle_p = calibration.lack_of_fit.angle_p,
       .order_p = calibration.lack_of_fit.order_p,
       .path_p = calibration.lack_of_fit.path_p,
+      .steering_rate_per_s = to_abi(calibration.steering.rate_per_s),
+      .steering_delay_s = to_abi(calibration.steering.delay_s),
+      .steering_p = calibration.steering.law_p,
   };
   solved_ = std::move(calibration.slides);
   return HRT_OK;
@@ -216,10 +227,12 @@ std::vector<CalibrationTrial> StreamedCalibration::whole_trials() const {
   std::vector<CalibrationTrial> whole;
   whole.reserve(trials_.size());
   for (std::size_t i = 0; i < trials_.size(); ++i) {
-    const std::size_t end = i + 1 < trials_.size() ? trials_[i + 1].first_sample : samples_.size();
-    whole.push_back({trials_[i].plate_orientation_deg,
-                     {samples_.begin() + static_cast<std::ptrdiff_t>(trials_[i].first_sample),
-                      samples_.begin() + static_cast<std::ptrdiff_t>(end)}});
+    const auto first = static_cast<std::ptrdiff_t>(trials_[i].first_sample);
+    const auto end =
+        static_cast<std::ptrdiff_t>(i + 1 < trials_.size() ? trials_[i + 1].first_sample : samples_.size());
+    whole.push_back({.plate_orientation_deg = trials_[i].plate_orientation_deg,
+                     .samples = {samples_.begin() + first, samples_.begin() + end},
+                     .plate_deg = {plate_deg_.begin() + first, plate_deg_.begin() + end}});
   }
   return whole;
 }

@@ -53,10 +53,12 @@ class StreamedCalibration {
   std::shared_ptr<std::atomic<int>> under_way_;
   std::vector<Trial> trials_;
   std::vector<TimedPoint> samples_;      // of all trials, one after another
+  std::vector<double> plate_deg_;        // one a sample
   std::vector<CalibratedSlide> solved_;  // of the last solution
   bool in_trial_ = false;
   bool sampled_ = false;  // the trial has had a sample
   std::int64_t last_time_ns_ = 0;
+  double now_plate_deg_ = 0.0;
 };
 
 }  // namespace hrt::plugin

@@ -46,7 +46,7 @@ class Run {
     files_.emplace(plugin_, targets_, options.record, options.plot);
     if (!options.calibrate.empty()) {
       const auto limit_ns = static_cast<XrDuration>(options.calibration_limit_s * 1e9);
-      calibration_.emplace(plugin_, targets_, limit_ns, options.seed);
+      calibration_.emplace(plugin_, targets_, limit_ns, options.steering, options.seed);
     }
   }
 

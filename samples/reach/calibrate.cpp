@@ -20,7 +20,12 @@ constexpr double margin_m = 0.01;  // left to the rim
 constexpr double plate_tolerance_deg = 1.0;
 constexpr XrDuration plate_limit_ns = 5'000'000'000;
 constexpr XrDuration unreported_turn_ns = 1'000'000'000;  // of a plate that does not report where it is
-constexpr int failures_allowed = 5;                       // slides in a row that do not count
+constexpr std::uint32_t turning_slides = 12;
+// The plate begins on one side, and is on the other between these shares of the way.
+constexpr double turning_angle_deg = 35.0;
+constexpr double first_turn_share = 0.2;
+constexpr double second_turn_share = 0.55;
+constexpr int failures_allowed = 5;  // slides in a row that do not count
 
 // Of the slide straight ahead that stays on the plate.
 double slide_distance_m(const TargetSet& targets) {
@@ -51,12 +56,13 @@ const char* advice(std::uint32_t failed) {
 }  // namespace
 
 GuidedCalibration::GuidedCalibration(const Plugin& plugin, const TargetSet& targets, XrDuration limit_ns,
-                                     std::uint64_t seed)
+                                     bool steering, std::uint64_t seed)
     : plugin_(plugin),
       targets_(targets),
       limit_ns_(limit_ns),
       seed_(seed),
-      distance_m_(slide_distance_m(targets)) {
+      distance_m_(slide_distance_m(targets)),
+      turning_left_(steering ? turning_slides : 0) {
   hrt_calibration_config config;
   plugin.check(plugin.hrt_calibration_config_default(&config, sizeof config));
   config.goal_direction_deg = goal_direction_deg;
@@ -85,8 +91,8 @@ void GuidedCalibration::compute(Stage& stage, Call&& call) {
   if (code != HRT_OK) throw Failure(ExitCode::plugin, reason);
 }
 
-CalibrationOutcome GuidedCalibration::solve(Stage& stage, bool enough) {
-  CalibrationOutcome outcome{.result = {.struct_size = sizeof(hrt_calibration_result)}, .enough = enough};
+CalibrationOutcome GuidedCalibration::solve(Stage& stage) {
+  CalibrationOutcome outcome{.result = {.struct_size = sizeof(hrt_calibration_result)}, .enough = enough_};
   compute(stage, [&] { return plugin_.hrt_calibration_solve(calibration_, &outcome.result); });
   for (std::uint32_t i = 0; i < outcome.result.trials_used; ++i) {
     hrt_calibration_slide slide{.struct_size = sizeof slide};
@@ -97,11 +103,17 @@ CalibrationOutcome GuidedCalibration::solve(Stage& stage, bool enough) {
 }
 
 GuidedCalibration::Next GuidedCalibration::next_slide(Stage& stage) {
-  Next next{};
-  compute(stage, [&] {
-    return plugin_.hrt_calibration_next_angle(calibration_, &next.plate_orientation_deg, &next.enough);
-  });
-  return next;
+  if (!enough_) {
+    Next next{.plate_orientation_deg = 0.0, .turns = false};
+    std::uint32_t enough = 0;
+    compute(stage, [&] {
+      return plugin_.hrt_calibration_next_angle(calibration_, &next.plate_orientation_deg, &enough);
+    });
+    enough_ = enough != 0;
+    if (!enough_) return next;
+  }
+  return {.plate_orientation_deg = turning_left_ % 2 == 0 ? turning_angle_deg : -turning_angle_deg,
+          .turns = true};
 }
 
 void GuidedCalibration::turn_plate(Stage& stage, double orientation_deg) const {
@@ -116,7 +128,7 @@ void GuidedCalibration::turn_plate(Stage& stage, double orientation_deg) const {
 }
 
 // True if the slide counts.
-bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
+bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool turns) {
   Hand hand = stage.hands.front();
   if (stage.simulation == nullptr) {
     hand = await_finger_at_start(stage);
@@ -143,10 +155,11 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
   }
   std::vector<Moment> moments;
   std::optional<XrTime> done_since;
+  double commanded_deg = plate_orientation_deg;
   for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
     const Fingertip tip = locate(stage, hand, time);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
-    if (measured_deg && !feels_the_same(*measured_deg, plate_orientation_deg)) {
+    if (!turns && measured_deg && !feels_the_same(*measured_deg, plate_orientation_deg)) {
       stage.tell_user("The plate has moved: this slide does not count.");
       return false;
     }
@@ -156,7 +169,18 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
       sample.flags = HRT_SAMPLE_PLATE_POSITION;
       std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
     }
+    if (turns) {
+      sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+      sample.plate_orientation_deg = measured_deg.value_or(commanded_deg);
+    }
     plugin_.check(plugin_.hrt_calibration_add_sample(calibration_, &sample));
+    const double share = (targets_.start_m[2] - tip.position_m[2]) / distance_m_;
+    if (turns && tip.tracked) {
+      const bool across = share > first_turn_share && share <= second_turn_share;
+      const double wanted_deg = across ? -plate_orientation_deg : plate_orientation_deg;
+      if (wanted_deg != commanded_deg) stage.plate.command(time, wanted_deg);
+      commanded_deg = wanted_deg;
+    }
     Moment moment{};
     moment.time = time;
     moment.tracked = tip.tracked;
@@ -187,10 +211,10 @@ CalibrationOutcome GuidedCalibration::run(Stage& stage, std::ostream& out) {
     stage.tell_user(
         format("You will slide one fingertip straight ahead, %.0f mm, again and again. Close your eyes, "
                "and slide towards what feels straight ahead. Rest for a second before each slide. It "
-               "takes some 12 to 40 slides and ends by itself, after %.0f minutes at the latest; between "
+               "takes some %s slides and ends by itself, after %.0f minutes at the latest; between "
                "slides you may rest your hand for up to %.0f s.",
-               1e3 * distance_m_, std::ceil(minutes_of(limit_ns_)),
-               static_cast<double>(stage.time_limit_ns) * 1e-9));
+               1e3 * distance_m_, turning_left_ > 0 ? "24 to 52" : "12 to 40",
+               std::ceil(minutes_of(limit_ns_)), static_cast<double>(stage.time_limit_ns) * 1e-9));
   }
   // However it ends, the plate stops.
   struct Spent {
@@ -217,17 +241,20 @@ CalibrationOutcome GuidedCalibration::run(Stage& stage, std::ostream& out) {
     const Next next = next_slide(stage);
     spent.now = next_frame(stage);
     const XrDuration spent_ns = spent_ns_ + (spent.now - began);
-    if (next.enough != 0 || spent_ns > limit_ns_) return solve(stage, next.enough != 0);
+    if (!asks_for_more() || spent_ns > limit_ns_) return solve(stage);
     turn_plate(stage, next.plate_orientation_deg);
     stage.tell_user(
         format("Slide %u, minute %.0f of at most %.0f: put your index finger to the start and let it rest.",
                slides_ + 1, std::floor(minutes_of(spent_ns)) + 1.0, std::ceil(minutes_of(limit_ns_))));
     if (stage.simulation != nullptr)
       stage.simulation->seed(seed_, slides_ + static_cast<std::uint32_t>(failed_));
-    if (slide(stage, next.plate_orientation_deg)) {
+    if (slide(stage, next.plate_orientation_deg, next.turns)) {
       ++slides_;
       failed_ = 0;
-      out << format("slide %3u  plate %6.1f deg\n", slides_, next.plate_orientation_deg) << std::flush;
+      if (next.turns) --turning_left_;
+      out << format("slide %3u  plate %6.1f deg%s\n", slides_, next.plate_orientation_deg,
+                    next.turns ? ", turning to the other side and back" : "")
+          << std::flush;
     } else if (++failed_ > failures_allowed) {
       throw Failure(ExitCode::no_hand, format("%d slides in a row did not count", failed_));
     } else {

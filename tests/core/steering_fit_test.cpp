@@ -75,6 +75,22 @@ TEST(SteeringFit, FewSlidesAreNotEnough) {
   EXPECT_NE(advice.back().find("the steering takes 6 slides"), std::string::npos) << advice.back();
 }
 
+// Reports with the wrong sign: no law has an answer to the other side.
+TEST(SteeringFit, PathsThatNoLawExplainsAreNoticed) {
+  std::vector<CalibrationTrial> trials = slides(person(8.0, 0.06), 12, 0);
+  EXPECT_GT(calibrated(trials).steering.law_p, least_fit_p);
+  for (CalibrationTrial& trial : trials)
+    for (double& plate_deg : trial.plate_deg) plate_deg = -plate_deg;
+  const Calibration calibration = calibrated(trials);
+  EXPECT_LT(calibration.steering.law_p, 1e-4);
+  EXPECT_FALSE(calibration.steering.rate_per_s.known);
+  EXPECT_FALSE(calibration.steering.delay_s.known);
+  EXPECT_TRUE(calibration.tactile_weight.known);
+  const std::vector<std::string> advice = calibration.advice();
+  ASSERT_FALSE(advice.empty());
+  EXPECT_NE(advice.back().find("unlike every law of steering"), std::string::npos) << advice.back();
+}
+
 // A report that trembles by less than 5 degrees is of a plate at rest.
 TEST(SteeringFit, ATremblingReportIsOfAPlateAtRest) {
   std::vector<CalibrationTrial> trials = slides(person(8.0, 0.06), 0, 0);

@@ -71,6 +71,26 @@ TEST(TrackerNoise, KnowsNothingFromNothing) {
   expect_unknown(fit_rest_noise(simulate_rests(tracker, 1, 0.5, 0)));
 }
 
+// The correlated part goes with its time, and only if there is certainly one.
+TEST(TrackerNoise, IsToldToAControllerInPartsIfTheyAreKnown) {
+  RestNoise noise{.white_m = {0.003, 0.002, 0.004, true},
+                  .correlated_m = {0.004, 0.003, 0.005, true},
+                  .correlation_s = {0.2, 0.1, 0.3, true}};
+  EXPECT_EQ(known_noise(noise)->white_m, 0.003);
+  EXPECT_EQ(known_noise(noise)->correlated_m, 0.004);
+  EXPECT_EQ(known_noise(noise)->correlation_s, 0.2);
+  noise.correlation_s.known = false;
+  EXPECT_DOUBLE_EQ(known_noise(noise)->white_m, 0.005);
+  EXPECT_EQ(known_noise(noise)->correlated_m, 0.0);
+  noise.correlation_s.known = true;
+  noise.correlated_m.lower = 0.0;
+  EXPECT_DOUBLE_EQ(known_noise(noise)->white_m, 0.005);
+  noise.correlated_m.known = false;
+  EXPECT_EQ(known_noise(noise)->white_m, 0.003);
+  noise.white_m.known = false;
+  EXPECT_FALSE(known_noise(noise));
+}
+
 TEST(TrackerNoise, KnowsNothingFromAPlaceThatNeverChanges) {
   std::vector<TimedPoint> rest;
   for (std::int64_t i = 0; i < 500; ++i) rest.push_back({i * 10'000'000, {0.1, 0.2}});

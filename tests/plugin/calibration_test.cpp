@@ -56,8 +56,15 @@ class CalibrationTest : public SessionTest {
 
   void stream(const CalibrationTrial& trial) const {
     ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
-    for (const TimedPoint& sample : trial.samples)
-      ASSERT_OK(add(position_sample(sample.time_ns, sample.position.right_m, sample.position.away_m)));
+    for (std::size_t i = 0; i < trial.samples.size(); ++i) {
+      const TimedPoint& seen = trial.samples[i];
+      hrt_sample sample = position_sample(seen.time_ns, seen.position.right_m, seen.position.away_m);
+      if (!trial.plate_deg.empty()) {
+        sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+        sample.plate_orientation_deg = trial.plate_deg[i];
+      }
+      ASSERT_OK(add(sample));
+    }
     ASSERT_OK(hrt_calibration_end_trial(calibration));
   }
 
@@ -361,6 +368,88 @@ TEST_F(CalibrationTest, CorrelatedNoiseGoesIntoTheSessionWithItsTime) {
   EXPECT_EQ(config().tracker_correlated_noise_m, 0.0);
   result.correlated_noise_m.upper = 0.0001;
   expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "correlated_noise_m");
+}
+
+// Of somebody with little noise: 22 slides over a plate at rest and six over a turning one.
+std::vector<CalibrationTrial> slides_that_show_the_steering() {
+  PersonCondition condition = draw_person(*people_family("linear"), 2.0, 1, 0);
+  condition.person.noise_deg2_per_s = 0.5;
+  condition.tracker.white_m = 0.0002;
+  std::vector<CalibrationTrial> trials;
+  std::uint32_t slide = 0;
+  for (int i = 0; i < 22; ++i)
+    trials.push_back(simulate_slide(condition, -75.0 + 15.0 * ((i * 7) % 11), 1, 0, slide++));
+  for (int i = 0; i < 6; ++i)
+    trials.push_back(simulate_turning_slide(condition, i % 2 == 0 ? 35.0 : -35.0, 1, 0, slide++));
+  return trials;
+}
+
+TEST_F(CalibrationTest, SamplesOfATurningPlateShowTheSteering) {
+  std::vector<CalibrationTrial> trials = slides_that_show_the_steering();
+  const auto whole = std::get<Calibration>(calibrate(trials));
+  ASSERT_TRUE(whole.steering.rate_per_s.known);
+  ASSERT_TRUE(whole.steering.delay_s.known);
+  // Ridges are the same after half a turn: a report that jumps by it is of the same plate.
+  for (std::size_t i = 100; i < trials[25].plate_deg.size(); ++i) trials[25].plate_deg[i] += 180.0;
+  stream(trials);
+  const hrt_calibration_result result = solve();
+  EXPECT_EQ(result.slides_turning, 6u);
+  EXPECT_EQ(result.trials_used, 22u);
+  expect_same(result.steering_rate_per_s, whole.steering.rate_per_s);
+  expect_same(result.steering_delay_s, whole.steering.delay_s);
+  EXPECT_NEAR(result.steering_p, whole.steering.law_p, 1e-9);
+}
+
+// A plate that is reported where it rests is at rest; a sample without a report has the last one.
+TEST_F(CalibrationTest, APlateIsWhereItWasLastReported) {
+  auto trials = slides_that_show_the_steering();
+  for (CalibrationTrial& trial : trials)
+    if (trial.plate_deg.empty()) trial.plate_deg.assign(trial.samples.size(), trial.plate_orientation_deg);
+  stream(trials);
+  const hrt_calibration_result every = solve();
+  EXPECT_EQ(every.slides_turning, 6u);
+  make(calibration_config());
+  for (CalibrationTrial& trial : trials) {
+    ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
+    double last_deg = trial.plate_orientation_deg;
+    for (std::size_t i = 0; i < trial.samples.size(); ++i) {
+      const TimedPoint& seen = trial.samples[i];
+      hrt_sample sample = position_sample(seen.time_ns, seen.position.right_m, seen.position.away_m);
+      if (trial.plate_deg[i] != last_deg) sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+      sample.plate_orientation_deg = last_deg = trial.plate_deg[i];
+      ASSERT_OK(add(sample));
+    }
+    ASSERT_OK(hrt_calibration_end_trial(calibration));
+  }
+  EXPECT_EQ(solve().steering_rate_per_s.value, every.steering_rate_per_s.value);
+}
+
+TEST_F(CalibrationTest, ACancelledTrialTakesItsOrientationsAlong) {
+  const auto trials = slides_that_show_the_steering();
+  ASSERT_OK(hrt_calibration_begin_trial(calibration, 45.0));
+  hrt_sample sample = position_sample(0, 0.0, 0.0);
+  sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+  sample.plate_orientation_deg = 60.0;
+  ASSERT_OK(add(sample));
+  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  stream(trials);
+  const auto whole = std::get<Calibration>(calibrate(trials));
+  expect_same(solve().steering_rate_per_s, whole.steering.rate_per_s);
+}
+
+TEST_F(CalibrationTest, KnownSteeringGoesIntoTheSession) {
+  hrt_calibration_result result = all_known();
+  result.steering_rate_per_s = {8.0, 7.0, 9.5, 0, 0};
+  result.steering_delay_s = {0.0001, -0.01, 0.02, 0, 0};
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().steering_rate_per_s, 0.0);
+  EXPECT_EQ(config().steering_delay_s, 0.0);
+  result.steering_rate_per_s.known = result.steering_delay_s.known = 1;
+  ASSERT_OK(hrt_calibration_apply(session, &result));
+  EXPECT_EQ(config().steering_rate_per_s, 8.0);
+  EXPECT_EQ(config().steering_delay_s, 0.001);  // 0 would be "not known"
+  result.steering_rate_per_s = {60.0, 55.0, 65.0, 1, 0};
+  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "steering_rate_per_s");
 }
 
 TEST_F(CalibrationTest, SlidesAreNamedAfterASolution) {

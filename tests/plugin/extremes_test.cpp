@@ -34,6 +34,8 @@ constexpr Range ranges[] = {
     {&C::tracker_noise_m, 0.0, 0.1},
     {&C::tracker_correlated_noise_m, 0.0, 0.1},
     {&C::tracker_correlation_s, 0.01, 2.0},
+    {&C::steering_rate_per_s, 0.0, 50.0},
+    {&C::steering_delay_s, 0.0, 0.5},
     {&C::plate_radius_m, 0.001, 1000.0},
     {&C::lift_height_m, 0.0001, 1000.0},
     {&C::bias_deg, -45.0, 45.0},
@@ -248,7 +250,8 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
       for (const hrt_interval& interval :
            {result.tactile_weight, result.bias_deg, result.motor_variance_deg2, result.sensory_variance_deg2,
             result.tracker_noise_m, result.person_weight, result.person_curve, result.largest_gap_deg,
-            result.habit_deg, result.correlated_noise_m, result.noise_correlation_s}) {
+            result.habit_deg, result.correlated_noise_m, result.noise_correlation_s,
+            result.steering_rate_per_s, result.steering_delay_s}) {
         EXPECT_TRUE(std::isfinite(interval.value) && std::isfinite(interval.lower) &&
                     std::isfinite(interval.upper));
         EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);

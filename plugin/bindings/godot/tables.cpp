@@ -45,6 +45,8 @@ constexpr Field kConfig[] = {
     {"max_registration_sd_deg", FieldKind::kDouble, offsetof(hrt_session_config, max_registration_sd_deg)},
     {"tracker_correlated_noise_m", FieldKind::kDouble, offsetof(hrt_session_config, tracker_correlated_noise_m)},
     {"tracker_correlation_s", FieldKind::kDouble, offsetof(hrt_session_config, tracker_correlation_s)},
+    {"steering_rate_per_s", FieldKind::kDouble, offsetof(hrt_session_config, steering_rate_per_s)},
+    {"steering_delay_s", FieldKind::kDouble, offsetof(hrt_session_config, steering_delay_s)},
 };
 
 constexpr Field kCommand[] = {
@@ -111,6 +113,7 @@ constexpr Field kAuthority[] = {
 };
 
 constexpr Field kCalibration[] = {
+    {"slides_turning", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_turning)},
     {"trials", FieldKind::kUint32, offsetof(hrt_calibration_result, trials)},
     {"trials_used", FieldKind::kUint32, offsetof(hrt_calibration_result, trials_used)},
     {"tactile_weight", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.value)},
@@ -167,6 +170,15 @@ constexpr Field kCalibration[] = {
     {"angle_p", FieldKind::kDouble, offsetof(hrt_calibration_result, angle_p)},
     {"order_p", FieldKind::kDouble, offsetof(hrt_calibration_result, order_p)},
     {"path_p", FieldKind::kDouble, offsetof(hrt_calibration_result, path_p)},
+    {"steering_rate_per_s", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.value)},
+    {"steering_rate_per_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.lower)},
+    {"steering_rate_per_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.upper)},
+    {"steering_rate_per_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, steering_rate_per_s.known)},
+    {"steering_delay_s", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.value)},
+    {"steering_delay_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.lower)},
+    {"steering_delay_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.upper)},
+    {"steering_delay_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, steering_delay_s.known)},
+    {"steering_p", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_p)},
 };
 
 constexpr Field kSlide[] = {

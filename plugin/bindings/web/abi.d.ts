@@ -275,7 +275,7 @@ export interface StructLayout<Field extends string> {
 export declare const structs: {
   readonly hrt_allocator: StructLayout<"struct_size" | "reserved" | "context" | "allocate" | "release">;
   readonly hrt_session: StructLayout<"value">;
-  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "flags" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2" | "max_felt_error_deg" | "motion_bound_deg" | "tracker_latency_ns" | "person_mean" | "person_covariance" | "plate_scale" | "plate_covariance" | "registration_time_ns" | "max_registration_age_ns" | "max_registration_sd_deg" | "tracker_correlated_noise_m" | "tracker_correlation_s">;
+  readonly hrt_session_config: StructLayout<"struct_size" | "horizon" | "step_period_ns" | "control" | "guidance" | "adaptation" | "flags" | "perceived_weight" | "actual_weight" | "plate_bound_deg" | "plate_max_speed_deg_s" | "plate_max_acceleration_deg_s2" | "plate_latency_ns" | "plate_lower_stop_deg" | "plate_upper_stop_deg" | "fixed_plate_orientation_deg" | "tactile_weight" | "tactile_weight_sd" | "motor_variance_deg2" | "sensory_variance_deg2" | "initial_variance_deg2" | "tracker_noise_m" | "start_position_m" | "plate_radius_m" | "lift_height_m" | "plate_position_m" | "plate_rotation" | "bias_deg" | "motor_variance_sd_deg2" | "max_felt_error_deg" | "motion_bound_deg" | "tracker_latency_ns" | "person_mean" | "person_covariance" | "plate_scale" | "plate_covariance" | "registration_time_ns" | "max_registration_age_ns" | "max_registration_sd_deg" | "tracker_correlated_noise_m" | "tracker_correlation_s" | "steering_rate_per_s" | "steering_delay_s">;
   readonly hrt_target: StructLayout<"value">;
   readonly hrt_target_config: StructLayout<"struct_size" | "role" | "place" | "reserved" | "direction_deg" | "distance_m" | "position_m" | "name">;
   readonly hrt_authority: StructLayout<"struct_size" | "reachable" | "real_target" | "virtual_target" | "gap_deg" | "largest_gap_deg" | "margin_deg" | "plate_orientation_deg" | "settling_direction_deg" | "paper_largest_gap_deg">;
@@ -286,7 +286,7 @@ export declare const structs: {
   readonly hrt_calibration: StructLayout<"value">;
   readonly hrt_calibration_config: StructLayout<"struct_size" | "max_trials" | "max_samples" | "reserved" | "goal_direction_deg" | "lower_plate_deg" | "upper_plate_deg" | "enough_weight_width">;
   readonly hrt_interval: StructLayout<"value" | "lower" | "upper" | "known" | "reserved">;
-  readonly hrt_calibration_result: StructLayout<"struct_size" | "reserved" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m" | "illusion" | "lack_of_fit" | "slides_outlying" | "slides_along_ridges" | "illusion_scale_deg" | "peak_offset_deg" | "person_weight" | "person_curve" | "weight_curve_correlation" | "largest_gap_deg" | "habit_deg" | "correlated_noise_m" | "noise_correlation_s" | "angle_p" | "order_p" | "path_p">;
+  readonly hrt_calibration_result: StructLayout<"struct_size" | "slides_turning" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m" | "illusion" | "lack_of_fit" | "slides_outlying" | "slides_along_ridges" | "illusion_scale_deg" | "peak_offset_deg" | "person_weight" | "person_curve" | "weight_curve_correlation" | "largest_gap_deg" | "habit_deg" | "correlated_noise_m" | "noise_correlation_s" | "angle_p" | "order_p" | "path_p" | "steering_rate_per_s" | "steering_delay_s" | "steering_p">;
   readonly hrt_calibration_slide: StructLayout<"struct_size" | "verdict" | "trial" | "reserved" | "plate_deg" | "direction_deg" | "fitted_deg" | "residual_deg">;
   readonly hrt_calibration_comparison: StructLayout<"struct_size" | "differing" | "tactile_weight" | "largest_gap_deg" | "bias_deg" | "habit_deg" | "tracker_noise_m">;
   readonly hrt_conditions: StructLayout<"struct_size" | "differing" | "time_s" | "plate" | "tracker">;
@@ -405,6 +405,10 @@ export interface hrt_session_config {
   tracker_correlated_noise_m: number;
   /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. */
   tracker_correlation_s: number;
+  /** Rate at which the person corrects an error that they feel. Found by calibration.h, kept in the profile; the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not known. Default 0. */
+  steering_rate_per_s: number;
+  /** Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not known. Default 0. */
+  steering_delay_s: number;
 }
 
 /** A target's id within its session. Zero is never a target. Ids are never reused, in any session. */
@@ -580,7 +584,7 @@ export interface hrt_calibration_config {
   struct_size: number;
   /** Maximum number of trials. 10 to 10000. Default 200. */
   max_trials: number;
-  /** Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000. Default 100000: 18 minutes at 90 Hz. */
+  /** Maximum number of samples of all trials; each takes 32 bytes at creation. 100 to 1000000. Default 100000: 18 minutes at 90 Hz. */
   max_samples: number;
   reserved: number;
   /** Direction of the user's target. -180 to 180. Default 0: straight ahead, where the motor variance is accurate. */
@@ -605,8 +609,9 @@ export interface hrt_interval {
 /** Parameters of the user; the fields are those of hrt_session_config. Set `struct_size` before the call. */
 export interface hrt_calibration_result {
   struct_size: number;
-  reserved: number;
-  /** Ended trials, and those of them with a slide of at least 30 mm. */
+  /** Trials with a slide within which the plate turned by more than 5 degrees: they show the steering alone, and are not among trials_used. Named `reserved` before version 0.3. */
+  slides_turning: number;
+  /** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
   trials: number;
   trials_used: number;
   /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of both sides. Known unless lack_of_fit is set or the interval is wider than 0.1. Of the share of touch that is felt at the slides' speed: people who feel ridges only as they cross them feel more at a higher one. */
@@ -645,6 +650,11 @@ export interface hrt_calibration_result {
   angle_p: number;
   order_p: number;
   path_p: number;
+  /** Rate at which the user corrects an error that they feel, 1/s, and the time from feeling to answer, with the tracker's latency and the arm's lag. Known with 6 turning slides or more unless lack_of_fit is set, steering_p is below 0.01, the rate's interval spans a factor above 2.5, or the delay's is wider than 0.1 s. */
+  steering_rate_per_s: hrt_interval;
+  steering_delay_s: hrt_interval;
+  /** As path_p, of the turning slides under the likeliest law of steering; 1 without such slides. */
+  steering_p: number;
 }
 
 /** One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Set `struct_size` before the call. Since version 0.3. */

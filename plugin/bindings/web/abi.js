@@ -127,7 +127,7 @@ export const structs = Object.freeze({
   hrt_session: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
   } },
-  hrt_session_config: { size: 816, fields: {
+  hrt_session_config: { size: 832, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     horizon: {"offset": 4, "type": "u32"},
     step_period_ns: {"offset": 8, "type": "i64"},
@@ -169,6 +169,8 @@ export const structs = Object.freeze({
     max_registration_sd_deg: {"offset": 792, "type": "f64"},
     tracker_correlated_noise_m: {"offset": 800, "type": "f64"},
     tracker_correlation_s: {"offset": 808, "type": "f64"},
+    steering_rate_per_s: {"offset": 816, "type": "f64"},
+    steering_delay_s: {"offset": 824, "type": "f64"},
   } },
   hrt_target: { size: 8, fields: {
     value: {"offset": 0, "type": "u64"},
@@ -284,9 +286,9 @@ export const structs = Object.freeze({
     known: {"offset": 24, "type": "u32"},
     reserved: {"offset": 28, "type": "u32"},
   } },
-  hrt_calibration_result: { size: 432, fields: {
+  hrt_calibration_result: { size: 504, fields: {
     struct_size: {"offset": 0, "type": "u32"},
-    reserved: {"offset": 4, "type": "u32"},
+    slides_turning: {"offset": 4, "type": "u32"},
     trials: {"offset": 8, "type": "u32"},
     trials_used: {"offset": 12, "type": "u32"},
     tactile_weight: {"offset": 16, "type": "hrt_interval"},
@@ -310,6 +312,9 @@ export const structs = Object.freeze({
     angle_p: {"offset": 408, "type": "f64"},
     order_p: {"offset": 416, "type": "f64"},
     path_p: {"offset": 424, "type": "f64"},
+    steering_rate_per_s: {"offset": 432, "type": "hrt_interval"},
+    steering_delay_s: {"offset": 464, "type": "hrt_interval"},
+    steering_p: {"offset": 496, "type": "f64"},
   } },
   hrt_calibration_slide: { size: 48, fields: {
     struct_size: {"offset": 0, "type": "u32"},

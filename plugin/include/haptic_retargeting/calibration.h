@@ -5,6 +5,8 @@
  * The user slides to one target straight ahead, with the plate at a different orientation (base.h) each time:
  * hrt_calibration_next_angle() chooses the next one. Half a second at rest before each slide measures the
  * tracker's noise. The host turns the plate. Published human data cover plate orientations of -60 to 60.
+ * Six slides or more within which the plate turns by tens of degrees, to and fro, show how fast and how late
+ * the user steers: their samples have HRT_SAMPLE_PLATE_ORIENTATION.
  *
  *   create -> (next_angle -> begin_trial -> add_sample ... add_sample -> end_trial) for each slide
  *          -> solve -> apply
@@ -31,7 +33,7 @@ typedef struct hrt_calibration_config {
   uint32_t struct_size;
   /** Maximum number of trials. 10 to 10000. Default 200. */
   uint32_t max_trials;
-  /** Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000. Default
+  /** Maximum number of samples of all trials; each takes 32 bytes at creation. 100 to 1000000. Default
    *  100000: 18 minutes at 90 Hz. */
   uint32_t max_samples;
   uint32_t reserved;
@@ -80,8 +82,10 @@ typedef struct hrt_interval {
 /** Parameters of the user; the fields are those of hrt_session_config. Set `struct_size` before the call. */
 typedef struct hrt_calibration_result {
   uint32_t struct_size;
-  uint32_t reserved;
-  /** Ended trials, and those of them with a slide of at least 30 mm. */
+  /** Trials with a slide within which the plate turned by more than 5 degrees: they show the steering alone,
+   *  and are not among trials_used. Named `reserved` before version 0.3. */
+  uint32_t slides_turning;
+  /** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
   uint32_t trials;
   uint32_t trials_used;
   /** Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of both sides. Known
@@ -131,6 +135,14 @@ typedef struct hrt_calibration_result {
   double angle_p;
   double order_p;
   double path_p;
+  /** Rate at which the user corrects an error that they feel, 1/s, and the time from feeling to answer, with
+   *  the tracker's latency and the arm's lag. Known with 6 turning slides or more unless lack_of_fit is set,
+   *  steering_p is below 0.01, the rate's interval spans a factor above 2.5, or the delay's is wider than
+   *  0.1 s. */
+  hrt_interval steering_rate_per_s;
+  hrt_interval steering_delay_s;
+  /** As path_p, of the turning slides under the likeliest law of steering; 1 without such slides. */
+  double steering_p;
 } hrt_calibration_result;
 
 /** What became of a slide: hrt_calibration_slide::verdict. */
@@ -191,15 +203,16 @@ HRT_NODISCARD HRT_API hrt_result hrt_calibration_create(hrt_session session,
  *  if another thread is in a call on this calibration. [one-thread] */
 HRT_API hrt_result hrt_calibration_destroy(hrt_calibration calibration) HRT_NOEXCEPT;
 
-/** Begins a trial, during which the plate stays at `plate_orientation_deg` (base.h), -3600 to 3600.
- *  Errors: OUT_OF_RANGE, WRONG_STATE during a trial, LIMIT_REACHED. [real-time] */
+/** Begins a trial, with the plate at `plate_orientation_deg` (base.h), -3600 to 3600. Errors: OUT_OF_RANGE,
+ * WRONG_STATE during a trial, LIMIT_REACHED. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_begin_trial(hrt_calibration calibration,
                                                              double plate_orientation_deg) HRT_NOEXCEPT;
 
 /** Adds one sample: of the finger at rest, then of its slide. Dropouts, lifted fingers and repeated times
- *  are ignored without an error; so is HRT_SAMPLE_PLATE_ORIENTATION. Errors: WRONG_STATE without a trial,
- *  OUT_OF_RANGE naming the field, or flags with HRT_SAMPLE_DIRECTION: positions are needed; TIME_REVERSED
- *  within a trial, LIMIT_REACHED after max_samples. [real-time] */
+ *  are ignored without an error. Without HRT_SAMPLE_PLATE_ORIENTATION the plate stands where it stood at the
+ *  trial's last sample, first where the trial began. Errors: WRONG_STATE without a trial, OUT_OF_RANGE naming
+ * the field, or flags with HRT_SAMPLE_DIRECTION: positions are needed; TIME_REVERSED within a trial,
+ * LIMIT_REACHED after max_samples. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_add_sample(hrt_calibration calibration,
                                                             const hrt_sample* sample) HRT_NOEXCEPT;
 

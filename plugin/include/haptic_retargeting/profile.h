@@ -11,8 +11,8 @@
  *
  * Fields and ranges are those of hrt_session_config. A library of version 0.1 refuses bias_deg,
  * motor_variance_sd_deg2 and tracker_noise_m; one of 0.2 refuses person_mean and person_covariance, which are
- * there once a reach of the person was carried, and tracker_correlated_noise_m and tracker_correlation_s,
- * which are there if a calibration found such noise, and the
+ * there once a reach of the person was carried, tracker_correlated_noise_m and tracker_correlation_s, which
+ * are there if a calibration found such noise, steering_rate_per_s and steering_delay_s, likewise, and the
  * conditions.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H

@@ -23,6 +23,8 @@ constexpr IntervalName intervals[] = {
     {"habit_deg", &R::habit_deg},
     {"correlated_noise_m", &R::correlated_noise_m},
     {"noise_correlation_s", &R::noise_correlation_s},
+    {"steering_rate_per_s", &R::steering_rate_per_s},
+    {"steering_delay_s", &R::steering_delay_s},
 };
 constexpr std::pair<const char*, std::uint32_t R::*> counts[] = {
     {"trials", &R::trials},
@@ -31,6 +33,7 @@ constexpr std::pair<const char*, std::uint32_t R::*> counts[] = {
     {"lack_of_fit", &R::lack_of_fit},
     {"slides_outlying", &R::slides_outlying},
     {"slides_along_ridges", &R::slides_along_ridges},
+    {"slides_turning", &R::slides_turning},
 };
 constexpr std::pair<const char*, double R::*> numbers[] = {
     {"illusion_scale_deg", &R::illusion_scale_deg},
@@ -39,8 +42,9 @@ constexpr std::pair<const char*, double R::*> numbers[] = {
     {"angle_p", &R::angle_p},
     {"order_p", &R::order_p},
     {"path_p", &R::path_p},
+    {"steering_p", &R::steering_p},
 };
-static_assert(sizeof(R) == 8 + std::size(intervals) * sizeof(hrt_interval) + std::size(counts) * 4 +
+static_assert(sizeof(R) == 4 + std::size(intervals) * sizeof(hrt_interval) + std::size(counts) * 4 +
                                std::size(numbers) * 8,
               "a field of the result is not recorded");
 

@@ -270,15 +270,6 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
   return HRT_OK;
 }
 
-bool is_of_correlated_noise(const NumberField& field) {
-  return field.value == &hrt_session_config::tracker_correlated_noise_m ||
-         field.value == &hrt_session_config::tracker_correlation_s;
-}
-
-bool knows_correlated_noise(const hrt_session_config& config) {
-  return config.tracker_correlated_noise_m > 0.0;
-}
-
 void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
   out << "{\"max_trials\":" << config.max_trials << ",\"max_samples\":" << config.max_samples
       << ",\"goal_direction_deg\":" << config.goal_direction_deg
@@ -320,7 +311,7 @@ hrt_result read_calibration_config(std::string_view text, hrt_calibration_config
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out) {
   out << "{\"format\":\"" << profile_format << "\",\"version\":1";
   for (const NumberField& field : number_fields()) {
-    if (!field.of_participant || (is_of_correlated_noise(field) && !knows_correlated_noise(config))) continue;
+    if (!field.of_participant || (field.known_by && !(config.*field.known_by > 0.0))) continue;
     out << ",\"" << field.name << "\":" << config.*field.value;
   }
   for (const VectorField& field : vector_fields()) {
@@ -343,7 +334,8 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   hrt_session_config read = *config;
   // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
   forget_person(&read);
-  read.tracker_correlated_noise_m = 0.0;
+  for (const NumberField& field : number_fields())
+    if (field.known_by) read.*field.known_by = 0.0;
   hrt_conditions measured{};
   bool has_format = false, has_version = false;
   for (const Field& field : fields) {

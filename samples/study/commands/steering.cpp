@@ -114,30 +114,38 @@ std::string coverage_text(const Options& options, Progress* progress, std::uint6
       std::to_string(options.people) +
       " people a kind.\nknown: % of people; cover: % of those whose 95 % interval holds the truth, and the "
       "95 "
-      "% interval of that\nshare; error and width: means, the rate's error in %.\n\n" +
-      left("", 14) + left("rate, 1/s", 38) + "delay, ms\n" + left("", 14) +
-      "  known  cover           error   width  known  cover           error   width\n";
+      "% interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people whose "
+      "paths no law of steering "
+      "fits.\n\n" +
+      left("", 14) + left("rate, 1/s", 38) + left("delay, ms", 38) + "\n" + left("", 14) +
+      "  known  cover           error   width  known  cover           error   width  unlike\n";
   Tally rates;
   Tally delays;
+  Share all_unlike;
   const auto add_row = [&](const char* kind, bool has_truth) {
     std::vector<Found> found(options.people);
     for_each(options.people, options.threads,
              [&](std::uint32_t i) { found[i] = calibrate_person(*people_family(kind), options, i); });
     Tally rate;
     Tally delay;
+    Share unlike;
     for (const Found& one : found) {
       const SteeringFit& s = one.steering;
+      unlike.count(s.law_p < least_fit_p);
       rate.add(s.rate_per_s, one.person.gain_per_s, 1.0, true);
       delay.add(s.delay_s, one.person.delay_s, 1e3, false);
       if (!has_truth) continue;
       rates.add(s.rate_per_s, one.person.gain_per_s, 1.0, true);
       delays.add(s.delay_s, one.person.delay_s, 1e3, false);
+      all_unlike.count(s.law_p < least_fit_p);
     }
-    page += left(kind, 14) + rate.text(has_truth) + delay.text(has_truth) + "\n";
+    page +=
+        left(kind, 14) + rate.text(has_truth) + delay.text(has_truth) + cell(unlike.percent(), 0, 8) + "\n";
     progress->update(++*done, all);
   };
   for (const char* kind : law_kinds) add_row(kind, true);
-  page += left("all of these", 14) + rates.text(true) + delays.text(true) + "\n";
+  page += left("all of these", 14) + rates.text(true) + delays.text(true) + cell(all_unlike.percent(), 0, 8) +
+          "\n";
   for (const char* kind : other_kinds) add_row(kind, false);
   return page +
          "\nThe last rows have no rate and delay of this law: steps of 100 ms, an arm that lags, ridges felt "

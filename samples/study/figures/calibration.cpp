@@ -163,6 +163,7 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
                            {"withheld", quantity.withheld}};
   const SteeringFit& steering = calibration.steering;
   page["turning_slides"] = steering.slides;
+  page["steering_p"] = steering.law_p;
   for (const Quantity& quantity : steering_quantities(steering))
     page[quantity.name] = {{"value", quantity.interval.value},
                            {"interval", {quantity.interval.lower, quantity.interval.upper}},
@@ -201,7 +202,17 @@ std::string calibration_profile(const Calibration& calibration, const MeasuredWi
         std::max(deviation_of_interval(weight.lower, weight.upper), least_carried_weight_sd);
   }
   if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
-  if (calibration.noise.white_m.known) profile["tracker_noise_m"] = calibration.noise.white_m.value;
+  if (const auto noise = known_noise(calibration.noise)) {
+    profile["tracker_noise_m"] = noise->white_m;
+    if (noise->correlated_m > 0.0) {
+      profile["tracker_correlated_noise_m"] = noise->correlated_m;
+      profile["tracker_correlation_s"] = noise->correlation_s;
+    }
+  }
+  const SteeringFit& steering = calibration.steering;
+  if (steering.rate_per_s.known) profile["steering_rate_per_s"] = steering.rate_per_s.value;
+  if (steering.delay_s.known)
+    profile["steering_delay_s"] = std::max(steering.delay_s.value, least_known_delay_s);
   if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known &&
       calibration.habit_deg.known) {
     const PersonBelief belief =

@@ -372,10 +372,17 @@ TEST_F(Component, CalibratesAUser) {
   std::mt19937 random(1);
   for (int round = 0; round < 4; ++round)
     for (const double plate_yaw : {-60, -30, 0, 30, 60}) slide(component_, plate_yaw, random);
+  ASSERT_TRUE(component_.BeginTrial(30));
+  for (int frame = 0; frame < 180; ++frame)  // over a plate that turns from 30 degrees to -30
+    ASSERT_TRUE(component_.AddTrialSampleAndPlate(FVector(-5 + 0.1 * std::max(frame - 60, 0), 0.01 * (frame % 3), 0.2),
+                                                  std::clamp(120.0 - frame, -30.0, 30.0), frame / 90.0))
+        << last_log();
+  ASSERT_TRUE(component_.EndTrial());
   ASSERT_TRUE(component_.BeginTrial(0));
   ASSERT_TRUE(component_.CancelTrial());
   ASSERT_TRUE(component_.SolveCalibration(user)) << last_log();
   EXPECT_EQ(user.TrialsUsed, 20);
+  EXPECT_EQ(user.SlidesTurning, 1);
   EXPECT_TRUE(user.TactileWeight.bKnown);
   EXPECT_NEAR(user.TactileWeight.Value, 0.2, 0.02);
   EXPECT_NEAR(user.BiasYaw.Value, 2, 0.5);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
@@ -21,9 +22,10 @@ using plate::PtyPlate;
 
 const std::string desk = HRT_SCENES "/desk.gltf";
 
-std::string person_of(double tactile_weight, int duration_ms = 1500) {
+std::string person_of(double tactile_weight, int duration_ms = 1500, double noise_deg2_per_s = 2) {
   return R"("participants": [{"illusion": "linear", "tactile_weight": )" + std::to_string(tactile_weight) +
-         R"(, "steering": "continuous", "delay_ms": 50, "gain_per_s": 9, "noise_deg2_per_s": 2,
+         R"(, "steering": "continuous", "delay_ms": 50, "gain_per_s": 9, "noise_deg2_per_s": )" +
+         std::to_string(noise_deg2_per_s) + R"(,
          "start_direction_deg": 0, "habit_deg": 0, "pace": "minimum_jerk", "reaction_ms": 500, "duration_ms": )" +
          std::to_string(duration_ms) + "}]";
 }
@@ -31,6 +33,14 @@ std::string person_of(double tactile_weight, int duration_ms = 1500) {
 std::string text_of(const std::string& file) {
   std::ifstream stream(file);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The number behind a name; NaN without one.
+double value_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find(name);
+  double value = std::nan("");
+  if (at != std::string::npos) std::sscanf(text.c_str() + at + name.size(), "%lf", &value);
+  return value;
 }
 
 struct Found {
@@ -82,6 +92,29 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
     EXPECT_EQ(other.exit_code, 0) << other.out << other.err;
     EXPECT_NE(other.err.find("measured with another plate, runtime\n"), std::string::npos) << other.err;
   }
+}
+
+// The plate turns within 12 slides more, and the profile keeps what they show: how exactly, core says.
+TEST(ReachCalibrate, SlidesOverATurningPlateShowTheSteering) {
+  const std::string profile = scratch_folder() + "/profile.json";
+  const std::string recording = scratch_folder() + "/slides.csv";
+  const Outcome outcome = run_scripted("{" + person_of(0.2, 3000, 0.2) + "}",
+                                       {desk, "--calibrate", profile, "--steering", "--record", recording});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_NE(outcome.out.find("turning to the other side and back"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(", and 12 for the steering\n"), std::string::npos) << outcome.out;
+  EXPECT_NEAR(value_of(outcome.out, "steering, rate"), 9.0, 2.5) << outcome.out;
+  EXPECT_NEAR(value_of(outcome.out, "steering, delay"), 50.0, 20.0) << outcome.out;
+  const std::string text = text_of(profile);
+  EXPECT_NEAR(value_of(text, "\"steering_rate_per_s\":"), 9.0, 2.5) << text;
+  EXPECT_NEAR(value_of(text, "\"steering_delay_s\":"), 0.05, 0.02) << text;
+  hrt_replay_report report{.struct_size = sizeof report};
+  ASSERT_EQ(hrt_replay_file(recording.c_str(), &report), HRT_OK) << hrt_last_error();
+  EXPECT_EQ(report.complete, 1U);
+  EXPECT_EQ(report.first_different_line, 0U);
+  const Outcome alone = run_program({desk, "--steering"});
+  EXPECT_EQ(alone.exit_code, 2);
+  EXPECT_NE(alone.err.find("--calibrate"), std::string::npos) << alone.err;
 }
 
 // Beyond 45 degrees this person feels no more: 9 degrees of shift at most.

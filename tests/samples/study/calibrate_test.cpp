@@ -94,10 +94,12 @@ TEST(StudyCalibrate, SlidesOverATurningPlateShowTheSteering) {
 
   const TemporaryFolder folder;
   std::ofstream(folder / "me.csv") << csv;
-  const StudyRun run = run_study({"calibrate", folder / "me.csv", "--format", "json"});
+  const StudyRun run =
+      run_study({"calibrate", folder / "me.csv", "--format", "json", "--profile", folder / "profile.json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const json page = json::parse(run.out);
   EXPECT_EQ(page["turning_slides"], 8);
+  EXPECT_GT(page["steering_p"], 0.01);
   EXPECT_EQ(page["slides"].size(), 22U);
   for (const char* name : {"steering_rate_per_s", "steering_delay_ms"}) {
     EXPECT_TRUE(page[name]["known"].get<bool>()) << name;
@@ -105,6 +107,9 @@ TEST(StudyCalibrate, SlidesOverATurningPlateShowTheSteering) {
   }
   EXPECT_NEAR(page["steering_rate_per_s"]["value"].get<double>(), person.person.gain_per_s, 1.5);
   EXPECT_NEAR(page["steering_delay_ms"]["value"].get<double>(), 1e3 * person.person.delay_s, 15.0);
+  const json profile = json::parse(read_file(folder.path / "profile.json"));
+  EXPECT_EQ(profile["steering_rate_per_s"], page["steering_rate_per_s"]["value"]);
+  EXPECT_NEAR(profile["steering_delay_s"], 1e-3 * page["steering_delay_ms"]["value"].get<double>(), 1e-12);
   const StudyRun text = run_study({"calibrate", folder / "me.csv"});
   EXPECT_NE(text.out.find("steering, rate k, 1/s"), std::string::npos) << text.out;
 }

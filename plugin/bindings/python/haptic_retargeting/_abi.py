@@ -588,6 +588,11 @@ class SessionConfig(Struct):
         calibration.h. 0 to 0.1; 0: not known. Default 0.
     tracker_correlation_s: Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default
         0.1.
+    steering_rate_per_s: Rate at which the person corrects an error that they feel. Found by calibration.h,
+        kept in the profile; the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not
+        known. Default 0.
+    steering_delay_s: Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not
+        known. Default 0.
     """
 
     if TYPE_CHECKING:
@@ -632,6 +637,8 @@ class SessionConfig(Struct):
         max_registration_sd_deg: float
         tracker_correlated_noise_m: float
         tracker_correlation_s: float
+        steering_rate_per_s: float
+        steering_delay_s: float
 
         def __init__(
             self, *, horizon: int = ..., step_period_ns: int = ..., control: Control = ..., guidance: Guidance = ...,
@@ -648,6 +655,7 @@ class SessionConfig(Struct):
             person_covariance: ArrayLike = ..., plate_scale: float = ..., plate_covariance: ArrayLike = ...,
             registration_time_ns: int = ..., max_registration_age_ns: int = ..., max_registration_sd_deg: float = ...,
             tracker_correlated_noise_m: float = ..., tracker_correlation_s: float = ...,
+            steering_rate_per_s: float = ..., steering_delay_s: float = ...,
         ) -> None: ...
 
     _fields_ = (
@@ -692,6 +700,8 @@ class SessionConfig(Struct):
         ("max_registration_sd_deg", c_double),
         ("tracker_correlated_noise_m", c_double),
         ("tracker_correlation_s", c_double),
+        ("steering_rate_per_s", c_double),
+        ("steering_delay_s", c_double),
     )
 
 
@@ -1109,7 +1119,7 @@ class CalibrationConfig(Struct):
     """Configuration of a calibration.
 
     max_trials: Maximum number of trials. 10 to 10000. Default 200.
-    max_samples: Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000.
+    max_samples: Maximum number of samples of all trials; each takes 32 bytes at creation. 100 to 1000000.
         Default 100000: 18 minutes at 90 Hz.
     goal_direction_deg: Direction of the user's target. -180 to 180. Default 0: straight ahead, where the
         motor variance is accurate.
@@ -1183,7 +1193,9 @@ class Interval(Struct):
 class CalibrationResult(Struct):
     """Parameters of the user; the fields are those of SessionConfig.
 
-    trials: Ended trials, and those of them with a slide of at least 30 mm.
+    slides_turning: Trials with a slide within which the plate turned by more than 5 degrees: they show the
+        steering alone, and are not among trials_used. Named `reserved` before version 0.3.
+    trials: Ended trials, and those of them with a slide of at least 30 mm over a plate at rest.
     trials_used
     tactile_weight: Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of
         both sides. Known unless lack_of_fit is set or the interval is wider than 0.1. Of the share of touch
@@ -1219,11 +1231,17 @@ class CalibrationResult(Struct):
         the order of the slides, the path.
     order_p
     path_p
+    steering_rate_per_s: Rate at which the user corrects an error that they feel, 1/s, and the time from
+        feeling to answer, with the tracker's latency and the arm's lag. Known with 6 turning slides or more
+        unless lack_of_fit is set, steering_p is below 0.01, the rate's interval spans a factor above 2.5,
+        or the delay's is wider than 0.1 s.
+    steering_delay_s
+    steering_p: As path_p, of the turning slides under the likeliest law of steering; 1 without such slides.
     """
 
     if TYPE_CHECKING:
         struct_size: int
-        reserved: int
+        slides_turning: int
         trials: int
         trials_used: int
         tactile_weight: Interval
@@ -1247,21 +1265,25 @@ class CalibrationResult(Struct):
         angle_p: float
         order_p: float
         path_p: float
+        steering_rate_per_s: Interval
+        steering_delay_s: Interval
+        steering_p: float
 
         def __init__(
-            self, *, trials: int = ..., trials_used: int = ..., tactile_weight: Interval = ...,
-            bias_deg: Interval = ..., motor_variance_deg2: Interval = ..., sensory_variance_deg2: Interval = ...,
-            tracker_noise_m: Interval = ..., illusion: Illusion = ..., lack_of_fit: LackOfFitFlag = ...,
-            slides_outlying: int = ..., slides_along_ridges: int = ..., illusion_scale_deg: float = ...,
-            peak_offset_deg: float = ..., person_weight: Interval = ..., person_curve: Interval = ...,
-            weight_curve_correlation: float = ..., largest_gap_deg: Interval = ..., habit_deg: Interval = ...,
-            correlated_noise_m: Interval = ..., noise_correlation_s: Interval = ..., angle_p: float = ...,
-            order_p: float = ..., path_p: float = ...,
+            self, *, slides_turning: int = ..., trials: int = ..., trials_used: int = ...,
+            tactile_weight: Interval = ..., bias_deg: Interval = ..., motor_variance_deg2: Interval = ...,
+            sensory_variance_deg2: Interval = ..., tracker_noise_m: Interval = ..., illusion: Illusion = ...,
+            lack_of_fit: LackOfFitFlag = ..., slides_outlying: int = ..., slides_along_ridges: int = ...,
+            illusion_scale_deg: float = ..., peak_offset_deg: float = ..., person_weight: Interval = ...,
+            person_curve: Interval = ..., weight_curve_correlation: float = ..., largest_gap_deg: Interval = ...,
+            habit_deg: Interval = ..., correlated_noise_m: Interval = ..., noise_correlation_s: Interval = ...,
+            angle_p: float = ..., order_p: float = ..., path_p: float = ..., steering_rate_per_s: Interval = ...,
+            steering_delay_s: Interval = ..., steering_p: float = ...,
         ) -> None: ...
 
     _fields_ = (
         ("struct_size", c_uint32),
-        ("reserved", c_uint32),
+        ("slides_turning", c_uint32),
         ("trials", c_uint32),
         ("trials_used", c_uint32),
         ("tactile_weight", Interval),
@@ -1285,6 +1307,9 @@ class CalibrationResult(Struct):
         ("angle_p", c_double),
         ("order_p", c_double),
         ("path_p", c_double),
+        ("steering_rate_per_s", Interval),
+        ("steering_delay_s", Interval),
+        ("steering_p", c_double),
     )
 
 

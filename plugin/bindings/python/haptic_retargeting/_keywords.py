@@ -40,6 +40,7 @@ class SessionKeywords:
             plate_covariance: Numbers | None = None, registration_time_ns: int | None = None,
             max_registration_age_ns: int | None = None, max_registration_sd_deg: float | None = None,
             tracker_correlated_noise_m: float | None = None, tracker_correlation_s: float | None = None,
+            steering_rate_per_s: float | None = None, steering_delay_s: float | None = None,
     ) -> None:
         self._create(_given(locals()))
 
@@ -66,6 +67,7 @@ class SessionKeywords:
             plate_covariance: Numbers | None = None, registration_time_ns: int | None = None,
             max_registration_age_ns: int | None = None, max_registration_sd_deg: float | None = None,
             tracker_correlated_noise_m: float | None = None, tracker_correlation_s: float | None = None,
+            steering_rate_per_s: float | None = None, steering_delay_s: float | None = None,
     ) -> None:
         self._configure(_given(locals()))
 

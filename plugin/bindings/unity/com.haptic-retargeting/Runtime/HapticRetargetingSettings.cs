@@ -85,6 +85,17 @@ namespace Hrt
         [Range(0f, 180f)]
         public double maxRegistrationSdDeg;
 
+        [Tooltip("Rate at which the person corrects an error that they feel. Found by calibration.h, kept" +
+                 " in the profile; the controller does not read it, as it gains nothing by it. 0 to 50 " +
+                 "1/s; 0: not known. Default 0.")]
+        [Range(0f, 50f)]
+        public double steeringRatePerS;
+
+        [Tooltip("Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not " +
+                 "known. Default 0.")]
+        [Range(0f, 0.5f)]
+        public double steeringDelayS;
+
         [Header("Plate")]
         [Tooltip("Maximum angle, modulo 180, between the plate orientation and the virtual direction plus" +
                  " biasDeg. Raising it allows larger gaps; near 90 the ridges run along the motion and " +
@@ -220,6 +231,8 @@ namespace Hrt
             config.motionBoundDeg = motionBoundDeg;
             config.maxRegistrationAgeNs = (long)Math.Round(maxRegistrationAgeMs * 1e6);
             config.maxRegistrationSdDeg = maxRegistrationSdDeg;
+            config.steeringRatePerS = steeringRatePerS;
+            config.steeringDelayS = steeringDelayS;
             config.plateBoundDeg = plateBoundDeg;
             config.plateMaxSpeedDegS = plateMaxSpeedDegS;
             config.plateMaxAccelerationDegS2 = plateMaxAccelerationDegS2;

@@ -554,6 +554,13 @@ namespace Hrt
         /// <summary>Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default
         /// 0.1.</summary>
         public double trackerCorrelationS;
+        /// <summary>Rate at which the person corrects an error that they feel. Found by calibration.h, kept
+        /// in the profile; the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not
+        /// known. Default 0.</summary>
+        public double steeringRatePerS;
+        /// <summary>Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not known.
+        /// Default 0.</summary>
+        public double steeringDelayS;
 
         /// <summary>Every field with its default.</summary>
         public static SessionConfig Default
@@ -832,7 +839,7 @@ namespace Hrt
         public uint structSize;
         /// <summary>Maximum number of trials. 10 to 10000. Default 200.</summary>
         public uint maxTrials;
-        /// <summary>Maximum number of samples of all trials; each takes 24 bytes at creation. 100 to 1000000.
+        /// <summary>Maximum number of samples of all trials; each takes 32 bytes at creation. 100 to 1000000.
         /// Default 100000: 18 minutes at 90 Hz.</summary>
         public uint maxSamples;
         public uint reserved;
@@ -884,8 +891,11 @@ namespace Hrt
     public partial struct CalibrationResult
     {
         public uint structSize;
-        public uint reserved;
-        /// <summary>Ended trials, and those of them with a slide of at least 30 mm.</summary>
+        /// <summary>Trials with a slide within which the plate turned by more than 5 degrees: they show the
+        /// steering alone, and are not among trialsUsed. Named <c>reserved</c> before version 0.3.</summary>
+        public uint slidesTurning;
+        /// <summary>Ended trials, and those of them with a slide of at least 30 mm over a plate at
+        /// rest.</summary>
         public uint trials;
         public uint trialsUsed;
         /// <summary>Felt shift over the offset of the ridge normal from the motion, at 60 degrees, mean of
@@ -940,6 +950,15 @@ namespace Hrt
         public double angleP;
         public double orderP;
         public double pathP;
+        /// <summary>Rate at which the user corrects an error that they feel, 1/s, and the time from feeling
+        /// to answer, with the tracker's latency and the arm's lag. Known with 6 turning slides or more
+        /// unless lackOfFit is set, steeringP is below 0.01, the rate's interval spans a factor above 2.5, or
+        /// the delay's is wider than 0.1 s.</summary>
+        public Interval steeringRatePerS;
+        public Interval steeringDelayS;
+        /// <summary>As pathP, of the turning slides under the likeliest law of steering; 1 without such
+        /// slides.</summary>
+        public double steeringP;
     }
 
     /// <summary>One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Set

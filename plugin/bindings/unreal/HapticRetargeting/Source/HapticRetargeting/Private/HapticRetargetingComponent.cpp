@@ -306,6 +306,14 @@ bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
 	return true;
 }
 
+hrt_sample UHapticRetargetingComponent::FingerAndPlateSample(const FVector& Location, double PlateYaw, double Time) const
+{
+	hrt_sample Sample = FingerSample(Location, Time);
+	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+	Sample.plate_orientation_deg = Turned(PlateYaw);
+	return Sample;
+}
+
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
 	hrt_sample Sample{};
@@ -324,10 +332,7 @@ bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double T
 
 bool UHapticRetargetingComponent::UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time)
 {
-	hrt_sample Sample = FingerSample(Location, Time);
-	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-	Sample.plate_orientation_deg = Turned(PlateYaw);
-	return UpdateSample(Sample);
+	return UpdateSample(FingerAndPlateSample(Location, PlateYaw, Time));
 }
 
 bool UHapticRetargetingComponent::UpdateLost(double Time)
@@ -466,6 +471,12 @@ bool UHapticRetargetingComponent::BeginTrial(double PlateYaw)
 bool UHapticRetargetingComponent::AddTrialSample(const FVector& Location, double Time)
 {
 	const hrt_sample Sample = FingerSample(Location, Time);
+	return HAPTIC_CALL(hrt_calibration_add_sample(Calibration, &Sample));
+}
+
+bool UHapticRetargetingComponent::AddTrialSampleAndPlate(const FVector& Location, double PlateYaw, double Time)
+{
+	const hrt_sample Sample = FingerAndPlateSample(Location, PlateYaw, Time);
 	return HAPTIC_CALL(hrt_calibration_add_sample(Calibration, &Sample));
 }
 

@@ -22,6 +22,8 @@ namespace HapticConversions
 		Config.motion_bound_deg = S.MotionBound;
 		Config.max_registration_age_ns = ToNanoseconds(S.MaxRegistrationAge);
 		Config.max_registration_sd_deg = S.MaxRegistrationSd;
+		Config.steering_rate_per_s = S.SteeringRate;
+		Config.steering_delay_s = S.SteeringDelay;
 		Config.plate_bound_deg = S.PlateBound;
 		Config.plate_max_speed_deg_s = S.PlateMaxSpeed;
 		Config.plate_max_acceleration_deg_s2 = S.PlateMaxAcceleration;
@@ -112,6 +114,14 @@ namespace HapticConversions
 		if (Differ(C.max_registration_sd_deg, Before.max_registration_sd_deg))
 		{
 			S.MaxRegistrationSd = C.max_registration_sd_deg;
+		}
+		if (Differ(C.steering_rate_per_s, Before.steering_rate_per_s))
+		{
+			S.SteeringRate = C.steering_rate_per_s;
+		}
+		if (Differ(C.steering_delay_s, Before.steering_delay_s))
+		{
+			S.SteeringDelay = C.steering_delay_s;
 		}
 		if (Differ(C.plate_bound_deg, Before.plate_bound_deg))
 		{
@@ -282,6 +292,7 @@ namespace HapticConversions
 	FHapticCalibration FromCalibration(const hrt_calibration_result& C)
 	{
 		FHapticCalibration Result;
+		Result.SlidesTurning = static_cast<int32>(C.slides_turning);
 		Result.Trials = static_cast<int32>(C.trials);
 		Result.TrialsUsed = static_cast<int32>(C.trials_used);
 		Result.TactileWeight = FromInterval(C.tactile_weight, 1.0);
@@ -305,6 +316,9 @@ namespace HapticConversions
 		Result.AngleP = C.angle_p;
 		Result.OrderP = C.order_p;
 		Result.PathP = C.path_p;
+		Result.SteeringRate = FromInterval(C.steering_rate_per_s, 1.0);
+		Result.SteeringDelay = FromInterval(C.steering_delay_s, 1.0);
+		Result.SteeringP = C.steering_p;
 		return Result;
 	}
 

@@ -140,13 +140,18 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool GetNextAngle(double& OutPlateYaw, bool& bOutEnough);
 
-	/** The plate stands at Plate Yaw until the trial ends. */
+	/** The plate stands at Plate Yaw, until the trial ends or Add Trial Sample And Plate says otherwise. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool BeginTrial(double PlateYaw);
 
 	/** The fingertip in the world, at rest and then sliding. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool AddTrialSample(const FVector& Location, double Time);
+
+	/** As Add Trial Sample, with the plate's yaw as its servo reports it: of a plate that turns within the slide, which
+	 *  shows how fast and how late the user steers. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
+	bool AddTrialSampleAndPlate(const FVector& Location, double PlateYaw, double Time);
 
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
 	bool EndTrial();
@@ -242,6 +247,7 @@ private:
 	void PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const;
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
+	hrt_sample FingerAndPlateSample(const FVector& Location, double PlateYaw, double Time) const;
 	void TakeFromSession();
 	void CloseSession();
 

@@ -281,6 +281,16 @@ struct FHapticSettings
 		meta = (Units = "deg", ClampMin = "0", ClampMax = "180"))
 	double MaxRegistrationSd = 0.0;
 
+	/** Rate at which the person corrects an error that they feel. Found by calibration.h, kept in the profile; the
+	 *  controller does not read it, as it gains nothing by it. 0: not known. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller", meta = (ClampMin = "0", ClampMax = "50"))
+	double SteeringRate = 0.0;
+
+	/** Time from what the person feels to their answer, kept likewise. 0: not known. In seconds. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Controller",
+		meta = (Units = "s", ClampMin = "0", ClampMax = "0.5"))
+	double SteeringDelay = 0.0;
+
 	/** Maximum angle, modulo 180, between the plate orientation and the virtual direction plus BiasYaw. Raising it
 	 *  allows larger gaps; near 90 the ridges run along the motion and signal nothing. */
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Plate",
@@ -667,11 +677,16 @@ struct FHapticCalibration
 {
 	GENERATED_BODY()
 
-	/** Ended trials, and those of them with a slide of at least 30 mm. */
+	/** Trials with a slide within which the plate turned by more than 5 degrees: they show the steering alone, and
+	 *  are not among TrialsUsed. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	int32 SlidesTurning = 0;
+
+	/** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int32 Trials = 0;
 
-	/** Ended trials, and those of them with a slide of at least 30 mm. */
+	/** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int32 TrialsUsed = 0;
 
@@ -772,6 +787,23 @@ struct FHapticCalibration
 	 *  the slides, the path. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double PathP = 0.0;
+
+	/** Rate at which the user corrects an error that they feel, 1/s, and the time from feeling to answer, with the
+	 *  tracker's latency and the arm's lag. Known with 6 turning slides or more unless LackOfFit is set, SteeringP
+	 *  is below 0.01, the rate's interval spans a factor above 2.5, or the delay's is wider than 0.1 s. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval SteeringRate;
+
+	/** Rate at which the user corrects an error that they feel, 1/s, and the time from feeling to answer, with the
+	 *  tracker's latency and the arm's lag. Known with 6 turning slides or more unless LackOfFit is set, SteeringP
+	 *  is below 0.01, the rate's interval spans a factor above 2.5, or the delay's is wider than 0.1 s. In
+	 *  seconds. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval SteeringDelay;
+
+	/** As PathP, of the turning slides under the likeliest law of steering; 1 without such slides. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	double SteeringP = 0.0;
 };
 
 /** One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. */
