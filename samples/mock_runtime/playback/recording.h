@@ -30,6 +30,7 @@
 #include <openxr/openxr.h>
 
 #include <map>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -37,7 +38,6 @@
 #include <vector>
 
 #include "samples/mock_runtime/script/faults.h"
-#include "samples/mock_runtime/script/members.h"
 
 namespace hrt::mock {
 
@@ -127,7 +127,7 @@ struct Recording {
   std::vector<CallFault> failures;
 
   /// Adds the next record. Throws an Error that names it.
-  void add(const Json& record);
+  void add(const nlohmann::json& record);
   /// After the last one.
   void finish();
 
