@@ -20,7 +20,7 @@ constexpr const char* exit_codes =
   2  the command line is wrong
   3  the plugin cannot be opened, or refused
   4  the scene cannot be loaded, or has no such target
-  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest)
+  5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start
   6  the runtime has no headless sessions or no hand tracking
   7  the runtime failed, was lost too often, ended the session, or kept it from running
   8  in a reach no fingertip came to the start, or the reach did not end, in time; the others count

@@ -8,14 +8,23 @@
 namespace hrt::reach {
 namespace {
 
+// A runtime that is there and does not start.
+bool means_no_start(XrResult result) {
+  return result == XR_ERROR_INITIALIZATION_FAILED || result == XR_ERROR_INSTANCE_LOST;
+}
+
 // A runtime that is not there makes itself known in one of these ways, depending on the loader.
 bool means_no_runtime(XrResult result) {
   return result == XR_ERROR_RUNTIME_UNAVAILABLE || result == XR_ERROR_FILE_ACCESS_ERROR ||
-         result == XR_ERROR_FILE_CONTENTS_INVALID || result == XR_ERROR_INITIALIZATION_FAILED ||
-         result == XR_ERROR_INSTANCE_LOST;
+         result == XR_ERROR_FILE_CONTENTS_INVALID || means_no_start(result);
 }
 
 [[noreturn]] void fail_without_runtime(XrResult result) {
+  if (means_no_start(result))
+    throw Failure(ExitCode::no_runtime,
+                  "the OpenXR runtime does not start (" + to_string(result) +
+                      "): it may have said why above; else see that its service runs and its device is "
+                      "connected");
   throw Failure(ExitCode::no_runtime,
                 "no OpenXR runtime could be loaded (" + to_string(result) +
                     "): install one, or name its manifest in the environment variable XR_RUNTIME_JSON");

@@ -21,8 +21,7 @@ th:first-child, td:first-child, .words { text-align: left; }
 tr.head td { background: #eef2f6; }
 tr.mean td { border-bottom: 2px solid #888; font-weight: bold; }
 tr.last td { border-bottom: 2px solid #888; }
-.fold > .folded { display: none; }
-.fold > input:checked ~ .folded { display: block; }
+summary { cursor: pointer; }
 .note { border: 2px solid #111; padding: .5rem 1rem; font-weight: bold; }
 @media (max-width: 600px) {
   table.small { font-size: .62rem; }
@@ -37,8 +36,6 @@ tr.last td { border-bottom: 2px solid #888; }
   figure svg { max-height: 18cm; }
   table.small { font-size: 7.5pt; }
   .wide { overflow: visible; }
-  .fold > input, .fold > label { display: none; }
-  .fold > .folded { display: block; }
 }
 )";
 
@@ -62,11 +59,8 @@ std::string inlined(const std::string& file, const Figure& figure) {
 
 }  // namespace
 
-// No <details>: browsers do not print what it hides.
-std::string folded(const std::string& name, const std::string& words, const std::string& html) {
-  return "<div class=\"fold\"><input type=\"checkbox\" id=\"" + escaped(name) + "\"> <label for=\"" +
-         escaped(name) + "\">" + escaped(words) + "</label>\n<div class=\"folded\">\n" + html +
-         "</div></div>\n";
+std::string folded(const std::string& words, const std::string& html) {
+  return "<details><summary>" + escaped(words) + "</summary>\n" + html + "</details>\n";
 }
 
 std::string page_start(const std::string& title) {

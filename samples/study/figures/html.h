@@ -17,9 +17,8 @@ std::string with_symbols(std::string text);
 /// Cells of a table's row.
 std::string table_cells(std::initializer_list<std::string> values);
 
-/// `html` behind a box to tick, labelled `words`; printed whether ticked or not. `name` is unique in the
-/// page.
-std::string folded(const std::string& name, const std::string& words, const std::string& html);
+/// `html` behind `words`, on which a reader clicks; printed only where it is open.
+std::string folded(const std::string& words, const std::string& html);
 
 /// A <figure> with its caption; `drawing` is gnuplot's SVG file.
 std::string figure_element(const Figure& figure, const std::string& drawing);

@@ -162,7 +162,7 @@ std::string robustness_page(const RobustnessStudy& study, const std::vector<Figu
       "it.</p>\n";
   for (std::size_t i = 0; i < figures.size(); ++i)
     page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i], drawings[i]) +
-            folded("numbers-" + std::to_string(i + 1), "The numbers",
+            folded("The numbers (open them to print them; all are in robustness.csv)",
                    table(at_duration(study.rows, study.options.durations_s[i])));
   return page + "</body>\n</html>\n";
 }

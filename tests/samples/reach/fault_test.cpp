@@ -40,6 +40,15 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
 }
 
+// A mistake in the script keeps the mock runtime from starting; nobody is told to install another.
+TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
+  const Outcome outcome = run_scripted(R"({"seed": 1e400})", {desk});
+  EXPECT_EQ(outcome.exit_code, 5);
+  EXPECT_NE(outcome.err.find("1e400"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("the OpenXR runtime does not start"), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find("install"), std::string::npos) << outcome.err;
+}
+
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   for (const int frame : {2, 40, 150, 230}) {
     const std::string script = "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
