@@ -20,9 +20,11 @@ struct CalibrationCondition {
   double tracker_rate_hz = 90.0;    ///< > 0
 };
 
-/// One slide with the plate at `plate_orientation_deg`. Any thread.
+/// One slide with the plate at `plate_orientation_deg`; with `turns`, at once on the goal's other side
+/// between a fifth and 55 % of the way, and the trial has its orientations. Any thread.
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id);
+                                            double plate_orientation_deg, const TrialId& id,
+                                            bool turns = false);
 
 /// One slide of a person of people.h, straight ahead, with the plate at rest at `plate_orientation_deg`; the
 /// gap of the condition does not count. `slide` is its number in the session; each sets out within 2 degrees

@@ -11,6 +11,7 @@ namespace {
 
 // Draws of the order of trials, apart from those of their steps and of the tracker.
 constexpr std::uint32_t order_draw = 1U << 31;
+constexpr double turning_angle_deg = 35.0;
 
 // Balanced, randomised order of plate angles.
 std::vector<double> angles_in_order(const Session& session) {
@@ -40,11 +41,17 @@ std::string comment(const std::string& name, double value) {
 
 std::vector<CalibrationTrial> simulate_session(const Session& session) {
   std::vector<CalibrationTrial> trials;
-  for (const double angle_deg : angles_in_order(session))
+  const auto simulate = [&](double angle_deg, bool turns) {
     trials.push_back(simulate_calibration_trial(session.condition, angle_deg,
                                                 {.seed = session.seed,
                                                  .condition = session.person,
-                                                 .trial = static_cast<std::uint32_t>(trials.size())}));
+                                                 .trial = static_cast<std::uint32_t>(trials.size())},
+                                                turns));
+  };
+  for (const double angle_deg : angles_in_order(session)) simulate(angle_deg, false);
+  for (std::uint64_t i = 0; i < session.turning_trials; ++i)
+    simulate(session.condition.goal_direction_deg + (i % 2 == 0 ? turning_angle_deg : -turning_angle_deg),
+             true);
   return trials;
 }
 
@@ -61,10 +68,12 @@ std::string session_csv(const Session& session) {
          ", participant " + std::to_string(session.person + 1) + '\n' + calibration_header + '\n';
   const std::vector<CalibrationTrial> trials = simulate_session(session);
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    const std::string angle = ',' + number(trials[i].plate_orientation_deg) + '\n';
-    for (const TimedPoint& sample : trials[i].samples)
-      csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(sample.time_ns) * 1e-9, 9) + ',' +
-             number(sample.position.right_m) + ',' + number(sample.position.away_m) + angle;
+    const CalibrationTrial& trial = trials[i];
+    for (std::size_t k = 0; k < trial.samples.size(); ++k)
+      csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(trial.samples[k].time_ns) * 1e-9, 9) +
+             ',' + number(trial.samples[k].position.right_m) + ',' +
+             number(trial.samples[k].position.away_m) + ',' +
+             number(trial.plate_deg.empty() ? trial.plate_orientation_deg : trial.plate_deg[k]) + '\n';
   }
   return csv;
 }

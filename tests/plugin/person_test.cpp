@@ -270,7 +270,7 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   ASSERT_FALSE(is_unknown(learnt));
   std::uint64_t length = 0;
   ASSERT_OK(hrt_profile_save(session, 0, nullptr, &length));
-  std::string profile(length + 1, '\0');
+  std::string profile(static_cast<std::size_t>(length) + 1, '\0');
   ASSERT_OK(hrt_profile_save(session, profile.size(), profile.data(), &length));
   const Led here = lead(drawn_person("mixture", 1.5, 1), 3);
 

@@ -117,7 +117,7 @@ std::string coverage_text(const Options& options, Progress* progress, std::uint6
       "% interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people whose "
       "paths no law of steering "
       "fits.\n\n" +
-      left("", 14) + left("rate, 1/s", 38) + left("delay, ms", 38) + "\n" + left("", 14) +
+      left("", 14) + left("rate, 1/s", 38) + "delay, ms\n" + left("", 14) +
       "  known  cover           error   width  known  cover           error   width  unlike\n";
   Tally rates;
   Tally delays;

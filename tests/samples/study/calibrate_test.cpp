@@ -294,6 +294,29 @@ TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
   EXPECT_NE(session_csv(session), first);
 }
 
+// Each begins on the other side than the last, and is on the goal's other side in the middle of its way.
+TEST(StudyParticipants, PlatesTurnWithinTheSlidesThatShowTheSteering) {
+  const TemporaryFolder folder;
+  const std::string data = folder / "me.csv";
+  ASSERT_EQ(run_study({"participants", "--goal", "10", "--turning", "6", "--out", data}).exit_code, 0);
+  const auto trials = parse_calibration_csv("me.csv", read_file(data));
+  ASSERT_EQ(trials.size(), 61U);
+  EXPECT_TRUE(trials[54].plate_deg.empty());
+  for (std::size_t i = 55; i < trials.size(); ++i) {
+    const std::vector<double>& plate_deg = trials[i].plate_deg;
+    ASSERT_EQ(plate_deg.size(), trials[i].samples.size());
+    EXPECT_EQ(plate_deg.front(), i % 2 == 1 ? 45.0 : -25.0);
+    EXPECT_EQ(plate_deg.back(), plate_deg.front());
+    EXPECT_EQ(std::count(plate_deg.begin(), plate_deg.end(), 20.0 - plate_deg.front()) +
+                  std::count(plate_deg.begin(), plate_deg.end(), plate_deg.front()),
+              static_cast<std::ptrdiff_t>(plate_deg.size()));
+    EXPECT_GT(std::count(plate_deg.begin(), plate_deg.end(), 20.0 - plate_deg.front()), 20);
+  }
+  const StudyRun run = run_study({"calibrate", data, "--goal", "10", "--format", "json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  EXPECT_EQ(json::parse(run.out)["turning_slides"], 6);
+}
+
 TEST(StudyParticipants, AFileForEachTactileWeight) {
   const TemporaryFolder folder;
   const std::string people = folder / "people";
