@@ -38,7 +38,8 @@ constexpr double law_delay_s = 0.004;
 // The law is tested where the turned plate is felt.
 constexpr double first_tested_share = 0.2;
 constexpr Eigen::Index most_tested_parts = 4;
-// What the laws may get wrong of it, in units of the weights: seen on people of little noise who steer by one.
+// What the laws may get wrong of it, in units of the weights: seen on people of little noise who steer by
+// one.
 constexpr double allowed_mean = 0.1;
 // An interval that is wider says nothing of a person.
 constexpr double most_rate_ratio = 2.5;

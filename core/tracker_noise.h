@@ -34,7 +34,7 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests);
 /// What a controller takes of it.
 struct KnownNoise {
   double white_m;              ///< all of the noise if correlated_m is 0
-  double correlated_m = 0.0;   ///< 0: not told apart
+  double correlated_m = 0.0;   ///< 0: not distinguished
   double correlation_s = 0.0;  ///< with correlated_m
 };
 

@@ -40,7 +40,7 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(rows_of(outcome).size(), 3U) << script << "\n" << outcome.out;
 }
 
-// A mistake in the script keeps the mock runtime from starting; nobody is told to install another.
+// A mistake in the script keeps the mock runtime from starting; another one to install is no help.
 TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   const Outcome outcome = run_scripted(R"({"seed": 1e400})", {desk});
   EXPECT_EQ(outcome.exit_code, 5);
