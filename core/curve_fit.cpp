@@ -1,18 +1,17 @@
 #include "core/curve_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 
 #include "core/exponential.h"
+#include "core/least_squares.h"
+#include "core/linear_algebra.h"
 
 namespace hrt {
 namespace {
 
-constexpr int most_passes = 25;
 // What is taken for possible before any slide: wide, so that a parameter that slides hardly show keeps the
 // fit from running away.
 struct Prior {
@@ -28,8 +27,6 @@ constexpr double common_share = 0.45;
 constexpr double common_angle_deg = 60.0;
 // The mean turn of a habit may be wrong by this share of it, and is then taken for a bias.
 constexpr double habit_as_bias = 0.04;
-// A residual grows by this factor at most when its slide is left out.
-constexpr double most_growth = 5.0;
 constexpr double least_log_gain = 0.5;
 constexpr double most_log_gain = 3.6;
 
@@ -77,138 +74,65 @@ Prior prior(CurveFamily family, int parameter) {
   return {0.5 * (range.least + range.most), range.most - range.least};
 }
 
-double prior_penalty(CurveFamily family, const FitVector& parameters) {
-  double sum = 0.0;
-  for (int i = 0; i < parameters.size(); ++i) {
-    const Prior expected = prior(family, i);
-    const double off = (parameters(i) - expected.mean) / expected.deviation;
-    sum += off * off;
-  }
-  return sum;
-}
-
-FitMatrix prior_information(CurveFamily family, int count) {
-  FitMatrix information = FitMatrix::Zero(count, count);
+// By family, in the parameters' order.
+void set_prior(CurveFamily family, LeastSquares* problem) {
+  const auto count = static_cast<Eigen::Index>(first + curve_parameters(family));
+  problem->prior_mean.resize(count);
+  problem->prior_deviation.resize(count);
   for (int i = 0; i < count; ++i) {
     const Prior expected = prior(family, i);
-    information(i, i) = 1.0 / (expected.deviation * expected.deviation);
+    problem->prior_mean(i) = expected.mean;
+    problem->prior_deviation(i) = expected.deviation;
   }
-  return information;
 }
 
-double misfit_of(std::span<const SlideTrack> slides, const SlidingPersonModel& person,
-                 const PartsMatrix& weight, std::vector<SlideDirections>* residuals) {
-  double sum = 0.0;
-  residuals->clear();
-  for (const SlideTrack& slide : slides) {
-    residuals->push_back(slide.direction_deg - predicted_directions(slide, person));
-    sum += residuals->back().dot(weight * residuals->back());
-  }
-  return sum;
-}
-
-// Of a step on the way, where one-sided differences will do: `predicted_deg` is what the person's are.
-SlideJacobian rough_jacobian(const SlideTrack& track, const SlidingPersonModel& person,
-                             const SlideDirections& predicted_deg) {
+SlideJacobian rough_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
   const CurveFamily family = person.curve.family;
   const FitVector middle = fit_vector(person);
+  const SlideDirections here_deg = predicted_directions(track, person);
   SlideJacobian jacobian(slide_parts, middle.size());
   for (int i = 0; i < middle.size(); ++i) {
     const double step = fit_derivative_step(family, i);
     FitVector above = middle;
     above(i) += step;
-    jacobian.col(i) = (predicted_directions(track, fitted_person(family, above)) - predicted_deg) / step;
+    jacobian.col(i) = (predicted_directions(track, fitted_person(family, above)) - here_deg) / step;
   }
   return jacobian;
 }
 
-// Levenberg and Marquardt's steps from `parameters`.
-CurveFit descend(CurveFamily family, FitVector parameters, std::span<const SlideTrack> slides,
-                 const PartsMatrix& weight) {
-  CurveFit fit;
-  const auto count = static_cast<int>(parameters.size());
-  fit.person = fitted_person(family, parameters);
-  fit.misfit = misfit_of(slides, fit.person, weight, &fit.residuals);
-  double damping = 1e-3;
-  std::vector<SlideDirections> tried;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    FitMatrix information = FitMatrix::Zero(count, count);
-    FitVector gradient = FitVector::Zero(count);
-    for (std::size_t i = 0; i < slides.size(); ++i) {
-      const SlideJacobian jacobian =
-          rough_jacobian(slides[i], fit.person, slides[i].direction_deg - fit.residuals[i]);
-      information += jacobian.transpose() * weight * jacobian;
-      gradient += jacobian.transpose() * weight * fit.residuals[i];
-    }
-    information += prior_information(family, count);
-    for (int i = 0; i < count; ++i) {
-      const Prior expected = prior(family, i);
-      gradient(i) -= (parameters(i) - expected.mean) / (expected.deviation * expected.deviation);
-    }
-    const double before = fit.misfit + prior_penalty(family, parameters);
-    bool better = false;
-    double gained = 0.0;
-    for (int attempt = 0; attempt < 8 && !better; ++attempt) {
-      FitMatrix damped = information;
-      for (int i = 0; i < count; ++i) damped(i, i) *= 1.0 + damping;
-      const FitVector next = clamped(family, parameters + damped.ldlt().solve(gradient));
-      const SlidingPersonModel person = fitted_person(family, next);
-      const double misfit = misfit_of(slides, person, weight, &tried);
-      gained = before - misfit - prior_penalty(family, next);
-      better = gained > 0.0;
-      if (better) {
-        parameters = next;
-        fit.person = person;
-        fit.misfit = misfit;
-        fit.residuals = tried;
-        damping = std::max(0.1 * damping, 1e-9);
-      } else {
-        damping *= 10.0;
-      }
-    }
-    if (!better || gained < 1e-5) break;
-  }
-  return fit;
+// Residuals and derivatives are multiplied by `root`: root' root is the weight.
+LeastSquares problem_of(CurveFamily family, std::span<const SlideTrack> slides, const Eigen::MatrixXd& root) {
+  LeastSquares problem;
+  set_prior(family, &problem);
+  problem.clamped = [family](const FitVector& parameters) { return clamped(family, parameters); };
+  problem.residuals = [=](const FitVector& parameters) {
+    const SlidingPersonModel person = fitted_person(family, parameters);
+    std::vector<Eigen::VectorXd> residuals;
+    for (const SlideTrack& slide : slides)
+      residuals.emplace_back(product(root, slide.direction_deg - predicted_directions(slide, person)));
+    return residuals;
+  };
+  problem.derivatives = [=](const FitVector& parameters) {
+    const SlidingPersonModel person = fitted_person(family, parameters);
+    std::vector<Eigen::MatrixXd> derivatives;
+    for (const SlideTrack& slide : slides)
+      derivatives.push_back(product(root, rough_jacobian(slide, person)));
+    return derivatives;
+  };
+  return problem;
 }
 
-// The derivatives where the descent has come to.
-void linearise(std::span<const SlideTrack> slides, const PartsMatrix& weight, CurveFit* fit) {
-  fit->information =
-      prior_information(fit->person.curve.family, static_cast<int>(fit_vector(fit->person).size()));
-  for (const SlideTrack& slide : slides) {
-    fit->jacobians.push_back(slide_jacobian(slide, fit->person));
-    const SlideJacobian& jacobian = fit->jacobians.back();
-    fit->information += jacobian.transpose() * weight * jacobian;
-  }
-}
-
-// What the parameters may be off by: slides left out one at a time, to first order; the width of the priors;
-// and what the steering law gets wrong in all slides alike.
-FitMatrix covariance_of(const CurveFit& fit, std::span<const SlideTrack> slides, const PartsMatrix& weight) {
-  const auto count = static_cast<int>(fit.information.rows());
-  const FitMatrix inverse = fit.information.inverse();
-  FitMatrix left_out = FitMatrix::Zero(count, count);
-  FitMatrix common = FitMatrix::Zero(count, count);
-  SlideJacobian tilted = SlideJacobian::Zero(slide_parts, count);
-  for (std::size_t i = 0; i < slides.size(); ++i) {
-    const SlideJacobian& jacobian = fit.jacobians[i];
-    const PartsMatrix kept = PartsMatrix::Identity() - jacobian * inverse * jacobian.transpose() * weight;
-    SlideDirections predicted_residual = kept.partialPivLu().solve(fit.residuals[i]);
-    // A slide that alone shows a parameter leaves nothing to predict it from.
-    const double growth = predicted_residual.norm() / (most_growth * fit.residuals[i].norm());
-    if (growth > 1.0) predicted_residual /= growth;
-    const FitVector change = inverse * (jacobian.transpose() * (weight * predicted_residual));
-    left_out += change * change.transpose();
-    tilted += (slides[i].plate_deg / common_angle_deg) * (weight * jacobian);
-  }
-  for (int part = 0; part < slide_parts; ++part) {
-    const FitVector by_angle = inverse * tilted.row(part).transpose() * common_deviation_deg(part);
-    common += by_angle * by_angle.transpose();
-  }
+// What the steering law gets wrong in all slides alike, in parameters.
+FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> slides,
+                            const PartsMatrix& weight) {
+  const FitMatrix inverted = inverse(fit.information);
+  SlideJacobian tilted = SlideJacobian::Zero(slide_parts, inverted.cols());
+  for (std::size_t i = 0; i < slides.size(); ++i)
+    tilted += (slides[i].plate_deg / common_angle_deg) * product(weight, fit.jacobians[i]);
+  for (int part = 0; part < slide_parts; ++part) tilted.row(part) *= common_deviation_deg(part);
+  FitMatrix common = congruence(product(tilted, inverted), PartsMatrix::Identity());
   common(bias, bias) += habit_as_bias * habit_as_bias * fit.person.habit_deg * fit.person.habit_deg;
-  const FitMatrix precision = prior_information(fit.person.curve.family, count);
-  const auto n = static_cast<double>(slides.size());
-  return left_out * ((n - 1.0) / n) + inverse * precision * inverse + common;
+  return common;
 }
 
 std::vector<double> first_guesses(CurveFamily family) {
@@ -236,7 +160,7 @@ PartsMatrix fit_weight(const PartsMatrix& parts_covariance) {
   PartsMatrix covariance = parts_covariance;
   for (int part = 0; part < slide_parts; ++part)
     covariance(part, part) += law_deviation_deg[part] * law_deviation_deg[part];
-  return covariance.inverse();
+  return inverse(covariance);
 }
 
 double fit_derivative_step(CurveFamily family, int parameter) {
@@ -290,17 +214,30 @@ SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& 
 CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
                    const PartsMatrix& parts_covariance) {
   const PartsMatrix weight = fit_weight(parts_covariance);
-  CurveFit best;
-  best.misfit = std::numeric_limits<double>::infinity();
+  const Eigen::MatrixXd root = cholesky_factor(weight).transpose();
+  const LeastSquares problem = problem_of(family, slides, root);
+  LeastSquaresFit found{.parameters = {}, .misfit = std::numeric_limits<double>::infinity()};
   for (const double guess : first_guesses(family)) {
-    const SlidingPersonModel person{.curve = {family, 0.18, guess}};
-    CurveFit fit = descend(family, fit_vector(person), slides, weight);
-    if (fit.misfit < best.misfit) best = std::move(fit);
+    const LeastSquaresFit tried = descend(problem, fit_vector({.curve = {family, 0.18, guess}}));
+    if (tried.misfit < found.misfit) found = tried;
   }
-  linearise(slides, weight, &best);
-  best.bic = best.misfit + static_cast<double>(first + curve_parameters(family)) *
-                               logarithm(static_cast<double>(slides.size()));
-  best.covariance = covariance_of(best, slides, weight);
+
+  CurveFit best;
+  best.person = fitted_person(family, found.parameters);
+  best.misfit = found.misfit;
+  best.bic = best.misfit +
+             static_cast<double>(found.parameters.size()) * logarithm(static_cast<double>(slides.size()));
+  std::vector<Eigen::VectorXd> residuals;
+  std::vector<Eigen::MatrixXd> derivatives;
+  for (const SlideTrack& slide : slides) {
+    best.residuals.emplace_back(slide.direction_deg - predicted_directions(slide, best.person));
+    best.jacobians.push_back(slide_jacobian(slide, best.person));
+    residuals.emplace_back(product(root, best.residuals.back()));
+    derivatives.push_back(product(root, best.jacobians.back()));
+  }
+  best.information = information_of(derivatives, problem.prior_deviation);
+  best.covariance = jackknife_covariance(residuals, derivatives, problem.prior_deviation) +
+                    common_covariance(best, slides, weight);
   return best;
 }
 

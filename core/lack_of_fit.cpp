@@ -1,9 +1,9 @@
 #include "core/lack_of_fit.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 
 #include "core/distributions.h"
+#include "core/linear_algebra.h"
 
 namespace hrt {
 namespace {
@@ -16,37 +16,21 @@ struct Whitened {
   Eigen::MatrixXd derivatives;
 };
 
-struct Explained {
-  double left;  // sum of squares of what the columns do not explain
-  Eigen::Index rank;
-};
-
-Explained explain(const Eigen::MatrixXd& columns, const Eigen::VectorXd& values) {
-  Eigen::MatrixXd scaled = columns;
-  for (Eigen::Index i = 0; i < scaled.cols(); ++i) {
-    const double size = scaled.col(i).norm();
-    if (size > 0.0) scaled.col(i) /= size;
-  }
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(scaled);
-  qr.setThreshold(rank_threshold);
-  const Eigen::VectorXd rotated = qr.householderQ().adjoint() * values;
-  return {rotated.tail(values.size() - qr.rank()).squaredNorm(), qr.rank()};
-}
-
 // The probability of the share that `patterns` explain beyond the fit's own derivatives, and beyond what the
 // steering law may be wrong by: `allowed_deg`, the standard deviation of each pattern's size.
 double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns,
                  const Eigen::VectorXd& allowed_deg) {
-  const Explained without = explain(whitened.derivatives, whitened.residuals);
+  const LinearFit without = linear_fit(whitened.derivatives, whitened.residuals, rank_threshold);
   Eigen::MatrixXd both(whitened.residuals.size(), whitened.derivatives.cols() + patterns.cols());
   both << whitened.derivatives, patterns;
-  const Explained with = explain(both, whitened.residuals);
+  const LinearFit with = linear_fit(both, whitened.residuals, rank_threshold);
   const auto gained = static_cast<double>(with.rank - without.rank);
   const auto degrees = static_cast<double>(whitened.residuals.size() - with.rank);
   if (gained < 1.0 || degrees < 4.0) return 1.0;
   double allowed = 0.0;
   for (Eigen::Index i = 0; i < patterns.cols(); ++i)
-    allowed += allowed_deg(i) * allowed_deg(i) * explain(whitened.derivatives, patterns.col(i)).left;
+    allowed += allowed_deg(i) * allowed_deg(i) *
+               linear_fit(whitened.derivatives, patterns.col(i), rank_threshold).left;
   return f_tail((without.left - with.left) / (gained * with.left / degrees + allowed), gained, degrees);
 }
 
@@ -55,8 +39,7 @@ double pattern_p(const Whitened& whitened, const Eigen::MatrixXd& patterns,
 LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,
                       const PartsMatrix& parts_covariance, int degree) {
   const auto count = static_cast<Eigen::Index>(slides.size());
-  const PartsMatrix root = parts_covariance.llt().matrixL();
-  const PartsMatrix whitening = root.inverse();
+  const PartsMatrix whitening = whitening_of(parts_covariance);
   Whitened whitened{Eigen::VectorXd(count * slide_parts),
                     Eigen::MatrixXd(count * slide_parts, fit.jacobians.front().cols())};
   Eigen::MatrixXd angle = Eigen::MatrixXd::Zero(count * slide_parts, degree - 1);
@@ -67,7 +50,7 @@ LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, s
     const auto k = static_cast<std::size_t>(i);
     const Eigen::Index row = i * slide_parts;
     whitened.residuals.segment<slide_parts>(row) = whitening * fit.residuals[k];
-    whitened.derivatives.middleRows<slide_parts>(row) = whitening * fit.jacobians[k];
+    whitened.derivatives.middleRows<slide_parts>(row) = product(whitening, fit.jacobians[k]);
     const Eigen::VectorXd powers = plate_powers(slides[k].plate_deg, degree);
     // The settled parts follow the curve; the first one is on its way.
     const SlideDirections settled = whitening * SlideDirections(0.5, 1.0, 1.0, 1.0);

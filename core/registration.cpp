@@ -1,12 +1,11 @@
 #include "core/registration.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+
+#include "core/linear_algebra.h"
 
 namespace hrt {
 namespace {
@@ -83,9 +82,8 @@ Moments moments_of(const Touches& touches) {
 
 // The second largest deviation of the marks from their mean: 0 on a line.
 bool is_degenerate(const Touches& touches) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(moments_of(touches).marks_m2,
-                                                              Eigen::EigenvaluesOnly);
-  return !(std::sqrt(std::max(0.0, solver.eigenvalues()(1)) / touches.count()) >= least_spread_m);
+  const double spread_m2 = singular_values(moments_of(touches).marks_m2).values(1);
+  return !(std::sqrt(spread_m2 / touches.count()) >= least_spread_m);
 }
 
 Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_m) {
@@ -112,14 +110,15 @@ struct Fit {
 // Umeyama, equations 39 to 42.
 Fit fit(const RegistrationConfig& config, const Touches& touches) {
   const Moments moments = moments_of(touches);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(moments.touched_by_mark_m2,
-                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const SingularValues svd = singular_values(moments.touched_by_mark_m2);
+  const Eigen::Matrix3d left = svd.left;
+  const Eigen::Matrix3d right = svd.right;
   Eigen::Vector3d signs = Eigen::Vector3d::Ones();
-  if (svd.matrixU().determinant() * svd.matrixV().determinant() < 0.0) signs(2) = -1.0;
+  if (left.determinant() * right.determinant() < 0.0) signs(2) = -1.0;
   Fit result{};
   Registration& found = result.registration;
-  found.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  const double scale = svd.singularValues().dot(signs) / moments.marks_m2.trace();
+  found.rotation = left * signs.asDiagonal() * right.transpose();
+  const double scale = svd.values.dot(signs) / moments.marks_m2.trace();
   if (config.fit_scale && scale >= least_scale && scale <= most_scale) found.scale = scale;
   found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
   touches.for_each(
@@ -140,10 +139,10 @@ Registration finished(const RegistrationConfig& config, const Fit& fit, const To
   touches.for_each([&](const MarkTouch& touch) {
     Jacobian j = jacobian(result, touch.mark_m);
     if (!config.fit_scale) j.col(6).setZero();
-    information += j.transpose() * j / variance_m2;
+    information += product(j.transpose(), j) / variance_m2;
   });
   if (!config.fit_scale) information(6, 6) = 1.0;
-  result.covariance = information.ldlt().solve(Information::Identity());
+  result.covariance = inverse(information);
   if (!config.fit_scale) result.covariance(6, 6) = 0.0;
   result.touch_sd_m = std::sqrt(variance_m2);
   result.residual_m = std::sqrt(fit.square_sum_m2 / touches.count());
@@ -197,10 +196,10 @@ double residual_m(const Registration& registration, const MarkTouch& touch) {
 
 RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch) {
   const Jacobian j = jacobian(registration, touch.mark_m);
-  Eigen::Matrix3d covariance = j * registration.covariance * j.transpose();
+  Eigen::Matrix3d covariance = congruence(j.transpose(), registration.covariance);
   covariance.diagonal().array() += registration.touch_sd_m * registration.touch_sd_m;
   const Eigen::Vector3d off_m = touch.touched_m - predicted(registration, touch.mark_m);
-  const double deviation = std::sqrt(off_m.dot(covariance.ldlt().solve(off_m)));
+  const double deviation = std::sqrt(off_m.dot(solve_symmetric(covariance, off_m)));
   const double limit = std::sqrt(chi_squared_limit(3.0));
   const double distance_m = off_m.norm();
   // In the direction of the touch; of a touch on the mark, on average.
@@ -214,30 +213,28 @@ FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const 
   if (touches.size() < 3) return result;
   Eigen::Vector3d mean_m = Eigen::Vector3d::Zero();
   for (const TurnedTouch& touch : touches) mean_m += touch.joint_m / static_cast<double>(touches.size());
-  Eigen::Matrix<double, 6, 6> information = Eigen::Matrix<double, 6, 6>::Zero();
-  Eigen::Matrix<double, 6, 1> moment = Eigen::Matrix<double, 6, 1>::Zero();
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(6, 6);
+  Eigen::VectorXd moment = Eigen::VectorXd::Zero(6);
   Eigen::Matrix<double, 3, 6> j;
   j.rightCols<3>() = -Eigen::Matrix3d::Identity();
   for (const TurnedTouch& touch : touches) {
     j.leftCols<3>() = touch.joint_rotation;
-    information += j.transpose() * j;
-    moment -= j.transpose() * (touch.joint_m - mean_m);
+    information += product(j.transpose(), j);
+    moment -= product(j.transpose(), touch.joint_m - mean_m);
   }
   // The eigenvalues are at most 2 a touch; below this the joint was not turned.
-  const Eigen::JacobiSVD<Eigen::Matrix<double, 6, 6>> svd(information,
-                                                          Eigen::ComputeFullU | Eigen::ComputeFullV);
-  if (svd.singularValues()(5) < 1e-6) return result;
-  const Eigen::Matrix<double, 6, 1> solution = svd.solve(moment);
+  if (singular_values(information).values(5) < 1e-6) return result;
+  const Eigen::MatrixXd inverted = inverse(information);
+  const Eigen::VectorXd solution = product(inverted, moment);
   double square_sum_m2 = 0.0;
   for (const TurnedTouch& touch : touches) {
     j.leftCols<3>() = touch.joint_rotation;
-    square_sum_m2 += (touch.joint_m - mean_m + j * solution).squaredNorm();
+    square_sum_m2 += (touch.joint_m - mean_m + product(j, solution)).squaredNorm();
   }
   const double freedom = 3.0 * static_cast<double>(touches.size()) - 6.0;
   const double variance_m2 = variance_of(config.touch_sd_m, square_sum_m2, freedom);
-  const Eigen::Matrix<double, 6, 6> inverse = svd.solve(Eigen::Matrix<double, 6, 6>::Identity());
   result.offset_m = solution.head<3>();
-  result.sd_m = (variance_m2 * inverse.diagonal().head<3>()).cwiseSqrt();
+  result.sd_m = (variance_m2 * inverted.diagonal().head<3>()).cwiseSqrt();
   result.known = result.sd_m.maxCoeff() < most_offset_sd_m;
   return result;
 }

@@ -1,6 +1,5 @@
 #include "core/slide_plan.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <vector>
 
 #include "core/exponential.h"
+#include "core/linear_algebra.h"
 #include "core/person_fit.h"
 #include "core/steering_fit.h"
 
@@ -66,9 +66,11 @@ double expected_variance(const std::vector<Prospect>& prospects, const std::vect
     predicted.push_back(predicted_directions(track, families[m].fit.person));
     if (own.probability < 0.01) continue;
     const SlideJacobian jacobian = slide_jacobian(track, families[m].fit.person);
-    const FitMatrix inverse = (own.information + jacobian.transpose() * weight * jacobian).inverse();
-    sum += own.probability * (own.gradients[0].dot(inverse * own.gradients[0]) +
-                              gap_share * own.gradients[1].dot(inverse * own.gradients[1]));
+    const FitMatrix information = own.information + congruence(jacobian, weight);
+    const auto variance = [&](const FitVector& gradient) {
+      return gradient.dot(solve_symmetric(information, gradient));
+    };
+    sum += own.probability * (variance(own.gradients[0]) + gap_share * variance(own.gradients[1]));
   }
   for (std::size_t m = 0; m < prospects.size(); ++m) {
     for (std::size_t n = 0; n < m; ++n) {

@@ -1,8 +1,9 @@
 #include "core/slide_scatter.h"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+
+#include "core/linear_algebra.h"
 
 namespace hrt {
 namespace {
@@ -16,6 +17,7 @@ constexpr double most_distance = 40.0;
 constexpr double mad_to_deviation = 1.4826;
 // A slide's direction is never more certain than this.
 constexpr double least_deviation_deg = 0.02;
+constexpr double rank_threshold = 1e-12;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
 
@@ -24,9 +26,9 @@ Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const R
   Rows residuals(directions.rows(), slide_parts);
   for (int part = 0; part < slide_parts; ++part) {
     const Eigen::VectorXd root = weights.col(part).cwiseSqrt();
-    const Eigen::VectorXd coefficients =
-        (root.asDiagonal() * design).colPivHouseholderQr().solve(root.asDiagonal() * directions.col(part));
-    residuals.col(part) = directions.col(part) - design * coefficients;
+    const LinearFit fit =
+        linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)), rank_threshold);
+    residuals.col(part) = directions.col(part) - product(design, fit.coefficients);
   }
   return residuals;
 }
@@ -116,7 +118,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
   // Parts lie about 0 together, so their covariance decides in the end what is an outlier.
   scatter.outlying.assign(slides.size(), false);
   for (int pass = 0; pass < 4; ++pass) {
-    const PartsMatrix weight = covariance.inverse();
+    const PartsMatrix weight = inverse(covariance);
     for (Eigen::Index i = 0; i < count; ++i) {
       const SlideDirections off = residuals.row(i).transpose();
       scatter.outlying[static_cast<std::size_t>(i)] = off.dot(weight * off) > most_distance;

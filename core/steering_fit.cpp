@@ -1,7 +1,5 @@
 #include "core/steering_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,6 +8,8 @@
 
 #include "core/distributions.h"
 #include "core/exponential.h"
+#include "core/least_squares.h"
+#include "core/linear_algebra.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
@@ -31,7 +31,6 @@ constexpr double start_place_deviation_m = 0.0003;
 constexpr double least_noise_m = 0.0003;
 // The values of slides over a plate at rest hold within this many of their deviations.
 constexpr double rest_deviations = 1.5;
-constexpr int most_passes = 20;
 // What the laws may get wrong.
 constexpr double law_log_rate = 0.05;
 constexpr double law_delay_s = 0.004;
@@ -46,8 +45,7 @@ constexpr double most_rate_ratio = 2.5;
 constexpr double most_delay_width_s = 0.1;
 
 enum Parameter { log_rate, delay, bias, habit, start, scale, parameters };
-using Vector = Eigen::Matrix<double, parameters, 1>;
-using Matrix = Eigen::Matrix<double, parameters, parameters>;
+using Vector = Eigen::VectorXd;
 constexpr std::array<double, parameters> derivative_step{0.02, 0.002, 0.05, 0.05, 0.05, 0.01};
 
 struct Bin {
@@ -164,9 +162,9 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
           here_m / static_cast<double>(observed.bins[bin].end - observed.bins[bin].begin);
     }
   }
-  Eigen::MatrixXd covariance =
-      noise_deg2_per_s * track.step_s * kicks * kicks.transpose() +
-      start_deviation_deg * start_deviation_deg * kicks.col(0) * kicks.col(0).transpose();
+  const Eigen::VectorXd first_kick = start_deviation_deg * kicks.col(0);
+  Eigen::MatrixXd covariance = noise_deg2_per_s * track.step_s * product(kicks, kicks.transpose()) +
+                               product(first_kick, first_kick.transpose());
   covariance.array() += start_place_deviation_m * start_place_deviation_m;
   const double white_m = std::max(noise.white_m.value, least_noise_m);
   const double correlated_m = noise.correlated_m.value;
@@ -182,20 +180,14 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
           correlated_m * correlated_m *
           exponential(-std::abs(middle_s(a) - middle_s(b)) / std::max(noise.correlation_s.value, 0.01));
   }
-  const Eigen::MatrixXd lower = covariance.llt().matrixL();
-  observed.whitening = lower.triangularView<Eigen::Lower>().solve(Eigen::MatrixXd::Identity(count, count));
+  observed.whitening = whitening_of(covariance);
   return observed;
 }
 
-struct Prior {
-  Vector mean;
-  Matrix information;
-};
-
 struct LawFit {
   Vector person;
-  double misfit = std::numeric_limits<double>::infinity();
-  Matrix covariance;
+  double misfit = std::numeric_limits<double>::infinity();  // with the prior's
+  Eigen::MatrixXd covariance;
 };
 
 Vector clamped(Vector person) {
@@ -206,116 +198,91 @@ Vector clamped(Vector person) {
   return person;
 }
 
+// The slides over a turning plate, and what the slides over a plate at rest say of the person.
 class Fit {
  public:
-  Fit(std::span<const TurningSlide> slides, const IllusionCurve& curve, const RestNoise& noise, Prior prior)
-      : curve_(curve), prior_(std::move(prior)) {
-    for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
-  }
+  Fit(std::span<const TurningSlide> slides, const CurveFit& person, const RestNoise& noise);
 
-  LawFit fit(SteeringLaw law) const {
-    LawFit best;
-    for (const double late_s : {0.02, 0.1}) {
-      Vector first = prior_.mean;
-      first(delay) = late_s;
-      const LawFit found = descend(first, law);
-      if (found.misfit < best.misfit) best = found;
-    }
-    best.covariance = covariance(best.person, law);
-    return best;
-  }
-
+  LawFit fit(SteeringLaw law) const;
   double law_p(const Vector& person, SteeringLaw law) const;
 
  private:
   Eigen::VectorXd residual(const Observed& observed, const Vector& person, SteeringLaw law) const {
-    return observed.whitening * (observed.left_m - predicted_left_m(observed, curve_, person, law));
+    return product(observed.whitening, observed.left_m - predicted_left_m(observed, curve_, person, law));
   }
-
-  double misfit(const Vector& person, SteeringLaw law) const {
-    double sum = (person - prior_.mean).dot(prior_.information * (person - prior_.mean));
-    for (const Observed& observed : observed_) sum += residual(observed, person, law).squaredNorm();
-    return sum;
+  std::vector<Eigen::VectorXd> residuals(const Vector& person, SteeringLaw law) const {
+    std::vector<Eigen::VectorXd> groups;
+    for (const Observed& observed : observed_) groups.push_back(residual(observed, person, law));
+    return groups;
   }
-
-  Eigen::MatrixXd jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const {
-    Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(parameters));
-    for (int i = 0; i < parameters; ++i) {
-      Vector above = person;
-      Vector below = person;
-      above(i) += derivative_step[static_cast<std::size_t>(i)];
-      below(i) -= derivative_step[static_cast<std::size_t>(i)];
-      below = clamped(below);
-      columns.col(i) =
-          observed.whitening *
-          (predicted_left_m(observed, curve_, above, law) - predicted_left_m(observed, curve_, below, law)) /
-          (above(i) - below(i));
-    }
-    return columns;
+  std::vector<Eigen::MatrixXd> derivatives(const Vector& person, SteeringLaw law) const {
+    std::vector<Eigen::MatrixXd> groups;
+    for (const Observed& observed : observed_) groups.push_back(jacobian(observed, person, law));
+    return groups;
   }
-
-  LawFit descend(Vector person, SteeringLaw law) const {
-    double now = misfit(person, law);
-    double damping = 1e-3;
-    for (int pass = 0; pass < most_passes; ++pass) {
-      Matrix information = prior_.information;
-      Vector gradient = -prior_.information * (person - prior_.mean);
-      for (const Observed& observed : observed_) {
-        const Eigen::MatrixXd columns = jacobian(observed, person, law);
-        information += columns.transpose() * columns;
-        gradient += columns.transpose() * residual(observed, person, law);
-      }
-      double gained = 0.0;
-      for (int attempt = 0; attempt < 8 && !(gained > 0.0); ++attempt) {
-        Matrix damped = information;
-        damped.diagonal() *= 1.0 + damping;
-        const Vector next = clamped(person + damped.ldlt().solve(gradient));
-        const double then = misfit(next, law);
-        gained = now - then;
-        if (gained > 0.0) {
-          person = next;
-          now = then;
-          damping = std::max(0.1 * damping, 1e-9);
-        } else {
-          damping *= 10.0;
-        }
-      }
-      if (!(gained > 1e-4)) break;
-    }
-    LawFit found;
-    found.person = person;
-    found.misfit = now;
-    return found;
-  }
-
-  // By leaving slides out one at a time, to first order, and by the width of the prior.
-  Matrix covariance(const Vector& person, SteeringLaw law) const {
-    Matrix information = prior_.information;
-    std::vector<Eigen::MatrixXd> columns;
-    for (const Observed& observed : observed_) {
-      columns.push_back(jacobian(observed, person, law));
-      information += columns.back().transpose() * columns.back();
-    }
-    const Matrix inverse = information.inverse();
-    Matrix left_out = Matrix::Zero();
-    for (std::size_t i = 0; i < observed_.size(); ++i) {
-      const Eigen::VectorXd off = residual(observed_[i], person, law);
-      const Eigen::MatrixXd kept =
-          Eigen::MatrixXd::Identity(off.size(), off.size()) - columns[i] * inverse * columns[i].transpose();
-      const Vector change = inverse * (columns[i].transpose() * kept.partialPivLu().solve(off));
-      left_out += change * change.transpose();
-    }
-    const auto n = static_cast<double>(observed_.size());
-    Matrix sum = left_out * ((n - 1.0) / n) + inverse * prior_.information * inverse;
-    sum(log_rate, log_rate) += law_log_rate * law_log_rate;
-    sum(delay, delay) += law_delay_s * law_delay_s;
-    return sum;
-  }
+  Eigen::MatrixXd jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const;
 
   IllusionCurve curve_;
-  Prior prior_;
+  Vector prior_mean_ = Vector::Zero(parameters);
+  Vector prior_deviation_ = Vector::Zero(parameters);
   std::vector<Observed> observed_;
 };
+
+Fit::Fit(std::span<const TurningSlide> slides, const CurveFit& person, const RestNoise& noise)
+    : curve_(person.person.curve) {
+  const FitValue weight =
+      fit_value(person, [](const SlidingPersonModel& p) { return curve_weight(p.curve); });
+  const FitValue bias_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.bias_deg; });
+  const FitValue habit_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.habit_deg; });
+  const auto expect = [&](int parameter, double mean, double sd) {
+    prior_mean_(parameter) = mean;
+    prior_deviation_(parameter) = sd;
+  };
+  expect(log_rate, usual_log_rate, 1.0);
+  expect(delay, 0.07, 0.15);
+  expect(bias, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
+  expect(habit, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
+  expect(start, person.person.start_deg, 5.0);
+  expect(scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
+  for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
+}
+
+LawFit Fit::fit(SteeringLaw law) const {
+  const LeastSquares problem{.residuals = [&](const Vector& person) { return residuals(person, law); },
+                             .derivatives = [&](const Vector& person) { return derivatives(person, law); },
+                             .clamped = clamped,
+                             .prior_mean = prior_mean_,
+                             .prior_deviation = prior_deviation_};
+  LawFit best;
+  for (const double late_s : {0.02, 0.1}) {
+    Vector first = prior_mean_;
+    first(delay) = late_s;
+    const LeastSquaresFit found = descend(problem, first);
+    if (found.misfit + found.penalty >= best.misfit) continue;
+    best.person = found.parameters;
+    best.misfit = found.misfit + found.penalty;
+  }
+  best.covariance =
+      jackknife_covariance(residuals(best.person, law), derivatives(best.person, law), prior_deviation_);
+  best.covariance(log_rate, log_rate) += law_log_rate * law_log_rate;
+  best.covariance(delay, delay) += law_delay_s * law_delay_s;
+  return best;
+}
+
+Eigen::MatrixXd Fit::jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const {
+  Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(parameters));
+  for (int i = 0; i < parameters; ++i) {
+    Vector above = person;
+    Vector below = person;
+    above(i) += derivative_step[static_cast<std::size_t>(i)];
+    below(i) -= derivative_step[static_cast<std::size_t>(i)];
+    below = clamped(below);
+    columns.col(i) =
+        (predicted_left_m(observed, curve_, above, law) - predicted_left_m(observed, curve_, below, law)) /
+        (above(i) - below(i));
+  }
+  return product(observed.whitening, columns);
+}
 
 // The mean over all slides of the residuals in parts of the path, mirrored for plates that begin on the other
 // side, is 0 if the law holds: Hotelling's test, with the scatter of the slides themselves.
@@ -344,9 +311,9 @@ double Fit::law_p(const Vector& person, SteeringLaw law) const {
   const Eigen::MatrixXd scatter = means.rowwise() - mean.transpose();
   const auto n = static_cast<double>(slides);
   const auto p = static_cast<double>(parts);
-  Eigen::MatrixXd covariance = scatter.transpose() * scatter / (n - 1.0);
+  Eigen::MatrixXd covariance = product(scatter.transpose(), scatter) / (n - 1.0);
   covariance.diagonal().array() += n * allowed_mean * allowed_mean;
-  const double distance = n * mean.dot(covariance.ldlt().solve(mean));
+  const double distance = n * mean.dot(solve_symmetric(covariance, mean));
   return f_tail((n - p) / (p * (n - 1.0)) * distance, p, n - p);
 }
 
@@ -403,22 +370,7 @@ SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& p
                          const RestNoise& noise) {
   SteeringFit steering;
   steering.slides = static_cast<int>(slides.size());
-  Prior prior{Vector::Zero(), Matrix::Zero()};
-  const FitValue weight =
-      fit_value(person, [](const SlidingPersonModel& p) { return curve_weight(p.curve); });
-  const FitValue bias_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.bias_deg; });
-  const FitValue habit_deg = fit_value(person, [](const SlidingPersonModel& p) { return p.habit_deg; });
-  const auto expect = [&](int parameter, double mean, double sd) {
-    prior.mean(parameter) = mean;
-    prior.information(parameter, parameter) = 1.0 / (sd * sd);
-  };
-  expect(log_rate, usual_log_rate, 1.0);
-  expect(delay, 0.07, 0.15);
-  expect(bias, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
-  expect(habit, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
-  expect(start, person.person.start_deg, 5.0);
-  expect(scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
-  const Fit fit(slides, person.person.curve, noise, prior);
+  const Fit fit(slides, person, noise);
   std::array<LawFit, steering_laws> fits;
   double least = std::numeric_limits<double>::infinity();
   for (int law = 0; law < steering_laws; ++law) {

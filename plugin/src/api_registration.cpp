@@ -1,6 +1,5 @@
 #include "haptic_retargeting/registration.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "core/frame_error.h"
+#include "core/linear_algebra.h"
 #include "core/registration.h"
 #include "core/time.h"
 #include "core/tracker_latency.h"
@@ -146,7 +146,7 @@ hrt_registration to_abi(const Registration& found, std::uint32_t touches) {
 using Covariance = Eigen::Matrix<double, 7, 7>;
 bool is_covariance(const Covariance& matrix) {
   const double rounding = 1e-9 * std::max(1e-12, matrix.trace());
-  return (matrix + rounding * Covariance::Identity()).llt().info() == Eigen::Success;
+  return is_positive_definite(matrix + rounding * Covariance::Identity());
 }
 
 // A registration that holds, of any version.
