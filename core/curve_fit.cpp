@@ -27,6 +27,9 @@ constexpr double common_share = 0.45;
 constexpr double common_angle_deg = 60.0;
 // The mean turn of a habit may be wrong by this share of it, and is then taken for a bias.
 constexpr double habit_as_bias = 0.04;
+// People who steer to a place, not in a direction, turn back what they have felt: as by a curve that is
+// larger by twice this share. Half of it is allowed for, since most people need none.
+constexpr double place_as_curve = 0.005;
 constexpr double least_log_gain = 0.5;
 constexpr double most_log_gain = 3.6;
 
@@ -132,6 +135,12 @@ FitMatrix common_covariance(const CurveFit& fit, std::span<const SlideTrack> sli
   for (int part = 0; part < slide_parts; ++part) tilted.row(part) *= common_deviation_deg(part);
   FitMatrix common = congruence(product(tilted, inverted), PartsMatrix::Identity());
   common(bias, bias) += habit_as_bias * habit_as_bias * fit.person.habit_deg * fit.person.habit_deg;
+  const IllusionCurve& curve = fit.person.curve;
+  FitVector larger = FitVector::Zero(common.rows());
+  larger(first) = place_as_curve * curve.first;
+  if (curve.family == CurveFamily::unequal || curve.family == CurveFamily::cubic)
+    larger(second) = place_as_curve * curve.second;
+  common += product(larger, larger.transpose());
   return common;
 }
 

@@ -144,6 +144,8 @@ constexpr ComparedValue compared_values[] = {
     {"bias_deg", &R::bias_deg, &D::bias_deg, HRT_DIFFERS_BIAS},
     {"habit_deg", &R::habit_deg, &D::habit_deg, HRT_DIFFERS_HABIT},
     {"tracker_noise_m", &R::tracker_noise_m, &D::tracker_noise_m, HRT_DIFFERS_TRACKER_NOISE},
+    {"steering_rate_per_s", &R::steering_rate_per_s, &D::steering_rate_per_s, HRT_DIFFERS_STEERING_RATE},
+    {"steering_delay_s", &R::steering_delay_s, &D::steering_delay_s, HRT_DIFFERS_STEERING_DELAY},
 };
 
 // What is not known may be anything in a result of a former version.

@@ -622,8 +622,25 @@ TEST(CalibrationComparison, NamesWhatDiffers) {
   EXPECT_NEAR(comparison.tactile_weight.upper, 0.05 + 0.01 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(comparison.largest_gap_deg.value, 0.0);
   EXPECT_EQ(comparison.habit_deg.known, 0u) << "known to neither";
+  EXPECT_EQ(comparison.steering_rate_per_s.known, 0u);
   ASSERT_OK(hrt_calibration_compare(&first, &first, &comparison));
   EXPECT_EQ(comparison.differing, 0u);
+}
+
+TEST(CalibrationComparison, HasTheSteering) {
+  auto comparison = output<hrt_calibration_comparison>();
+  hrt_calibration_result first = result_of(0.2), second = first;
+  first.steering_rate_per_s = known(9.0, 2.0);
+  first.steering_delay_s = known(0.05, 0.02);
+  second.steering_rate_per_s = known(5.0, 2.0);
+  second.steering_delay_s = known(0.09, 0.02);
+  ASSERT_OK(hrt_calibration_compare(&first, &second, &comparison));
+  EXPECT_EQ(comparison.differing, HRT_DIFFERS_STEERING_RATE | HRT_DIFFERS_STEERING_DELAY);
+  EXPECT_NEAR(comparison.steering_rate_per_s.value, -4.0, 1e-12);
+  EXPECT_NEAR(comparison.steering_delay_s.upper, 0.04 + 0.01 * std::sqrt(2.0), 1e-12);
+  second.steering_delay_s.lower = 0.1;
+  expect_error(hrt_calibration_compare(&first, &second, &comparison), HRT_ERROR_OUT_OF_RANGE,
+               "steering_delay_s");
 }
 
 TEST(CalibrationComparison, BadResultsAreRefusedByField) {

@@ -212,6 +212,14 @@ constexpr Field kComparison[] = {
     {"tracker_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.lower)},
     {"tracker_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.upper)},
     {"tracker_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, tracker_noise_m.known)},
+    {"steering_rate_per_s", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.value)},
+    {"steering_rate_per_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.lower)},
+    {"steering_rate_per_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.upper)},
+    {"steering_rate_per_s_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, steering_rate_per_s.known)},
+    {"steering_delay_s", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.value)},
+    {"steering_delay_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.lower)},
+    {"steering_delay_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.upper)},
+    {"steering_delay_s_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, steering_delay_s.known)},
 };
 
 constexpr Field kRegistration[] = {
@@ -279,6 +287,8 @@ constexpr Constant kConstants[] = {
     {"Differs", "DIFFERS_BIAS", 4, true},
     {"Differs", "DIFFERS_HABIT", 8, true},
     {"Differs", "DIFFERS_TRACKER_NOISE", 16, true},
+    {"Differs", "DIFFERS_STEERING_RATE", 32, true},
+    {"Differs", "DIFFERS_STEERING_DELAY", 64, true},
     {"Condition", "CONDITION_PLATE", 1, true},
     {"Condition", "CONDITION_TRACKER", 2, true},
     {"Reach", "REACH_PLATE_ORIENTATION", 1, true},

@@ -85,6 +85,8 @@ export declare const HRT_DIFFERS_LARGEST_GAP = 2;
 export declare const HRT_DIFFERS_BIAS = 4;
 export declare const HRT_DIFFERS_HABIT = 8;
 export declare const HRT_DIFFERS_TRACKER_NOISE = 16;
+export declare const HRT_DIFFERS_STEERING_RATE = 32;
+export declare const HRT_DIFFERS_STEERING_DELAY = 64;
 
 /** Level of a log message. */
 export declare const HRT_LOG_WARNING = 1;
@@ -288,7 +290,7 @@ export declare const structs: {
   readonly hrt_interval: StructLayout<"value" | "lower" | "upper" | "known" | "reserved">;
   readonly hrt_calibration_result: StructLayout<"struct_size" | "slides_turning" | "trials" | "trials_used" | "tactile_weight" | "bias_deg" | "motor_variance_deg2" | "sensory_variance_deg2" | "tracker_noise_m" | "illusion" | "lack_of_fit" | "slides_outlying" | "slides_along_ridges" | "illusion_scale_deg" | "peak_offset_deg" | "person_weight" | "person_curve" | "weight_curve_correlation" | "largest_gap_deg" | "habit_deg" | "correlated_noise_m" | "noise_correlation_s" | "angle_p" | "order_p" | "path_p" | "steering_rate_per_s" | "steering_delay_s" | "steering_p">;
   readonly hrt_calibration_slide: StructLayout<"struct_size" | "verdict" | "trial" | "reserved" | "plate_deg" | "direction_deg" | "fitted_deg" | "residual_deg">;
-  readonly hrt_calibration_comparison: StructLayout<"struct_size" | "differing" | "tactile_weight" | "largest_gap_deg" | "bias_deg" | "habit_deg" | "tracker_noise_m">;
+  readonly hrt_calibration_comparison: StructLayout<"struct_size" | "differing" | "tactile_weight" | "largest_gap_deg" | "bias_deg" | "habit_deg" | "tracker_noise_m" | "steering_rate_per_s" | "steering_delay_s">;
   readonly hrt_conditions: StructLayout<"struct_size" | "differing" | "time_s" | "plate" | "tracker">;
   readonly hrt_recording_status: StructLayout<"struct_size" | "system_error" | "rows_written" | "rows_lost">;
   readonly hrt_replay_report: StructLayout<"struct_size" | "complete" | "rows" | "first_different_line" | "hash" | "ending" | "reserved">;
@@ -682,6 +684,8 @@ export interface hrt_calibration_comparison {
   bias_deg: hrt_interval;
   habit_deg: hrt_interval;
   tracker_noise_m: hrt_interval;
+  steering_rate_per_s: hrt_interval;
+  steering_delay_s: hrt_interval;
 }
 
 /** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since version 0.3. */

@@ -41,6 +41,8 @@ export const HRT_DIFFERS_LARGEST_GAP = 2;
 export const HRT_DIFFERS_BIAS = 4;
 export const HRT_DIFFERS_HABIT = 8;
 export const HRT_DIFFERS_TRACKER_NOISE = 16;
+export const HRT_DIFFERS_STEERING_RATE = 32;
+export const HRT_DIFFERS_STEERING_DELAY = 64;
 export const HRT_LOG_WARNING = 1;
 export const HRT_LOG_ERROR = 2;
 export const HRT_CONDITION_PLATE = 1;
@@ -326,7 +328,7 @@ export const structs = Object.freeze({
     fitted_deg: {"offset": 32, "type": "f64"},
     residual_deg: {"offset": 40, "type": "f64"},
   } },
-  hrt_calibration_comparison: { size: 168, fields: {
+  hrt_calibration_comparison: { size: 232, fields: {
     struct_size: {"offset": 0, "type": "u32"},
     differing: {"offset": 4, "type": "u32"},
     tactile_weight: {"offset": 8, "type": "hrt_interval"},
@@ -334,6 +336,8 @@ export const structs = Object.freeze({
     bias_deg: {"offset": 72, "type": "hrt_interval"},
     habit_deg: {"offset": 104, "type": "hrt_interval"},
     tracker_noise_m: {"offset": 136, "type": "hrt_interval"},
+    steering_rate_per_s: {"offset": 168, "type": "hrt_interval"},
+    steering_delay_s: {"offset": 200, "type": "hrt_interval"},
   } },
   hrt_conditions: { size: 144, fields: {
     struct_size: {"offset": 0, "type": "u32"},

@@ -172,6 +172,8 @@ typedef struct hrt_calibration_slide {
 #define HRT_DIFFERS_BIAS UINT32_C(4)
 #define HRT_DIFFERS_HABIT UINT32_C(8)
 #define HRT_DIFFERS_TRACKER_NOISE UINT32_C(16)
+#define HRT_DIFFERS_STEERING_RATE UINT32_C(32)
+#define HRT_DIFFERS_STEERING_DELAY UINT32_C(64)
 
 /** Test and retest: two calibrations of a user, or of two users. Each field is the second value less the
  *  first, with the 95 % interval of the difference; known if both values are. Set `struct_size` before the
@@ -186,6 +188,8 @@ typedef struct hrt_calibration_comparison {
   hrt_interval bias_deg;
   hrt_interval habit_deg;
   hrt_interval tracker_noise_m;
+  hrt_interval steering_rate_per_s;
+  hrt_interval steering_delay_s;
 } hrt_calibration_comparison;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

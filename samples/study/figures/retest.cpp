@@ -11,9 +11,10 @@
 namespace hrt::study {
 namespace {
 
-Interval in_mm(Interval metres) {
-  for (double* value : {&metres.value, &metres.lower, &metres.upper}) *value *= 1e3;
-  return metres;
+// Of metres in millimetres, of seconds in milliseconds.
+Interval in_thousandths(Interval interval) {
+  for (double* value : {&interval.value, &interval.lower, &interval.upper}) *value *= 1e3;
+  return interval;
 }
 
 std::string conclusion(const RetestReport& report) {
@@ -52,17 +53,30 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
   RetestReport report{std::move(first), std::move(second), {}};
   const Calibration& a = report.first.calibration;
   const Calibration& b = report.second.calibration;
-  const std::vector<RepeatedValue> values{{a.tactile_weight, b.tactile_weight},
-                                          {a.largest_gap_deg, b.largest_gap_deg},
-                                          {a.bias_deg, b.bias_deg},
-                                          {a.habit_deg, b.habit_deg},
-                                          {in_mm(a.noise.white_m), in_mm(b.noise.white_m)}};
+  struct Repeated {
+    ComparedValue names;
+    RepeatedValue value;
+  };
+  std::vector<Repeated> repeated{
+      {{"tactile_weight", "tactile weight w_T at 60°", 3, {}}, {a.tactile_weight, b.tactile_weight}},
+      {{"largest_gap_deg", "largest gap, °", 1, {}}, {a.largest_gap_deg, b.largest_gap_deg}},
+      {{"bias_deg", "bias, °", 2, {}}, {a.bias_deg, b.bias_deg}},
+      {{"habit_deg", "habit of curving, °", 2, {}}, {a.habit_deg, b.habit_deg}},
+      {{"tracker_noise_mm", "tracker noise, white, mm", 3, {}},
+       {in_thousandths(a.noise.white_m), in_thousandths(b.noise.white_m)}}};
+  if (a.steering.slides > 0 && b.steering.slides > 0) {
+    repeated.push_back({{"steering_rate_per_s", "steering, rate k, 1/s", 1, {}},
+                        {a.steering.rate_per_s, b.steering.rate_per_s}});
+    repeated.push_back({{"steering_delay_ms", "steering, delay, ms", 0, {}},
+                        {in_thousandths(a.steering.delay_s), in_thousandths(b.steering.delay_s)}});
+  }
+  std::vector<RepeatedValue> values;
+  for (const Repeated& one : repeated) values.push_back(one.value);
   const std::vector<RetestDifference> differences = compare(values);
-  report.values = {{"tactile_weight", "tactile weight w_T at 60°", 3, differences[0]},
-                   {"largest_gap_deg", "largest gap, °", 1, differences[1]},
-                   {"bias_deg", "bias, °", 2, differences[2]},
-                   {"habit_deg", "habit of curving, °", 2, differences[3]},
-                   {"tracker_noise_mm", "tracker noise, white, mm", 3, differences[4]}};
+  for (std::size_t i = 0; i < repeated.size(); ++i) {
+    report.values.push_back(repeated[i].names);
+    report.values.back().difference = differences[i];
+  }
   return report;
 }
 

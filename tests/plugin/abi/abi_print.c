@@ -108,6 +108,8 @@ int main(void) {
   FIELD(hrt_calibration_comparison, bias_deg)
   FIELD(hrt_calibration_comparison, habit_deg)
   FIELD(hrt_calibration_comparison, tracker_noise_m)
+  FIELD(hrt_calibration_comparison, steering_rate_per_s)
+  FIELD(hrt_calibration_comparison, steering_delay_s)
   END(hrt_calibration_comparison)
   BEGIN(hrt_conditions)
   FIELD(hrt_conditions, struct_size)

@@ -220,6 +220,7 @@ TEST(StudyCalibrate, RetestShowsWhatDiffers) {
   const json page = json::parse(same.out);
   EXPECT_FALSE(page["retest"]["values"]["tactile_weight"]["differs"].get<bool>());
   EXPECT_EQ(page["retest"]["calibration"]["data"], again);
+  EXPECT_FALSE(page["retest"]["values"].contains("steering_delay_ms")) << "no plate turned";
   const StudyRun changed = run_study({"calibrate", test, "--retest", other, "--plot", folder / "retest.svg"});
   ASSERT_EQ(changed.exit_code, 0) << changed.err;
   EXPECT_NE(changed.out.find("They differ: tactile weight w_T at 60°"), std::string::npos) << changed.out;
@@ -227,6 +228,24 @@ TEST(StudyCalibrate, RetestShowsWhatDiffers) {
   EXPECT_NE(picture.find("They differ: tactile weight"), std::string::npos);
   EXPECT_NE(picture.find("retest, 95 %"), std::string::npos);
   EXPECT_EQ(run_study({"calibrate", test, "--retest", folder / "none.csv"}).exit_code, 2);
+}
+
+// The same person twice.
+TEST(StudyCalibrate, RetestComparesTheSteering) {
+  const TemporaryFolder folder;
+  const auto data = [&](const char* name, const char* seed) {
+    std::string file = folder / name;
+    EXPECT_EQ(run_study({"participants", "--seed", seed, "--trials", "2", "--turning", "20", "--out", file})
+                  .exit_code,
+              0);
+    return file;
+  };
+  const StudyRun run =
+      run_study({"calibrate", data("test.csv", "1"), "--retest", data("again.csv", "2"), "--format", "json"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json values = json::parse(run.out)["retest"]["values"];
+  ASSERT_TRUE(values["steering_delay_ms"]["known"].get<bool>()) << values;
+  EXPECT_FALSE(values["steering_delay_ms"]["differs"].get<bool>()) << values;
 }
 
 TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {

@@ -180,6 +180,8 @@ class DiffersFlag(Flags):
     BIAS
     HABIT
     TRACKER_NOISE
+    STEERING_RATE
+    STEERING_DELAY
     """
 
     TACTILE_WEIGHT = 1
@@ -187,6 +189,8 @@ class DiffersFlag(Flags):
     BIAS = 4
     HABIT = 8
     TRACKER_NOISE = 16
+    STEERING_RATE = 32
+    STEERING_DELAY = 64
 
 
 class LogLevel(Choice):
@@ -1365,6 +1369,8 @@ class CalibrationComparison(Struct):
     bias_deg
     habit_deg
     tracker_noise_m
+    steering_rate_per_s
+    steering_delay_s
     """
 
     if TYPE_CHECKING:
@@ -1375,10 +1381,13 @@ class CalibrationComparison(Struct):
         bias_deg: Interval
         habit_deg: Interval
         tracker_noise_m: Interval
+        steering_rate_per_s: Interval
+        steering_delay_s: Interval
 
         def __init__(
             self, *, differing: DiffersFlag = ..., tactile_weight: Interval = ..., largest_gap_deg: Interval = ...,
             bias_deg: Interval = ..., habit_deg: Interval = ..., tracker_noise_m: Interval = ...,
+            steering_rate_per_s: Interval = ..., steering_delay_s: Interval = ...,
         ) -> None: ...
 
     _fields_ = (
@@ -1389,6 +1398,8 @@ class CalibrationComparison(Struct):
         ("bias_deg", Interval),
         ("habit_deg", Interval),
         ("tracker_noise_m", Interval),
+        ("steering_rate_per_s", Interval),
+        ("steering_delay_s", Interval),
     )
 
 

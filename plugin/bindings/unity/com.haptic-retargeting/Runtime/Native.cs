@@ -161,6 +161,8 @@ namespace Hrt
         Bias = 4,
         Habit = 8,
         TrackerNoise = 16,
+        SteeringRate = 32,
+        SteeringDelay = 64,
     }
 
     /// <summary>Level of a log message.</summary>
@@ -997,6 +999,8 @@ namespace Hrt
         public Interval biasDeg;
         public Interval habitDeg;
         public Interval trackerNoiseM;
+        public Interval steeringRatePerS;
+        public Interval steeringDelayS;
     }
 
     /// <summary>Conditions of a measurement. The plugin reads no clock and knows no devices: the host names

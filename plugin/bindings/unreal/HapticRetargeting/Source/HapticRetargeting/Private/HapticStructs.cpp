@@ -343,6 +343,8 @@ namespace HapticConversions
 		Result.BiasYaw = FromMirrored(C.bias_deg);
 		Result.HabitYaw = FromMirrored(C.habit_deg);
 		Result.TrackerNoise = FromInterval(C.tracker_noise_m, CentimetresPerMetre);
+		Result.SteeringRate = FromInterval(C.steering_rate_per_s, 1.0);
+		Result.SteeringDelay = FromInterval(C.steering_delay_s, 1.0);
 		return Result;
 	}
 

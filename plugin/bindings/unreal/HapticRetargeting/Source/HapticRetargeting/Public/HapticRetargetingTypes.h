@@ -65,7 +65,9 @@ enum class EHapticDiffersFlags : int32
 	LargestGap = 2,
 	Bias = 4,
 	Habit = 8,
-	TrackerNoise = 16
+	TrackerNoise = 16,
+	SteeringRate = 32,
+	SteeringDelay = 64
 };
 
 UENUM(meta = (Bitflags, UseEnumValuesAsMaskValuesInEditor = "true"))
@@ -864,6 +866,13 @@ struct FHapticCalibrationComparison
 	/** In cm. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	FHapticInterval TrackerNoise;
+
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval SteeringRate;
+
+	/** In seconds. */
+	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
+	FHapticInterval SteeringDelay;
 };
 
 /** A registered pose. Its numbers mean something if it HOLDS; INCONSISTENT and UpsideDown have those of the fit
