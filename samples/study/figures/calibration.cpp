@@ -300,10 +300,10 @@ Figure calibration_figure(const CalibrationReport& report) {
       "2 lc "
       "rgb '#08306b' title 'curve'\n"
       "set key top right\nset origin 0,0.33\nset size 1,0.33\nset title \"Directions of " +
-      std::to_string(calibration.slides.size()) + " slides\\nbias " + fixed(all[1].interval.value, 2) +
-      "° (" + interval_text(all[1]) + "), habit " + fixed(all[2].interval.value, 2) + "° (" +
-      interval_text(all[2]) +
-      ")\" font ',12'\nset xlabel 'plate orientation (normal of the ridges) less goal, °'\n"
+      std::to_string(calibration.slides.size()) + " slides\\n" +
+      with_minus_signs("bias " + fixed(all[1].interval.value, 2) + "° (" + interval_text(all[1]) +
+                       "), habit " + fixed(all[2].interval.value, 2) + "° (" + interval_text(all[2]) + ")") +
+      "\" font ',12'\nset xlabel 'plate orientation (normal of the ridges) less goal, °'\n"
       "set ylabel 'direction less goal, °'\nset xrange [-92:92]\n"
       "plot $used using 1:3 with points pt 9 ps 0.8 lc rgb '#08306b' title 'fit', $used using 1:2" +
       points + "title 'slide', $outlying using 1:2" + crosses + "title 'outlier', $along using 1:2" + rings +

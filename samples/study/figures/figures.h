@@ -36,6 +36,9 @@ Figure authority_figure(const Table1& table);
 /// Perceived against actual error as the weights of the cost vary, and the theoretical limit.
 Figure frontier_figure(const FigureOptions& options);
 
+/// Of a label: numbers with minus signs for hyphens.
+std::string with_minus_signs(std::string text);
+
 /// The whole script, for the file format `ending`, "svg" or "png".
 std::string drawing(const Figure& figure, const std::string& ending);
 

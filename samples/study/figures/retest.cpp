@@ -134,9 +134,10 @@ Figure retest_figure(const RetestReport& report) {
     names += (i == 0 ? "" : ", ") + ("'" + std::string(value.words) + "' " + row);
     if (difference.known)
       figure.script += number(relative(difference)) + ' ' + row + " \"" +
-                       fixed(difference.value, value.decimals) + " (" +
-                       fixed(difference.lower, value.decimals) + " to " +
-                       fixed(difference.upper, value.decimals) + ")\"\n";
+                       with_minus_signs(fixed(difference.value, value.decimals) + " (" +
+                                        fixed(difference.lower, value.decimals) + " to " +
+                                        fixed(difference.upper, value.decimals) + ")") +
+                       "\"\n";
     else
       figure.script += "0 " + row + " \"not determined\"\n";
   }
@@ -160,7 +161,8 @@ Figure retest_figure(const RetestReport& report) {
       "ylabel\n"
       "set arrow from -1,graph 0 to -1,graph 1 nohead dt 2 lc rgb '#555555'\n"
       "set arrow from 1,graph 0 to 1,graph 1 nohead dt 2 lc rgb '#555555'\n"
-      "plot $values using ($1<-3.8?-3.8:($1>3.8?3.8:$1)):2 with points pt 7 ps 1.2 lc rgb '#08306b', "
+      "plot $values using (strcol(3) eq 'not determined'?NaN:$1<-3.8?-3.8:($1>3.8?3.8:$1)):2 with points pt "
+      "7 ps 1.2 lc rgb '#08306b', "
       "$values using ($1<-3.8?-3.8:($1>3.8?3.8:$1)):($2+0.32):3 with labels font ',10'\nunset multiplot\n";
   return figure;
 }
