@@ -301,9 +301,9 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
   const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL),
                 view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
   std::atomic<bool> stop = false;
-  std::array<int, 2> calls{};
+  std::array<std::atomic<int>, 2> calls{};
   std::vector<std::thread> threads;
-  for (int& count : calls)
+  for (std::atomic<int>& count : calls)
     threads.emplace_back([&] {
       for (; !stop; ++count) {
         XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
@@ -311,7 +311,10 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
         std::this_thread::yield();
       }
     });
-  for (int i = 0; i < 200; ++i) frame();
+  for (int i = 0; i < 100 || calls[0] < 100 || calls[1] < 100; ++i) {
+    frame();
+    std::this_thread::yield();
+  }
   stop = true;
   for (std::thread& thread : threads) thread.join();
   end();
@@ -319,7 +322,6 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
   int located = 0;
   for (std::size_t at = 0; (at = text.find("[\"located\",", at)) != std::string::npos; ++at) ++located;
   EXPECT_EQ(located, calls[0] + calls[1]);
-  EXPECT_GT(located, 0);
   play(folder / "capture.json");
   EXPECT_XR(XR_SUCCESS, create_instance());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
