@@ -120,12 +120,13 @@ class Run {
     XrRuntime runtime({XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, local_floor_extension});
     XrHeadlessSession session(runtime, spaces_, options_.runtime_limit);
     std::optional<Simulation> simulation;
-    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME) && !options_.person) {
-      simulation.emplace(runtime, session);
+    if (runtime.enabled(XR_HRTX_RIDGED_PLATE_EXTENSION_NAME)) simulation.emplace(runtime, session);
+    // Null: a person is asked. A simulated one may answer, who feels the plate.
+    Simulation* const instructed = simulation && !options_.person ? &*simulation : nullptr;
+    if (instructed != nullptr) {
       session.place_plate(session.floor_space(), targets_.plate_pose);
-      simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
       // A new session has the same person.
-      simulation->seed(options_.seed, static_cast<std::uint32_t>(next_));
+      instructed->seed(options_.seed, static_cast<std::uint32_t>(next_));
     } else {
       prompt_.listen();
       // Before a device is opened, which must be served from then on.
@@ -135,13 +136,13 @@ class Run {
     const std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
     const Turning turning(*this, *plate);
-    is_simulated_ = simulation.has_value();
+    is_simulated_ = instructed != nullptr;
     print_header_once(runtime, *plate);
 
     Stage stage{.plugin = plugin_,
                 .targets = targets_,
                 .session = session,
-                .simulation = simulation ? &*simulation : nullptr,
+                .simulation = instructed,
                 .plate = *plate,
                 .hands = options_.hands,
                 .time_limit_ns = static_cast<XrDuration>(options_.time_limit_s * 1e9),
@@ -153,8 +154,9 @@ class Run {
     stage.attend = [&](XrTime time) { attendant.attend(time); };
     if (is_registered())
       find_plate(stage);
-    else if (!simulation)
+    else if (instructed == nullptr)
       place_by_scene(session);
+    if (simulation) simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
     attendant.plate_is_placed();
     if (calibration_) calibrated_ = calibration_->run(stage, std::cout);
     attendant.reaches_begin();

@@ -163,8 +163,11 @@ XrResult convert_time_to_timespec_time(XrInstance handle, XrTime from, struct ti
   runtime().registry.get<Instance>(handle);
   require_pointer(time, "timespecTime");
   require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  time->tv_sec = from / 1'000'000'000;
-  time->tv_nsec = from % 1'000'000'000;
+  std::int64_t clock_ns = from;
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
+    if (session->player) clock_ns = session->player->clock_ns(from).value_or(from);
+  time->tv_sec = clock_ns / 1'000'000'000;
+  time->tv_nsec = clock_ns % 1'000'000'000;
   return XR_SUCCESS;
 }
 

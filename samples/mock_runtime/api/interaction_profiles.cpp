@@ -89,6 +89,7 @@ const std::vector<Profile>& profile_table() {
        {{"left", "x/click x/touch y/click y/touch menu/click", true},
         {"right", "a/click a/touch b/click b/touch", true},
         {hands, pico_4, true}}},
+      // Older registries lack x and y of its thumbstick, a mistake: KhronosGroup/OpenXR-Docs, 158.
       {"/interaction_profiles/bytedance/pico_g3_controller",
        {{hands,
          "trigger/click trigger/value menu/click thumbstick/x thumbstick/y thumbstick/click grip/pose "

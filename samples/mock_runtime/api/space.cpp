@@ -147,10 +147,10 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
 }
 
 XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds) {
-  const auto& session = runtime().registry.get<Session>(handle);
+  auto& session = runtime().registry.get<Session>(handle);
   require_pointer(bounds, "bounds");
   require_reference_space(session, type);
-  if (const auto* played = session.player ? session.player->bounds(type) : nullptr) {
+  if (const auto* played = session.player ? session.player->next_bounds(type) : nullptr) {
     *bounds = played->value_or(XrExtent2Df{});
     return *played ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
   }

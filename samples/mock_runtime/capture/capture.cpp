@@ -182,6 +182,14 @@ void Capture::converted(XrResult, XrInstance, const timespec*, const XrTime* tim
   wake();
 }
 
+void Capture::converted_back(XrResult, XrInstance, XrTime time, const timespec* clock) {
+  if (!in_session_) return;
+  // Unsigned, since a runtime may return anything.
+  const auto ns =
+      static_cast<std::uint64_t>(clock->tv_sec) * 1'000'000'000 + static_cast<std::uint64_t>(clock->tv_nsec);
+  note(of_session("timespec").add(time).add(static_cast<std::int64_t>(ns)));
+}
+
 // Spaces.
 
 void Capture::define_space(XrSpace handle, const Record& description) {

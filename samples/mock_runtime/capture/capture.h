@@ -67,6 +67,7 @@ class Capture {
   void hand_tracker(XrResult, XrSession, const XrHandTrackerCreateInfoEXT*, const XrHandTrackerEXT*);
   void joints(XrResult, XrHandTrackerEXT, const XrHandJointsLocateInfoEXT*, const XrHandJointLocationsEXT*);
   void converted(XrResult, XrInstance, const timespec*, const XrTime*);
+  void converted_back(XrResult, XrInstance, XrTime, const timespec*);
   void plate_orientation(XrResult, XrSession, XrTime, const double*);
   void reach_truth(XrResult, XrSession, XrHandEXT, const XrReachTruthHRTX*);
 

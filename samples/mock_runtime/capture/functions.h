@@ -46,6 +46,7 @@
   X(xrDestroyHandTrackerEXT,        failures)                          \
   X(xrLocateHandJointsEXT,          joints)                            \
   X(xrConvertTimespecTimeToTimeKHR, converted)                         \
+  X(xrConvertTimeToTimespecTimeKHR, converted_back)                    \
   X(xrGetPlateOrientationHRTX,      plate_orientation)                 \
   X(xrGetReachTruthHRTX,            reach_truth)
 // clang-format on

@@ -191,9 +191,18 @@ std::optional<XrTime> Player::next_converted() {
   return present_ += own_pace;
 }
 
-const std::optional<XrExtent2Df>* Player::bounds(XrReferenceSpaceType type) const {
+std::optional<std::int64_t> Player::clock_ns(XrTime time) {
+  if (session_.clock_ns.empty()) return std::nullopt;
+  // Unsigned, since a recording may hold anything.
+  const auto later_ns =
+      static_cast<std::uint64_t>(time) - static_cast<std::uint64_t>(nearest_time(session_.clock_ns, time));
+  return static_cast<std::int64_t>(static_cast<std::uint64_t>(read(session_.clock_ns, time)) + later_ns);
+}
+
+const std::optional<XrExtent2Df>* Player::next_bounds(XrReferenceSpaceType type) {
   const auto found = session_.bounds.find(type);
-  return found == session_.bounds.end() ? nullptr : &found->second;
+  if (found == session_.bounds.end()) return nullptr;
+  return &found->second[std::min(bounds_[type]++, found->second.size() - 1)];
 }
 
 RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time) {

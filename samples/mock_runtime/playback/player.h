@@ -1,5 +1,5 @@
 // Gives an application in one session what a recorded one was given: what has a time, by the nearest one;
-// frames and times of the machine's clock, in order; events, after the same calls and as many frames.
+// frames, bounds and times of the machine's clock, in order; events, after the same calls and as many frames.
 #pragma once
 
 #include <map>
@@ -29,10 +29,12 @@ class Player {
   RecordedFrame next_frame();
   /// The next time of the machine's clock; nothing if there is none.
   std::optional<XrTime> next_converted();
+  /// The machine's clock at `time`, in nanoseconds; nothing if none was recorded.
+  std::optional<std::int64_t> clock_ns(XrTime time);
 
   const std::optional<std::vector<XrReferenceSpaceType>>& spaces() const { return session_.spaces; }
-  /// Nothing if the recorded application did not ask.
-  const std::optional<XrExtent2Df>* bounds(XrReferenceSpaceType type) const;
+  /// One by one, then the last; null if the recorded application did not ask.
+  const std::optional<XrExtent2Df>* next_bounds(XrReferenceSpaceType type);
 
   RecordedJoints joints(XrHandEXT hand, const SpaceName& base, XrTime time);
   RecordedLocation location(const SpaceName& space, const SpaceName& base, XrTime time);
@@ -66,6 +68,7 @@ class Player {
   std::size_t events_ = 0;
   std::size_t frames_ = 0;
   std::size_t converted_ = 0;
+  std::map<XrReferenceSpaceType, std::size_t> bounds_;
   RecordedFrame last_frame_{};
   std::optional<XrTime> began_;  // the first frame, by this runtime's clock
   XrTime present_ = 0;

@@ -321,7 +321,7 @@ void Recording::add(const Json& record) {
     const bool available = fields.boolean();
     const float width = fields.single();
     const XrExtent2Df extent{width, fields.single()};
-    in.bounds[type] = available ? std::optional(extent) : std::nullopt;
+    in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
   } else if (kind == "call") {
     RecordedSession& in = of_session();
     in.calls.push_back(read_call_kind(fields));
@@ -335,6 +335,10 @@ void Recording::add(const Json& record) {
   } else if (kind == "converted") {
     RecordedSession& in = of_session();
     in.converted.push_back(fields.time());
+  } else if (kind == "timespec") {
+    RecordedSession& in = of_session();
+    const auto time = fields.whole<XrTime>();
+    in.clock_ns.emplace_back(time, fields.whole<std::int64_t>());
   } else if (kind == "event") {
     RecordedSession& in = of_session();
     RecordedEvent event{};
@@ -393,6 +397,7 @@ void Recording::add(const Json& record) {
 
 void Recording::finish() {
   for (RecordedSession& each : sessions) {
+    sort_by_time(each.clock_ns);
     sort_by_time(each.joints);
     sort_by_time(each.locations);
     sort_by_time(each.views);

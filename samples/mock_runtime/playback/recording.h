@@ -13,6 +13,7 @@
 //   ["call", session, "begin", "exit" or "end"]
 //   ["frame", session, predicted display time, period, should render]
 //   ["converted", session, time]
+//   ["timespec", session, time, the same by the machine's clock]
 //   ["event", session, calls before it, frames since the latest of these, kind, ...]
 //   ["joints", session, time, hand, base space, active, data source,
 //      [flags, pose, radius of each], [velocities]]
@@ -101,10 +102,12 @@ enum class StateCall { begin, exit, end };
 
 struct RecordedSession {
   std::optional<std::vector<XrReferenceSpaceType>> spaces;
-  std::map<XrReferenceSpaceType, std::optional<XrExtent2Df>> bounds;  ///< none: not available
+  /// In order; none: not available.
+  std::map<XrReferenceSpaceType, std::vector<std::optional<XrExtent2Df>>> bounds;
   std::vector<StateCall> calls;
   std::vector<RecordedFrame> frames;
   std::vector<XrTime> converted;
+  Stream<std::int64_t> clock_ns;  ///< what a time is by the machine's clock
   std::vector<RecordedEvent> events;
   std::map<std::pair<int, std::size_t>, Stream<RecordedJoints>> joints;               ///< hand, base
   std::map<std::pair<std::size_t, std::size_t>, Stream<RecordedLocation>> locations;  ///< space, base

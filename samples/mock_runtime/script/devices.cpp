@@ -72,11 +72,18 @@ Fingers read_fingers(Members& members, Fingers fingers) {
 }  // namespace
 
 void read_hand(Members& members, HandSettings& hand) {
-  // A path is there to be seen.
-  hand.tracked = members.boolean("tracked", hand.tracked || members.has("path"));
+  // Paths and slides are there to be seen.
+  hand.tracked = members.boolean("tracked", hand.tracked || members.has("path") || members.has("slides"));
   if (members.has("data_source"))
     hand.source = members.choice<HandSource>(
         "data_source", {{"unobstructed", HandSource::unobstructed}, {"controller", HandSource::controller}});
+  members.object("slides", [&](Members& slides) {
+    const std::vector<double> start_m = slides.numbers("start_m", 3, -10.0, 10.0);
+    hand.slides = {{start_m[0], start_m[1], start_m[2]},
+                   slides.number("direction_deg", 0.0, -180.0, 180.0),
+                   slides.number("length_m", 0.1, 0.001, 10.0),
+                   slides.nanoseconds("rest_ms", 500.0)};
+  });
   read_path(members, resting_hand_orientation(), hand.path, [&](Members& point) {
     const Fingers before = hand.fingers.empty() ? Fingers{} : hand.fingers.back().fingers;
     hand.fingers.push_back({hand.path.back().time_ns, read_fingers(point, before)});

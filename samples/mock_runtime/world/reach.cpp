@@ -37,6 +37,10 @@ XrTime Reach::millisecond_end(std::size_t millisecond) const {
   return moves_ + static_cast<XrDuration>(millisecond + 1) * millisecond_ns;
 }
 
+XrTime Reach::ended() const {
+  return moves_ + static_cast<XrDuration>(path_.size() - 1) * millisecond_ns;
+}
+
 void Reach::advance(XrTime time, const PlateModel& plate) {
   for (XrTime end = millisecond_end(path_.size() - 1); !done() && end <= time; end += millisecond_ns) {
     person_.advance(plate.orientation_at_deg(end));

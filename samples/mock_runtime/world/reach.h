@@ -50,6 +50,8 @@ class Reach {
   /// Largest felt less virtual direction so far, while the finger moves.
   double peak_felt_error_deg() const { return peak_felt_error_deg_; }
   bool done() const { return person_.done(); }
+  /// Since when the finger is where it is, if the reach is done.
+  XrTime ended() const;
 
  private:
   XrTime millisecond_end(std::size_t millisecond) const;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,11 +36,20 @@ struct FingerKeyframe {
 /// What a hand is tracked by: XR_EXT_hand_tracking_data_source.
 enum class HandSource { unobstructed, controller };
 
+/// Slides over the placed plate, one after the other, that nobody instructs; in plate coordinates.
+struct SlideSettings {
+  Eigen::Vector3d start_m;  ///< of the index tip joint
+  double direction_deg;     ///< of the goal
+  double length_m;
+  std::int64_t rest_ns;  ///< at the end, before the finger is at the start again
+};
+
 struct HandSettings {
   bool tracked = false;
   std::vector<Keyframe> path;  ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
   std::vector<FingerKeyframe> fingers;  ///< at the times of the path; empty: it points
   HandSource source = HandSource::unobstructed;
+  std::optional<SlideSettings> slides;
 };
 
 struct ControllerSettings {

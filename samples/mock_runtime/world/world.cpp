@@ -79,9 +79,20 @@ void World::freeze(XrHandEXT side, bool frozen) {
 
 void World::advance(XrTime now) {
   now_ = now;
-  for (Hand& hand : hands_)
-    if (hand.reach) hand.reach->advance(now, servo_);
+  for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
+    if (at(side).reach) at(side).reach->advance(now, servo_);
+    slide_again(side);
+  }
   servo_.advance(now);
+}
+
+void World::slide_again(XrHandEXT side) {
+  const std::optional<SlideSettings>& slides = settings_of(side).slides;
+  const Reach* latest = reach(side);
+  if (!slides || !plate_is_placed()) return;
+  if (latest != nullptr && (!latest->done() || now_ - latest->ended() < slides->rest_ns)) return;
+  instruct(side, {{slides->start_m.x(), slides->start_m.z()}, slides->direction_deg, slides->length_m},
+           slides->start_m.y(), now_);
 }
 
 std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {

@@ -99,6 +99,8 @@ class World {
   const HandSettings& settings_of(XrHandEXT side) const {
     return settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
   }
+  /// Lets a hand slide that nobody instructs, if it is time to.
+  void slide_again(XrHandEXT side);
   HandState hand_on_path(XrHandEXT side, XrTime time) const;
   Motion on_path(const std::vector<Keyframe>& path, XrTime time) const;
   HandState sliding_hand(const Hand& hand, XrHandEXT side, XrTime time) const;

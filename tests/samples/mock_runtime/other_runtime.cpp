@@ -1,7 +1,12 @@
 // A second OpenXR runtime, for the tests of the capture: as little as an application needs that locates
-// hands. It shares no code with the mock runtime, and nothing here follows its rules: joints are closed
-// formulas with bits that no arithmetic gives, clocks start late and jump, states come late.
+// hands and has controllers. It shares no code with the mock runtime, and nothing here follows its rules:
+// joints are closed formulas with bits that no arithmetic gives, clocks start late and jump, states come
+// late.
+#define XR_USE_TIMESPEC
 #include <openxr/openxr.h>
+#include <ctime>
+
+#include <openxr/openxr_platform.h>
 
 #include <cmath>
 #include <cstdint>
@@ -9,6 +14,8 @@
 #include <cstring>
 #include <map>
 #include <string>
+
+#include "samples/mock_runtime/openxr_1_1.h"
 
 namespace {
 
@@ -37,6 +44,9 @@ struct {
   std::uint64_t handles = 100;
   std::map<std::uint64_t, XrReferenceSpaceCreateInfo> spaces;
   std::map<std::uint64_t, XrHandEXT> trackers;
+  std::map<std::uint64_t, XrActionSpaceCreateInfo> action_spaces;
+  std::map<std::string, XrPath> paths;
+  int conversions = 0;
 } the;
 
 XrSession the_session() {
@@ -63,9 +73,10 @@ std::uint32_t hash(std::uint64_t x) {
 
 XrResult enumerate_extensions(const char*, std::uint32_t capacity, std::uint32_t* count,
                               XrExtensionProperties* properties) {
-  const char* names[] = {XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME};
-  *count = 2;
-  for (std::uint32_t i = 0; capacity >= 2 && i < 2; ++i)
+  const char* names[] = {XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                         XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME};
+  *count = 4;
+  for (std::uint32_t i = 0; capacity >= 4 && i < 4; ++i)
     std::snprintf(properties[i].extensionName, sizeof properties[i].extensionName, "%s", names[i]);
   return XR_SUCCESS;
 }
@@ -170,11 +181,18 @@ XrResult create_reference_space(XrSession, const XrReferenceSpaceCreateInfo* inf
 }
 XrResult destroy_space(XrSpace space) {
   the.spaces.erase(reinterpret_cast<std::uint64_t>(space));
+  the.action_spaces.erase(reinterpret_cast<std::uint64_t>(space));
   return XR_SUCCESS;
 }
 
 // Where a space is in LOCAL, which the formulas below are in. Spaces are not turned here.
 XrVector3f origin_of(XrSpace space, XrTime time) {
+  if (const auto held = the.action_spaces.find(reinterpret_cast<std::uint64_t>(space));
+      held != the.action_spaces.end()) {
+    const XrVector3f& offset = held->second.poseInActionSpace.position;
+    return {offset.x + static_cast<float>(held->second.subactionPath), offset.y,
+            offset.z + from_bits(0x3e000000U + static_cast<std::uint32_t>(time % 8'000'000))};
+  }
   const XrReferenceSpaceCreateInfo& info = the.spaces[reinterpret_cast<std::uint64_t>(space)];
   XrVector3f origin = info.poseInReferenceSpace.position;
   if (info.referenceSpaceType == XR_REFERENCE_SPACE_TYPE_VIEW)
@@ -182,10 +200,50 @@ XrVector3f origin_of(XrSpace space, XrTime time) {
   return origin;
 }
 
-XrResult locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* location) {
+// Now and then a space is lost, and its pose is anything.
+XrResult locate(XrSpace space, XrSpace base, XrTime time, XrSpaceLocationData& location,
+                XrSpaceVelocityData* velocity) {
   const XrVector3f a = origin_of(space, time), b = origin_of(base, time);
-  location->locationFlags = XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
-  location->pose = {{0.0F, 0.0F, -0.0F, 1.0F}, {a.x - b.x, a.y - b.y, a.z - b.z}};
+  const bool lost =
+      the.action_spaces.count(reinterpret_cast<std::uint64_t>(space)) > 0 && the.frames % 7 == 3;
+  location.locationFlags =
+      lost ? 0 : XR_SPACE_LOCATION_POSITION_VALID_BIT | XR_SPACE_LOCATION_ORIENTATION_VALID_BIT;
+  location.pose = {{0.0F, 0.0F, -0.0F, 1.0F}, {a.x - b.x, a.y - b.y, a.z - b.z}};
+  if (lost) location.pose.position.y = from_bits(0x7fc54321);
+  if (velocity != nullptr)
+    *velocity = {XR_SPACE_VELOCITY_ANGULAR_VALID_BIT,
+                 {from_bits(0xffc00007), 0.0F, 0.0F},
+                 {-0.0F, from_bits(hash(static_cast<std::uint64_t>(time))), 1e-42F}};
+  return XR_SUCCESS;
+}
+
+XrResult locate_space(XrSpace space, XrSpace base, XrTime time, XrSpaceLocation* location) {
+  XrSpaceLocationData data{};
+  XrSpaceVelocityData velocity{};
+  locate(space, base, time, data, &velocity);
+  location->locationFlags = data.locationFlags;
+  location->pose = data.pose;
+  if (auto* next = static_cast<XrSpaceVelocity*>(location->next); next != nullptr) {
+    next->velocityFlags = velocity.velocityFlags;
+    next->linearVelocity = velocity.linearVelocity;
+    next->angularVelocity = velocity.angularVelocity;
+  }
+  return XR_SUCCESS;
+}
+
+XrResult locate_spaces(XrSession, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
+  const auto* velocities = static_cast<XrSpaceVelocities*>(locations->next);
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i)
+    locate(info->spaces[i], info->baseSpace, info->time, locations->locations[i],
+           velocities == nullptr ? nullptr : &velocities->velocities[i]);
+  return XR_SUCCESS;
+}
+
+// The room is measured again after 20 frames.
+XrResult get_bounds(XrSession, XrReferenceSpaceType type, XrExtent2Df* bounds) {
+  *bounds = {};
+  if (type != XR_REFERENCE_SPACE_TYPE_LOCAL) return XR_SPACE_BOUNDS_UNAVAILABLE;
+  *bounds = {the.frames < 20 ? 2.0F : 2.5F, from_bits(0x40490fdb)};
   return XR_SUCCESS;
 }
 
@@ -254,6 +312,90 @@ XrResult locate_hand_joints(XrHandTrackerEXT tracker, const XrHandJointsLocateIn
   return XR_SUCCESS;
 }
 
+// XrTime is five days behind the machine's clock, whose time is of no account here.
+XrResult to_time(XrInstance, const timespec*, XrTime* time) {
+  *time = time_of(the.frames) + ++the.conversions * 1001;
+  return XR_SUCCESS;
+}
+XrResult to_timespec(XrInstance, XrTime time, timespec* clock) {
+  const XrTime shifted = time + 5LL * 86'400'000'000'000;
+  *clock = {shifted / 1'000'000'000, shifted % 1'000'000'000};
+  return XR_SUCCESS;
+}
+
+XrResult string_to_path(XrInstance, const char* text, XrPath* path) {
+  *path = the.paths.try_emplace(text, 70 + the.paths.size()).first->second;
+  return XR_SUCCESS;
+}
+XrResult path_to_string(XrInstance, XrPath path, std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+  for (const auto& [text, known] : the.paths)
+    if (known == path)
+      *count = static_cast<std::uint32_t>(std::snprintf(buffer, capacity, "%s", text.c_str())) + 1;
+  return XR_SUCCESS;
+}
+
+XrResult create_action_set(XrInstance, const XrActionSetCreateInfo*, XrActionSet* set) {
+  *set = reinterpret_cast<XrActionSet>(++the.handles);
+  return XR_SUCCESS;
+}
+XrResult create_action(XrActionSet, const XrActionCreateInfo*, XrAction* action) {
+  *action = reinterpret_cast<XrAction>(++the.handles);
+  return XR_SUCCESS;
+}
+XrResult suggest_bindings(XrInstance, const XrInteractionProfileSuggestedBinding*) {
+  return XR_SUCCESS;
+}
+XrResult attach_action_sets(XrSession, const XrSessionActionSetsAttachInfo*) {
+  return XR_SUCCESS;
+}
+XrResult create_action_space(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+  the.action_spaces[++the.handles] = *info;
+  *space = reinterpret_cast<XrSpace>(the.handles);
+  return XR_SUCCESS;
+}
+XrResult sync_actions(XrSession, const XrActionsSyncInfo*) {
+  return the.frames < 4 || the.frames % 10 == 9 ? XR_SESSION_NOT_FOCUSED : XR_SUCCESS;
+}
+
+// Any bits, of each action, subaction path and frame.
+std::uint32_t bits_of(const XrActionStateGetInfo* info, std::uint32_t more = 0) {
+  return hash(static_cast<std::uint64_t>(the.frames) * 1'000'000 + info->subactionPath * 1000 +
+              reinterpret_cast<std::uint64_t>(info->action) * 7 + more);
+}
+template <typename State>
+void put_common(const XrActionStateGetInfo* info, State* state) {
+  state->isActive = bits_of(info, 1) % 5 != 0 ? XR_TRUE : XR_FALSE;
+  state->changedSinceLastSync = bits_of(info, 2) % 2;
+  state->lastChangeTime = time_of(the.frames) - bits_of(info, 3);
+}
+XrResult get_boolean(XrSession, const XrActionStateGetInfo* info, XrActionStateBoolean* state) {
+  put_common(info, state);
+  state->currentState = bits_of(info) % 2;
+  return XR_SUCCESS;
+}
+XrResult get_float(XrSession, const XrActionStateGetInfo* info, XrActionStateFloat* state) {
+  put_common(info, state);
+  state->currentState = from_bits(bits_of(info));
+  return XR_SUCCESS;
+}
+XrResult get_vector(XrSession, const XrActionStateGetInfo* info, XrActionStateVector2f* state) {
+  put_common(info, state);
+  state->currentState = {from_bits(bits_of(info)), from_bits(bits_of(info, 4))};
+  return XR_SUCCESS;
+}
+XrResult get_pose(XrSession, const XrActionStateGetInfo* info, XrActionStatePose* state) {
+  state->isActive = bits_of(info) % 3 != 0 ? XR_TRUE : XR_FALSE;
+  return XR_SUCCESS;
+}
+XrResult get_profile(XrSession, XrPath, XrInteractionProfileState* state) {
+  state->interactionProfile = XR_NULL_PATH;
+  if (the.frames < 5) return XR_SUCCESS;
+  return string_to_path(XR_NULL_HANDLE,
+                        the.frames < 25 ? "/interaction_profiles/khr/simple_controller"
+                                        : "/interaction_profiles/other/of_no_registry",
+                        &state->interactionProfile);
+}
+
 XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
   static const std::map<std::string, PFN_xrVoidFunction> functions{
 #define HRT_FUNCTION(name, implementation) {#name, reinterpret_cast<PFN_xrVoidFunction>(&implementation)}
@@ -274,6 +416,23 @@ XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction
       HRT_FUNCTION(xrCreateReferenceSpace, create_reference_space),
       HRT_FUNCTION(xrDestroySpace, destroy_space),
       HRT_FUNCTION(xrLocateSpace, locate_space),
+      HRT_FUNCTION(xrLocateSpacesKHR, locate_spaces),
+      HRT_FUNCTION(xrGetReferenceSpaceBoundsRect, get_bounds),
+      HRT_FUNCTION(xrConvertTimespecTimeToTimeKHR, to_time),
+      HRT_FUNCTION(xrConvertTimeToTimespecTimeKHR, to_timespec),
+      HRT_FUNCTION(xrStringToPath, string_to_path),
+      HRT_FUNCTION(xrPathToString, path_to_string),
+      HRT_FUNCTION(xrCreateActionSet, create_action_set),
+      HRT_FUNCTION(xrCreateAction, create_action),
+      HRT_FUNCTION(xrSuggestInteractionProfileBindings, suggest_bindings),
+      HRT_FUNCTION(xrAttachSessionActionSets, attach_action_sets),
+      HRT_FUNCTION(xrCreateActionSpace, create_action_space),
+      HRT_FUNCTION(xrSyncActions, sync_actions),
+      HRT_FUNCTION(xrGetActionStateBoolean, get_boolean),
+      HRT_FUNCTION(xrGetActionStateFloat, get_float),
+      HRT_FUNCTION(xrGetActionStateVector2f, get_vector),
+      HRT_FUNCTION(xrGetActionStatePose, get_pose),
+      HRT_FUNCTION(xrGetCurrentInteractionProfile, get_profile),
       HRT_FUNCTION(xrLocateViews, locate_views),
       HRT_FUNCTION(xrWaitFrame, wait_frame),
       HRT_FUNCTION(xrBeginFrame, begin_frame),

@@ -162,6 +162,45 @@ TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
   EXPECT_NEAR(sum_deg / reaches, -5.0 / 0.85, 4.0 * std::sqrt(0.6 / reaches));
 }
 
+// The slides of a script are those of instructed people, and come again after their rest.
+TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
+  const auto begin = [&](const std::string& hands) {
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+    const std::string script =
+        R"({"participants": [{"tactile_weight": 0.2, "duration_ms": 800, "reaction_ms": 300}])" + hands + "}";
+    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str()));
+    begin_session();
+    plate_space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, plate_pose);
+    hand = create_hand_tracker();
+    frame();
+    place_plate();
+    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
+  };
+  constexpr int frames_of_a_slide = 98;  // 300 ms and 800 ms, at 90 Hz
+  std::vector<float> instructed;
+  begin("");
+  instruct(5.0);
+  for (int i = 0; i < frames_of_a_slide; ++i) instructed.push_back(index_tip(frame()).x);
+  EXPECT_GT(std::abs(instructed.back() - instructed.front()), 0.002F);
+
+  begin(
+      R"(, "hands": {"right": {"slides": {"start_m": [0, 0.007, 0.05], "direction_deg": 5, "rest_ms": 400}}})");
+  std::vector<float> along;
+  for (int i = 0; i < 3 * frames_of_a_slide; ++i) {
+    const XrVector3f tip = index_tip(frame());
+    if (i < frames_of_a_slide) {
+      EXPECT_EQ(tip.x, instructed[i]) << i;
+    }
+    along.push_back(tip.z);
+  }
+  std::vector<int> starts;
+  for (int i = 1; i < static_cast<int>(along.size()); ++i)
+    if (along[i] - along[i - 1] > 0.09F) starts.push_back(i);
+  ASSERT_EQ(starts.size(), 2U);
+  EXPECT_NEAR(starts[0], 1.5 * 90.0, 1.5);  // 300 ms, 800 ms and 400 ms
+  EXPECT_NEAR(starts[1], 3.0 * 90.0, 3.0);
+}
+
 // On every compiler and build: a recording made on one host must replay on another.
 TEST_F(MockPlate, BytesOfAReachAreThoseOfEveryHost) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));

@@ -143,7 +143,10 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
       {"valve/index_controller", {"left/input/grip_surface/pose"}},
       {"bytedance/pico_neo3_controller", {"left/input/x/touch", "right/input/menu/click"}},
       {"bytedance/pico4_controller", {"left/input/menu/click", "right/input/squeeze/click"}},
-      {"bytedance/pico_g3_controller", {"left/input/trigger/click", "right/input/thumbstick/x"}},
+      {"bytedance/pico_g3_controller",
+       {"left/input/trigger/click", "right/input/trigger/value", "left/input/menu/click",
+        "right/input/thumbstick", "left/input/thumbstick/x", "right/input/thumbstick/y",
+        "left/input/thumbstick/click", "right/input/grip_surface/pose"}},
       {"hp/mixed_reality_controller", {"left/input/y/click", "right/input/squeeze/value"}},
       {"htc/vive_cosmos_controller", {"left/input/shoulder/click", "right/input/system/click"}},
       {"htc/vive_focus3_controller", {"left/input/squeeze/touch", "right/input/thumbrest/touch"}},
@@ -159,6 +162,10 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
       EXPECT_XR(XR_SUCCESS, suggest(profile, "/user/hand/" + source)) << profile << ' ' << source;
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
             suggest("bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
+  for (const char* absent : {"input/thumbstick/touch", "input/squeeze/value", "output/haptic"})
+    EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
+              suggest("bytedance/pico_g3_controller", std::string("/user/hand/left/") + absent))
+        << absent;
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
             suggest("meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,

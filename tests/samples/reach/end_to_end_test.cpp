@@ -136,17 +136,6 @@ TEST(ReachEndToEnd, DoesNotCountWhatCannotBeHeld) {
   }
 }
 
-TEST(ReachEndToEnd, IsSilentUnderTheCoreValidationLayer) {
-  auto environment = mock_environment();
-  environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_core_validation";
-  environment["XR_CORE_VALIDATION_EXPORT_TYPE"] = "text";
-  const Outcome outcome = run_program({desk}, environment);
-  EXPECT_EQ(outcome.exit_code, 0);
-  // The layer announces itself, which proves that it was there; its messages would come on stdout.
-  EXPECT_EQ(outcome.err, "Core Validation output type: text, first time = true\n");
-  EXPECT_EQ(outcome.out, run_program({desk}).out);
-}
-
 // One part is missing: one sentence, and an exit code of its own.
 void expect_failure(const Outcome& outcome, int exit_code, const std::string& named) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

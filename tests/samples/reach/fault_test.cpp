@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -301,19 +300,6 @@ TEST(ReachFault, VelocitiesAreMissingOrZero) {
   const std::string usual = run_program({desk}).out;
   for (const std::string velocities : {"none", "zero", "linear"})
     EXPECT_EQ(run_desk(R"({"tracker": {"velocities": ")" + velocities + "\"}}").out, usual);
-}
-
-TEST(ReachFault, TheCoreValidationLayerHasNothingToSayAboutLosses) {
-  const std::string file = scratch_folder() + "/script.json";
-  std::ofstream(file) << event_at(400, R"("do": "session_state", "state": "LOSS_PENDING")");
-  auto environment = mock_environment();
-  environment["HRT_MOCK_SCRIPT"] = file;
-  const std::string without_layer = run_program({desk}, environment).out;
-  environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_core_validation";
-  environment["XR_CORE_VALIDATION_EXPORT_TYPE"] = "text";
-  const Outcome outcome = run_program({desk}, environment);
-  EXPECT_TRUE(says(outcome, "Core Validation output type: text"));
-  EXPECT_EQ(outcome.out, without_layer);
 }
 
 // A controller that is given the user's weight of touch leads every user there.

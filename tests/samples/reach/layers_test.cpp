@@ -20,7 +20,7 @@ Outcome run_with(const std::string& layer, const std::string& variable, const st
   return run_program(arguments, environment);
 }
 
-// It reports every mistake of an application and of a runtime that it finds.
+// It reports every mistake of an application and of a runtime that it finds, and changes nothing.
 TEST(ReachLayers, CoreValidationHasNothingToSay) {
   const std::string recentred = R"("events": [{"frame": 90, "do": "recenter", "space": "STAGE",
       "position_m": [0.1, 0, 0.2], "yaw_deg": 15}], )";
@@ -32,6 +32,7 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
        {Case{"{}", {}},
         Case{"{" + calm + R"(, "events": [{"session": 1, "frame": 60, "do": "lose_session"}]})",
              {"--target", "bottle"}},
+        Case{R"({"events": [{"frame": 400, "do": "session_state", "state": "LOSS_PENDING"}]})", {}},
         Case{Path(plate_of_desk).reach().rest(2000).script(recentred),
              {"--target", "bottle", "--person", "--plate", "servo"}}}) {
     const std::string report = scratch_folder() + "/report.txt";
@@ -39,6 +40,9 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.err.find("Core Validation output type"), std::string::npos) << "the layer is not there";
     EXPECT_EQ(read_file(report), "") << script;
+    std::vector<std::string> without_layer = arguments;
+    without_layer.insert(without_layer.begin(), desk);
+    EXPECT_EQ(outcome.out, run_scripted(script, without_layer).out) << script;
   }
 }
 

@@ -50,6 +50,18 @@ TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
   expect_said(outcome, "6 degrees to the left of straight ahead");
 }
 
+TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
+  auto environment = scripted_environment(Path(plate_of_desk).reach().rest(2000).script());
+  const std::string log = scratch_folder() + "/calls.txt";
+  environment["HRT_MOCK_CALL_LOG"] = log;
+  const Outcome outcome = run_program({desk, "--person", "--target", "bottle"}, environment);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string calls = read_file(log);
+  for (const char* function : {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("})
+    EXPECT_NE(calls.find(function), std::string::npos) << function;
+  EXPECT_EQ(calls.find("xrInstructReachHRTX("), std::string::npos);
+}
+
 TEST(ReachPerson, EndsWithARestAnywhere) {
   const Outcome outcome =
       reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, 0.01}, 800).rest(3000));
@@ -306,33 +318,58 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
     EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
 }
 
-// Slides again and again, until a key ends it: all that the user needs is spoken.
-TEST(ReachKeys, ACalibrationWithoutSight) {
+// To its end, in a room without a floor: all that the user needs is spoken, and keys answer. The user feels
+// the plate. A frame takes 2 ms, so that the voice keeps up with the manual clock.
+TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   const Voice voice;
-  Path path(plate_of_desk);
-  for (int slide = 0; slide < 40; ++slide) path.hold(start, 900).slide({0.0, -0.05}, 500).rest(500).lift();
+  const std::string profile = voice.folder + "/profile.json";
   const Terminal terminal;
   const Program program(
-      person_and({"--calibrate", voice.folder + "/profile.json", "--speak-with", voice.program}),
-      scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
+      person_and({"--calibrate", profile, "--speak-with", voice.program}),
+      scripted_environment(R"({"calls": [{"function": "xrWaitFrame", "count": 1000000, "delay_ms": 2}],
+          "stage": false, "withhold_extensions": ["XR_EXT_local_floor"],
+          "participants": [{"illusion": "linear", "tactile_weight": 0.2, "steering": "continuous", "gain_per_s": 9,
+            "delay_ms": 50, "noise_deg2_per_s": 2, "start_direction_deg": 0, "habit_deg": 0, "pace": "minimum_jerk",
+            "reaction_ms": 700, "duration_ms": 1200}],
+          "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "rest_ms": 600}}}})"),
+      -1, terminal.end());
   const auto give_up = Clock::now() + 60s;
-  const auto await = [&](const char* part) {
+  const auto after = [&](const std::string& part, const std::string& keys) {
     while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up)
       std::this_thread::sleep_for(5ms);
+    terminal.type(keys);
   };
-  await("Slide 1, minute 1");
-  terminal.type("hn");
-  await("Now slide straight ahead");
-  await("Slide 3, minute");
-  terminal.type("rwq");
+  after("How high are your eyes above the floor", "1.2\n");
+  after("Slide 1, minute 1", "h");
+  after("Keys: r repeats", "n");
+  after("Slide 3, minute", "w");
+  after("The right index finger is ", "r");
+  const Outcome outcome = program.wait();
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  const std::string heard = voice.heard();
+  for (const char* part :
+       {"You will slide one fingertip straight ahead", "That key is for reaches.",
+        "Now slide straight ahead, as far as is comfortable, and rest there.", "share of touch"})
+    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+  const std::string name = "share of touch (w_T) at 60 deg";
+  const std::size_t at = outcome.out.find(name);
+  ASSERT_NE(at, std::string::npos) << outcome.out;
+  EXPECT_NEAR(std::stod(outcome.out.substr(at + name.size())), 0.2, 0.02) << outcome.out;
+  EXPECT_NE(read_file(profile).find("\"tactile_weight\":"), std::string::npos);
+}
+
+// The key that stops leaves no profile.
+TEST(ReachKeys, AStoppedCalibrationWritesNothing) {
+  const Voice voice;
+  const Terminal terminal;
+  terminal.type("q");
+  const Program program(
+      person_and({"--calibrate", voice.folder + "/profile.json", "--speak-with", voice.program}),
+      scripted_environment("{}"), -1, terminal.end());
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("slide   2"), std::string::npos) << outcome.out;
-  const std::string heard = voice.heard();
-  for (const char* part : {"Keys: r repeats", "You will slide one fingertip straight ahead",
-                           "Slide 1, minute 1", "That key is for reaches.", "Now slide straight ahead",
-                           "Slide 3, minute", "interrupted; no profile was written"})
-    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+  EXPECT_NE(voice.heard().find("interrupted; no profile was written"), std::string::npos) << voice.heard();
+  EXPECT_FALSE(std::filesystem::exists(voice.folder + "/profile.json"));
 }
 
 }  // namespace

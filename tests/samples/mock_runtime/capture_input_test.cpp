@@ -1,0 +1,437 @@
+// The layer in samples/mock_runtime/capture: what an application with controllers was given, played back; an
+// application for OpenXR 1.1; one of several threads.
+#include <atomic>
+#include <cstdio>
+#include <filesystem>
+#include <map>
+#include <thread>
+
+#include "tests/samples/mock_runtime/capture_support.h"
+#include "tests/samples/mock_runtime/negotiation.h"
+
+namespace hrt::mock {
+namespace {
+
+class MockCaptureInput : public CaptureFixture {
+ protected:
+  XrPath path(const char* text) {
+    XrPath made = XR_NULL_PATH;
+    EXPECT_XR(XR_SUCCESS, xrStringToPath(instance, text, &made));
+    return made;
+  }
+  // Paths are other numbers in another runtime.
+  std::string text_of(XrPath of) {
+    std::array<char, XR_MAX_PATH_LENGTH> text{};
+    std::uint32_t count = 0;
+    if (of != XR_NULL_PATH) {
+      EXPECT_XR(XR_SUCCESS, xrPathToString(instance, of, text.size(), &count, text.data()));
+    }
+    return text.data();
+  }
+
+  XrAction make_action(const char* name, XrActionType type) {
+    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
+    std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
+    std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", name);
+    info.actionType = type;
+    info.countSubactionPaths = 2;
+    info.subactionPaths = hands.data();
+    XrAction action = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateAction(set, &info, &action));
+    return action;
+  }
+  void make_actions() {
+    hands = {path("/user/hand/left"), path("/user/hand/right")};
+    const XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "Set", 0};
+    ASSERT_XR(XR_SUCCESS, xrCreateActionSet(instance, &info, &set));
+    press = make_action("press", XR_ACTION_TYPE_BOOLEAN_INPUT);
+    pull = make_action("pull", XR_ACTION_TYPE_FLOAT_INPUT);
+    move = make_action("move", XR_ACTION_TYPE_VECTOR2F_INPUT);
+    grip = make_action("grip", XR_ACTION_TYPE_POSE_INPUT);
+    for (const auto& [profile, sources] :
+         std::map<const char*, std::vector<std::pair<XrAction, std::string>>>{
+             {"/interaction_profiles/oculus/touch_controller",
+              {{press, "thumbstick/click"},
+               {pull, "trigger/value"},
+               {move, "thumbstick"},
+               {grip, "grip/pose"}}},
+             {"/interaction_profiles/khr/simple_controller",
+              {{press, "select/click"}, {grip, "aim/pose"}}}}) {
+      std::vector<XrActionSuggestedBinding> bindings;
+      for (const char* hand : {"/user/hand/left/input/", "/user/hand/right/input/"})
+        for (const auto& [action, source] : sources)
+          bindings.push_back({action, path((hand + source).c_str())});
+      const XrInteractionProfileSuggestedBinding suggested{
+          XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
+          static_cast<std::uint32_t>(bindings.size()), bindings.data()};
+      ASSERT_XR(XR_SUCCESS, xrSuggestInteractionProfileBindings(instance, &suggested));
+    }
+    const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
+    ASSERT_XR(XR_SUCCESS, xrAttachSessionActionSets(session, &attach));
+  }
+  XrSpace make_grip_space(XrPath hand, const XrPosef& pose) {
+    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip, hand, pose};
+    XrSpace space = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+    return space;
+  }
+
+  template <typename State, typename Get>
+  State read(Get get, XrStructureType type, XrAction action, XrPath subaction) {
+    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
+    State state{type};
+    EXPECT_XR(XR_SUCCESS, get(session, &info, &state));
+    seen["active"] += state.isActive == XR_TRUE;
+    given.add(state.isActive);
+    if constexpr (!std::is_same_v<State, XrActionStatePose>) {
+      given.add(state.currentState);
+      given.add(state.changedSinceLastSync);
+      given.add(state.lastChangeTime);
+    }
+    return state;
+  }
+  void read_actions() {
+    const XrActiveActionSet active{set, XR_NULL_PATH};
+    const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
+    const XrResult result = xrSyncActions(session, &info);
+    ASSERT_TRUE(XR_SUCCEEDED(result)) << result_name(result);
+    given.add(result);
+    seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
+    for (const XrPath hand : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
+      seen["pressed"] +=
+          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, hand)
+              .currentState == XR_TRUE;
+      seen["pulled"] +=
+          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, hand)
+              .currentState != 0.0F;
+      seen["moved"] +=
+          read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, hand)
+              .currentState.y != 0.0F;
+      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, hand);
+    }
+    for (const XrPath hand : hands) {
+      XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
+      ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, hand, &state));
+      const std::string profile = text_of(state.interactionProfile);
+      given.bytes += profile;
+      ++seen[profile];
+    }
+  }
+  void locate(const std::vector<XrSpace>& spaces, XrSpace base, XrTime time) {
+    XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, &velocity};
+    ASSERT_XR(XR_SUCCESS, xrLocateSpace(spaces[0], base, time, &location));
+    given.add(location.locationFlags);
+    given.add(location.pose);
+    given.add(velocity.velocityFlags);
+    given.add(velocity.linearVelocity);
+    given.add(velocity.angularVelocity);
+    const auto locate_several = fetch<PFN_xrLocateSpacesKHR>(instance, "xrLocateSpacesKHR");
+    std::vector<XrSpaceVelocityData> moving(spaces.size());
+    XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, static_cast<std::uint32_t>(moving.size()),
+                                 moving.data()};
+    for (void* next : {static_cast<void*>(nullptr), static_cast<void*>(&velocities)}) {
+      std::vector<XrSpaceLocationData> located(spaces.size());
+      XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, next, static_cast<std::uint32_t>(located.size()),
+                                 located.data()};
+      const XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO,
+                                    nullptr,
+                                    base,
+                                    time,
+                                    static_cast<std::uint32_t>(spaces.size()),
+                                    spaces.data()};
+      ASSERT_XR(XR_SUCCESS, locate_several(session, &info, &locations));
+      for (const XrSpaceLocationData& each : located) {
+        given.add(each.locationFlags);
+        given.add(each.pose);
+        ++seen[each.locationFlags == 0 ? "lost" : "located"];
+      }
+    }
+    for (const XrSpaceVelocityData& each : moving) {
+      given.add(each.velocityFlags);
+      given.add(each.linearVelocity);
+      given.add(each.angularVelocity);
+      seen["moving"] += each.velocityFlags != 0;
+    }
+  }
+  void convert(XrTime displayed) {
+    timespec clock{};
+    clock_gettime(CLOCK_MONOTONIC, &clock);
+    XrTime now = 0;
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimespecTimeToTimeKHR>(
+                              instance, "xrConvertTimespecTimeToTimeKHR")(instance, &clock, &now));
+    given.add(now);
+    for (const XrTime time : {displayed, now}) {
+      ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimeToTimespecTimeKHR>(
+                                instance, "xrConvertTimeToTimespecTimeKHR")(instance, time, &clock));
+      given.add(clock.tv_sec);
+      given.add(clock.tv_nsec);
+    }
+    offset_s = clock.tv_sec - now / 1'000'000'000;
+  }
+  void measure_room() {
+    std::array<XrReferenceSpaceType, 8> types{};
+    std::uint32_t count = 0;
+    ASSERT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, types.size(), &count, types.data()));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      XrExtent2Df bounds{};
+      const XrResult result = xrGetReferenceSpaceBoundsRect(session, types[i], &bounds);
+      given.add(result);
+      given.add(bounds);
+      ++seen[result_name(result)];
+      if (result == XR_SUCCESS) widths.insert(bounds.width);
+    }
+  }
+
+  // An application with two controllers that asks for everything in each frame.
+  Given run_application() {
+    given = {};
+    seen.clear();
+    widths.clear();
+    EXPECT_XR(XR_SUCCESS,
+              create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_LOCATE_SPACES_EXTENSION_NAME,
+                               XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
+    create_session();
+    make_actions();
+    const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const std::vector<XrSpace> spaces{
+        make_grip_space(hands[0], identity_pose), make_grip_space(hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
+        make_grip_space(XR_NULL_PATH, identity_pose), make_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
+    for (int frames = 0; frames < 40;) {
+      poll();
+      if (!running) continue;
+      const XrTime time = frame();
+      ++frames;
+      read_actions();
+      locate(spaces, local, time);
+      convert(time);
+      read_actions();  // at another present, without a frame
+      measure_room();
+    }
+    end();
+    return given;
+  }
+
+  std::array<XrPath, 2> hands{};
+  XrActionSet set = XR_NULL_HANDLE;
+  XrAction press = XR_NULL_HANDLE, pull = XR_NULL_HANDLE, move = XR_NULL_HANDLE, grip = XR_NULL_HANDLE;
+  std::map<std::string, int> seen;
+  std::set<float> widths;
+  std::int64_t offset_s = 0;
+};
+
+const std::string two_controllers = R"({"clock": "real-time", "controllers": {
+    "left": {"profile": "/interaction_profiles/oculus/touch_controller", "path": [
+      {"time_ms": 0, "position_m": [-0.2, -0.3, -0.4]},
+      {"time_ms": 400, "position_m": [-0.1, -0.2, -0.5], "orientation": [0.1, 0.2, -0.3, 0.927362]}]},
+    "right": {"profile": "/interaction_profiles/oculus/touch_controller"}},
+    "events": [{"frame": 5, "do": "input", "device": "left", "source": "thumbstick/click", "value": true},
+               {"frame": 8, "do": "input", "device": "right", "source": "trigger/value", "value": 0.1},
+               {"frame": 9, "do": "input", "device": "left", "source": "thumbstick", "value": [0.5, -0.7]},
+               {"frame": 12, "do": "input", "device": "left", "source": "thumbstick/click", "value": false},
+               {"frame": 15, "do": "session_state", "state": "VISIBLE"},
+               {"frame": 18, "do": "session_state", "state": "FOCUSED"},
+               {"frame": 25, "do": "interaction_profile", "device": "left",
+                "profile": "/interaction_profiles/khr/simple_controller"},
+               {"frame": 30, "do": "interaction_profile", "device": "right", "profile": null}]})";
+
+TEST_F(MockCaptureInput, GivesTheSameAgain) {
+  script(two_controllers);
+  capture_to(folder / "capture.json");
+  const Given first = run_application();
+  const auto seen_first = seen;
+  for (const char* what :
+       {"active", "pressed", "pulled", "moved", "not focused", "located", "lost", "moving", "",
+        "/interaction_profiles/oculus/touch_controller", "/interaction_profiles/khr/simple_controller",
+        "XR_SUCCESS", "XR_SPACE_BOUNDS_UNAVAILABLE"})
+    EXPECT_GT(seen[what], 0) << what;
+  play(folder / "capture.json");
+  const Given again = run_application();
+  EXPECT_EQ(seen_first, seen);
+  EXPECT_EQ(first.states, again.states);
+  EXPECT_TRUE(first.bytes == again.bytes);
+}
+
+// Any bits, a room that is measured again, and a clock that is another than the machine's.
+TEST_F(MockCaptureInput, GivesWhatAnotherRuntimeGave) {
+  setenv("XR_RUNTIME_JSON", HRT_OTHER_MANIFEST, 1);
+  capture_to(folder / "capture.json");
+  const Given first = run_application();
+  const auto seen_first = seen;
+  EXPECT_EQ(widths, (std::set{2.0F, 2.5F}));
+  EXPECT_EQ(offset_s, 5 * 86'400);
+  EXPECT_GT(seen["/interaction_profiles/other/of_no_registry"], 0);
+  play(folder / "capture.json");
+  const Given again = run_application();
+  EXPECT_EQ(seen_first, seen);
+  EXPECT_EQ(widths, (std::set{2.0F, 2.5F}));
+  EXPECT_EQ(offset_s, 5 * 86'400);
+  EXPECT_TRUE(first.bytes == again.bytes);
+}
+
+// A time that was not asked for then is as far from the nearest one by either clock.
+TEST_F(MockCaptureInput, MachinesClockRunsBetweenItsSamples) {
+  std::ofstream(folder / "clock.json") << R"({"playback": {"version": 1, "records": [
+      ["instance", "r", 1, ["XR_MND_headless", "XR_KHR_convert_timespec_time"]],
+      ["timespec", 1, 5000000000, 105000000001], ["timespec", 1, 8000000000, 108000000002]]}})";
+  play(folder / "clock.json");
+  ASSERT_XR(XR_SUCCESS,
+            create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
+  create_session();
+  const auto to_timespec =
+      fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+  for (const auto& [time, nanoseconds] : std::map<XrTime, std::int64_t>{{5'000'000'000, 105'000'000'001},
+                                                                        {4'000'000'000, 104'000'000'001},
+                                                                        {6'400'000'000, 106'400'000'001},
+                                                                        {6'600'000'000, 106'600'000'002}}) {
+    timespec clock{};
+    ASSERT_XR(XR_SUCCESS, to_timespec(instance, time, &clock));
+    EXPECT_EQ(clock.tv_sec * 1'000'000'000 + clock.tv_nsec, nanoseconds) << time;
+  }
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// Frames on one thread, hands on two others: no call is missing, and the file is whole. With the thread
+// sanitizer this also shows that there are no data races with the thread that writes.
+TEST_F(MockCaptureInput, ThreadsAreCaptured) {
+  capture_to(folder / "capture.json");
+  ASSERT_XR(XR_SUCCESS, create_instance());
+  create_session();
+  while (!running) poll();
+  const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL),
+                view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  std::atomic<bool> stop = false;
+  std::array<std::atomic<int>, 2> calls{};
+  std::vector<std::thread> threads;
+  for (std::atomic<int>& count : calls)
+    threads.emplace_back([&] {
+      for (; !stop; ++count) {
+        XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+        EXPECT_XR(XR_SUCCESS, xrLocateSpace(view, local, 1'000'000'000 + count, &location));
+        std::this_thread::yield();
+      }
+    });
+  for (int i = 0; i < 100 || calls[0] < 100 || calls[1] < 100; ++i) {
+    frame();
+    std::this_thread::yield();
+  }
+  stop = true;
+  for (std::thread& thread : threads) thread.join();
+  end();
+  const std::string text = read_file(folder / "capture.json");
+  int located = 0;
+  for (std::size_t at = 0; (at = text.find("[\"located\",", at)) != std::string::npos; ++at) ++located;
+  EXPECT_EQ(located, calls[0] + calls[1]);
+  play(folder / "capture.json");
+  EXPECT_XR(XR_SUCCESS, create_instance());
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// The layer right in front of the runtime: Debian's loader refuses applications for 1.1.
+class MockCapture11 : public MockNegotiation {
+ protected:
+  void SetUp() override {
+    MockNegotiation::SetUp();
+    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+    layer_library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(layer_library, nullptr) << dlerror();
+    using NegotiateLayer =
+        XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*, NegotiateApiLayerRequest*);
+    const auto negotiate_layer =
+        reinterpret_cast<NegotiateLayer>(dlsym(layer_library, "xrNegotiateLoaderApiLayerInterface"));
+    ASSERT_XR(XR_SUCCESS, negotiate_layer(&loader, "XR_APILAYER_HRTX_capture", &layer));
+  }
+  void TearDown() override {
+    for (const char* name : {"HRT_CAPTURE_FILE", "HRT_MOCK_SCRIPT"}) unsetenv(name);
+    dlclose(layer_library);
+    MockNegotiation::TearDown();
+  }
+
+  // The head in LOCAL_FLOOR and in LOCAL, with velocities, at ten times.
+  std::string run(bool captured) {
+    static PFN_xrGetInstanceProcAddr runtime = nullptr;
+    runtime = request.get_instance_proc_addr;
+    const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
+    XrInstanceCreateInfo info = instance_info(names);
+    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
+    XrInstance instance = XR_NULL_HANDLE;
+    const auto create = [](const XrInstanceCreateInfo* of, const ApiLayerCreateInfo*, XrInstance* made) {
+      PFN_xrVoidFunction function = nullptr;
+      EXPECT_XR(XR_SUCCESS, runtime(XR_NULL_HANDLE, "xrCreateInstance", &function));
+      return reinterpret_cast<PFN_xrCreateInstance>(function)(of, made);
+    };
+    ApiLayerNextInfo next{};
+    next.struct_size = sizeof next;
+    next.next_get_instance_proc_addr = runtime;
+    next.next_create_api_layer_instance = create;
+    ApiLayerCreateInfo layers{};
+    layers.struct_size = sizeof layers;
+    layers.next_info = &next;
+    EXPECT_XR(XR_SUCCESS, captured ? layer.create_api_layer_instance(&info, &layers, &instance)
+                                   : create(&info, &layers, &instance));
+    const auto function = [&]<typename Function>(Function& to, const char* name) {
+      PFN_xrVoidFunction found = nullptr;
+      EXPECT_XR(XR_SUCCESS, (captured ? layer.get_instance_proc_addr : runtime)(instance, name, &found));
+      to = reinterpret_cast<Function>(found);
+    };
+#define HRT_FETCH(name) \
+  PFN_##name name##_;   \
+  function(name##_, #name)
+    HRT_FETCH(xrGetSystem);
+    HRT_FETCH(xrCreateSession);
+    HRT_FETCH(xrCreateReferenceSpace);
+    HRT_FETCH(xrLocateSpaces);
+    HRT_FETCH(xrDestroyInstance);
+#undef HRT_FETCH
+    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
+    XrSystemId system = XR_NULL_SYSTEM_ID;
+    EXPECT_XR(XR_SUCCESS, xrGetSystem_(instance, &get, &system));
+    const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
+    XrSession session = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateSession_(instance, &session_info, &session));
+    std::array<XrSpace, 3> spaces{};
+    const std::array types{XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR, XR_REFERENCE_SPACE_TYPE_LOCAL,
+                           XR_REFERENCE_SPACE_TYPE_VIEW};
+    for (std::size_t i = 0; i < spaces.size(); ++i) {
+      const XrReferenceSpaceCreateInfo space{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, types[i],
+                                             identity_pose};
+      EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace_(session, &space, &spaces[i]));
+    }
+    std::string bytes;
+    for (int i = 0; i < 10; ++i)
+      for (const XrSpace base : {spaces[0], spaces[1]}) {
+        std::array<XrSpaceLocationData, 3> located{};
+        std::array<XrSpaceVelocityData, 3> moving{};
+        XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 3, moving.data()};
+        XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, &velocities, 3, located.data()};
+        const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO,     nullptr, base,
+                                        1'000'000'000 + 50'000'000 * i, 3,       spaces.data()};
+        EXPECT_XR(XR_SUCCESS, xrLocateSpaces_(session, &locate, &locations));
+        EXPECT_NE(located[2].locationFlags, 0U);
+        for (int k = 0; k < 3; ++k) {
+          bytes.append(reinterpret_cast<const char*>(&located[k]), sizeof located[k]);
+          bytes.append(reinterpret_cast<const char*>(&moving[k]), sizeof moving[k]);
+        }
+      }
+    EXPECT_XR(XR_SUCCESS, xrDestroyInstance_(instance));
+    return bytes;
+  }
+
+  TemporaryFolder folder;
+  void* layer_library = nullptr;
+  NegotiateApiLayerRequest layer{api_layer_request_type, struct_version, sizeof(NegotiateApiLayerRequest)};
+};
+
+TEST_F(MockCapture11, GivesTheSameAgain) {
+  std::ofstream(folder / "script.json") << R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]},
+      {"time_ms": 900, "position_m": [0.1, 0, 0.3], "orientation": [0, 0.6, 0, 0.8]}]}})";
+  setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
+  setenv("HRT_CAPTURE_FILE", (folder / "capture.json").c_str(), 1);
+  const std::string first = run(true);
+  setenv("HRT_MOCK_SCRIPT", (folder / "capture.json").c_str(), 1);
+  EXPECT_TRUE(first == run(false));
+  EXPECT_NE(read_file(folder / "capture.json").find("[\"located\",1,1450000000,"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hrt::mock
