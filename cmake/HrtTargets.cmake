@@ -104,3 +104,13 @@ function(hrt_make_loadable name map)
     endif()
   endif()
 endfunction()
+
+# hrt_install_readme(README FOLDER [PICTURES folder/] options of install()...)
+function(hrt_install_readme readme folder)
+  cmake_parse_arguments(ARG "" PICTURES "" ${ARGN})
+  install(CODE "
+    set(README \"${readme}\")
+    set(FOLDER \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${folder}\")
+    set(PICTURES \"${ARG_PICTURES}\")
+    include(\"${PROJECT_SOURCE_DIR}/cmake/packaged_readme.cmake\")" ${ARG_UNPARSED_ARGUMENTS})
+endfunction()

@@ -29,6 +29,8 @@ constexpr double onset_sd_s = 0.02;
 constexpr double fit_spacing_s = 0.02;
 // Samples at rest that the assumed noise is worth.
 constexpr double assumed_noise_samples = 30.0;
+// Departures beyond this are motion, such as that of a finger which never rested.
+constexpr double most_departure_mm = 4.0;
 // A finger further from the mean than this many deviations of the noise is about to leave.
 constexpr double resting_deviations = 3.0;
 // Where the finger rests is the mean over this time.
@@ -190,7 +192,8 @@ void PersonEstimator::watch_rest() {
 void PersonEstimator::learn_noise() {
   if (noise_known_ || departures_ < 5) return;
   const double step_mm2 = step_sum_mm2_ / steps_;
-  const double total_mm2 = std::max(step_mm2, square_sum_mm2_ / departures_);
+  const double total_mm2 =
+      std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(most_departure_mm)));
   const double kept = std::max(0.1, exponential(-spacing_sum_s_ / steps_ / 0.1));
   const double correlated_mm2 = std::min((total_mm2 - step_mm2) / kept, total_mm2);
   const double share = steps_ / (steps_ + assumed_noise_samples);

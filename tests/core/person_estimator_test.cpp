@@ -71,6 +71,18 @@ TEST_F(PersonEstimatorTest, AFingerAtRestRests) {
   EXPECT_NEAR(estimator_.place().right_mm, 0.0, 5.0);
 }
 
+// Its departures are not taken for the noise of a finger at rest.
+TEST_F(PersonEstimatorTest, AFingerThatNeverRestsMoves) {
+  for (const double rate_hz : {60.0, 90.0, 144.0, 1000.0}) {
+    for (const double speed_mm_s : {20.0, 33.0, 100.0}) {
+      estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
+      for (double t = 0.0; t < 30.0 / speed_mm_s; t += 1.0 / rate_hz)
+        estimator_.observe(t, {0.0, speed_mm_s * t}, plate_);
+      EXPECT_EQ(estimator_.motion(), FingerMotion::moving) << rate_hz << ' ' << speed_mm_s;
+    }
+  }
+}
+
 TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
   noise_mm_ = 1.2;
   const Finger finger;

@@ -234,7 +234,17 @@ def read(include: Path, base: Path | None = None) -> Abi:
             if at:
                 value, unsigned = _evaluate(values[name + "_value"])
                 abi.constants.append(Constant(name, value, unsigned, *_constant_doc(text, at.start())))
+    _check_types(abi)
     return abi
+
+
+def _check_types(abi: Abi) -> None:
+    known = {*SIZES, "size_t", *(s.name for s in abi.structs), *(c.name for c in abi.callbacks)}
+    used = [(f"{s.name}::{f.name}", f.type) for s in abi.structs for f in s.fields]
+    used += [(f"{f.name}({p.name})", p.type) for f in abi.functions + abi.callbacks for p in f.parameters]
+    for place, type_ in used:
+        if type_.name not in known and not (type_.pointer and type_.name == "void"):
+            raise HeaderError(f"{place}: {type_.name} is none of the types that every host has: {', '.join(SIZES)}")
 
 
 # What the headers need of the C library, in types whose size says what they are.

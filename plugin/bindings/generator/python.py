@@ -17,7 +17,7 @@ _ENUMERATIONS = {"HRT_ERROR_": "ErrorCode", "HRT_LOG_": "LogLevel", "HRT_TARGET_
 _KEYWORDS = {
     "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
     "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),
-    "CalibrationKeywords": ("hrt_calibration_config", (("__init__", "session: Session, ", "_create"),)),
+    "CalibrationKeywords": ("hrt_calibration_config", (("__init__", "session: SessionKeywords, ", "_create"),)),
 }
 
 
@@ -61,9 +61,8 @@ def render_keywords(abi: Abi, notice: str) -> str:
                    for f in abi.struct(struct).fields if f.enumeration})
     text = (f"# {notice}\n"
             '"""Methods whose keywords are fields of a struct, so that type checkers and editors know them; None: not given."""\n\n'
-            "from __future__ import annotations\n\nfrom typing import TYPE_CHECKING, Any\n\n"
-            f"from ._abi import {', '.join(used)}\nfrom ._struct import Numbers\n\n"
-            "if TYPE_CHECKING:\n    from .session import Session\n\n\n"
+            "from __future__ import annotations\n\nfrom typing import Any\n\n"
+            f"from ._abi import {', '.join(used)}\nfrom ._struct import Numbers\n\n\n"
             "def _given(arguments: dict[str, Any]) -> dict[str, Any]:\n"
             "    return {name: value for name, value in arguments.items()\n"
             '            if value is not None and name not in ("self", "session")}\n')

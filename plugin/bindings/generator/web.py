@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from abi import Abi, Field, Struct
+from abi import Abi, Field, Function, HeaderError, Struct, Type
 
 _POINTER_SIZE = 4
 _ELEMENTS = {"char": "u8", "int32_t": "i32", "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64",
@@ -20,8 +20,9 @@ def render_script(abi: Abi, notice: str) -> str:
         text += f"  {struct.name}: {{ size: {abi.layout(struct, _POINTER_SIZE)[1]}, fields: {{\n"
         text += "".join(f"    {name}: {json.dumps(place)},\n" for name, place in _places(abi, struct).items())
         text += "  } },\n"
-    text += "});\n\n// Every function that the module exports.\nexport const functions = Object.freeze([\n"
-    text += "".join(f'  "{f.name}",\n' for f in abi.functions)
+    text += "});\n\n// Every function that the module exports, with its parameters; i64 and u64 are BigInt.\n"
+    text += "export const functions = Object.freeze([\n"
+    text += "".join(f'  "{f.name}",{_parameters(abi, f)}\n' for f in abi.functions)
     return text + "]);\n"
 
 
@@ -31,6 +32,7 @@ def render_frames(abi: Abi, notice: str) -> str:
     text = f"// {notice}\n" + 'import { writeF64s, writeI64, writeU32, readI64 } from "./numbers.mjs";\n'
     for name, title in (("hrt_sample", "Sample"), ("hrt_command", "Command")):
         places = {f: p for f, p in _places(abi, abi.struct(name)).items() if f not in ("struct_size", "reserved")}
+        _check_frames(name, places)
         arrays = [f for f, place in places.items() if "length" in place]
         text += f"\nexport class {title} {{\n"
         text += "".join(f"  {f} = {_initial(place)};\n" for f, place in places.items())
@@ -46,8 +48,22 @@ def render_frames(abi: Abi, notice: str) -> str:
     return text
 
 
+def _parameters(abi: Abi, function: Function) -> str:
+    return "".join(f"{', ' if i else '  // '}{p.name}: {_element(abi, p.type)}" for i, p in enumerate(function.parameters))
+
+
 def _initial(place: dict[str, object]) -> str:
     return f"new Float64Array({place['length']})" if "length" in place else "0"
+
+
+# What numbers.mjs writes and reads without making objects.
+_IN_FRAMES = ("f64", "u32", "i64")
+
+
+def _check_frames(name: str, places: dict[str, dict[str, object]]) -> None:
+    for field, place in places.items():
+        if place["type"] not in _IN_FRAMES:
+            raise HeaderError(f"{name}::{field}: the web's frames have {', '.join(_IN_FRAMES)}, not {place['type']}")
 
 
 def _write(field: str, place: dict[str, object]) -> str:
@@ -94,19 +110,19 @@ def _comment(text: str) -> str:
     return f"/** {text} */\n" if text else ""
 
 
-def _element(abi: Abi, field: Field) -> str:
-    if field.type.pointer or field.type.callback:
+def _element(abi: Abi, type_: Type) -> str:
+    if type_.pointer or type_.callback:
         return "pointer"
-    if field.type.name in _ELEMENTS:
-        return _ELEMENTS[field.type.name]
-    inner = next(s for s in abi.structs if s.name == field.type.name)
+    if type_.name in _ELEMENTS:
+        return _ELEMENTS[type_.name]
+    inner = abi.struct(type_.name)
     return "u64" if inner.is_handle else inner.name
 
 
 def _places(abi: Abi, struct: Struct) -> dict[str, dict[str, object]]:
     places: dict[str, dict[str, object]] = {}
     for field, place in zip(struct.fields, abi.layout(struct, _POINTER_SIZE)[0]):
-        places[field.name] = {"offset": place.offset, "type": _element(abi, field)}
+        places[field.name] = {"offset": place.offset, "type": _element(abi, field.type)}
         if field.length:
             places[field.name]["length"] = field.length
     return places
@@ -116,7 +132,7 @@ def _interface(abi: Abi, struct: Struct) -> str:
     """The struct as a JavaScript object."""
     text = _comment(struct.doc) + f"export interface {struct.name} {{\n"
     for field in struct.fields:
-        element = _element(abi, field)
+        element = _element(abi, field.type)
         kind = "bigint" if element in ("i64", "u64") else element if element.startswith("hrt_") else "number"
         if field.length:
             kind = "string" if field.type.name == "char" else f"{kind}[]"

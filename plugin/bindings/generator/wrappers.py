@@ -1,5 +1,6 @@
-"""What each host's own code uses of the C interface: functions, fields of the structs that it fills, and in Godot the
-errors. A name that a host neither uses nor leaves out, with a reason, is reported; so is a reason that no longer holds."""
+"""What each host's own code uses of the C interface: functions, fields of the structs that it fills with the constants
+that these take, and in Godot the errors. A name that a host neither uses nor leaves out, with a reason, is reported; so
+are a reason that no longer holds, and a name that the headers have no more."""
 
 from __future__ import annotations
 
@@ -22,6 +23,10 @@ _FILLED = {
     "unreal": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
     "python": ("hrt_reach_config", "hrt_sample"),
 }
+# In C++ a field's constants have the headers' names.
+_CPP = ("godot", "unreal")
+# Names of this project that the headers do not have.
+_OWN = {"hrt_result", "hrt_godot", "hrt_web_open", "HRT_LIBRARY", "HRT_PLATE_LIBRARY", "HRT_ERROR_"}
 _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
 
 _ALL = "godot python unity unreal web"
@@ -51,6 +56,11 @@ _LEFT_OUT = (
     ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
     ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
     ("unreal", "hrt_sample::finger_direction_deg", "C++ has UpdateSample()"),
+    ("godot unreal", "HRT_PLACE_DIRECTION", "the default"),
+    ("godot unreal", "HRT_PLACE_PLATE_POSITION", "places are given in the world"),
+    ("godot unreal", "HRT_REACH_START_AT_FINGER", "a reach starts at the start of the settings"),
+    ("unreal", "HRT_TARGET_REAL HRT_TARGET_VIRTUAL", "EHapticTargetRole has their numbers"),
+    ("unreal", "HRT_SAMPLE_DIRECTION HRT_SAMPLE_PLATE_POSITION HRT_SAMPLE_LIFTED", "C++ has UpdateSample()"),
     ("godot", "HRT_ERROR_STRUCT_SIZE HRT_ERROR_BUFFER_TOO_SMALL HRT_ERROR_INTERNAL", "a defect of the node: ERR_BUG"),
 )
 
@@ -59,6 +69,8 @@ def missing(abi: Abi, plate: Abi, bindings: Path, notice: str) -> Iterator[str]:
     """A line for each name and host."""
     # Defaults are part of what is generated.
     functions = {f.name for f in abi.functions + plate.functions if not f.name.endswith("_default")}
+    known = _OWN | {x.name for model in (abi, plate) for x in (*model.functions, *model.constants, *model.structs)}
+    known |= {f"{struct.name}_init" for struct in abi.structs}
     for host, patterns in _SOURCES.items():
         texts = [path.read_text(encoding="utf-8") for pattern in patterns for path in bindings.glob(pattern)]
         text = "\n".join(t for t in texts if notice not in t.partition("\n")[0])  # what is generated uses nothing
@@ -67,9 +79,14 @@ def missing(abi: Abi, plate: Abi, bindings: Path, notice: str) -> Iterator[str]:
         fields = {f"{struct}::{f.name}": f.name for struct in _FILLED.get(host, ()) for f in abi.struct(struct).fields
                   if f.name not in ("struct_size", "reserved")}
         wanted |= set(fields)
+        taken = {f.enumeration for struct in _FILLED.get(host, ()) for f in abi.struct(struct).fields} - {""}
+        if host in _CPP:
+            wanted |= {c.name for e in abi.enumerations if e.prefix in taken for c in e.members}
         used = words & wanted | {name for name, field in fields.items() if field in words}
         left_out = {name for hosts, names, _ in _LEFT_OUT if host in hosts.split() for name in names.split()}
         for name in sorted(wanted - used - left_out):
             yield f"{host} does not use {name}: use it, or say in generator/wrappers.py why it is left out"
         for name in sorted(left_out & used | left_out - wanted):
             yield f"{host} uses {name}, or there is no such name: generator/wrappers.py lists it as left out"
+        for name in sorted(word for word in words - known if re.match(r"hrt_|HRT_", word)):
+            yield f"{host} uses {name}, which the headers do not have"

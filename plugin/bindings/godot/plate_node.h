@@ -23,9 +23,21 @@ inline constexpr const char* kClassName = "HapticRetargeting";
 int64_t to_godot_error(hrt_result result);
 inline constexpr int64_t kErrInvalidParameter = 31;
 
+inline hrt_target to_target(const Value& value) {
+  return {static_cast<uint64_t>(to_int(value))};
+}
+
 /** What methods return that fail: no target; a place that update() refuses. */
 inline constexpr int64_t kNoTarget = 0;
 inline constexpr Vector3 kNowhere{std::numeric_limits<double>::quiet_NaN(), 0, 0};
+
+/** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
+inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
+constexpr size_t reason_of(hrt_result error) {
+  return static_cast<size_t>(-error) % kFlagsReason;
+}
+inline constexpr const char* kNotRigid =
+    "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
 
 struct Argument {
   const char* name;
@@ -139,8 +151,7 @@ class PlateNode {
 
  private:
   bool ok(hrt_result result);
-  template <typename Result>
-  bool is_fitted(const Result& result, const char* text);
+  bool is_fitted(uint32_t struct_size, const char* text);
   Value after_device(hrt_result result);
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);

@@ -61,4 +61,15 @@ inline const char* type_name(Type type) {
   return "?";
 }
 
+inline int64_t to_int(const Value& value) {
+  return std::get<int64_t>(value);
+}
+inline double to_real(const Value& value) {
+  const int64_t* integer = std::get_if<int64_t>(&value);
+  return integer ? static_cast<double>(*integer) : std::get<double>(value);
+}
+inline const std::string& to_text(const Value& value) {
+  return std::get<std::string>(value);
+}
+
 }  // namespace hrt_godot

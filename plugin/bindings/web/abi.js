@@ -435,72 +435,72 @@ export const structs = Object.freeze({
   } },
 });
 
-// Every function that the module exports.
+// Every function that the module exports, with its parameters; i64 and u64 are BigInt.
 export const functions = Object.freeze([
-  "hrt_result_string",
+  "hrt_result_string",  // result: i32
   "hrt_last_error",
-  "hrt_get_version",
-  "hrt_set_allocator",
-  "hrt_set_log_callback",
-  "hrt_session_config_default",
-  "hrt_session_create",
-  "hrt_session_is_valid",
-  "hrt_session_get_state",
-  "hrt_session_destroy",
-  "hrt_session_set_log_callback",
-  "hrt_session_get_config",
-  "hrt_session_set_config",
-  "hrt_target_config_default",
-  "hrt_target_add",
-  "hrt_target_set",
-  "hrt_target_get",
-  "hrt_target_remove",
-  "hrt_target_find",
-  "hrt_target_list",
-  "hrt_authority_query",
-  "hrt_authority_query_all",
-  "hrt_authority_query_best",
-  "hrt_target_assign",
-  "hrt_reach_config_default",
-  "hrt_reach_begin",
-  "hrt_reach_update",
-  "hrt_reach_retarget",
-  "hrt_reach_cancel",
-  "hrt_reach_end",
-  "hrt_calibration_config_default",
-  "hrt_calibration_create",
-  "hrt_calibration_destroy",
-  "hrt_calibration_begin_trial",
-  "hrt_calibration_add_sample",
-  "hrt_calibration_end_trial",
-  "hrt_calibration_cancel_trial",
-  "hrt_calibration_next_angle",
-  "hrt_calibration_solve",
-  "hrt_calibration_get_residual",
-  "hrt_calibration_compare",
-  "hrt_calibration_apply",
-  "hrt_profile_set_conditions",
-  "hrt_profile_get_conditions",
-  "hrt_profile_save",
-  "hrt_profile_load",
-  "hrt_recording_start",
-  "hrt_recording_get_status",
-  "hrt_recording_stop",
-  "hrt_replay_text",
-  "hrt_replay_file",
-  "hrt_registration_config_default",
-  "hrt_registration_fit",
-  "hrt_registration_advice",
-  "hrt_registration_apply",
-  "hrt_registration_check",
-  "hrt_registration_confirm",
-  "hrt_fingertip_fit",
-  "hrt_fingertip_place",
-  "hrt_latency_fit",
-  "hrt_scene_load_file",
-  "hrt_scene_load_memory",
-  "hrt_scene_destroy",
-  "hrt_scene_get_info",
-  "hrt_scene_get_target",
-  "hrt_scene_register",
+  "hrt_get_version",  // out_major: pointer, out_minor: pointer, out_patch: pointer
+  "hrt_set_allocator",  // allocator: pointer
+  "hrt_set_log_callback",  // callback: pointer, context: pointer
+  "hrt_session_config_default",  // out_config: pointer, struct_size: u32
+  "hrt_session_create",  // config: pointer, out_session: pointer
+  "hrt_session_is_valid",  // session: u64
+  "hrt_session_get_state",  // session: u64, out_state: pointer
+  "hrt_session_destroy",  // session: u64
+  "hrt_session_set_log_callback",  // session: u64, callback: pointer, context: pointer
+  "hrt_session_get_config",  // session: u64, out_config: pointer
+  "hrt_session_set_config",  // session: u64, config: pointer
+  "hrt_target_config_default",  // out_config: pointer, struct_size: u32
+  "hrt_target_add",  // session: u64, config: pointer, out_target: pointer
+  "hrt_target_set",  // session: u64, target: u64, config: pointer
+  "hrt_target_get",  // session: u64, target: u64, out_config: pointer
+  "hrt_target_remove",  // session: u64, target: u64
+  "hrt_target_find",  // session: u64, name: pointer, out_target: pointer
+  "hrt_target_list",  // session: u64, role: u32, capacity: u64, out_targets: pointer, out_count: pointer
+  "hrt_authority_query",  // session: u64, real_target: u64, virtual_target: u64, out_authority: pointer
+  "hrt_authority_query_all",  // session: u64, capacity: u64, out_authorities: pointer, out_count: pointer
+  "hrt_authority_query_best",  // session: u64, virtual_target: u64, out_authority: pointer
+  "hrt_target_assign",  // session: u64, virtual_targets: pointer, virtual_count: u64, real_targets: pointer, real_count: u64, flags: u32, capacity: u64, out_authorities: pointer
+  "hrt_reach_config_default",  // out_config: pointer, struct_size: u32
+  "hrt_reach_begin",  // session: u64, config: pointer
+  "hrt_reach_update",  // session: u64, sample: pointer, out_command: pointer
+  "hrt_reach_retarget",  // session: u64, real_target: u64, virtual_target: u64
+  "hrt_reach_cancel",  // session: u64
+  "hrt_reach_end",  // session: u64, out_summary: pointer
+  "hrt_calibration_config_default",  // out_config: pointer, struct_size: u32
+  "hrt_calibration_create",  // session: u64, config: pointer, out_calibration: pointer
+  "hrt_calibration_destroy",  // calibration: u64
+  "hrt_calibration_begin_trial",  // calibration: u64, plate_orientation_deg: f64
+  "hrt_calibration_add_sample",  // calibration: u64, sample: pointer
+  "hrt_calibration_end_trial",  // calibration: u64
+  "hrt_calibration_cancel_trial",  // calibration: u64
+  "hrt_calibration_next_angle",  // calibration: u64, out_plate_orientation_deg: pointer, out_enough: pointer
+  "hrt_calibration_solve",  // calibration: u64, out_result: pointer
+  "hrt_calibration_get_residual",  // calibration: u64, slide: u32, out_slide: pointer
+  "hrt_calibration_compare",  // first: pointer, second: pointer, out_comparison: pointer
+  "hrt_calibration_apply",  // session: u64, result: pointer
+  "hrt_profile_set_conditions",  // session: u64, conditions: pointer
+  "hrt_profile_get_conditions",  // session: u64, out_conditions: pointer
+  "hrt_profile_save",  // session: u64, capacity: u64, out_text: pointer, out_length: pointer
+  "hrt_profile_load",  // session: u64, text: pointer, length: u64
+  "hrt_recording_start",  // session: u64, path: pointer
+  "hrt_recording_get_status",  // session: u64, out_status: pointer
+  "hrt_recording_stop",  // session: u64, out_status: pointer
+  "hrt_replay_text",  // text: pointer, length: u64, out_report: pointer
+  "hrt_replay_file",  // path: pointer, out_report: pointer
+  "hrt_registration_config_default",  // out_config: pointer, struct_size: u32
+  "hrt_registration_fit",  // config: pointer, touches: pointer, touch_count: u64, capacity: u64, out_residuals_m: pointer, out_registration: pointer
+  "hrt_registration_advice",  // verdict: u32
+  "hrt_registration_apply",  // session: u64, registration: pointer, time_ns: i64
+  "hrt_registration_check",  // registration: pointer, touch: pointer, out_check: pointer
+  "hrt_registration_confirm",  // session: u64, registration: pointer, touch: pointer, time_ns: i64, out_check: pointer
+  "hrt_fingertip_fit",  // config: pointer, touches: pointer, touch_count: u64, out_fingertip: pointer
+  "hrt_fingertip_place",  // fingertip: pointer, joint: pointer, out_sample: pointer
+  "hrt_latency_fit",  // samples: pointer, sample_count: u64, out_latency: pointer
+  "hrt_scene_load_file",  // path: pointer, out_scene: pointer
+  "hrt_scene_load_memory",  // bytes: pointer, length: u64, name: pointer, out_scene: pointer
+  "hrt_scene_destroy",  // scene: u64
+  "hrt_scene_get_info",  // scene: u64, out_info: pointer
+  "hrt_scene_get_target",  // scene: u64, index: u32, out_target: pointer
+  "hrt_scene_register",  // scene: u64, session: u64, capacity: u64, out_targets: pointer
 ]);

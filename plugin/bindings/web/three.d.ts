@@ -1,6 +1,6 @@
 // The part of the package for three.js 0.150 or later: "haptic-retargeting/three".
 import type { Group, Material } from "three";
-import type { Point, Rotation, Session } from "./index.mjs";
+import type { Point, Rotation, Session } from "./index.js";
 
 export interface HapticPlateOptions {
   /** Default 0.075. */
@@ -29,7 +29,8 @@ export class HapticPlate extends Group {
 /** What updateFromHand() needs of an XRFrame, so that no types of WebXR are. */
 export interface HandFrame<Joint, Space> {
   readonly predictedDisplayTime: number;
-  getJointPose(joint: Joint, space: Space): HandPose | null | undefined;
+  /** Missing in a browser without hands: none is tracked. */
+  readonly getJointPose?: ((joint: Joint, space: Space) => HandPose | null | undefined) | undefined;
 }
 export interface HandPose {
   readonly transform: { readonly position: Point; readonly orientation?: Rotation };
@@ -46,8 +47,8 @@ export class HandReach {
    *  the session's lift_height_m counts as lifted anyway. Default false. */
   lifted: boolean;
   /** Once in each frame of an XRSession, while a reach is under way: `hand` is inputSource.hand, `referenceSpace` the space
-   *  in which the scene is drawn. Updates the session with the index fingertip, or with a dropout, and shows the plate's
+   *  in which the scene is drawn, null before there is one. Updates the session with the index fingertip, or with a dropout, and shows the plate's
    *  command. After Session.setFingertip() the joint's rotation places the skin. Makes no objects of its own. Errors are those of Session.update(). */
   updateFromHand<Joint, Space>(frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
-                               referenceSpace: Space): Session["command"];
+                               referenceSpace: Space | null): Session["command"];
 }

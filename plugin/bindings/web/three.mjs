@@ -53,7 +53,7 @@ export class HandReach {
   updateFromHand(frame, hand, referenceSpace) {
     const { sample, command } = this.#session;
     const joint = hand?.get("index-finger-tip");
-    const pose = joint ? frame.getJointPose(joint, referenceSpace) : undefined;
+    const pose = joint && referenceSpace !== null ? frame.getJointPose?.(joint, referenceSpace) : undefined;
     this.lost = !pose || !isFinite3(pose.transform.position);
     this.#session.setFinger(this.lost ? null : pose, frame.predictedDisplayTime);
     if (!this.lost) this.#moveToPlate();

@@ -2,11 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "GameFramework/Actor.h"
-#include "HapticRetargetingComponent.h"
-
-#undef GENERATED_BODY
-#define GENERATED_BODY() using Super = AActor;
 #include "readme_example.h"
 
 namespace {

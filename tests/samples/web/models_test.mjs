@@ -277,8 +277,9 @@ test("a hand that is lost is a dropout, and comes back", () => {
       const i = Math.round(time_ms / 11), before_deg = plate.orientation_deg;
       const pose = [null, undefined, { transform: { position: { x: NaN, y: 0, z: 0 } } }][i % 3];
       const lost = i >= 90 && i < 100, noHand = i === 95 ? [null, undefined, new Map()][i % 3] : hand;
-      reach.updateFromHand({ predictedDisplayTime: time_ms, getJointPose: () => (lost ? pose : { transform: { position } }) },
-                           noHand, 0);
+      // A browser without hands has no getJointPose, a session that begins no reference space.
+      const getJointPose = i === 96 ? undefined : () => (lost && i !== 97 ? pose : { transform: { position } });
+      reach.updateFromHand({ predictedDisplayTime: time_ms, getJointPose }, noHand, i === 97 ? null : 0);
       assert.equal(reach.lost, lost);
       if (lost) assert.equal(plate.orientation_deg, before_deg, "the plate is held");
     };

@@ -20,7 +20,8 @@ from ._library import Error, library_version
 from .arrays import COMMAND, SAMPLE, commands, samples
 from .calibration import Calibration, compare_calibrations
 from .reach import Reach
-from .record import ReachRecord, Recording, RecordingError, RunRecord, read_recording, replay, target_place, world_to_plate
+from .record import ReachRecord, RunRecord, target_place, world_to_plate
+from .recording import Recording, RecordingError, read_recording, replay
 from .registration import (
     check_touch, fit_fingertip, fit_latency, place_fingertip, register, registration_advice,
 )

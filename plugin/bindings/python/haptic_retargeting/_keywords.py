@@ -3,13 +3,10 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from ._abi import Adaptation, Control, Guidance, Place, Role, SessionFlag
 from ._struct import Numbers
-
-if TYPE_CHECKING:
-    from .session import Session
 
 
 def _given(arguments: dict[str, Any]) -> dict[str, Any]:
@@ -92,11 +89,11 @@ class CalibrationKeywords:
     """The fields of CalibrationConfig, by keyword."""
 
     def __init__(
-            self, session: Session, *, max_trials: int | None = None, max_samples: int | None = None,
+            self, session: SessionKeywords, *, max_trials: int | None = None, max_samples: int | None = None,
             goal_direction_deg: float | None = None, lower_plate_deg: float | None = None,
             upper_plate_deg: float | None = None, enough_weight_width: float | None = None,
     ) -> None:
         self._create(session, _given(locals()))
 
-    def _create(self, session: Session, fields: dict[str, Any]) -> None:
+    def _create(self, session: SessionKeywords, fields: dict[str, Any]) -> None:
         raise NotImplementedError

@@ -9,7 +9,7 @@ from typing import Any
 
 from . import _abi
 from ._abi import CalibrationComparison, CalibrationConfig, CalibrationResult, CalibrationSlide
-from ._keywords import CalibrationKeywords
+from ._keywords import CalibrationKeywords, SessionKeywords
 from ._library import Error, check, library
 from .arrays import SAMPLE, Array, expect_samples
 from .session import Session
@@ -31,7 +31,7 @@ class Calibration(CalibrationKeywords):
     those of the session as it is now. One thread at a time.
     """
 
-    def _create(self, session: Session, fields: dict[str, Any]) -> None:
+    def _create(self, session: SessionKeywords, fields: dict[str, Any]) -> None:
         if not isinstance(session, Session):
             raise TypeError(f"session is {session!r}: a Session is needed")
         config = CalibrationConfig()

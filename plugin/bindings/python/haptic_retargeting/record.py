@@ -1,23 +1,21 @@
-"""Reaches as arrays, and the recordings that they are read from."""
+"""A reach as arrays, and what a notebook shows of it without matplotlib: a table of its numbers, and a picture from above."""
 
 from __future__ import annotations
 
-import json
-import os
-from collections.abc import Iterable
-from ctypes import byref
+import math
 from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _abi, view
-from ._abi import Place, ReachSummary, ReplayReport, SampleFlag, SessionConfig, TargetConfig
-from ._library import check, library
-from .arrays import Array, COMMAND, SAMPLE
+from ._abi import CommandFlag, Place, ReachSummary, SampleFlag, SessionConfig, TargetConfig
+from .arrays import Array
 
 Numbers = NDArray[np.float64]
+
+# As in plot.py.
+_REAL, _VIRTUAL, _FINGER = "#0072B2", "#D55E00", "#000000"
+_POINTS_MAX = 500  # of the finger's path
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -49,11 +47,11 @@ class ReachRecord:
 
     def _repr_html_(self) -> str:
         """What a notebook shows."""
-        return view.html(self)
+        return _html(self)
 
     def _repr_svg_(self) -> str:
         """The reach, seen from above."""
-        return view.svg(self)
+        return _svg(self)
 
     @property
     def final_miss_deg(self) -> float:
@@ -116,187 +114,83 @@ def target_place(target: TargetConfig, config: SessionConfig) -> tuple[float, fl
     return float(np.degrees(np.arctan2(-right, -towards))), float(np.hypot(right, towards))
 
 
-@dataclass(frozen=True)
-class Recording:
-    """A recording, read."""
 
-    reaches: list[ReachRecord]
-    complete: bool
-    """It has its end, and no calls were lost. replay() checks too that nothing was altered."""
-    targets: list[TargetConfig]
-    """All that were ever added or changed, in that order."""
-
-
-class RecordingError(ValueError):
-    """A file is not a recording; the text names the line."""
-
-
-_SAMPLE_COLUMNS = {
-    "finger_direction_deg": ("sample_direction_deg",),
-    "finger_position_m": ("sample_x_m", "sample_y_m", "sample_z_m"),
-    "plate_orientation_deg": ("measured_plate_deg",),
-    "plate_position_m": ("plate_x_m", "plate_y_m", "plate_z_m"),
-    "plate_rotation": ("plate_qx", "plate_qy", "plate_qz", "plate_qw"),
-}
-_COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
-
-_BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
-_INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
-    "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
-_TEXTS = ("call", "refused_argument")
-_OPTIONAL_TEXTS = ("calibration_result",)
-_CALLS = ("begin", "update", "retarget", "cancel", "end")
-
-_NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
-
-_Row = dict[str, Any]
+def _svg(record: ReachRecord) -> str:
+    """Plate, ridges where the plate stands last, targets and the finger's path; x to the right, the user below."""
+    radius = 1000 * record.config.plate_radius_m
+    start_x, start_y = _start(record)
+    ends = [_end(record, start_x, start_y, direction) for direction in (record.real_direction_deg,
+                                                                         record.virtual_direction_deg)]
+    margin = 10.0
+    corners = np.array([(-radius, -radius), (radius, radius), (start_x, start_y), *ends])
+    (left, top), (right, bottom) = corners.min(0) - margin, corners.max(0) + margin
+    parts = [f'<circle r="{radius:.1f}" fill="#f2f2f2" stroke="#999"/>', _ridges(record, radius)]
+    for (x, y), colour in zip(ends, (_REAL, _VIRTUAL)):
+        parts.append(f'<path d="M{start_x:.1f} {start_y:.1f}L{x:.1f} {y:.1f}" stroke="{colour}" stroke-dasharray="2 2"/>'
+                     f'<circle cx="{x:.1f}" cy="{y:.1f}" r="3" fill="none" stroke="{colour}" stroke-width="1.5"/>')
+    parts.append(_path(record))
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left:.1f} {top:.1f} {right - left:.1f} {bottom - top:.1f}" '
+            f'width="240" height="{240 * (bottom - top) / (right - left):.0f}">{"".join(parts)}</svg>')
 
 
-@dataclass
-class _Rows:
-    """The rows of one reach."""
-
-    config: SessionConfig
-    begin: _Row
-    updates: list[_Row] = field(default_factory=list)
-    ended: bool = False
-    final_direction_deg: float = np.nan
-
-    def record(self) -> ReachRecord:
-        n = len(self.updates)
-        samples, commands = np.zeros(n, SAMPLE), np.zeros(n, COMMAND)
-        samples["struct_size"], commands["struct_size"] = SAMPLE.itemsize, COMMAND.itemsize
-        samples["time_ns"] = self._column("time_ns", 0)
-        samples["flags"] = self._column("sample_flags", 0)
-        for name, columns in _SAMPLE_COLUMNS.items():
-            numbers = np.array([self._column(column, 0.0) for column in columns]).T
-            samples[name] = numbers if len(columns) > 1 else numbers[:, 0]
-        commands["flags"] = self._column("command_flags", 0)
-        commands["step"] = self._column("step", -1)
-        for name in _COMMAND_COLUMNS:
-            commands[name] = self._column(name, np.nan)
-        start = np.array(self.config.start_position_m)
-        start[0], start[2] = self.begin["start_right_m"], -self.begin["start_away_m"]
-        return ReachRecord(
-            config=self.config, real_direction_deg=self.begin["real_direction_deg"],
-            virtual_direction_deg=self.begin["virtual_direction_deg"], real_distance_m=self.begin["real_distance_m"],
-            start_position_m=start, samples=samples, commands=commands,
-            results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
-
-    def _column(self, name: str, missing: float) -> list[float]:
-        """A column that the recording lacks, as commands of an earlier version had fewer, is missing in each row."""
-        return [missing if row.get(name) is None else row[name] for row in self.updates]
+def _html(record: ReachRecord) -> str:
+    """The numbers beside the picture."""
+    rows = [("samples", f"{len(record.samples)}"), ("real target", _deg(record.real_direction_deg)),
+            ("virtual target", _deg(record.virtual_direction_deg)), ("from the real target at last", _miss(record)),
+            ("direction of the last step", _deg(record.final_direction_deg))]
+    if record.summary is not None:
+        rows += [("bearing error", _deg(record.summary.bearing_error_deg)),
+                 ("largest felt error", _deg(record.summary.peak_felt_error_deg)),
+                 ("weight of touch", f"{record.summary.tactile_weight:.3f} ± {record.summary.tactile_weight_sd:.3f}")]
+    seen = CommandFlag(int(np.bitwise_or.reduce(record.commands["flags"], initial=0)))
+    rows.append(("flags of its commands", ", ".join(seen.names()) or "none"))
+    cells = "".join(f"<tr><td>{name}</td><td>{value}</td></tr>" for name, value in rows)
+    return f'<div style="display:flex;gap:1em">{_svg(record)}<table>{cells}</table></div>'
 
 
-def read_recording(path: str | os.PathLike[str]) -> Recording:
-    """Reads a recording to arrays. Needs no library. RecordingError if the file is not one.
-
-    What follows a gap, where calls were lost, is left out.
-    """
-    with open(path, encoding="utf-8", newline="") as file:
-        try:
-            return _read(file)
-        except UnicodeDecodeError as error:
-            raise RecordingError(f"{os.fspath(path)} is not text: {error}") from error
-        except RecordingError as error:
-            raise RecordingError(f"{os.fspath(path)}, {error}") from error
+def _deg(angle: float) -> str:
+    return "unknown" if math.isnan(angle) else f"{angle:+.2f}°"
 
 
-def _read(lines: Iterable[str]) -> Recording:
-    reaches: list[_Rows] = []
-    targets: list[TargetConfig] = []
-    config: SessionConfig | None = None
-    header: list[str] | None = None
-    complete = False
-    number = 0
-    for number, line in enumerate(lines, 1):
-        if number == 1 and line.rstrip("\r\n") != "# haptic retargeting recording, version 3":
-            raise RecordingError("line 1: not a recording of version 3")
-        if not line.endswith("\n"):
-            break  # cut off within the line
-        line = line.rstrip("\r\n")
-        try:
-            if line.startswith("# lost"):
-                break
-            if line.startswith("# end "):
-                complete = True
-            elif line.startswith("# config "):
-                config = _from_json(SessionConfig(), line.removeprefix("# config "))
-            elif line.startswith(("# target added ", "# target set ")):
-                targets.append(_from_json(TargetConfig(), line.split(" ", 4)[4]))
-            elif line.startswith("#"):
-                continue
-            elif header is None:
-                header = _header(line)
-            else:
-                _take(_row(header, line), config, reaches)
-        except (ValueError, KeyError, TypeError, IndexError, RecursionError) as error:
-            raise RecordingError(f"line {number}: {error}") from error
-    if header is None:
-        raise RecordingError(f"line {number}: the line of column names is missing")
-    return Recording([rows.record() for rows in reaches], complete, targets)
+def _miss(record: ReachRecord) -> str:
+    """Distance along the plate from the last position to the real target."""
+    seen = record.position_m[~np.isnan(record.position_m[:, 0])]
+    if len(seen) == 0:
+        return "unknown"
+    x, y = _end(record, *_start(record), record.real_direction_deg)
+    return f"{math.hypot(1000 * seen[-1, 0] - x, 1000 * seen[-1, 2] - y):.1f} mm"
 
 
-def _from_json(struct: Any, text: str) -> Any:
-    """`struct` with the values of the text; what only newer structs have is left out."""
-    values = json.loads(text)
-    for name in struct.names():
-        if name in values:
-            setattr(struct, name, values[name])
-    return struct
+def _start(record: ReachRecord) -> tuple[float, float]:
+    return 1000 * float(record.start_position_m[0]), 1000 * float(record.start_position_m[2])
 
 
-def _header(line: str) -> list[str]:
-    names = line.split(",")
-    for column in _NEEDED_COLUMNS:
-        if column not in names:
-            raise ValueError(f"the column {column} is missing")
-    return names
+def _end(record: ReachRecord, start_x: float, start_y: float, direction_deg: float) -> tuple[float, float]:
+    angle, far = math.radians(direction_deg), 1000 * record.real_distance_m
+    return start_x - far * math.sin(angle), start_y - far * math.cos(angle)
 
 
-def _row(header: list[str], line: str) -> _Row:
-    cells = line.split(",")
-    if len(cells) != len(header):
-        raise ValueError(f"the row has {len(cells)} columns; {len(header)} are needed")
-    return {name: cell if name in _TEXTS + _OPTIONAL_TEXTS else _number(name, cell) for name, cell in zip(header, cells)}
+def _ridges(record: ReachRecord, radius: float) -> str:
+    orientations = record.commands["plate_orientation_deg"]
+    known = orientations[~np.isnan(orientations)]
+    if len(known) == 0:
+        return ""
+    spacing = radius / 10
+    lines = ""
+    for i in range(-9, 10):
+        half = math.sqrt(radius**2 - (i * spacing) ** 2)
+        lines += f"M{-half:.1f} {i * spacing:.1f}H{half:.1f}"
+    return f'<path d="{lines}" stroke="#ccc" transform="rotate({-known[-1]:.1f})"/>'
 
 
-def _number(name: str, cell: str) -> float | None:
-    if not cell:
-        return None
-    kind = _INTEGERS.get(name)
-    if kind is None:
-        return float(cell)
-    number = int(cell)
-    if not np.iinfo(kind).min <= number <= np.iinfo(kind).max:
-        raise ValueError(f"{name} is {cell}, which is beyond {kind.__name__}")
-    return number
-
-
-def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
-    if config is None:
-        raise ValueError("a row before the configuration")
-    if str(row["call"]).startswith("calibration_"):
-        return  # replay() repeats them
-    if row["call"] not in _CALLS:
-        raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")
-    if row["call"] == "begin" and row["result"] == _abi.OK:
-        for column in _BEGIN_COLUMNS:
-            if row[column] is None:
-                raise ValueError(f"{column} is missing")
-        reaches.append(_Rows(config, row))
-    elif row["call"] == "update" and not row["refused_argument"] and reaches and not reaches[-1].ended:
-        reaches[-1].updates.append(row)
-    elif row["call"] == "cancel" and row["result"] == _abi.OK and reaches:
-        reaches[-1].ended = True
-    elif row["call"] == "end" and row["result"] == _abi.OK and reaches:
-        reaches[-1].ended = True
-        direction_deg = row.get("finger_direction_deg")
-        reaches[-1].final_direction_deg = np.nan if direction_deg is None else direction_deg
-
-
-def replay(path: str | os.PathLike[str]) -> ReplayReport:
-    """Runs the recorded calls again and compares what comes out, bit for bit."""
-    report = ReplayReport()
-    check(library().hrt_replay_file(os.fsencode(path), byref(report)))
-    return report
+def _path(record: ReachRecord) -> str:
+    """A line through the positions, broken where the finger was not seen; of many, some."""
+    positions = 1000 * record.position_m[:: len(record.samples) // _POINTS_MAX + 1]
+    text, pen = "", "M"
+    for x, _, y in positions:
+        if math.isnan(x):
+            pen = "M"
+        else:
+            text += f"{pen}{x:.1f} {y:.1f}"
+            pen = "L"
+    return f'<path d="{text}" fill="none" stroke="{_FINGER}"/>' if text else ""

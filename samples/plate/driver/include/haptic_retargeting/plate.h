@@ -4,11 +4,13 @@
  * have their text in hrt_plate_last_error().
  *
  * A plate is opened by name:
- *   serial:/dev/ttyACM0              a plate with the line protocol of samples/plate/protocol.md (COM3 on
- * Windows) dynamixel:/dev/ttyUSB0?id=1      an XL330 or XL430 servo under the plate, by Dynamixel
- * Protocol 2.0. Options, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
+ *
+ * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate with the line protocol of samples/plate/protocol.md
+ * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 or XL430 servo under the plate, by Dynamixel Protocol 2.0
+ *
+ * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
  * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's limit of current,
- * or of PWM, 5 to 100, default 50)
+ * or of PWM, 5 to 100, default 50).
  *
  * One thread a plate talks to it. No call waits for a device, except hrt_plate_close(), 0.5 s at most.
  * A plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and when it

@@ -1,0 +1,139 @@
+// A reach of the node: samples in, commands out.
+#include "plate_node.h"
+
+#include "pose.h"
+
+namespace hrt_godot {
+
+Value PlateNode::begin(const Value* arguments) {
+  hrt_reach_config config = hrt_reach_config_init();
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  return begin_reach(config);
+}
+
+Value PlateNode::begin_with_plate_at(const Value* arguments) {
+  hrt_reach_config config = hrt_reach_config_init();
+  config.flags = HRT_REACH_PLATE_ORIENTATION;
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  config.plate_orientation_deg = to_real(arguments[2]);
+  return begin_reach(config);
+}
+
+Value PlateNode::begin_for(const Value* arguments) {
+  hrt_reach_config config = hrt_reach_config_init();
+  config.real_target = to_target(arguments[0]);
+  config.virtual_target = to_target(arguments[1]);
+  config.duration_s = to_real(arguments[2]);
+  return begin_reach(config);
+}
+
+Value PlateNode::begin_reach(const hrt_reach_config& config) {
+  if (configure() && ok(hrt_reach_begin(session_, &config))) {
+    reaching_ = true;
+    command_ = {};
+    refused_.reset();
+  }
+  return to_godot_error(result_);
+}
+
+/** A sample of the fingertip in the world, with the plate where the node is. */
+bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
+  out_sample = {};
+  out_sample.struct_size = sizeof out_sample;
+  out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  out_sample.time_ns = to_int(arguments[1]);
+  copy(std::get<Vector3>(arguments[0]), out_sample.finger_position_m);
+  if (const std::optional<double> orientation_deg = device_.orientation_deg()) {
+    out_sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    out_sample.plate_orientation_deg = *orientation_deg;
+  }
+  if (read_pose(out_sample.plate_position_m, out_sample.plate_rotation)) return true;
+  report_sample(kPoseReason, kNotRigid);
+  return false;
+}
+
+Value PlateNode::update(const Value* arguments) {
+  hrt_sample sample;
+  return finger_sample(arguments, sample) ? send(sample) : to_godot_error(result_);
+}
+
+Value PlateNode::update_lost(const Value* arguments) {
+  hrt_sample sample{};
+  sample.time_ns = to_int(arguments[0]);
+  return send(sample);
+}
+
+Value PlateNode::update_sample(const Value* arguments) {
+  const int64_t flags = to_int(arguments[0]);
+  constexpr int64_t kTaken =
+      HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
+  if (flags & ~kTaken) {
+    report_sample(kFlagsReason,
+                  ("flags " + std::to_string(flags) +
+                   "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
+                      .c_str());
+    return kErrInvalidParameter;
+  }
+  hrt_sample sample{};
+  sample.flags = static_cast<uint32_t>(flags);
+  sample.time_ns = to_int(arguments[1]);
+  sample.finger_direction_deg = to_real(arguments[2]);
+  for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = to_real(arguments[3 + i]);
+  sample.plate_orientation_deg = to_real(arguments[6]);
+  return send(sample);
+}
+
+Value PlateNode::send(const hrt_sample& filled) {
+  hrt_sample sample = filled;
+  sample.struct_size = sizeof sample;
+  hrt_command command{};
+  command.struct_size = sizeof command;
+  result_ = hrt_reach_update(session_, &sample, &command);
+  if (result_ != HRT_OK) {
+    report_sample(reason_of(result_), hrt_last_error());
+    return to_godot_error(result_);
+  }
+  const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
+  command_ = command;
+  // Handlers may call this node again, so nothing is read from it after the first signal.
+  if (changed) engine_.emit(kFlagsChanged, int64_t{command.flags});
+  if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
+  return int64_t{0};
+}
+
+Value PlateNode::retarget(const Value* arguments) {
+  ok(hrt_reach_retarget(session_, to_target(arguments[0]), to_target(arguments[1])));
+  return to_godot_error(result_);
+}
+
+Value PlateNode::cancel(const Value*) {
+  if (ok(hrt_reach_cancel(session_))) reaching_ = false;
+  return to_godot_error(result_);
+}
+
+Value PlateNode::end(const Value*) {
+  hrt_reach_summary summary{};
+  summary.struct_size = sizeof summary;
+  if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
+  reaching_ = false;
+  summary_ = summary;
+  take_changes();  // under HRT_ADAPTATION_CARRIED there are some
+  engine_.emit(kReachEnded, summary.final_miss_deg);
+  return int64_t{0};
+}
+
+Value PlateNode::is_reaching(const Value*) {
+  return reaching_;
+}
+
+Value PlateNode::get_command(const Value*) {
+  return command_.struct_size ? to_record(&command_, command_fields()) : Record{};
+}
+
+Value PlateNode::get_summary(const Value*) {
+  return summary_.struct_size ? to_record(&summary_, summary_fields()) : Record{};
+}
+
+}  // namespace hrt_godot

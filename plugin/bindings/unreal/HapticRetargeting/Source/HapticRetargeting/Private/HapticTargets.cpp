@@ -1,0 +1,154 @@
+// The component's targets, what can be held between them, and the scene that has them.
+#include "HapticRetargetingComponent.h"
+
+#include "HapticConversions.h"
+#include "HapticRetargetingModule.h"
+
+#include <vector>
+
+using namespace HapticConversions;
+
+bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTarget& OutTarget)
+{
+	hrt_target Target{};
+	if (!Configure() || !HAPTIC_CALL(hrt_target_add(Session, &Config, &Target)))
+	{
+		return false;
+	}
+	OutTarget = FromTarget(Target);
+	return true;
+}
+
+bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance,
+	FHapticTarget& OutTarget)
+{
+	if (!HasLibrary())
+	{
+		return false;
+	}
+	hrt_target_config Config = ToTarget(Role, Name);
+	Config.direction_deg = Turned(Yaw);
+	Config.distance_m = Distance / 100.0;
+	return Add(Config, OutTarget);
+}
+
+bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location,
+	FHapticTarget& OutTarget)
+{
+	if (!HasLibrary())
+	{
+		return false;
+	}
+	hrt_target_config Config = ToTarget(Role, Name);
+	Config.place = HRT_PLACE_WORLD_POSITION;
+	ToMetres(Location, Config.position_m);
+	return Add(Config, OutTarget);
+}
+
+bool UHapticRetargetingComponent::MoveTarget(const FHapticTarget& Target, const FVector& Location)
+{
+	hrt_target_config Config{};
+	Config.struct_size = sizeof Config;
+	if (!Configure() || !HAPTIC_CALL(hrt_target_get(Session, ToTarget(Target), &Config)))
+	{
+		return false;
+	}
+	Config.place = HRT_PLACE_WORLD_POSITION;
+	ToMetres(Location, Config.position_m);
+	return HAPTIC_CALL(hrt_target_set(Session, ToTarget(Target), &Config));
+}
+
+bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
+{
+	return HAPTIC_CALL(hrt_target_remove(Session, ToTarget(Target)));
+}
+
+bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual,
+	FHapticAuthority& OutAuthority)
+{
+	hrt_authority Authority{};
+	Authority.struct_size = sizeof Authority;
+	if (!Configure() || !HAPTIC_CALL(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
+	{
+		return false;
+	}
+	OutAuthority = FromAuthority(Authority);
+	return true;
+}
+
+bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority)
+{
+	hrt_authority Authority{};
+	Authority.struct_size = sizeof Authority;
+	if (!Configure() || !HAPTIC_CALL(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
+	{
+		return false;
+	}
+	OutAuthority = FromAuthority(Authority);
+	return true;
+}
+
+bool UHapticRetargetingComponent::AssignTargets(const TArray<FHapticTarget>& Virtual, const TArray<FHapticTarget>& Real,
+	bool bExclusive, TArray<FHapticAuthority>& OutAuthorities)
+{
+	std::vector<hrt_target> VirtualIds, RealIds;
+	for (const FHapticTarget& Target : Virtual)
+	{
+		VirtualIds.push_back(ToTarget(Target));
+	}
+	for (const FHapticTarget& Target : Real)
+	{
+		RealIds.push_back(ToTarget(Target));
+	}
+	hrt_authority Sized{};
+	Sized.struct_size = sizeof Sized;
+	// One more than is filled, because the plugin reads the first one's size.
+	std::vector<hrt_authority> Authorities(VirtualIds.size() + 1, Sized);
+	const uint32_t Flags = bExclusive ? HRT_ASSIGN_EXCLUSIVE : 0u;
+	if (!Configure() || !HAPTIC_CALL(hrt_target_assign(Session, VirtualIds.data(), VirtualIds.size(), RealIds.data(), RealIds.size(), Flags,
+							VirtualIds.size(), Authorities.data())))
+	{
+		return false;
+	}
+	OutAuthorities.Reset();
+	for (size_t i = 0; i < VirtualIds.size(); ++i)
+	{
+		OutAuthorities.Add(FromAuthority(Authorities[i]));
+	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets,
+	TArray<FHapticSceneTarget>& OutDescriptions)
+{
+	hrt_scene Scene{};
+	if (!Configure() || !HAPTIC_CALL(hrt_scene_load_file(TCHAR_TO_UTF8(*Path), &Scene)))
+	{
+		return false;
+	}
+	hrt_scene_info Info{};
+	Info.struct_size = sizeof Info;
+	bool bLoaded = HAPTIC_CALL(hrt_scene_get_info(Scene, &Info));
+	std::vector<hrt_target> Ids(Info.target_count);
+	std::vector<hrt_scene_target> Targets(Info.target_count);
+	for (uint32_t i = 0; bLoaded && i < Info.target_count; ++i)
+	{
+		Targets[i].struct_size = sizeof Targets[i];
+		bLoaded = HAPTIC_CALL(hrt_scene_get_target(Scene, i, &Targets[i]));
+	}
+	bLoaded = bLoaded && HAPTIC_CALL(hrt_scene_register(Scene, Session, Ids.size(), Ids.data()));
+	hrt_scene_destroy(Scene);
+	if (!bLoaded)
+	{
+		return false;
+	}
+	OutTargets.Reset();
+	OutDescriptions.Reset();
+	for (size_t i = 0; i < Ids.size(); ++i)
+	{
+		OutTargets.Add(FromTarget(Ids[i]));
+		OutDescriptions.Add(FromSceneTarget(Targets[i]));
+	}
+	MoveToPlate();
+	return true;
+}
