@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "core/exponential.h"
 #include "core/least_squares.h"
@@ -225,10 +224,10 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
   const PartsMatrix weight = fit_weight(parts_covariance);
   const Eigen::MatrixXd root = cholesky_factor(weight).transpose();
   const LeastSquares problem = problem_of(family, slides, root);
-  LeastSquaresFit found{.parameters = {}, .misfit = std::numeric_limits<double>::infinity()};
+  LeastSquaresFit found;
   for (const double guess : first_guesses(family)) {
     const LeastSquaresFit tried = descend(problem, fit_vector({.curve = {family, 0.18, guess}}));
-    if (tried.misfit < found.misfit) found = tried;
+    if (found.parameters.size() == 0 || tried.misfit < found.misfit) found = tried;
   }
 
   CurveFit best;

@@ -258,7 +258,7 @@ LawFit Fit::fit(SteeringLaw law) const {
     Vector first = prior_mean_;
     first(delay) = late_s;
     const LeastSquaresFit found = descend(problem, first);
-    if (found.misfit + found.penalty >= best.misfit) continue;
+    if (best.person.size() > 0 && !(found.misfit + found.penalty < best.misfit)) continue;
     best.person = found.parameters;
     best.misfit = found.misfit + found.penalty;
   }
