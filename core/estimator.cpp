@@ -9,9 +9,6 @@
 namespace hrt {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
-constexpr double rad_per_deg = 0.017453292519943295;
-
 // People speed up and slow down within about half a second by some tens of mm/s: a random walk of the
 // speed with this density covers a minimum-jerk slide of 100 mm in 2 to 4 s.
 constexpr double speed_density_mm2_s3 = 300.0;

@@ -8,7 +8,6 @@
 namespace hrt {
 namespace {
 
-constexpr double deg_per_rad = 57.29577951308232;
 constexpr double rounding = 1e-9;
 constexpr double most_deg = 180.0;
 

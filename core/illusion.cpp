@@ -9,7 +9,6 @@ namespace hrt {
 namespace {
 
 constexpr double scale_deg = 75.0;
-constexpr double rad_per_deg = 0.017453292519943295;
 
 constexpr double ridge_spacing_mm = 10.0;
 // A fading touch is gone after this; half of it is felt when ridges come twice as often.

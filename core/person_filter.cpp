@@ -10,8 +10,6 @@
 namespace hrt {
 namespace {
 
-constexpr double rad_per_deg = 0.017453292519943295;
-
 // Random walks, per second.
 constexpr double direction_density_deg2_s = 14.0;
 // A slow finger wanders more: the noise of its direction doubles at this speed.

@@ -6,6 +6,7 @@
 
 #include "core/distributions.h"
 #include "core/exponential.h"
+#include "core/median.h"
 
 namespace hrt {
 namespace {
@@ -59,9 +60,7 @@ std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
     for (const SlideTrack& other : slides)
       if (std::abs(other.plate_deg - slide.plate_deg) <= near_angle_deg)
         directions.push_back(settled_direction_deg(other.direction_deg));
-    const auto middle = directions.begin() + static_cast<std::ptrdiff_t>(directions.size() / 2);
-    std::nth_element(directions.begin(), middle, directions.end());
-    offsets.push_back(std::abs(slide.plate_deg - *middle));
+    offsets.push_back(std::abs(slide.plate_deg - median(std::move(directions))));
   }
   std::vector<SlideTrack> within;
   for (std::size_t i = 0; i < slides.size(); ++i)

@@ -12,7 +12,6 @@
 namespace hrt {
 namespace {
 
-constexpr double mm_per_m = 1000.0;
 constexpr double most_ns = 9e18;  // of an std::int64_t
 // Beyond this share of the time nothing that the plate does is answered any more.
 constexpr double last_phase = 0.97;
@@ -198,7 +197,7 @@ ReachAim PersonReach::aim() const {
 }
 
 double PersonReach::seconds(std::int64_t time_ns) const {
-  return 1e-9 * static_cast<double>(elapsed_ns(origin_ns_, time_ns));
+  return elapsed_s(origin_ns_, time_ns);
 }
 
 // The largest gap less the one that is to be held, to first order in w, b, d and the frame's error.

@@ -13,6 +13,8 @@ struct PlatePoint {
   double away_m = 0.0;
 };
 
+inline constexpr double mm_per_m = 1000.0;
+
 /// Where something was, and when.
 struct TimedPoint {
   std::int64_t time_ns = 0;

@@ -10,7 +10,6 @@
 namespace hrt {
 namespace {
 
-constexpr double rad_per_deg = 0.017453292519943295;
 constexpr int dead_time_steps = 6;
 constexpr int arrival_nodes = 12;
 // Millimetres of miss a degree of change of the felt shift is worth.

@@ -32,7 +32,6 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
 // Of a tracker of whose noise only the size is known, two thirds and three quarters of it, whose squares add
 // up to it: correlated noise that is absent costs little, and unmodelled noise becomes a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
-  constexpr double mm_per_m = 1000.0;
   if (config.correlated_noise_m > 0.0)
     return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, least_known_noise_mm),
                         .correlated_mm = std::max(mm_per_m * config.correlated_noise_m, least_known_noise_mm),

@@ -1,18 +1,14 @@
 #include "core/slide_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "core/exponential.h"
+#include "core/steering_delay.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
 namespace {
-
-constexpr double least_felt_speed_m_s = 0.002;
-constexpr double most_direction_deg = 60.0;
-constexpr double rad_per_deg = 0.017453292519943295;
 
 // The tangent within most_direction_deg, by its continued fraction; to 1e-5.
 double tangent(double angle_deg) {
@@ -34,46 +30,29 @@ double share_at(const SlideTrack& track, double step) {
 }  // namespace
 
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person) {
-  constexpr int history = 32;
-  std::array<double, history> felt_deg{};
-  const double delay = std::clamp(person.delay_s / track.step_s, 0.0, history - 2.0);
-  const int whole_delay = static_cast<int>(delay);
-  const double rest = delay - whole_delay;
-  const double gain = exponential(person.log_gain) * track.step_s;
-  const double least_advance_m = least_felt_speed_m_s * track.step_s;
+  SteeringDelay steering(std::clamp(person.delay_s / track.step_s, 0.0, SteeringDelay::longest_steps));
+  const double gain = std::min(exponential(person.log_gain) * track.step_s, 1.0);
+  const double least_advance_m = SteeringDelay::least_felt_speed_m_s * track.step_s;
   SlideDirections left_m = SlideDirections::Zero();
   double direction_deg = person.start_deg + person.start_share * settled_direction_deg(track.direction_deg);
   double here_m = 0.0;
-  int felt = 0;
   const double goal_delay = person.goal_delay_s / track.step_s;
   for (std::size_t i = 0; i < track.steps.size(); ++i) {
     const SlideTrack::Step& step = track.steps[i];
     const double across_m = step.advance_m * tangent(direction_deg);
     if (step.samples > 0.0) left_m(step.window) += step.samples * (here_m + 0.5 * across_m);
     here_m += across_m;
-    // A finger at rest feels no motion to steer.
     if (step.advance_m < least_advance_m) {
-      felt = 0;
+      steering.rest();
       continue;
     }
-    felt_deg[static_cast<std::size_t>(felt % history)] =
-        direction_deg + curve_shift_deg(person.curve, track.plate_deg - direction_deg);
+    const double felt_deg = direction_deg + curve_shift_deg(person.curve, track.plate_deg - direction_deg);
     const double goal_deg =
         person.bias_deg +
         person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
-    const auto felt_before = [&](int steps) {
-      return felt_deg[static_cast<std::size_t>((felt - steps) % history)];
-    };
-    if (felt > whole_delay) {
-      const double delayed_deg =
-          (1.0 - rest) * felt_before(whole_delay) + rest * felt_before(whole_delay + 1);
-      direction_deg -= std::min(gain, 1.0) * (delayed_deg - goal_deg);
-      direction_deg = std::clamp(direction_deg, -most_direction_deg, most_direction_deg);
-    } else if (felt == whole_delay) {
-      // The first moment that is felt falls within this step.
-      direction_deg -= std::min(gain, 1.0) * (1.0 - rest) * (felt_before(whole_delay) - goal_deg);
-    }
-    ++felt;
+    if (const auto answer = steering.feel(felt_deg))
+      direction_deg = std::clamp(direction_deg - gain * answer->share * (answer->felt_deg - goal_deg),
+                                 -most_direction_deg, most_direction_deg);
   }
   left_m = left_m.cwiseQuotient(track.window_samples);
   SlideDirections directions;

@@ -6,6 +6,9 @@
 
 namespace hrt {
 
+/// Nobody steers further from the goal.
+inline constexpr double most_direction_deg = 60.0;
+
 /// Angles are relative to the goal direction.
 struct SlidingPersonModel {
   IllusionCurve curve;

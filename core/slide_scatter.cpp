@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/linear_algebra.h"
+#include "core/median.h"
 
 namespace hrt {
 namespace {
@@ -31,12 +32,6 @@ Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const R
     residuals.col(part) = directions.col(part) - product(design, fit.coefficients);
   }
   return residuals;
-}
-
-double median(Eigen::VectorXd values) {
-  const auto middle = values.begin() + values.size() / 2;
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 // The covariance of the kept rows. With few slides, what parts have in common is uncertain and is taken for
@@ -108,8 +103,9 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
   }
   PartsMatrix covariance = PartsMatrix::Zero();
   for (int part = 0; part < slide_parts; ++part) {
+    const Eigen::VectorXd sizes = residuals.col(part).cwiseAbs();
     const double deviation =
-        std::max(mad_to_deviation * median(residuals.col(part).cwiseAbs()) *
+        std::max(mad_to_deviation * median({sizes.begin(), sizes.end()}) *
                      std::sqrt(static_cast<double>(count) / static_cast<double>(count - scatter.degree - 1)),
                  least_deviation_deg);
     covariance(part, part) = deviation * deviation;

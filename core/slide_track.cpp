@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "core/median.h"
 #include "core/onset.h"
 #include "core/plate_limits.h"
+#include "core/time.h"
 #include "core/trigonometry.h"
 #include "core/variance_fit.h"
 
@@ -28,12 +30,6 @@ struct Place {
   double along_m;
   double left_m;
 };
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // True for each sample that lies with its neighbours.
 std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
@@ -112,14 +108,11 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   for (const TimedPoint& sample : samples) {
     if (sample.time_ns < start_ns) continue;
     // The slide is over where the tracker was away for long.
-    if (!places.empty() && 1e-9 * static_cast<double>(sample.time_ns) - 1e-9 * static_cast<double>(start_ns) -
-                                   places.back().time_s >
-                               most_gap_s)
-      break;
+    const double time_s = elapsed_s(start_ns, sample.time_ns);
+    if (!places.empty() && time_s - places.back().time_s > most_gap_s) break;
     const double right_m = sample.position.right_m - onset.place().right_m;
     const double away_m = sample.position.away_m - onset.place().away_m;
-    places.push_back({1e-9 * (static_cast<double>(sample.time_ns) - static_cast<double>(start_ns)),
-                      away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
+    places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
   }
   if (places.size() < 6) return std::nullopt;
 

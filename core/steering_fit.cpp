@@ -15,12 +15,6 @@
 namespace hrt {
 namespace {
 
-constexpr double rad_per_deg = 0.017453292519943295;
-constexpr double least_felt_speed_m_s = 0.002;
-constexpr double most_direction_deg = 60.0;
-constexpr int history = 64;
-constexpr double least_place_share = 0.15;
-
 constexpr double bin_s = 0.04;
 // Of how a person moves, for the weights; what differs from it widens the intervals.
 constexpr double noise_deg2_per_s = 8.0;
@@ -44,85 +38,15 @@ constexpr double allowed_mean = 0.1;
 constexpr double most_rate_ratio = 2.5;
 constexpr double most_delay_width_s = 0.1;
 
-enum Parameter { log_rate, delay, bias, habit, start, scale, parameters };
 using Vector = Eigen::VectorXd;
-constexpr std::array<double, parameters> derivative_step{0.02, 0.002, 0.05, 0.05, 0.05, 0.01};
-
-struct Bin {
-  std::size_t begin;
-  std::size_t end;
-  double seen;
-};
+constexpr std::array<double, steering_parameters> derivative_step{0.02, 0.002, 0.05, 0.05, 0.05, 0.01};
 
 struct Observed {
   const TurningSlide* slide;
-  std::vector<Bin> bins;
+  std::vector<SlideBin> bins;
   Eigen::VectorXd left_m;
   Eigen::MatrixXd whitening;  // L^-1 of the covariance L L'
 };
-
-// Where the finger is, to the left of the goal, in each bin.
-Eigen::VectorXd predicted_left_m(const Observed& observed, const IllusionCurve& curve, const Vector& person,
-                                 SteeringLaw law) {
-  const SlideTrack& track = observed.slide->track;
-  const double gain = std::min(exponential(person(log_rate)) * track.step_s, 1.0);
-  // Directions are those of the steps' middles, so an answer is of half a step before the next one.
-  const double late = std::min(person(delay) / track.step_s - 0.5, history - 2.0);
-  const int whole = std::max(static_cast<int>(late), 0);
-  const double rest = late - whole;
-  const bool predicts = law == SteeringLaw::predicted;
-  double length_m = 0.0;
-  for (const SlideTrack::Step& step : track.steps) length_m += step.advance_m;
-  double felt_along_m = 0.0;
-  double felt_left_m = 0.0;
-  const double least_advance_m = least_felt_speed_m_s * track.step_s;
-  std::array<double, history> felt_deg{};
-  Eigen::VectorXd left_m = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(observed.bins.size()));
-  double direction_deg = person(start);
-  double here_m = 0.0;
-  int felt = 0;
-  std::size_t bin = 0;
-  for (std::size_t i = 0; i < track.steps.size() && bin < observed.bins.size(); ++i) {
-    const SlideTrack::Step& step = track.steps[i];
-    const double across_m = step.advance_m * sin_deg(direction_deg) / cos_deg(direction_deg);
-    if (i >= observed.bins[bin].end) ++bin;
-    if (bin < observed.bins.size() && i >= observed.bins[bin].begin && step.seen > 0.0)
-      left_m(static_cast<Eigen::Index>(bin)) +=
-          step.seen / observed.bins[bin].seen * (here_m + 0.5 * across_m);
-    here_m += across_m;
-    // A finger at rest feels no motion to steer.
-    if (step.advance_m < least_advance_m) {
-      felt = 0;
-      continue;
-    }
-    const double shift_deg =
-        person(scale) * curve_shift_deg(curve, observed.slide->plate_deg[i] - direction_deg);
-    felt_deg[static_cast<std::size_t>(felt % history)] = shift_deg + (predicts ? 0.0 : direction_deg);
-    double goal_deg = person(bias) + person(habit) * (1.0 - 2.0 * step.share);
-    if (law == SteeringLaw::place) {
-      // Nearer to the target nobody turns after it.
-      const double ahead_m = length_m - felt_along_m;
-      if (ahead_m > least_place_share * length_m) goal_deg -= atan2_deg(felt_left_m, ahead_m);
-      felt_along_m += step.advance_m;
-      felt_left_m += rad_per_deg * step.advance_m * (direction_deg + shift_deg);
-    }
-    const auto before = [&](int steps) {
-      return felt_deg[static_cast<std::size_t>((felt - steps) % history)];
-    };
-    if (felt >= whole) {
-      const double share = felt > whole ? 1.0 : std::min(1.0 - rest, 1.0);  // the first moment that is felt
-      double delayed_deg = before(whole);
-      if (felt > whole) delayed_deg = (1.0 - rest) * delayed_deg + rest * before(whole + 1);
-      // The own direction half a step ahead is the mean of this step's and the next one's.
-      const double own = predicts ? 0.5 * gain * share : 0.0;
-      if (predicts) delayed_deg += direction_deg;
-      direction_deg = std::clamp(direction_deg - gain * share * (delayed_deg - goal_deg) / (1.0 + own),
-                                 -most_direction_deg, most_direction_deg);
-    }
-    ++felt;
-  }
-  return left_m;
-}
 
 Observed observe(const TurningSlide& slide, const RestNoise& noise) {
   const SlideTrack& track = slide.track;
@@ -130,7 +54,7 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
   std::vector<double> left_m;
   const auto least_steps = static_cast<std::size_t>(std::ceil(bin_s / track.step_s));
   for (std::size_t i = 0; i < track.steps.size();) {
-    Bin bin{.begin = i, .end = i, .seen = 0.0};
+    SlideBin bin{.begin = i, .end = i, .seen = 0.0};
     double sum_m = 0.0;
     while (bin.end < track.steps.size() && (bin.end - bin.begin < least_steps || !(bin.seen > 0.0))) {
       const SlideTrack::Step& step = track.steps[bin.end++];
@@ -169,7 +93,7 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
   const double white_m = std::max(noise.white_m.value, least_noise_m);
   const double correlated_m = noise.correlated_m.value;
   const auto middle_s = [&](Eigen::Index b) {
-    const Bin& bin = observed.bins[static_cast<std::size_t>(b)];
+    const SlideBin& bin = observed.bins[static_cast<std::size_t>(b)];
     return 0.5 * track.step_s * static_cast<double>(bin.begin + bin.end);
   };
   for (Eigen::Index a = 0; a < count; ++a) {
@@ -191,10 +115,10 @@ struct LawFit {
 };
 
 Vector clamped(Vector person) {
-  person(log_rate) = std::clamp(person(log_rate), 0.0, 3.7);
-  person(delay) = std::clamp(person(delay), 0.0, 0.35);
-  person(start) = std::clamp(person(start), -45.0, 45.0);
-  person(scale) = std::clamp(person(scale), 0.2, 3.0);
+  person(steering_log_rate) = std::clamp(person(steering_log_rate), 0.0, 3.7);
+  person(steering_delay_s) = std::clamp(person(steering_delay_s), 0.0, 0.35);
+  person(steering_start_deg) = std::clamp(person(steering_start_deg), -45.0, 45.0);
+  person(steering_scale) = std::clamp(person(steering_scale), 0.2, 3.0);
   return person;
 }
 
@@ -208,7 +132,8 @@ class Fit {
 
  private:
   Eigen::VectorXd residual(const Observed& observed, const Vector& person, SteeringLaw law) const {
-    return product(observed.whitening, observed.left_m - predicted_left_m(observed, curve_, person, law));
+    return product(observed.whitening,
+                   observed.left_m - predicted_left_m(*observed.slide, observed.bins, curve_, person, law));
   }
   std::vector<Eigen::VectorXd> residuals(const Vector& person, SteeringLaw law) const {
     std::vector<Eigen::VectorXd> groups;
@@ -223,8 +148,8 @@ class Fit {
   Eigen::MatrixXd jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const;
 
   IllusionCurve curve_;
-  Vector prior_mean_ = Vector::Zero(parameters);
-  Vector prior_deviation_ = Vector::Zero(parameters);
+  Vector prior_mean_ = Vector::Zero(steering_parameters);
+  Vector prior_deviation_ = Vector::Zero(steering_parameters);
   std::vector<Observed> observed_;
 };
 
@@ -238,12 +163,12 @@ Fit::Fit(std::span<const TurningSlide> slides, const CurveFit& person, const Res
     prior_mean_(parameter) = mean;
     prior_deviation_(parameter) = sd;
   };
-  expect(log_rate, usual_log_rate, 1.0);
-  expect(delay, 0.07, 0.15);
-  expect(bias, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
-  expect(habit, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
-  expect(start, person.person.start_deg, 5.0);
-  expect(scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
+  expect(steering_log_rate, usual_log_rate, 1.0);
+  expect(steering_delay_s, 0.07, 0.15);
+  expect(steering_bias_deg, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
+  expect(steering_habit_deg, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
+  expect(steering_start_deg, person.person.start_deg, 5.0);
+  expect(steering_scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
   for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
 }
 
@@ -256,7 +181,7 @@ LawFit Fit::fit(SteeringLaw law) const {
   LawFit best;
   for (const double late_s : {0.02, 0.1}) {
     Vector first = prior_mean_;
-    first(delay) = late_s;
+    first(steering_delay_s) = late_s;
     const LeastSquaresFit found = descend(problem, first);
     if (best.person.size() > 0 && !(found.misfit + found.penalty < best.misfit)) continue;
     best.person = found.parameters;
@@ -264,22 +189,22 @@ LawFit Fit::fit(SteeringLaw law) const {
   }
   best.covariance =
       jackknife_covariance(residuals(best.person, law), derivatives(best.person, law), prior_deviation_);
-  best.covariance(log_rate, log_rate) += law_log_rate * law_log_rate;
-  best.covariance(delay, delay) += law_delay_s * law_delay_s;
+  best.covariance(steering_log_rate, steering_log_rate) += law_log_rate * law_log_rate;
+  best.covariance(steering_delay_s, steering_delay_s) += law_delay_s * law_delay_s;
   return best;
 }
 
 Eigen::MatrixXd Fit::jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const {
-  Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(parameters));
-  for (int i = 0; i < parameters; ++i) {
+  Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(steering_parameters));
+  for (int i = 0; i < steering_parameters; ++i) {
     Vector above = person;
     Vector below = person;
     above(i) += derivative_step[static_cast<std::size_t>(i)];
     below(i) -= derivative_step[static_cast<std::size_t>(i)];
     below = clamped(below);
-    columns.col(i) =
-        (predicted_left_m(observed, curve_, above, law) - predicted_left_m(observed, curve_, below, law)) /
-        (above(i) - below(i));
+    columns.col(i) = (predicted_left_m(*observed.slide, observed.bins, curve_, above, law) -
+                      predicted_left_m(*observed.slide, observed.bins, curve_, below, law)) /
+                     (above(i) - below(i));
   }
   return product(observed.whitening, columns);
 }
@@ -296,7 +221,7 @@ double Fit::law_p(const Vector& person, SteeringLaw law) const {
     const double side = std::copysign(1.0, observed.slide->plate_deg.front());
     Eigen::VectorXd counts = Eigen::VectorXd::Zero(parts);
     for (Eigen::Index b = 0; b < off.size(); ++b) {
-      const Bin& bin = observed.bins[static_cast<std::size_t>(b)];
+      const SlideBin& bin = observed.bins[static_cast<std::size_t>(b)];
       const double share = observed.slide->track.steps[(bin.begin + bin.end) / 2].share;
       const double part = (share - first_tested_share) / (1.0 - first_tested_share);
       if (part < 0.0) continue;
@@ -339,33 +264,6 @@ Interval mixture(const std::array<LawFit, steering_laws>& fits,
 
 }  // namespace
 
-std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const SlideTrack& track,
-                                          double goal_direction_deg) {
-  if (trial.plate_deg.size() != trial.samples.size() || trial.samples.empty()) return std::nullopt;
-  TurningSlide slide{.track = track, .plate_deg = {}};
-  double least_deg = std::numeric_limits<double>::infinity();
-  double most_deg = -least_deg;
-  std::size_t before = 0;
-  for (std::size_t i = 0; i < track.steps.size(); ++i) {
-    const std::int64_t time_ns =
-        track.onset_ns + std::llround(1e9 * track.step_s * (static_cast<double>(i) + 0.5));
-    while (before + 1 < trial.samples.size() && trial.samples[before + 1].time_ns <= time_ns) ++before;
-    double plate_deg = trial.plate_deg[before];
-    if (before + 1 < trial.samples.size() && time_ns > trial.samples[before].time_ns) {
-      const double share =
-          static_cast<double>(time_ns - trial.samples[before].time_ns) /
-          static_cast<double>(trial.samples[before + 1].time_ns - trial.samples[before].time_ns);
-      plate_deg += share * (trial.plate_deg[before + 1] - plate_deg);
-    }
-    slide.plate_deg.push_back(plate_deg - goal_direction_deg);
-    if (track.steps[i].share < 0.02 || track.steps[i].share > 0.98) continue;
-    least_deg = std::min(least_deg, plate_deg);
-    most_deg = std::max(most_deg, plate_deg);
-  }
-  if (!(most_deg - least_deg > least_turn_deg)) return std::nullopt;
-  return slide;
-}
-
 SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& person,
                          const RestNoise& noise) {
   SteeringFit steering;
@@ -385,10 +283,10 @@ SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& p
   const auto law = static_cast<std::size_t>(likeliest - steering.probability.begin());
   steering.law_p = fit.law_p(fits[law].person, static_cast<SteeringLaw>(law));
   const double widening = student_975(static_cast<double>(slides.size()) - 2.0) / normal_975;
-  const Interval log_rates = mixture(fits, steering.probability, log_rate, widening);
+  const Interval log_rates = mixture(fits, steering.probability, steering_log_rate, widening);
   steering.rate_per_s = {exponential(log_rates.value), exponential(log_rates.lower),
                          exponential(log_rates.upper), true};
-  steering.delay_s = mixture(fits, steering.probability, delay, widening);
+  steering.delay_s = mixture(fits, steering.probability, steering_delay_s, widening);
   steering.rate_per_s.known = steering.rate_per_s.upper <= most_rate_ratio * steering.rate_per_s.lower;
   steering.delay_s.known = steering.delay_s.upper - steering.delay_s.lower <= most_delay_width_s;
   return steering;

@@ -6,34 +6,14 @@
 #pragma once
 
 #include <array>
-#include <optional>
 #include <span>
-#include <vector>
 
 #include "core/curve_fit.h"
 #include "core/interval.h"
+#include "core/steering_model.h"
 #include "core/tracker_noise.h"
 
 namespace hrt {
-
-/// A slide with the plate's orientation at each of its steps.
-struct TurningSlide {
-  SlideTrack track;
-  std::vector<double> plate_deg;  ///< one a step of the track, relative to the goal, continuous
-};
-
-/// The trial if its plate turned by more than `least_turn_deg` while the finger moved; none if it rested.
-std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const SlideTrack& track,
-                                          double goal_direction_deg);
-inline constexpr double least_turn_deg = 5.0;
-
-/// Laws of steering that are compared.
-enum class SteeringLaw {
-  delayed,    ///< all that is felt is answered after the delay
-  predicted,  ///< the own motion is known without the delay
-  place,      ///< as delayed, towards the target's place as seen from where the finger is felt to be
-};
-inline constexpr int steering_laws = 3;
 
 struct SteeringFit {
   Interval rate_per_s{0.0, 0.0, 0.0, false};  ///< k, from a felt error to the direction's change

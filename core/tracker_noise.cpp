@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "core/exponential.h"
+#include "core/median.h"
+#include "core/rest_filter.h"
 #include "core/time.h"
 
 namespace hrt {
@@ -22,27 +24,12 @@ constexpr double little = 0.7;
 constexpr double least_periods = 0.7;
 // Nothing is known of the parts of noise that may decay within fewer.
 constexpr double least_separate_periods = 1.5;
-// A place further than this many deviations off, in two coordinates, is made up; 1 in 3000 that is not.
-constexpr double outlying = 4.0;
+// A place further than this many deviations off, in two coordinates, is made up.
 constexpr double grossly_outlying = 6.0;
 // Twice the log-likelihood drops by this at the ends of a 95 % interval: chi-squared with one degree.
 constexpr double likelihood_drop = 3.841458820694124;
 // Successive innovations of noise of this kind are independent: 99.9 % point of chi-squared with 10 degrees.
-constexpr int lags = 10;
 constexpr double most_dependence = 29.588;
-
-struct RestSample {
-  double since_s;  // the sample before it that is used
-  std::array<double, 2> place_m;
-};
-using Rest = std::vector<RestSample>;
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 // Positions about the middle of their rest, without those that are grossly off.
 std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
@@ -69,8 +56,7 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
     for (std::size_t i = 0; i < rests[r].size(); ++i) {
       if (distances[r][i] > most_m) continue;
       const TimedPoint& sample = rests[r][i];
-      const double since_s =
-          rest.empty() ? 0.0 : 1e-9 * static_cast<double>(elapsed_ns(last_ns, sample.time_ns));
+      const double since_s = rest.empty() ? 0.0 : elapsed_s(last_ns, sample.time_ns);
       rest.push_back(
           {since_s,
            {sample.position.right_m - middles[r].right_m, sample.position.away_m - middles[r].away_m}});
@@ -81,92 +67,11 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
   return kept;
 }
 
-// Noise of variance 1 of which `share` is correlated: the Kalman filter's sums over all samples.
-struct Sums {
-  double squares = 0.0;      // normalised innovations squared, rest places fitted
-  double determinant = 0.0;  // sum of log variances
-};
-
-// One coordinate's filter for the noise, and the same filter for a constant of 1: the rest's place is their
-// weighted regression (restricted likelihood).
-class RestFilter {
- public:
-  explicit RestFilter(double share) : share_(share), variance_(share) {}
-
-  struct Innovation {
-    std::array<double, 2> place_m;
-    double one;
-    double variance;
-  };
-  Innovation predict(double kept) {
-    for (double& noise : noise_) noise *= kept;
-    one_ *= kept;
-    variance_ = share_ + kept * kept * (variance_ - share_);
-    return {{}, 1.0 - one_, variance_ + 1.0 - share_};
-  }
-  Innovation predict(double kept, const RestSample& sample) {
-    Innovation innovation = predict(kept);
-    for (std::size_t a = 0; a < 2; ++a) innovation.place_m[a] = sample.place_m[a] - noise_[a];
-    return innovation;
-  }
-  void take(const Innovation& innovation) {
-    const double gain = variance_ / innovation.variance;
-    for (std::size_t a = 0; a < 2; ++a) noise_[a] += gain * innovation.place_m[a];
-    one_ += gain * innovation.one;
-    variance_ *= 1.0 - gain;
-  }
-
- private:
-  double share_;
-  double variance_;
-  std::array<double, 2> noise_{};
-  double one_ = 0.0;
-};
-
-// What noise kept of itself from each sample to the next.
-std::vector<double> kept_between(const std::vector<Rest>& rests, double correlation_s) {
-  std::vector<double> kept;
-  for (const Rest& rest : rests)
-    for (const RestSample& sample : rest) kept.push_back(exponential(-sample.since_s / correlation_s));
-  return kept;
-}
-
-Sums likelihood_sums(const std::vector<Rest>& rests, double share, const std::vector<double>& kept) {
-  Sums sums;
-  std::size_t index = 0;
-  for (const Rest& rest : rests) {
-    RestFilter filter(share);
-    std::array<double, 2> product{};
-    double weight = 0.0;
-    double product_of_variances = 1.0;
-    int in_product = 0;
-    for (const RestSample& sample : rest) {
-      const RestFilter::Innovation seen = filter.predict(kept[index++], sample);
-      const double precision = 1.0 / seen.variance;
-      for (std::size_t a = 0; a < 2; ++a) {
-        sums.squares += precision * seen.place_m[a] * seen.place_m[a];
-        product[a] += precision * seen.one * seen.place_m[a];
-      }
-      weight += precision * seen.one * seen.one;
-      product_of_variances *= seen.variance;
-      if (++in_product == 16) {
-        sums.determinant += 2.0 * logarithm(std::max(product_of_variances, 1e-290));
-        product_of_variances = 1.0;
-        in_product = 0;
-      }
-      filter.take(seen);
-    }
-    for (const double p : product) sums.squares -= p * p / weight;
-    sums.determinant += 2.0 * logarithm(std::max(product_of_variances, 1e-290)) + 2.0 * logarithm(weight);
-  }
-  return sums;
-}
-
 // A point of the likelihood: share and correlation time fixed, the total variance free.
 struct Point {
   double share;
   double correlation_s;
-  Sums sums;
+  RestLikelihood sums;
   double count;  // degrees of freedom: two a sample, less two a rest
 
   double variance_m2() const { return std::max(sums.squares / count, 1e-30); }
@@ -174,12 +79,14 @@ struct Point {
     return -0.5 * (count * logarithm(variance) + sums.determinant + sums.squares / variance);
   }
   double peak() const { return log_likelihood(variance_m2()); }
+  RestNoiseShape shape() const { return {share, correlation_s}; }
 };
 
 struct Surface {
   std::vector<Point> points;  // correlation time by correlation time
   std::size_t best = 0;
-  double peak() const { return points[best].peak(); }
+  const Point& best_point() const { return points[best]; }
+  double peak() const { return best_point().peak(); }
 };
 
 struct Box {
@@ -199,7 +106,7 @@ Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) 
     for (std::size_t k = 0; k < n; ++k) {
       const double share = box.least_share + (box.most_share - box.least_share) * static_cast<double>(k) /
                                                  static_cast<double>(n - 1);
-      surface.points.push_back({share, correlation_s, likelihood_sums(rests, share, kept), count});
+      surface.points.push_back({share, correlation_s, rest_likelihood(rests, share, kept), count});
       if (surface.points.back().peak() > surface.peak()) surface.best = surface.points.size() - 1;
     }
   }
@@ -247,7 +154,7 @@ Interval deviation_interval(const Surface& surface, double drop,
     }
     return most;
   };
-  const Point& best = surface.points[surface.best];
+  const Point& best = surface.best_point();
   const double total_m = std::sqrt(best.variance_m2());
   const double value = std::sqrt(part(best)) * total_m;
   const double floor = surface.peak() - 0.5 * drop;
@@ -292,7 +199,7 @@ CorrelationTime correlation_time(const Surface& surface, double drop, const Box&
     profile.back() = std::max(profile.back(), point.peak());
   }
   const double floor = surface.peak() - 0.5 * drop;
-  Interval interval{surface.points[surface.best].correlation_s, whole.least_s, whole.most_s, false};
+  Interval interval{surface.best_point().correlation_s, whole.least_s, whole.most_s, false};
   std::size_t low = 0;
   while (profile[low] < floor) ++low;
   std::size_t high = profile.size() - 1;
@@ -303,93 +210,6 @@ CorrelationTime correlation_time(const Surface& surface, double drop, const Box&
     return times_s[inside] * exponential(share * logarithm(times_s[outside] / times_s[inside]));
   };
   return {{interval.value, crossing(low, low - 1), crossing(high, high + 1), true}, true};
-}
-
-// The rests without the positions that the likeliest noise does not explain.
-std::vector<Rest> inliers(const std::vector<Rest>& rests, const Point& at) {
-  const std::vector<double> kept = kept_between(rests, at.correlation_s);
-  const double variance_m2 = at.variance_m2();
-  std::vector<Rest> result;
-  std::size_t index = 0;
-  for (const Rest& rest : rests) {
-    // The place of the rest, from all of it; then sample after sample.
-    std::array<double, 2> place_m{};
-    double weight = 0.0;
-    RestFilter first(at.share);
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      const auto seen = first.predict(kept[index + i], rest[i]);
-      for (std::size_t a = 0; a < 2; ++a) place_m[a] += seen.one * seen.place_m[a] / seen.variance;
-      weight += seen.one * seen.one / seen.variance;
-      first.take(seen);
-    }
-    RestFilter filter(at.share);
-    Rest inlying;
-    double since_s = 0.0;
-    for (std::size_t i = 0; i < rest.size(); ++i) {
-      since_s += rest[i].since_s;
-      RestSample sample = rest[i];
-      for (std::size_t a = 0; a < 2; ++a) sample.place_m[a] -= place_m[a] / weight;
-      const auto seen = filter.predict(kept[index + i], sample);
-      const double squares_m2 = seen.place_m[0] * seen.place_m[0] + seen.place_m[1] * seen.place_m[1];
-      if (squares_m2 > outlying * outlying * seen.variance * variance_m2) continue;
-      filter.take(seen);
-      inlying.push_back({inlying.empty() ? 0.0 : since_s, rest[i].place_m});
-      since_s = 0.0;
-    }
-    index += rest.size();
-    if (inlying.size() > 1) result.push_back(std::move(inlying));
-  }
-  return result;
-}
-
-// How the normalised innovations at the likeliest point are distributed: independent and normal if the noise
-// is of this kind.
-struct Innovations {
-  double dependence = 0.0;  // chi-squared of their correlations at `lags` lags
-  double kurtosis = 3.0;
-};
-
-Innovations innovations(const std::vector<Rest>& rests, const Point& at) {
-  const std::vector<double> kept = kept_between(rests, at.correlation_s);
-  std::array<double, lags> products{};
-  double squares = 0.0;
-  double fourths = 0.0;
-  double count = 0.0;
-  std::size_t index = 0;
-  for (const Rest& rest : rests) {
-    // The rest's place is that of the samples before: of all of them, it would correlate what is left.
-    RestFilter filter(at.share);
-    std::array<double, 2> product{};
-    double weight = 0.0;
-    std::vector<std::array<double, 2>> normalised;
-    for (const RestSample& sample : rest) {
-      const auto seen = filter.predict(kept[index++], sample);
-      if (weight > 0.0) {
-        const double deviation = std::sqrt(seen.variance + seen.one * seen.one / weight);
-        auto& z = normalised.emplace_back();
-        for (std::size_t a = 0; a < 2; ++a)
-          z[a] = (seen.place_m[a] - seen.one * product[a] / weight) / deviation;
-      }
-      for (std::size_t a = 0; a < 2; ++a) product[a] += seen.one * seen.place_m[a] / seen.variance;
-      weight += seen.one * seen.one / seen.variance;
-      filter.take(seen);
-    }
-    for (std::size_t i = 0; i < normalised.size(); ++i) {
-      for (std::size_t a = 0; a < 2; ++a) {
-        const double z = normalised[i][a];
-        squares += z * z;
-        fourths += z * z * z * z;
-        count += 1.0;
-        for (std::size_t lag = 1; lag <= lags && lag <= i; ++lag)
-          products[lag - 1] += z * normalised[i - lag][a];
-      }
-    }
-  }
-  Innovations result;
-  if (!(squares > 0.0)) return result;
-  for (const double product : products) result.dependence += product * product / (squares * squares) * count;
-  result.kurtosis = count * fourths / (squares * squares);
-  return result;
 }
 
 double mean_duration_s(const std::vector<Rest>& rests) {
@@ -436,12 +256,12 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   Surface surface = search(kept, whole);
   for (int round = 0; round < 2; ++round) {
     const std::size_t before = count();
-    kept = inliers(kept, surface.points[surface.best]);
+    kept = inliers(kept, surface.best_point().shape(), surface.best_point().variance_m2());
     if (count() < least_samples) return unknown;
     if (count() == before) break;
     surface = search(kept, whole);
   }
-  const Innovations left = innovations(kept, surface.points[surface.best]);
+  const RestInnovations left = innovations(kept, surface.best_point().shape());
 
   // Heavier tails than the normal's widen the interval of a variance in proportion.
   double drop = likelihood_drop * std::max(1.0, 0.5 * (left.kurtosis - 1.0));
@@ -450,7 +270,7 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   };
   const bool is_correlated = correlated_interval().lower > 0.0;
   // A rest of few correlation times shows its noise about a place that the noise has moved.
-  if (is_correlated) drop *= 1.0 + surface.points[surface.best].correlation_s / mean_duration_s(kept);
+  if (is_correlated) drop *= 1.0 + surface.best_point().correlation_s / mean_duration_s(kept);
   const CorrelationTime time = correlation_time(surface, drop, whole);
   RestNoise noise{deviation_interval(surface, drop, [](const Point& point) { return 1.0 - point.share; }),
                   correlated_interval(), time.interval_s};
@@ -459,7 +279,7 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
     noise.correlated_m.known = noise.correlation_s.known = false;
   if (is_correlated && time.interval_s.lower < least_separate_periods * period_s)
     noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
-  const double total_m = std::sqrt(surface.points[surface.best].variance_m2());
+  const double total_m = std::sqrt(surface.best_point().variance_m2());
   if (left.dependence > most_dependence || quantum > total_m)
     noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
   return noise;

@@ -6,9 +6,6 @@
 namespace hrt {
 namespace {
 
-constexpr double rad_per_deg = 0.017453292519943295;
-constexpr double deg_per_rad = 57.29577951308232;
-
 template <std::size_t n>
 double polynomial(double x, const std::array<double, n>& highest_power_first) {
   double value = highest_power_first[0];

@@ -4,6 +4,9 @@
 
 namespace hrt {
 
+inline constexpr double rad_per_deg = 0.017453292519943295;
+inline constexpr double deg_per_rad = 57.29577951308232;
+
 /// Sine of an angle in degrees, |angle| <= 1e9; error below 2e-16.
 double sin_deg(double angle_deg);
 
