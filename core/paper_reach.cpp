@@ -36,7 +36,7 @@ bool is_rate_limited(ActiveBound active) {
 }  // namespace
 
 PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
-                       std::optional<double> commanded_deg)
+                       const std::optional<ReachSoFar>& so_far)
     : config_(config),
       reach_(reach),
       goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
@@ -44,21 +44,26 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
       estimator_(config.estimator, config.participant, goal_deg_, reach.start, config.step_period_ns,
                  config.mpc.horizon + max_lead),
       control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
-      plate_(config.plate, within(config.plate.stops, reach.plate_orientation_deg)),
+      plate_(so_far ? so_far->plate
+                    : PlateModel(config.plate, within(config.plate.stops, reach.plate_orientation_deg))),
       limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_,
                         plate_.orientation_deg())),
-      decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(commanded_deg)},
+      decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(so_far)},
       finger_{.direction_deg = 0.0,
               .perceived_direction_deg = 0.0,
               .tactile_weight = config.participant.tactile_weight,
               .tactile_weight_sd = estimator_.estimate().tactile_weight_sd},
       command_(publish({}, true)) {
   plate_.command(decision_.plate.orientation_deg);
+  if (!so_far) return;
+  samples_before_ = so_far->samples;
+  dropped_before_ = so_far->dropped_samples;
 }
 
-PlateOrientation PaperReach::initial_plate(std::optional<double> commanded_deg) const {
+PlateOrientation PaperReach::initial_plate(const std::optional<ReachSoFar>& so_far) const {
   const double stands_deg = plate_.orientation_deg();
-  if (!config_.fixed_plate_orientation_deg) return {commanded_deg.value_or(stands_deg), ActiveBound::none};
+  if (!config_.fixed_plate_orientation_deg)
+    return {so_far ? so_far->commanded_deg : stands_deg, ActiveBound::none};
   return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, stands_deg, config_.plate.stops),
           ActiveBound::none};
 }
@@ -105,14 +110,21 @@ ReachSummary PaperReach::summary() const {
           .predicted_steps = counts.predicted_steps,
           .saturated_steps = saturated_steps_ + is_saturated(decision_.plate.active),
           .rate_limited_steps = rate_limited_steps_ + is_rate_limited(decision_.plate.active),
-          .samples = counts.samples,
-          .dropped_samples = counts.dropped_samples,
+          .samples = samples_before_ + counts.samples,
+          .dropped_samples = dropped_before_ + counts.dropped_samples,
           .final_direction_deg = finger_.direction_deg,
           .final_miss_deg = finger_.direction_deg - reach_.real_direction_deg,
           .perceived_direction_deg = finger_.perceived_direction_deg,
           .perceived_error_deg = finger_.perceived_direction_deg - goal_deg_,
           .distance_to_target_m = distance_to_go_m(),
+          .unreachable = decision_.aim.unreachable,
           .estimate = estimator_.estimate()};
+}
+
+ReachSoFar PaperReach::so_far() const {
+  const SampleCounts counts = estimator_.counts();
+  return {plate_, decision_.plate.orientation_deg, samples_before_ + counts.samples,
+          dropped_before_ + counts.dropped_samples};
 }
 
 // Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.

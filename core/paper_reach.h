@@ -27,9 +27,9 @@ struct PaperReachConfig {
 /// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
 class PaperReach {
  public:
-  /// `commanded_deg` is the last command that the plate was given for this reach; none: it stands. Requires
-  /// valid arguments.
-  PaperReach(const PaperReachConfig& config, const Reach& reach, std::optional<double> commanded_deg = {});
+  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  PaperReach(const PaperReachConfig& config, const Reach& reach,
+             const std::optional<ReachSoFar>& so_far = std::nullopt);
 
   /// Takes one sample in, not before the last one's.
   PlateCommand update(const FingerSample& sample);
@@ -44,7 +44,9 @@ class PaperReach {
   PlateCommand command() const { return command_; }
   /// Where the finger is; none before it moves, and with directions alone.
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
+  double speed_m_s() const { return 0.0; }  ///< not used to aim
   ReachSummary summary() const;
+  ReachSoFar so_far() const;
 
  private:
   /// Where the finger is wanted.
@@ -66,7 +68,7 @@ class PaperReach {
     double tactile_weight_sd;
   };
 
-  PlateOrientation initial_plate(std::optional<double> commanded_deg) const;
+  PlateOrientation initial_plate(const std::optional<ReachSoFar>& so_far) const;
   Aim aim(const ReachState& state) const;
   PlateOrientation plan(const ReachState& state, const Aim& aim);
   void decide(const Decision& decision);
@@ -85,6 +87,8 @@ class PaperReach {
   Decision decision_;
   Finger finger_;
   PlateCommand command_;
+  std::int64_t samples_before_ = 0;
+  std::int64_t dropped_before_ = 0;
   std::int64_t saturated_steps_ = 0;  // without the last decision's
   std::int64_t rate_limited_steps_ = 0;
 };

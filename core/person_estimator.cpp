@@ -6,7 +6,6 @@
 
 #include "core/arrival.h"
 #include "core/exponential.h"
-#include "core/reach_control.h"
 
 namespace hrt {
 namespace {
@@ -88,7 +87,7 @@ bool PersonEstimator::observe(double time_s, const PlaceMm& position, const Plat
     const double moved_mm2 =
         square(std::max(least_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
     if (rested_ > 0 && count_ >= 3 && square_distance(mean_of_last(3), origin_) > moved_mm2) {
-      begin_motion(plate);
+      begin_motion();
       return catch_up(plate);
     }
     watch_rest();
@@ -207,7 +206,7 @@ void PersonEstimator::learn_noise() {
 
 // The motion has been seen. Its rate and evenness decide when it began, since the share of the path that lies
 // behind is known; the samples since the rest decide between them.
-void PersonEstimator::begin_motion(const PlateTrace&) {
+void PersonEstimator::begin_motion() {
   const double seen_s = recent(1).time_s;
   const PlaceMm seen = mean_of_last(3);
   const double travelled_mm = std::sqrt(square_distance(seen, origin_));

@@ -84,7 +84,7 @@ class PersonEstimator {
   bool store(double time_s, const PlaceMm& position);
   void watch_rest();
   void learn_noise();
-  void begin_motion(const PlateTrace& plate);
+  void begin_motion();
   bool catch_up(const PlateTrace& plate);
   bool take(const Sample& sample, const PlateTrace& plate);
   void take_paused(const Sample& sample);

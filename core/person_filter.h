@@ -93,7 +93,6 @@ class PersonFilter {
   Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
   double mean_speed_mm_s() const;
   double path_mm() const { return path_mm_; }
-  double virtual_direction_deg() const { return virtual_direction_deg_; }
 
   /// G at a share of the path, with the fast part at `wander_deg`.
   double goal_deg(double share, double wander_deg) const;
@@ -115,5 +114,7 @@ class PersonFilter {
 
 /// How the fast part of the goal decays.
 inline constexpr double wander_s = 0.3;
+/// Between plate and felt direction, in the person.
+inline constexpr double sensory_delay_s = 0.06;
 
 }  // namespace hrt

@@ -63,7 +63,8 @@ double within_stops(const PersonReachConfig& config, const Reach& reach) {
 
 }  // namespace
 
-PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach)
+PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
+                         const std::optional<ReachSoFar>& so_far)
     : config_(config),
       reach_(reach),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
@@ -71,9 +72,13 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach)
       frame_sd_deg_(frame_bearing_sd_deg(config.frame, reach.start, target_)),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
                  to_mm(reach.start), config.noise),
-      plate_(config.plate, within_stops(config, reach)),
-      limits_(limits_of(config, reach, within_stops(config, reach))) {
-  decision_.plate.orientation_deg = plate_.orientation_deg();
+      plate_(so_far ? so_far->plate : PlateModel(config.plate, within_stops(config, reach))),
+      limits_(limits_of(config, reach, plate_.orientation_deg())) {
+  decision_.plate.orientation_deg = so_far ? so_far->commanded_deg : plate_.orientation_deg();
+  if (so_far) {
+    counts_.samples = so_far->samples;
+    counts_.dropped_samples = so_far->dropped_samples;
+  }
   stand_ready();
   command_ = publish({}, 0.0, false);
 }
@@ -124,10 +129,11 @@ double PersonReach::speed_m_s() const {
 }
 
 PlateCommand PersonReach::update(const FingerSample& sample) {
-  if (counts_.samples++ == 0) origin_ns_ = sample.time_ns;
+  ++counts_.samples;
+  if (!origin_ns_) origin_ns_ = sample.time_ns;
   plate_.advance(sample.time_ns);
   if (sample.plate_orientation_deg) plate_.report(*sample.plate_orientation_deg);
-  const double now_s = seconds(sample.time_ns);
+  const double now_s = elapsed_s(*origin_ns_, sample.time_ns);
   seen_s_ = now_s;
   trace_.add(now_s, plate_.orientation_deg());
 
@@ -181,8 +187,7 @@ PersonReach::Decision PersonReach::decide(double now_s) {
   return {
       .plate = limits_.limit({plan.plate_deg + limits_.centre_deg() - reach_.virtual_direction_deg, bound},
                              plate_.orientation_deg()),
-      .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m),
-      .time_to_go_s = plan.time_to_go_s};
+      .predicted_miss_deg = atan2_deg(miss_share_ * plan.miss_mm, mm_per_m * reach_.real_distance_m)};
 }
 
 ReachAim PersonReach::aim() const {
@@ -196,8 +201,12 @@ ReachAim PersonReach::aim() const {
   return aim;
 }
 
-double PersonReach::seconds(std::int64_t time_ns) const {
-  return elapsed_s(origin_ns_, time_ns);
+// By the filter, which may stand at an earlier time.
+double PersonReach::time_to_go_s(double now_s) const {
+  const std::optional<PersonFilter> to_come = estimator_.to_come();
+  const PersonFilter::State& x = (to_come ? *to_come : estimator_.filter()).state();
+  const double left_s = (1.0 - x(PersonFilter::phase)) / exponential(x(PersonFilter::log_rate));
+  return std::max(0.0, left_s - (now_s - estimator_.time_s()));
 }
 
 // The largest gap less the one that is to be held, to first order in w, b, d and the frame's error.
@@ -257,7 +266,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .tactile_weight = linear.weight,
       .tactile_weight_sd = linear.weight_sd,
       .distance_to_go_m = to_go_m,
-      .time_to_go_s = ends ? 0.0 : decision_.time_to_go_s,
+      .time_to_go_s = begun && !ends ? time_to_go_s(now_s) : 0.0,
       .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
       .predicted_miss_deg = miss_deg,
       .bearing_error_sd_deg = bearing_error_sd_deg(),
@@ -302,7 +311,8 @@ ReachSummary PersonReach::summary() const {
   summary.final_direction_deg = command_.finger_direction_deg;
   summary.final_miss_deg = command_.finger_direction_deg - reach_.real_direction_deg;
   summary.perceived_direction_deg = command_.perceived_direction_deg;
-  summary.perceived_error_deg = command_.perceived_direction_deg - reach_.virtual_direction_deg;
+  summary.perceived_error_deg = command_.perceived_direction_deg - reach_.virtual_direction_deg -
+                                config_.person.mean(PersonTrait::bias);
   summary.distance_to_target_m = distance_m(ended, target_);
   summary.bearing_error_deg =
       begun ? wrap_deg(bearing_deg(reach_.start, ended) - reach_.real_direction_deg, 360.0) : 0.0;
@@ -327,6 +337,10 @@ ReachSummary PersonReach::summary() const {
                     .habit_sd_deg = sd(F::habit),
                     .duration_s = exponential(-filter.state()(F::log_rate))};
   return summary;
+}
+
+ReachSoFar PersonReach::so_far() const {
+  return {plate_, decision_.plate.orientation_deg, counts_.samples, counts_.dropped_samples};
 }
 
 std::optional<PersonBelief> PersonReach::learnt() const {

@@ -30,8 +30,9 @@ struct PersonReachConfig {
 /// No heap, no lock, no exception. One thread at a time.
 class PersonReach {
  public:
-  /// Requires valid arguments.
-  PersonReach(const PersonReachConfig& config, const Reach& reach);
+  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  PersonReach(const PersonReachConfig& config, const Reach& reach,
+              const std::optional<ReachSoFar>& so_far = std::nullopt);
 
   /// Takes one sample in, not before the last one's, of any observation but a direction.
   PlateCommand update(const FingerSample& sample);
@@ -48,6 +49,7 @@ class PersonReach {
   /// A position has been seen.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
+  ReachSoFar so_far() const;
 
   /// What the reach says of the person; none if it ended early, or did not fit the model.
   std::optional<PersonBelief> learnt() const;
@@ -56,7 +58,6 @@ class PersonReach {
   struct Decision {
     PlateOrientation plate;
     double predicted_miss_deg = 0.0;
-    double time_to_go_s = 0.0;
   };
   void stand_ready();
   bool observe(const FingerSample& sample, double time_s);
@@ -64,7 +65,7 @@ class PersonReach {
   PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
   void count(const PlateCommand& command, bool observed);
   ReachAim aim() const;
-  double seconds(std::int64_t time_ns) const;
+  double time_to_go_s(double now_s) const;
   bool can_be_held() const;
   double bearing_error_sd_deg() const;
 
@@ -90,7 +91,7 @@ class PersonReach {
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;
   std::int64_t counted_step_ = -1;
-  std::int64_t origin_ns_ = 0;
+  std::optional<std::int64_t> origin_ns_;  // time of the first sample
   std::optional<std::int64_t> position_ns_;
 };
 

@@ -8,9 +8,9 @@
 namespace hrt {
 namespace {
 
-// Motion with an acceleration limit is integrated in steps of this.
+// Motion with an acceleration limit is integrated in steps of this; over a long gap in no more than so many.
 constexpr std::int64_t tick_ns = 4'000'000;
-constexpr std::int64_t longest_motion_ns = 2'000'000'000;
+constexpr std::uint64_t most_ticks = 500;
 
 }  // namespace
 
@@ -30,11 +30,8 @@ void PlateModel::advance(std::int64_t time_ns) {
     if (pending_count_ > 0) pending_[0].effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
   }
   if (time_ns <= now_ns_) return;
-  if (elapsed_ns(now_ns_, time_ns) > static_cast<std::uint64_t>(longest_motion_ns)) {
-    if (pending_count_ > 0) target_deg_ = pending_[pending_count_ - 1].orientation_deg;
-    pending_count_ = 0;
-    now_ns_ = time_ns - longest_motion_ns;
-  }
+  const std::int64_t step_ns =
+      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns) / most_ticks));
   while (now_ns_ < time_ns) {
     int due = 0;
     while (due < pending_count_ && pending_[due].effective_ns <= now_ns_)
@@ -44,9 +41,9 @@ void PlateModel::advance(std::int64_t time_ns) {
     if (pending_count_ == 0 && orientation_deg_ == target_deg_) break;
     std::int64_t until_ns = time_ns;
     if (std::isfinite(dynamics_.max_acceleration_deg_s2))
-      until_ns = std::min(until_ns, later_ns(now_ns_, tick_ns));
+      until_ns = std::min(until_ns, later_ns(now_ns_, step_ns));
     if (pending_count_ > 0) until_ns = std::min(until_ns, pending_[0].effective_ns);
-    turn(static_cast<double>(until_ns - now_ns_) * 1e-9);
+    turn(elapsed_s(now_ns_, until_ns));
     now_ns_ = until_ns;
   }
   now_ns_ = time_ns;

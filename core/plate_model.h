@@ -26,8 +26,8 @@ class PlateModel {
   /// At rest at `orientation_deg`. Requires is_valid(dynamics).
   PlateModel(const PlateDynamics& dynamics, double orientation_deg);
 
-  /// Lets time pass until `time_ns`; earlier than now does nothing. A gap of more than two seconds counts
-  /// as two: any motion has ended by then.
+  /// Lets time pass until `time_ns`; earlier than now does nothing. The motion within a gap of more than two
+  /// seconds is integrated more coarsely.
   void advance(std::int64_t time_ns);
 
   /// Commands an orientation as of now.

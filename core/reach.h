@@ -8,6 +8,7 @@
 #include "core/participant.h"
 #include "core/plate_frame.h"
 #include "core/plate_limits.h"
+#include "core/plate_model.h"
 
 namespace hrt {
 
@@ -16,13 +17,21 @@ struct Reach {
   double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
   double virtual_direction_deg;        ///< theta_V, finite
   double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
-  PlatePoint start;                    ///< where the finger is before the reach
+  PlatePoint start;                    ///< where the finger rests until it moves
   double real_distance_m = 0.1;        ///< from the start to the real target, > 0
   double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
 };
 
 /// True if every field is in its range, for this participant.
 bool is_valid(const Reach& reach, const Participant& participant);
+
+/// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
+struct ReachSoFar {
+  PlateModel plate;
+  double commanded_deg;
+  std::int64_t samples;
+  std::int64_t dropped_samples;
+};
 
 /// A command for the plate, with its reasons.
 struct PlateCommand {
@@ -33,11 +42,11 @@ struct PlateCommand {
   double tactile_weight = 0.0;     ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;  ///< its standard deviation; 0 without adaptation
   double distance_to_go_m = 0.0;   ///< to the real target's place; the whole until a position is seen
-  double time_to_go_s = 0.0;       ///< until the motion ends; 0 if no positions are streamed
+  double time_to_go_s = 0.0;       ///< until the motion ends; 0 before it, and under the paper's controller
   double felt_error_deg = 0.0;     ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
-  /// start: by the filter and by the registration of the plate; 0 if no positions are streamed.
+  /// start: by the filter and by the registration of the plate; 0 under the paper's controller.
   double bearing_error_sd_deg = 0.0;
   double nis = 0.0;        ///< normalised innovation squared of recent positions; 2 is expected
   std::int64_t step = -1;  ///< model step; -1 before the finger moves
@@ -78,7 +87,7 @@ struct ReachSummary {
   double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
   double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
   double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
-  double perceived_error_deg = 0.0;      ///< perceived_direction_deg - theta_V
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
   double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
   double bearing_error_deg = 0.0;     ///< of the last position from the start, less P_R; 0 without positions
   double bearing_error_sd_deg = 0.0;  ///< as in the last PlateCommand

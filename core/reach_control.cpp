@@ -123,7 +123,6 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
-  const double moves_s = (1.0 - filter.state()(F::phase)) / exponential(filter.state()(F::log_rate));
   const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
   // At rest nothing is felt: the plate stands for the motion to come.
   const double mean_mm_s = filter.mean_speed_mm_s();
@@ -134,7 +133,6 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,
-          .time_to_go_s = std::max(0.0, moves_s - (outlook.now_s - filter_s)),
           .at_bound = given_deg != shift_deg};
 }
 

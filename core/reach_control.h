@@ -46,8 +46,7 @@ struct ReachPlan {
   double plate_deg;       ///< wanted orientation of the ridge normal
   double felt_error_deg;  ///< felt less intended direction once the plate stands there
   double miss_mm;  ///< across the line to the real target at arrival, left positive, if the plate does so
-  double time_to_go_s;
-  bool at_bound;  ///< more shift is wanted than the plate may give
+  bool at_bound;   ///< more shift is wanted than the plate may give
 };
 
 /// Plans from `filter`, which stands at `filter_s` <= outlook.now_s. No heap, no lock, no exception.
@@ -57,8 +56,5 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
 /// Where the plate should stand before the person moves.
 double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting,
                              const ReachAim& aim);
-
-/// Between plate and felt direction, in the person.
-inline constexpr double sensory_delay_s = 0.06;
 
 }  // namespace hrt

@@ -8,8 +8,10 @@
 namespace hrt {
 namespace {
 
-// Prediction is capped: after 2 s the position is unknown anyway.
+// Prediction is capped: after 2 s without a sample the position is unknown anyway.
 constexpr double longest_gap_s = 2.0;
+// A finger slower than this rests.
+constexpr double rest_speed_m_s = 0.004;
 
 }  // namespace
 
@@ -88,6 +90,7 @@ ReachState ReachEstimator::state(const FingerEstimate& finger, Observation obser
 void ReachEstimator::start(std::int64_t time_ns, const PlatePoint& place) {
   clock_.start(time_ns);
   now_ns_ = time_ns;
+  paused_ = false;
   sampled_ = true;
   estimator_.rest_at(place);
 }
@@ -99,7 +102,9 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   }
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
-    estimator_.move(std::min(static_cast<double>(elapsed_ns(now_ns_, until_ns)) * 1e-9, longest_gap_s));
+    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), longest_gap_s - unseen_s_);
+    estimator_.move(passed_s);
+    unseen_s_ += passed_s;
     now_ns_ = until_ns;
   };
   if (paused_) {
@@ -130,11 +135,13 @@ Observation ReachEstimator::take(const FingerSample& sample, PlateModel& plate) 
       return Observation::none;
     case Observation::lifted:
       paused_ = true;
+      onset_ = Onset(averaged_onset);  // it may be set down elsewhere
       return Observation::none;
     case Observation::direction:
       if (!clock_.started()) start(sample.time_ns, start_);
       paused_ = false;
       sampled_ = true;
+      unseen_s_ = 0.0;
       estimator_.observe_direction(sample.direction_deg);
       return Observation::direction;
     case Observation::position:
@@ -166,6 +173,7 @@ Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel
     return Observation::none;
   }
   sampled_ = true;
+  unseen_s_ = 0.0;
   return Observation::position;
 }
 

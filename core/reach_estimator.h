@@ -65,10 +65,8 @@ class ReachEstimator {
   FingerEstimate estimate() const { return estimator_.estimate(); }
   const std::optional<PlatePoint>& place() const { return place_; }
 
-  /// A finger slower than this rests.
-  static constexpr double rest_speed_m_s = 0.004;
-
  private:
+  static constexpr bool averaged_onset = true;
   void start(std::int64_t time_ns, const PlatePoint& place);
   void advance(std::int64_t time_ns, PlateModel& plate);
   void end_step(double plate_orientation_deg);
@@ -80,7 +78,7 @@ class ReachEstimator {
   Participant participant_;
   double goal_direction_deg_;
   PlatePoint start_;
-  Onset onset_;
+  Onset onset_{averaged_onset};
   Estimator estimator_;
   StepClock clock_;
   GainWindow gains_;
@@ -88,6 +86,7 @@ class ReachEstimator {
   std::optional<PlatePoint> place_;
   std::optional<std::int64_t> position_ns_;  // of the last position
   std::int64_t now_ns_ = 0;                  // of the estimator
+  double unseen_s_ = 0.0;                    // that it has moved on since the last sample
   bool paused_ = false;                      // the finger rests or is lifted
   bool sampled_ = false;                     // in the step under way
   bool missed_ = false;                      // the step before had no sample

@@ -68,46 +68,61 @@ bool is_valid(const RetargeterConfig& config) {
 Retargeter::Retargeter(RetargeterConfig config) : config_(std::move(config)) {}
 
 void Retargeter::begin(const Reach& reach) {
+  begin(reach, std::nullopt);
+}
+
+void Retargeter::begin_here(const Reach& reach) {
+  begin(reach, so_far());
+}
+
+void Retargeter::begin(const Reach& reach, const std::optional<ReachSoFar>& so_far) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
-  person_.reset();
-  paper_.reset();
   if (config_.mode == ControlMode::reach) {
-    person_.emplace(person_config(config_), reach);
+    leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, so_far);
   } else {
-    paper_.emplace(paper_config(config_), reach);
+    leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, so_far);
   }
 }
 
 PlateCommand Retargeter::update(const FingerSample& sample) {
-  if (person_ && sample.observation == Observation::direction && !person_->seen()) lead_by_directions();
-  return person_ ? person_->update(sample) : paper_->update(sample);
+  const auto* person = std::get_if<PersonReach>(&*leader_);
+  if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
+  return std::visit([&](auto& leader) { return leader.update(sample); }, *leader_);
 }
 
 PlateCommand Retargeter::step(double finger_direction_deg) {
-  if (person_) lead_by_directions();
-  return paper_->step(finger_direction_deg);
+  if (leads_person()) lead_by_directions();
+  return std::get_if<PaperReach>(&*leader_)->step(finger_direction_deg);
 }
 
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
-  if (person_) {
-    person_->retarget(real, reach_);
-  } else {
-    paper_->retarget(real, reach_);
-  }
+  std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
   return reach_;
+}
+
+PlateCommand Retargeter::command() const {
+  return std::visit([](const auto& leader) { return leader.command(); }, *leader_);
+}
+
+ReachSummary Retargeter::summary() const {
+  return std::visit([](const auto& leader) { return leader.summary(); }, *leader_);
+}
+
+std::optional<PersonBelief> Retargeter::learnt() const {
+  return leads_person() ? std::get_if<PersonReach>(&*leader_)->learnt() : std::nullopt;
 }
 
 // The person feels that they go straight for the virtual target, whatever the plate has made of it.
 Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place) {
   Reach seen = reach_;
-  seen.start = (person_ ? person_->place() : paper_->place()).value_or(reach_.start);
+  seen.start = std::visit([](const auto& leader) { return leader.place(); }, *leader_).value_or(reach_.start);
   const double passed_m = distance_m(passed_, seen.start);
   const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_m);
   // They turn to the target as they see it once they answer.
-  const PlatePoint answers_from =
-      point_ahead(felt, reach_.virtual_direction_deg, person_ ? answer_s * person_->speed_m_s() : 0.0);
+  const double speed_m_s = std::visit([](const auto& leader) { return leader.speed_m_s(); }, *leader_);
+  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, answer_s * speed_m_s);
   if (passed_m > least_leg_m) {
     passed_ = seen.start;
     felt_passed_ = felt;
@@ -122,12 +137,14 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   return seen;
 }
 
+// Before a first sample no command has been returned: the plate stands where it stood.
+std::optional<ReachSoFar> Retargeter::so_far() const {
+  const ReachSoFar so_far = std::visit([](const auto& leader) { return leader.so_far(); }, *leader_);
+  return so_far.samples > 0 ? std::optional(so_far) : std::nullopt;
+}
+
 void Retargeter::lead_by_directions() {
-  // Before a first sample no command has been returned: the plate stands where it stood.
-  std::optional<double> commanded_deg;
-  if (person_->summary().samples > 0) commanded_deg = person_->command().plate_orientation_deg;
-  paper_.emplace(paper_config(config_), reach_, commanded_deg);
-  person_.reset();
+  leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach_, so_far());
 }
 
 }  // namespace hrt

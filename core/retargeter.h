@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 
 #include "core/paper_reach.h"
 #include "core/person_reach.h"
@@ -46,6 +47,10 @@ class Retargeter {
   /// Starts a reach anew. Requires is_valid(reach, config.participant).
   void begin(const Reach& reach);
 
+  /// The reach starts elsewhere, where the finger is seen for the first time: anew, but plate and samples run
+  /// on. Requires begin(), is_valid(reach, config.participant).
+  void begin_here(const Reach& reach);
+
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must
   /// not be before the last one's. However long the gap, at most StepClock::max_catch_up_steps are predicted.
   PlateCommand update(const FingerSample& sample);
@@ -61,16 +66,18 @@ class Retargeter {
   PlateCommand step(double finger_direction_deg);
 
   /// The last one; begin()'s before the first sample. Requires begin().
-  PlateCommand command() const { return person_ ? person_->command() : paper_->command(); }
+  PlateCommand command() const;
   /// Requires begin().
-  ReachSummary summary() const { return person_ ? person_->summary() : paper_->summary(); }
+  ReachSummary summary() const;
   /// The reach is led by the controller for people.
-  bool leads_person() const { return person_.has_value(); }
+  bool leads_person() const { return leader_ && std::holds_alternative<PersonReach>(*leader_); }
   /// The belief about the person, for carried(); none if the reach ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
-  std::optional<PersonBelief> learnt() const { return person_ ? person_->learnt() : std::nullopt; }
+  std::optional<PersonBelief> learnt() const;
 
  private:
+  void begin(const Reach& reach, const std::optional<ReachSoFar>& so_far);
+  std::optional<ReachSoFar> so_far() const;
   void lead_by_directions();
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
 
@@ -79,9 +86,8 @@ class Retargeter {
   // Where the finger was then or later, and where the person felt that it was.
   PlatePoint passed_;
   PlatePoint felt_passed_;
-  // Of a reach one of the two: the paper's controller takes over if directions are streamed.
-  std::optional<PersonReach> person_;
-  std::optional<PaperReach> paper_;
+  // The paper's controller takes over if directions are streamed. None before begin().
+  std::optional<std::variant<PersonReach, PaperReach>> leader_;
 };
 
 }  // namespace hrt

@@ -163,7 +163,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
   Reach reach = reach_;
   reach.plate_orientation_deg = plate_orientation_deg_;
   HRT_RETURN_IF_FAILED(aim(pair_, finger, &reach));
-  retargeter_.begin(reach);
+  retargeter_.begin_here(reach);
   start_ = finger;
   reach_ = reach;
   registration_poor_ = is_registration_poor(config_, reach_);
@@ -183,6 +183,7 @@ hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) 
   };
   pair_ = pair;
   reach_ = retargeter_.retarget(place(pair.real), place(pair.virtual_target));
+  registration_poor_ = is_registration_poor(config_, from_start);
   return HRT_OK;
 }
 

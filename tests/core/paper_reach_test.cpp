@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
@@ -280,6 +281,61 @@ TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
     EXPECT_EQ(command.plate_orientation_deg, 12.5);
     EXPECT_EQ(command.step, -1);
   }
+}
+
+// Ten seconds at rest; then, after a lift, 15 mm aside.
+TEST(PaperReach, NoiseStartsNoReach) {
+  int started = 0;
+  for (const double noise_m : {0.0003, 0.0012}) {
+    for (const double known_m : {0.0, noise_m}) {
+      for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        PaperReach led({.estimator = {.tracker_noise_m = known_m}},
+                       {.real_direction_deg = -5, .virtual_direction_deg = 5});
+        Draws draws(seed, 0, 0, 0);
+        for (int i = 0; i < 1000; ++i) {
+          const double right_m = i < 900 ? 0.0 : 0.015;
+          FingerSample sample =
+              position(i * 10 * ms, {right_m + noise_m * draws.normal(), noise_m * draws.normal()});
+          if (i >= 895 && i < 900) sample.observation = Observation::lifted;
+          if (led.update(sample).step < 0) continue;
+          ++started;
+          break;
+        }
+      }
+    }
+  }
+  EXPECT_LE(started, 1) << "of 200";
+}
+
+// A lift and a dropout before the motion are the same to the clock.
+TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
+  std::vector<std::int64_t> steps;
+  for (const Observation before : {Observation::none, Observation::lifted}) {
+    PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
+    for (int i = 0; i < 20; ++i) led.update({.time_ns = i * 10 * ms, .observation = before});
+    int step_one = 0;
+    for (int i = 20; step_one == 0 && i < 200; ++i)
+      if (led.update(position(i * 10 * ms, {0.0, 0.0005 * std::max(0, i - 60)})).step == 1) step_one = i;
+    steps.push_back(step_one);
+  }
+  EXPECT_GT(steps[0], 60);
+  EXPECT_EQ(steps[0], steps[1]);
+}
+
+// 33 mm/s for two seconds; not for all of the ten that nobody sees.
+TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
+  PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_m = 1.0});
+  int i = 0;
+  for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.00033 * std::max(0, i - 50)}));
+  const double seen_m = led.command().distance_to_go_m;
+  for (; i < 1150; ++i) led.update({.time_ns = i * 10 * ms});
+  EXPECT_NEAR(seen_m - led.command().distance_to_go_m, 2.0 * 0.033, 0.01);
+}
+
+TEST(PaperReach, ASummarySaysThatTheGapCannotBeHeld) {
+  PaperReach led({}, {.real_direction_deg = -15, .virtual_direction_deg = 15});
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(led.update(direction(i * 100 * ms, 0.0)).unreachable);
+  EXPECT_TRUE(led.summary().unreachable);
 }
 
 }  // namespace

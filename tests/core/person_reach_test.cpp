@@ -100,7 +100,28 @@ TEST(PersonReach, BringsPeopleToTheRealTarget) {
 TEST(PersonReach, TimeToGoIsWhatTheMotionTakes) {
   Trial trial(linear_person(0.25, 2.0));
   trial.run_for(1200);
-  EXPECT_NEAR(trial.last.time_to_go_s, 0.8, 0.25);
+  const double to_go_s = trial.last.time_to_go_s;
+  EXPECT_NEAR(to_go_s, 0.8, 0.25);
+  // It passes in a dropout too.
+  const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
+  EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
+}
+
+TEST(PersonReach, TimeToGoIsKnownOnceTheMotionIsSeen) {
+  Trial trial(linear_person(0.25, 2.0));
+  EXPECT_EQ(trial.last.time_to_go_s, 0.0);
+  while (trial.last.step < 0) trial.run_for(10);
+  EXPECT_GT(trial.last.time_to_go_s, 0.5);
+}
+
+// The person goes for 5 + 3 degrees, and feels so.
+TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
+  Person person = linear_person();
+  person.bias_deg = 3.0;
+  Trial trial(person, {.person = known_person(0.25, 3.0)});
+  trial.run_for(5000);
+  EXPECT_NEAR(trial.reach.summary().perceived_error_deg, trial.reach.summary().perceived_direction_deg - 8.0,
+              1e-12);
 }
 
 TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {

@@ -127,5 +127,21 @@ TEST(PlateModel, InvalidDynamicsAreRecognised) {
   EXPECT_FALSE(is_valid(PlateDynamics{.stops = {-80.0, 80.0}}));
 }
 
+// A half turn at 30 degrees a second takes six seconds, seen or not.
+TEST(PlateModel, TurnsOnThroughAGap) {
+  for (const double acceleration_deg_s2 : {std::numeric_limits<double>::infinity(), 600.0}) {
+    PlateModel plate({.max_speed_deg_s = 30.0, .max_acceleration_deg_s2 = acceleration_deg_s2}, 0.0);
+    plate.advance(0);
+    plate.command(180.0);
+    plate.advance(4'000'000'000);
+    EXPECT_NEAR(plate.orientation_deg(), 120.0, 1.0);
+    plate.advance(9'000'000'000);
+    EXPECT_NEAR(plate.orientation_deg(), 180.0, 1e-6);
+    plate.command(0.0);
+    plate.advance(std::numeric_limits<std::int64_t>::max());
+    EXPECT_NEAR(plate.orientation_deg(), 0.0, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace hrt

@@ -39,15 +39,25 @@ TEST(Retargeter, PositionsAreLedByTheControllerForPeople) {
   EXPECT_TRUE(retargeter.leads_person()) << "a position has been seen";
 }
 
-// Before a sample the plate stands where it stood; after one it was commanded to what suits a person.
+// Before a sample the plate stands where it stood; after one it is under way to what suits a person.
 TEST(Retargeter, DirectionsAreLedByThePapersController) {
+  const PlateDynamics plate{.max_speed_deg_s = 100.0, .latency_ns = 30 * ms};
   for (const bool commanded : {false, true}) {
-    Retargeter retargeter({.mode = ControlMode::reach});
+    Retargeter retargeter({.mode = ControlMode::reach, .plate = plate});
     retargeter.begin(reach);
-    const double ready_deg = retargeter.command().plate_orientation_deg;
-    EXPECT_NE(ready_deg, 20.0);
-    if (commanded) retargeter.update({.time_ns = -100 * ms});
-    PaperReach paper({}, reach, commanded ? std::optional(ready_deg) : std::nullopt);
+    EXPECT_NE(retargeter.command().plate_orientation_deg, 20.0);
+    std::optional<ReachSoFar> so_far;
+    if (commanded) {
+      PersonReach person({.person = unknown_person(), .plate = plate}, reach);
+      for (const int early : {200, 100, 50}) {
+        retargeter.update({.time_ns = -early * ms});
+        person.update({.time_ns = -early * ms});
+      }
+      so_far = person.so_far();
+      EXPECT_NEAR(std::abs(so_far->plate.orientation_deg() - 20.0), 12.0, 1e-9)
+          << "150 ms less 30, at 100 deg/s";
+    }
+    PaperReach paper({.plate = plate}, reach, so_far);
     for (int i = 0; i < 10; ++i) {
       const PlateCommand command = retargeter.update(direction(i));
       EXPECT_FALSE(retargeter.leads_person());
@@ -55,7 +65,33 @@ TEST(Retargeter, DirectionsAreLedByThePapersController) {
       EXPECT_EQ(command.finger_direction_deg, 0.5 * i);
     }
     EXPECT_EQ(retargeter.summary().final_direction_deg, 4.5);
+    EXPECT_EQ(retargeter.summary().samples, commanded ? 13 : 10);
+    EXPECT_EQ(retargeter.summary().dropped_samples, commanded ? 3 : 0);
     EXPECT_FALSE(retargeter.learnt());
+  }
+}
+
+// The finger is seen elsewhere than the reach was to start: plate and samples run on.
+TEST(Retargeter, AReachThatStartsElsewhereKeepsThePlateUnderWay) {
+  for (const ControlMode mode : {ControlMode::reach, ControlMode::mpc}) {
+    Retargeter retargeter({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
+    retargeter.begin(reach);
+    retargeter.begin_here(reach);
+    EXPECT_EQ(retargeter.summary().samples, 0);
+    const double ready_deg = retargeter.command().plate_orientation_deg;
+    for (int i = 0; i < 3; ++i) retargeter.update({.time_ns = i * 50 * ms});
+    Reach elsewhere = reach;
+    elsewhere.start = {0.01, 0.0};
+    elsewhere.plate_orientation_deg = ready_deg;  // commanded, and not yet there
+    retargeter.begin_here(elsewhere);
+    EXPECT_EQ(retargeter.summary().samples, 3);
+    EXPECT_EQ(retargeter.summary().dropped_samples, 3);
+    // A model that took the plate for there would not feel it turn.
+    const double felt_deg = retargeter.update({.time_ns = 100 * ms}).perceived_direction_deg;
+    Retargeter there({.mode = mode, .plate = {.max_speed_deg_s = 100.0}});
+    there.begin(elsewhere);
+    const double felt_there_deg = there.update({.time_ns = 100 * ms}).perceived_direction_deg;
+    EXPECT_EQ(std::abs(felt_deg - felt_there_deg) > 1.0, mode == ControlMode::reach);
   }
 }
 

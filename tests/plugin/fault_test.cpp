@@ -20,7 +20,6 @@ ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, con
   return {.plate_deg = value,
           .felt_error_deg = value,
           .miss_mm = value,
-          .time_to_go_s = value,
           .at_bound = false};
 }
 

@@ -414,6 +414,32 @@ TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
   EXPECT_EQ(lines.size(), 1u);
 }
 
+// 1 mm to the side is 0.6 degrees of a target 100 mm off, and 1.9 of one 30 mm off.
+TEST_F(RegisteredReachTest, AMovedTargetIsCheckedAnew) {
+  hrt_session_config config = turned_by(1.0);
+  config.plate_covariance[0] = 0.0;
+  config.plate_covariance[2] = 1e-6;
+  config.max_registration_sd_deg = 1.0;
+  create(config);
+  const auto add_ahead = [&](std::uint32_t role, double forward_m) {
+    hrt_target_config ahead = target_config(role, 0.0);
+    ahead.place = HRT_PLACE_PLATE_POSITION;
+    ahead.position_m[2] = -forward_m;
+    hrt_target target{};
+    EXPECT_OK(hrt_target_add(session, &ahead, &target));
+    return target;
+  };
+  hrt_reach_config reach = hrt_reach_config_init();
+  reach.real_target = add_ahead(HRT_TARGET_REAL, 0.1);
+  reach.virtual_target = add_ahead(HRT_TARGET_VIRTUAL, 0.1);
+  ASSERT_OK(hrt_reach_begin(session, &reach));
+  EXPECT_EQ(update(position_sample(0, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
+  ASSERT_OK(hrt_reach_retarget(session, add_ahead(HRT_TARGET_REAL, 0.03), reach.virtual_target));
+  EXPECT_NE(update(position_sample(10'000'000, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
+  ASSERT_OK(hrt_reach_retarget(session, reach.real_target, reach.virtual_target));
+  EXPECT_EQ(update(position_sample(20'000'000, 0.0, 0.0)).flags & HRT_COMMAND_REGISTRATION, 0u);
+}
+
 // Seen from a start further back than configured, the same frame turns the target by more.
 TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
   hrt_session_config config = turned_by(1.0);
