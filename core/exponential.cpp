@@ -30,6 +30,11 @@ double exponential(double x) {
   return sum * power_of_two(static_cast<int>(doublings));
 }
 
+double hyperbolic_tangent(double x) {
+  const double e = exponential(-2.0 * std::abs(x));
+  return std::copysign((1.0 - e) / (1.0 + e), x);
+}
+
 double logarithm(double x) {
   int exponent = 0;
   double m = std::frexp(x, &exponent);  // in [0.5, 1)

@@ -11,11 +11,6 @@ namespace {
 
 constexpr double sine_scale_deg = 45.0;
 
-double hyperbolic_tangent(double x) {
-  const double e = exponential(-2.0 * std::abs(x));
-  return std::copysign((1.0 - e) / (1.0 + e), x);
-}
-
 }  // namespace
 
 int curve_parameters(CurveFamily family) {

@@ -20,11 +20,6 @@ PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double r
   return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
 }
 
-// No plate stands beyond its stops.
-double within(const PlateStops& stops, double orientation_deg) {
-  return std::clamp(orientation_deg, stops.lower_deg, stops.upper_deg);
-}
-
 bool is_saturated(ActiveBound active) {
   return active == ActiveBound::lower || active == ActiveBound::upper;
 }
@@ -45,7 +40,7 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
                  config.mpc.horizon + max_lead),
       control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
       plate_(so_far ? so_far->plate
-                    : PlateModel(config.plate, within(config.plate.stops, reach.plate_orientation_deg))),
+                    : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_,
                         plate_.orientation_deg())),
       decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(so_far)},

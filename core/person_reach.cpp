@@ -57,10 +57,6 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
   return {stops, goal_deg, config.control.bound_deg, holding_deg, stands_deg};
 }
 
-double within_stops(const PersonReachConfig& config, const Reach& reach) {
-  return std::clamp(reach.plate_orientation_deg, config.plate.stops.lower_deg, config.plate.stops.upper_deg);
-}
-
 }  // namespace
 
 PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
@@ -72,7 +68,8 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
       frame_sd_deg_(frame_bearing_sd_deg(config.frame, reach.start, target_)),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
                  to_mm(reach.start), config.noise),
-      plate_(so_far ? so_far->plate : PlateModel(config.plate, within_stops(config, reach))),
+      plate_(so_far ? so_far->plate
+                    : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, reach, plate_.orientation_deg())) {
   decision_.plate.orientation_deg = so_far ? so_far->commanded_deg : plate_.orientation_deg();
   if (so_far) {

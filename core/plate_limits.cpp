@@ -27,6 +27,10 @@ bool is_valid(const PlateStops& stops) {
   return !std::isnan(stops.lower_deg) && stops.upper_deg - stops.lower_deg >= 180.0;
 }
 
+double clamped(double orientation_deg, const PlateStops& stops) {
+  return std::clamp(orientation_deg, stops.lower_deg, stops.upper_deg);
+}
+
 double ridge_normal_deg(double plate_orientation_deg, double goal_direction_deg) {
   const double offset_deg = plate_orientation_deg - goal_direction_deg;
   // A command on a bound of 90 may be a rounding error beyond it; it must not turn into the other bound.

@@ -17,6 +17,9 @@ struct PlateStops {
 /// True if every field is in its range.
 bool is_valid(const PlateStops& stops);
 
+/// No plate stands beyond its stops.
+double clamped(double orientation_deg, const PlateStops& stops);
+
 /// The limit that holds an orientation: a bound about the virtual direction, a stop, or the rate bound.
 enum class ActiveBound : std::int8_t { none, lower, upper, rate_down, rate_up };
 

@@ -5,11 +5,10 @@
 #include <cmath>
 
 #include "core/median.h"
-#include "core/onset.h"
 #include "core/plate_limits.h"
+#include "core/slide_onset.h"
 #include "core/time.h"
 #include "core/trigonometry.h"
-#include "core/variance_fit.h"
 
 namespace hrt {
 namespace {
@@ -87,38 +86,30 @@ double smooth_along_m(const std::vector<Place>& places, double time_s, std::size
 }  // namespace
 
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg) {
-  if (trial.samples.size() < 8) return std::nullopt;
   const std::vector<bool> keep = plausible(trial.samples);
   std::vector<TimedPoint> samples;
   for (std::size_t i = 0; i < trial.samples.size(); ++i)
     if (keep[i]) samples.push_back(trial.samples[i]);
-  if (samples.size() < 8) return std::nullopt;
-
-  Onset onset;
-  const double noise_m = learn_noise_m(samples);
-  const auto seen = std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& sample) {
-    return onset.observe(sample.time_ns, sample.position, noise_m);
-  });
-  if (seen == samples.end()) return std::nullopt;
+  const std::optional<SlideOnset> onset = find_onset(samples);
+  if (!onset) return std::nullopt;
 
   const double sine = sin_deg(goal_direction_deg);
   const double cosine = cos_deg(goal_direction_deg);
-  const std::int64_t start_ns = onset.time_ns();
   std::vector<Place> places;
   for (const TimedPoint& sample : samples) {
-    if (sample.time_ns < start_ns) continue;
+    if (sample.time_ns < onset->time_ns) continue;
     // The slide is over where the tracker was away for long.
-    const double time_s = elapsed_s(start_ns, sample.time_ns);
+    const double time_s = elapsed_s(onset->time_ns, sample.time_ns);
     if (!places.empty() && time_s - places.back().time_s > most_gap_s) break;
-    const double right_m = sample.position.right_m - onset.place().right_m;
-    const double away_m = sample.position.away_m - onset.place().away_m;
+    const double right_m = sample.position.right_m - onset->place.right_m;
+    const double away_m = sample.position.away_m - onset->place.away_m;
     places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
   }
   if (places.size() < 6) return std::nullopt;
 
   SlideTrack track;
   track.plate_deg = ridge_normal_deg(trial.plate_orientation_deg, goal_direction_deg) - goal_direction_deg;
-  track.onset_ns = start_ns;
+  track.onset_ns = onset->time_ns;
   const double duration_s = places.back().time_s;
   track.step_s = std::max(least_step_s, duration_s / steps_a_slide);
   const auto count = static_cast<std::size_t>(duration_s / track.step_s);

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "core/estimator.h"
-#include "core/onset.h"
 #include "core/perception.h"
 #include "core/plate_limits.h"
+#include "core/slide_onset.h"
 #include "core/step_clock.h"
 
 namespace hrt {
@@ -23,38 +23,31 @@ constexpr double most_surprise = 25.0;
 struct Slide {
   const CalibrationTrial* trial;
   std::size_t moving;
-  std::int64_t start_ns;
-  PlatePoint start;
+  SlideOnset onset;
 };
 
 std::optional<Slide> find_slide(const CalibrationTrial& trial) {
-  if (trial.samples.size() < 8) return std::nullopt;
-  Onset onset;
-  const double noise_m = learn_noise_m(trial.samples);
-  std::size_t i = 0;
-  while (i < trial.samples.size() &&
-         !onset.observe(trial.samples[i].time_ns, trial.samples[i].position, noise_m))
-    ++i;
-  if (i == trial.samples.size()) return std::nullopt;
-  if (distance_m(onset.place(), trial.samples.back().position) < least_slide_m) return std::nullopt;
-  while (i > 0 && trial.samples[i - 1].time_ns > onset.time_ns()) --i;
-  return Slide{&trial, i, onset.time_ns(), onset.place()};
+  const std::optional<SlideOnset> onset = find_onset(trial.samples);
+  if (!onset || distance_m(onset->place, trial.samples.back().position) < least_slide_m) return std::nullopt;
+  const auto moving = std::find_if(trial.samples.begin(), trial.samples.end(),
+                                   [&](const TimedPoint& sample) { return sample.time_ns > onset->time_ns; });
+  return Slide{&trial, static_cast<std::size_t>(moving - trial.samples.begin()), *onset};
 }
 
 // The log-likelihood of a slide's positions under a participant, by the estimator's innovations.
 double log_likelihood(const Slide& slide, const Participant& participant, double goal_deg, double noise_m,
                       std::int64_t period_ns) {
-  Estimator estimator({.tracker_noise_m = noise_m}, participant, goal_deg, slide.start);
+  Estimator estimator({.tracker_noise_m = noise_m}, participant, goal_deg, slide.onset.place);
   GainWindow gains(participant, 1);
   double sum = 0.0;
-  std::int64_t now_ns = slide.start_ns;
+  std::int64_t now_ns = slide.onset.time_ns;
   const auto move_to = [&](std::int64_t until_ns) {
-    estimator.move(static_cast<double>(elapsed_ns(now_ns, until_ns)) * 1e-9);
+    estimator.move(elapsed_s(now_ns, until_ns));
     now_ns = until_ns;
   };
   const double plate_deg = ridge_normal_deg(slide.trial->plate_orientation_deg, goal_deg);
   StepClock clock(period_ns);
-  clock.start(slide.start_ns);
+  clock.start(slide.onset.time_ns);
   for (std::size_t i = slide.moving; i < slide.trial->samples.size(); ++i) {
     const TimedPoint& sample = slide.trial->samples[i];
     clock.advance(sample.time_ns, [&](std::int64_t end_ns) {
@@ -96,12 +89,6 @@ Interval likeliest(const std::array<double, n>& values, const std::array<double,
 }
 
 }  // namespace
-
-double learn_noise_m(std::span<const TimedPoint> samples) {
-  Estimator estimator({}, Participant{}, 0.0, {});
-  for (const TimedPoint& sample : samples) estimator.learn_tracker_noise(sample.time_ns, sample.position);
-  return estimator.estimate().tracker_noise_m;
-}
 
 Variances fit_variances(std::span<const CalibrationTrial* const> trials, double goal_deg,
                         double tactile_weight, double tracker_noise_m, std::int64_t step_period_ns) {

@@ -21,7 +21,4 @@ struct Variances {
 Variances fit_variances(std::span<const CalibrationTrial* const> trials, double goal_deg,
                         double tactile_weight, double tracker_noise_m, std::int64_t step_period_ns);
 
-/// The standard deviation of a coordinate, from how each sample departs from the line through its neighbours.
-double learn_noise_m(std::span<const TimedPoint> samples);
-
 }  // namespace hrt

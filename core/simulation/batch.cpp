@@ -48,9 +48,6 @@ class DrawingThreads {
   std::vector<std::thread> threads_;
 };
 
-constexpr double units_per_deg = 0x1p20;
-// 2^32 trials of at most this many units keep the sum within 63 bits.
-constexpr double largest_deg = 1000.0;
 // Trials that a thread takes at a time: short enough for progress and for even work on all cores.
 constexpr std::uint32_t chunk_trials = 4096;
 
@@ -113,43 +110,6 @@ BatchResult run_trials(const BatchJob& job, const std::optional<TrialTable>& tab
 }
 
 }  // namespace
-
-void AngleSums::add(double angle_deg) {
-  // Written so that a NaN counts as a miss of the largest size.
-  const double clamped_deg =
-      angle_deg >= largest_deg ? largest_deg : (angle_deg > -largest_deg ? angle_deg : -largest_deg);
-  const auto units =
-      static_cast<std::int64_t>(clamped_deg * units_per_deg + (clamped_deg < 0.0 ? -0.5 : 0.5));
-  const auto square = static_cast<std::uint64_t>(units * units);
-  sum_ += units;
-  squares_low_ += square;
-  squares_high_ += squares_low_ < square ? 1 : 0;
-}
-
-void AngleSums::add(AngleSums other) {
-  sum_ += other.sum_;
-  squares_low_ += other.squares_low_;
-  squares_high_ += other.squares_high_ + (squares_low_ < other.squares_low_ ? 1 : 0);
-}
-
-double AngleSums::mean_deg(std::uint64_t count) const {
-  return static_cast<double>(sum_) / units_per_deg / static_cast<double>(count);
-}
-
-double AngleSums::rms_deg(std::uint64_t count) const {
-  const double squares = static_cast<double>(squares_high_) * 0x1p64 + static_cast<double>(squares_low_);
-  return std::sqrt(squares / static_cast<double>(count)) / units_per_deg;
-}
-
-BatchResult& BatchResult::operator+=(const BatchResult& other) {
-  trials += other.trials;
-  hits += other.hits;
-  steps += other.steps;
-  saturated_steps += other.saturated_steps;
-  miss.add(other.miss);
-  felt_error.add(other.felt_error);
-  return *this;
-}
 
 std::vector<BatchResult> run_batch(std::span<const BatchJob> jobs, std::uint64_t seed,
                                    const BatchOptions& options) {

@@ -9,51 +9,10 @@
 #include <span>
 #include <vector>
 
+#include "core/simulation/batch_result.h"
 #include "core/simulation/trial.h"
 
 namespace hrt {
-
-/// Sum and sum of squares of angles, in integers, so that it does not matter in which order they are added.
-class AngleSums {
- public:
-  /// Adds one angle, rounded to 2^-20 degrees and clamped to +-1000.
-  void add(double angle_deg);
-  void add(AngleSums other);
-
-  /// Mean over `count` angles, > 0.
-  double mean_deg(std::uint64_t count) const;
-  /// Root of the mean square over `count` angles, > 0.
-  double rms_deg(std::uint64_t count) const;
-
-  bool operator==(const AngleSums&) const = default;
-
- private:
-  std::int64_t sum_ = 0;           // of units of 2^-20 degrees
-  std::uint64_t squares_low_ = 0;  // of squared units, a 128-bit sum in two halves
-  std::uint64_t squares_high_ = 0;
-};
-
-/// The result of a range of trials of one condition. Results of disjoint ranges add up exactly to that of
-/// their union.
-struct BatchResult {
-  std::uint64_t trials = 0;
-  std::uint64_t hits = 0;
-  std::uint64_t steps = 0;            ///< model steps of all trials
-  std::uint64_t saturated_steps = 0;  ///< of these, steps with the plate held by a bound
-  AngleSums miss;                     ///< P_steps - P_R of each trial
-  AngleSums felt_error;               ///< theta_hat - theta_V in the last step of each trial
-
-  double hit_percent() const { return 100.0 * static_cast<double>(hits) / static_cast<double>(trials); }
-  double saturated_share() const { return static_cast<double>(saturated_steps) / static_cast<double>(steps); }
-  /// Mean of P_steps - P_R.
-  double mean_miss_deg() const { return miss.mean_deg(trials); }
-  double rms_miss_deg() const { return miss.rms_deg(trials); }
-  /// Root mean square of theta_hat - theta_V in the last step.
-  double rms_felt_error_deg() const { return felt_error.rms_deg(trials); }
-
-  BatchResult& operator+=(const BatchResult& other);
-  bool operator==(const BatchResult&) const = default;
-};
 
 /// Trials `first_trial` up to, not including, `last_trial` of one condition.
 struct BatchJob {

@@ -5,20 +5,13 @@
 #include <cstring>
 
 #include "core/exponential.h"
-#include "core/learning.h"
-#include "core/simulation/tracker.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
 namespace {
 
 constexpr double bound_deg = 75.0;
-constexpr std::int64_t tick_ns = 1'000'000;
-constexpr double tail_s = 0.3;  // tracked at rest after the motion
 constexpr double tan_of_2_deg = 0.03492076949174773;
-
-// Streams of Draws.
-enum Stream : std::uint32_t { drawing, steering, tracking };
 
 double either_side(double size, Draws& draws) {
   return draws.uniform() < 0.5 ? -size : size;
@@ -146,63 +139,6 @@ constexpr PeopleFamily all_families[] = {
      [](PersonCondition& c, Draws& d) { c.plate_offset_deg = either_side(5.0, d); }, true},
 };
 
-PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
-                             std::uint32_t index, std::uint32_t reach_number) {
-  const PlatePoint start{0.0, 0.0};
-  Draws draws(seed, tracking, index, reach_number);
-  const double rest_s = 0.4 + 0.4 * draws.uniform();
-  Tracker tracker(condition.tracker, start, draws);
-  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
-                       Draws(seed, steering, index, reach_number));
-  PlateModel plate(condition.plate, 0.0);
-  plate.advance(0);
-  if (controller) {
-    controller->begin({.real_direction_deg = condition.real_direction_deg,
-                       .virtual_direction_deg = condition.virtual_direction_deg,
-                       .plate_orientation_deg = 0.0,
-                       .start = start,
-                       .real_distance_m = condition.distance_m});
-    plate.command(controller->command().plate_orientation_deg);
-  }
-  const PlatePoint virtual_place = point_ahead(start, condition.virtual_direction_deg, condition.distance_m);
-  PlatePoint real_place = point_ahead(start, condition.real_direction_deg, condition.distance_m);
-  bool moves = condition.move.has_value();
-  double peak_deg = 0.0;
-  double ended_s = -1.0;
-  for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
-    const double now_s = 1e-9 * static_cast<double>(now_ns);
-    plate.advance(now_ns);
-    if (now_s > rest_s && !person.done()) {
-      person.advance(plate.orientation_deg() + condition.plate_offset_deg);
-      if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
-        peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
-    }
-    if (moves && distance_m(start, person.position()) >= condition.move->at_share * condition.distance_m) {
-      moves = false;
-      const PlatePoint& by = condition.move->by;
-      const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
-      real_place = {real_place.right_m + by.right_m, real_place.away_m + by.away_m};
-      person.retarget(virtual_now);
-      if (controller) controller->retarget(real_place, virtual_now);
-    }
-    if (person.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s + condition.tracker.late_s)
-      break;
-    tracker.look(now_s, person.position());
-    while (const auto sample = tracker.arrived(now_ns)) {
-      if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
-    }
-  }
-  const double real_deg =
-      condition.move && !moves ? bearing_deg(start, real_place) : condition.real_direction_deg;
-  const double error_deg = bearing_deg(start, person.position()) - real_deg;
-  return {.bearing_error_deg = error_deg,
-          .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
-          .peak_felt_error_deg = peak_deg,
-          .summary = controller ? controller->summary() : ReachSummary{},
-          .learnt = std::nullopt};
-}
-
 }  // namespace
 
 std::span<const PeopleFamily> people_families() {
@@ -217,7 +153,8 @@ const PeopleFamily* people_family(const char* name) {
 
 PersonCondition draw_person(const PeopleFamily& family, double duration_s, std::uint64_t seed,
                             std::uint32_t index) {
-  Draws draws(seed, drawing, index, static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
+  Draws draws(seed, PersonStream::drawn, index,
+              static_cast<std::uint32_t>(std::llround(1000.0 * duration_s)));
   PersonCondition condition;
   Person& person = condition.person;
   person.illusion.tactile_weight = 0.12 + 0.18 * draws.uniform();
@@ -248,76 +185,6 @@ bool can_hold(const PersonCondition& condition) {
                            mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
   }
   return largest_deg > std::abs(gap_deg);
-}
-
-std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
-                                           const RetargeterConfig* controller, int reaches,
-                                           std::uint64_t seed, std::uint32_t index) {
-  std::vector<PersonOutcome> outcomes;
-  RetargeterConfig config = controller ? *controller : RetargeterConfig{};
-  for (int i = 0; i < reaches; ++i) {
-    Retargeter retargeter(config);
-    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
-                                      static_cast<std::uint32_t>(i)));
-    if (const auto learnt = retargeter.learnt()) {
-      const ReachSummary& summary = outcomes.back().summary;
-      config.person =
-          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
-      outcomes.back().learnt = config.person;
-    }
-  }
-  return outcomes;
-}
-
-RetargeterConfig people_controller() {
-  RetargeterConfig config;
-  config.mode = ControlMode::reach;
-  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
-  return config;
-}
-
-RetargeterConfig people_controller(const PersonCondition& condition) {
-  RetargeterConfig config = people_controller();
-  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.declared_latency_s);
-  return config;
-}
-
-RetargeterConfig informed_controller(const PersonCondition& condition) {
-  using T = PersonTrait;
-  RetargeterConfig config = people_controller();
-  config.plate = condition.plate;
-  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
-  const Person& person = condition.person;
-  PersonBelief& belief = config.person;
-  const auto know = [&belief](int trait, double mean, double sd) {
-    belief.covariance.row(trait).setZero();
-    belief.covariance.col(trait).setZero();
-    belief.mean(trait) = std::clamp(mean, trait_range[trait].least, trait_range[trait].most);
-    belief.covariance(trait, trait) = sd * sd;
-  };
-  // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
-  const double side = condition.virtual_direction_deg > condition.real_direction_deg ? 1.0 : -1.0;
-  const double near_slope = side * felt_shift_deg(person.illusion, side * 35.0) / 35.0;
-  const double far_slope = side * felt_shift_deg(person.illusion, side * 70.0) / 70.0;
-  const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
-  know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
-  know(T::curve, curve, 0.015);
-  know(T::fading, person.steering == Steering::crossings ? 1.0 : 0.0, 0.02);
-  know(T::gain, person.gain_per_s, 0.5);
-  know(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
-  know(T::habit, person.habit_deg, 0.5);
-  know(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
-  know(T::log_rate, -logarithm(person.duration_s), 0.05);
-  if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
-    know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
-  belief.wander_sd_deg = later_wander_sd_deg;
-  return config;
-}
-
-RetargeterConfig paper_controller() {
-  RetargeterConfig config;
-  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
-  return config;
 }
 
 }  // namespace hrt

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/arrival.h"
 #include "core/exponential.h"
+#include "core/perception.h"
 #include "core/trigonometry.h"
 
 namespace hrt {
@@ -13,19 +15,12 @@ constexpr double tick_s = 0.001;
 constexpr double least_felt_speed_m_s = 0.0005;
 
 double minimum_jerk(double u) {
-  u = std::clamp(u, 0.0, 1.0);
-  return u * u * u * (10.0 + u * (-15.0 + 6.0 * u));
+  return hrt::progress(0.0, u).share;
 }
 
 // The clock of a person who stops it for `rest_s` when it stands at `at_s`.
 double with_rest(double time_s, double at_s, double rest_s) {
   return time_s <= at_s ? time_s : std::max(at_s, time_s - rest_s);
-}
-
-// By core/exponential: the same bits on every host.
-double hyperbolic_tangent(double x) {
-  const double e = exponential(-2.0 * std::abs(x));
-  return std::copysign((1.0 - e) / (1.0 + e), x);
 }
 
 }  // namespace
@@ -189,12 +184,11 @@ void SlidingPerson::advance(double plate_orientation_deg) {
     felt_history_.fill(person_.steering == Steering::predictive ? felt_deg_ - motion_deg : felt_deg_);
   } else if (person_.steering == Steering::steps) {
     if (millisecond_ % 100 == 0) {
-      constexpr double motor_deg2 = 0.5;
-      const double prior = perceived_variance_deg2_ + motor_deg2;
-      const double gain = prior / (prior + 0.1);
-      perceived_variance_deg2_ = (1.0 - gain) * prior;
+      const Participant participant;
+      const auto [gain, variance_deg2] = next_gain(participant, perceived_variance_deg2_);
+      perceived_variance_deg2_ = variance_deg2;
       direction_deg_ += -gain * (felt_deg_ - goal_deg_) +
-                        std::sqrt(motor_deg2 + perceived_variance_deg2_) * draws_.normal();
+                        std::sqrt(participant.motor_variance_deg2 + variance_deg2) * draws_.normal();
     }
   } else {
     const double own_shift = felt_deg_ - motion_deg;  // of touch and of bias, apart from the direction itself

@@ -1,6 +1,6 @@
 #include "core/simulation/sliding_finger.h"
 
-#include <algorithm>
+#include "core/arrival.h"
 
 namespace hrt {
 
@@ -9,9 +9,8 @@ SlidingFinger::SlidingFinger(const PlatePoint& start, double distance_m, double 
     : place_(start), distance_m_(distance_m), duration_s_(duration_s), profile_(profile) {}
 
 void SlidingFinger::slide(double time_s, double direction_deg) {
-  const double s = std::clamp(time_s / duration_s_, 0.0, 1.0);
   const double travelled =
-      profile_ == SpeedProfile::constant ? s : s * s * s * (10.0 + s * (-15.0 + 6.0 * s));
+      progress(profile_ == SpeedProfile::constant ? 1.0 : 0.0, time_s / duration_s_).share;
   place_ = point_ahead(place_, direction_deg, distance_m_ * (travelled - travelled_));
   travelled_ = travelled;
 }

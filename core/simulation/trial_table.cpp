@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "core/plate_limits.h"
-#include "core/simulation/batch.h"
 #include "core/simulation/control_law.h"
 #include "core/simulation/lanes.h"
 #include "core/simulation/random_lanes.h"

@@ -12,12 +12,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/simulation/batch_result.h"
 #include "core/simulation/trial.h"
 
 namespace hrt {
-
-/// Sums over trials; merging is exact. See batch.h.
-struct BatchResult;
 
 template <class Lanes>
 class PhiloxKeys;

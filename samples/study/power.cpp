@@ -6,10 +6,13 @@
 #include <numeric>
 #include <thread>
 
+#include "core/simulation/controllers.h"
+#include "core/simulation/person_trial.h"
+
 namespace hrt::study {
 namespace {
 
-// Streams of Draws, apart from those of core/simulation/people.cpp.
+// Streams of Draws, apart from those of core/simulation/people.h.
 enum Stream : std::uint32_t { pacing = 100, scattering, trialling, resampling };
 
 constexpr std::uint32_t resamples = 1000;

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/learning.h"
-#include "core/simulation/people.h"
+#include "core/simulation/controllers.h"
 #include "core/trigonometry.h"
 #include "samples/study/arguments.h"
 #include "samples/study/input.h"

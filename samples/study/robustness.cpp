@@ -6,6 +6,8 @@
 #include <thread>
 
 #include "core/interval.h"
+#include "core/simulation/controllers.h"
+#include "core/simulation/person_trial.h"
 
 namespace hrt::study {
 namespace {

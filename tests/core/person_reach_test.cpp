@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
+#include "core/simulation/person_trial.h"
 #include "core/simulation/person.h"
 #include "tests/core/heap_guard.h"
 

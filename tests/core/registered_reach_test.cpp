@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/frame_error.h"
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
+#include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
 
 namespace hrt {

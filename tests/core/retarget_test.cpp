@@ -6,7 +6,9 @@
 #include <optional>
 
 #include "core/retargeter.h"
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
+#include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
 
 namespace hrt {

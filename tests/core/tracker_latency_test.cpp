@@ -10,7 +10,9 @@
 
 #include "core/exponential.h"
 #include "core/plate_model.h"
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
+#include "core/simulation/person_trial.h"
 #include "core/trigonometry.h"
 
 namespace hrt {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/plate_frame.h"
-#include "core/simulation/people.h"
+#include "core/simulation/person.h"
 #include "fixture.h"
 
 namespace hrt::test {

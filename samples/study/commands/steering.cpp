@@ -11,6 +11,8 @@
 
 #include "core/calibration.h"
 #include "core/simulation/calibration_trial.h"
+#include "core/simulation/controllers.h"
+#include "core/simulation/person_trial.h"
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/output.h"

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "samples/study/arguments.h"
 #include "samples/study/participants.h"

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/simulation/controllers.h"
+#include "core/simulation/person_trial.h"
 #include "samples/text.h"
 #include "tests/samples/study/process.h"
 

@@ -1,0 +1,61 @@
+#include "core/simulation/controllers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/exponential.h"
+
+namespace hrt {
+
+RetargeterConfig people_controller() {
+  RetargeterConfig config;
+  config.mode = ControlMode::reach;
+  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
+  return config;
+}
+
+RetargeterConfig people_controller(const PersonCondition& condition) {
+  RetargeterConfig config = people_controller();
+  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.declared_latency_s);
+  return config;
+}
+
+RetargeterConfig informed_controller(const PersonCondition& condition) {
+  using T = PersonTrait;
+  RetargeterConfig config = people_controller();
+  config.plate = condition.plate;
+  config.tracker_latency_ns = std::llround(1e9 * condition.tracker.latency_s);
+  const Person& person = condition.person;
+  PersonBelief& belief = config.person;
+  const auto know = [&belief](int trait, double mean, double sd) {
+    belief.covariance.row(trait).setZero();
+    belief.covariance.col(trait).setZero();
+    belief.mean(trait) = std::clamp(mean, trait_range[trait].least, trait_range[trait].most);
+    belief.covariance(trait, trait) = sd * sd;
+  };
+  // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.
+  const double side = condition.virtual_direction_deg > condition.real_direction_deg ? 1.0 : -1.0;
+  const double near_slope = side * felt_shift_deg(person.illusion, side * 35.0) / 35.0;
+  const double far_slope = side * felt_shift_deg(person.illusion, side * 70.0) / 70.0;
+  const double curve = (near_slope - far_slope) / ((70.0 * 70.0 - 35.0 * 35.0) / (75.0 * 75.0));
+  know(T::weight, near_slope + curve * (35.0 * 35.0) / (75.0 * 75.0), 0.01);
+  know(T::curve, curve, 0.015);
+  know(T::fading, person.steering == Steering::crossings ? 1.0 : 0.0, 0.02);
+  know(T::gain, person.gain_per_s, 0.5);
+  know(T::bias, person.bias_deg - person.own_bias_deg, 0.5);
+  know(T::habit, person.habit_deg, 0.5);
+  know(T::evenness, person.pace == Pace::even ? 1.0 : 0.0, 0.05);
+  know(T::log_rate, -logarithm(person.duration_s), 0.05);
+  if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
+    know(T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
+  belief.wander_sd_deg = later_wander_sd_deg;
+  return config;
+}
+
+RetargeterConfig paper_controller() {
+  RetargeterConfig config;
+  config.plate = {.max_speed_deg_s = 400.0, .latency_ns = 30'000'000};
+  return config;
+}
+
+}  // namespace hrt

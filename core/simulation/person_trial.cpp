@@ -1,0 +1,93 @@
+#include "core/simulation/person_trial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/learning.h"
+#include "core/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr std::int64_t tick_ns = 1'000'000;
+constexpr double tail_s = 0.3;  // tracked at rest after the motion
+
+PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
+                             std::uint32_t index, std::uint32_t reach_number) {
+  const PlatePoint start{0.0, 0.0};
+  Draws draws(seed, PersonStream::tracking, index, reach_number);
+  const double rest_s = 0.4 + 0.4 * draws.uniform();
+  Tracker tracker(condition.tracker, start, draws);
+  SlidingPerson person(condition.person, start, condition.virtual_direction_deg, condition.distance_m,
+                       Draws(seed, PersonStream::steering, index, reach_number));
+  PlateModel plate(condition.plate, 0.0);
+  plate.advance(0);
+  if (controller) {
+    controller->begin({.real_direction_deg = condition.real_direction_deg,
+                       .virtual_direction_deg = condition.virtual_direction_deg,
+                       .plate_orientation_deg = 0.0,
+                       .start = start,
+                       .real_distance_m = condition.distance_m});
+    plate.command(controller->command().plate_orientation_deg);
+  }
+  const PlatePoint virtual_place = point_ahead(start, condition.virtual_direction_deg, condition.distance_m);
+  PlatePoint real_place = point_ahead(start, condition.real_direction_deg, condition.distance_m);
+  bool moves = condition.move.has_value();
+  double peak_deg = 0.0;
+  double ended_s = -1.0;
+  for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
+    const double now_s = 1e-9 * static_cast<double>(now_ns);
+    plate.advance(now_ns);
+    if (now_s > rest_s && !person.done()) {
+      person.advance(plate.orientation_deg() + condition.plate_offset_deg);
+      if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
+        peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
+    }
+    if (moves && distance_m(start, person.position()) >= condition.move->at_share * condition.distance_m) {
+      moves = false;
+      const PlatePoint& by = condition.move->by;
+      const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
+      real_place = {real_place.right_m + by.right_m, real_place.away_m + by.away_m};
+      person.retarget(virtual_now);
+      if (controller) controller->retarget(real_place, virtual_now);
+    }
+    if (person.done() && ended_s < 0.0) ended_s = now_s;
+    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s + condition.tracker.late_s)
+      break;
+    tracker.look(now_s, person.position());
+    while (const auto sample = tracker.arrived(now_ns)) {
+      if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
+    }
+  }
+  const double real_deg =
+      condition.move && !moves ? bearing_deg(start, real_place) : condition.real_direction_deg;
+  const double error_deg = bearing_deg(start, person.position()) - real_deg;
+  return {.bearing_error_deg = error_deg,
+          .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
+          .peak_felt_error_deg = peak_deg,
+          .summary = controller ? controller->summary() : ReachSummary{},
+          .learnt = std::nullopt};
+}
+
+}  // namespace
+
+std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
+                                           const RetargeterConfig* controller, int reaches,
+                                           std::uint64_t seed, std::uint32_t index) {
+  std::vector<PersonOutcome> outcomes;
+  RetargeterConfig config = controller ? *controller : RetargeterConfig{};
+  for (int i = 0; i < reaches; ++i) {
+    Retargeter retargeter(config);
+    outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
+                                      static_cast<std::uint32_t>(i)));
+    if (const auto learnt = retargeter.learnt()) {
+      const ReachSummary& summary = outcomes.back().summary;
+      config.person =
+          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
+      outcomes.back().learnt = config.person;
+    }
+  }
+  return outcomes;
+}
+
+}  // namespace hrt

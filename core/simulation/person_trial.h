@@ -1,0 +1,28 @@
+// Reaches of a simulated person, one after another. Results are of simulation.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/retargeter.h"
+#include "core/simulation/people.h"
+
+namespace hrt {
+
+/// How a reach ended: truth, not estimate.
+struct PersonOutcome {
+  double bearing_error_deg;            ///< bearing of the end from the start, less the real target's
+  double miss_m;                       ///< across the real direction, signed as bearing_error_deg
+  double peak_felt_error_deg;          ///< largest felt less virtual direction while the finger moves
+  ReachSummary summary;                ///< the controller's own account; zero without a controller
+  std::optional<PersonBelief> learnt;  ///< what the next reach begins from, if this one taught anything
+};
+
+/// `reaches` of one person, one after another, each led by `controller` with what it has learnt; as
+/// ControlMode::reach carries it. Without a controller (null) the plate stays at 0. Any thread.
+std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
+                                           const RetargeterConfig* controller, int reaches,
+                                           std::uint64_t seed, std::uint32_t index);
+
+}  // namespace hrt
