@@ -7,6 +7,7 @@ import functools
 import os
 import sys
 from pathlib import Path
+from typing import Any
 
 from . import _abi
 
@@ -46,10 +47,17 @@ def library() -> ctypes.CDLL:
         if found[0] != needed[0] or found[:2] < needed[:2]:
             raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} or later of the same major "
                               "version is needed")
-        _abi.declare(loaded)
+        declare(loaded, _abi.FUNCTIONS)
     except AttributeError as error:
         raise ImportError(f"{name} is not the haptic_retargeting library that is needed: {error}") from error
     return loaded
+
+
+def declare(loaded: ctypes.CDLL, functions: dict[str, tuple[Any, ...]]) -> None:
+    """Declares functions to ctypes; AttributeError names one that the library lacks."""
+    for name, (result, *parameters) in functions.items():
+        function = getattr(loaded, name)
+        function.restype, function.argtypes = result, parameters
 
 
 def _version(loaded: ctypes.CDLL) -> tuple[int, int, int]:
