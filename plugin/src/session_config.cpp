@@ -43,15 +43,6 @@ constexpr NumberField all_number_fields[] = {
     {"steering_delay_s", &C::steering_delay_s, 0.0, 0.5, true, &C::steering_delay_s},
 };
 
-constexpr VectorField all_vector_fields[] = {
-    {"start_position_m", offsetof(C, start_position_m), 3, false},
-    {"plate_position_m", offsetof(C, plate_position_m), 3, false},
-    {"plate_rotation", offsetof(C, plate_rotation), 4, false},
-    {"person_mean", offsetof(C, person_mean), HRT_PERSON_TRAITS, true},
-    {"person_covariance", offsetof(C, person_covariance), HRT_PERSON_COVARIANCES, true},
-    {"plate_covariance", offsetof(C, plate_covariance), std::size(C{}.plate_covariance), false},
-};
-
 bool turns_freely(const C& config) {
   return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0;
 }
@@ -152,9 +143,6 @@ bool holds_belief(const hrt_session_config& config) {
 
 std::span<const NumberField> number_fields() {
   return all_number_fields;
-}
-std::span<const VectorField> vector_fields() {
-  return all_vector_fields;
 }
 
 hrt_session_config default_session_config() {

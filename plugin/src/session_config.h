@@ -1,7 +1,6 @@
 // A session's configuration: its defaults and ranges, and what the core makes of it.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "core/frame_error.h"
@@ -23,15 +22,6 @@ struct NumberField {
   double hrt_session_config::*known_by = nullptr;  ///< in the profile only if this is above 0
 };
 std::span<const NumberField> number_fields();
-
-/// A field that is a place or a rotation.
-struct VectorField {
-  const char* name;
-  std::size_t offset;
-  std::size_t size;
-  bool of_participant;  ///< part of a profile
-};
-std::span<const VectorField> vector_fields();
 
 hrt_session_config default_session_config();
 
