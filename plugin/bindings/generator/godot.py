@@ -5,7 +5,7 @@ from __future__ import annotations
 import settings
 from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 
-# What a script gets as a Dictionary, by the function of fields.h that returns its table.
+# What a script gets as a Dictionary, by its table in fields.h.
 _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "authority": "hrt_authority",
             "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
             "comparison": "hrt_calibration_comparison", "registration": "hrt_registration",
@@ -34,9 +34,8 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
             + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
                       f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) + _shown(plate) for m in e.members)
             + "};\n\n}  // namespace\n\n"
-            + "".join(f"std::span<const Field> {name}_fields() {{\n  return k{name.capitalize()};\n}}\n\n"
-                      for name in tables)
-            + "std::span<const Constant> constants() {\n  return kConstants;\n}\n\n"
+            + "".join(f"constinit const std::span<const Field> {name}_fields = k{name.capitalize()};\n" for name in tables)
+            + "constinit const std::span<const Constant> constants = kConstants;\n\n"
             + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
             + "".join(f"  std::memcpy(to.{f.name}, from.{f.name}, sizeof to.{f.name});\n" for f in settings.hidden(abi))
             + "}\n\n}  // namespace hrt_godot\n")

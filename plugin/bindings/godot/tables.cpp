@@ -367,57 +367,19 @@ constexpr Constant kConstants[] = {
 
 }  // namespace
 
-std::span<const Field> config_fields() {
-  return kConfig;
-}
-
-std::span<const Field> command_fields() {
-  return kCommand;
-}
-
-std::span<const Field> summary_fields() {
-  return kSummary;
-}
-
-std::span<const Field> authority_fields() {
-  return kAuthority;
-}
-
-std::span<const Field> calibration_fields() {
-  return kCalibration;
-}
-
-std::span<const Field> slide_fields() {
-  return kSlide;
-}
-
-std::span<const Field> comparison_fields() {
-  return kComparison;
-}
-
-std::span<const Field> registration_fields() {
-  return kRegistration;
-}
-
-std::span<const Field> touch_fields() {
-  return kTouch;
-}
-
-std::span<const Field> fingertip_fields() {
-  return kFingertip;
-}
-
-std::span<const Field> recording_fields() {
-  return kRecording;
-}
-
-std::span<const Field> device_fields() {
-  return kDevice;
-}
-
-std::span<const Constant> constants() {
-  return kConstants;
-}
+constinit const std::span<const Field> config_fields = kConfig;
+constinit const std::span<const Field> command_fields = kCommand;
+constinit const std::span<const Field> summary_fields = kSummary;
+constinit const std::span<const Field> authority_fields = kAuthority;
+constinit const std::span<const Field> calibration_fields = kCalibration;
+constinit const std::span<const Field> slide_fields = kSlide;
+constinit const std::span<const Field> comparison_fields = kComparison;
+constinit const std::span<const Field> registration_fields = kRegistration;
+constinit const std::span<const Field> touch_fields = kTouch;
+constinit const std::span<const Field> fingertip_fields = kFingertip;
+constinit const std::span<const Field> recording_fields = kRecording;
+constinit const std::span<const Field> device_fields = kDevice;
+constinit const std::span<const Constant> constants = kConstants;
 
 void copy_hidden(const hrt_session_config& from, hrt_session_config& to) {
   std::memcpy(to.person_mean, from.person_mean, sizeof to.person_mean);
