@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "scene/scene_error.h"
+#include "scene/refuse.h"
 
 namespace hrt {
 namespace {
@@ -41,45 +41,34 @@ class Reader {
   HapticProperties read() {
     HapticProperties result{.role = role()};
     for (const Property& property : properties_) {
-      if (property.key == "role") {
-        continue;
-      }
-      if (!is_for(result.role, property.key)) {
-        fail(property.label + " is not a property of this role; " + allowed_text(result.role));
-      }
-      if (property.key == "name") {
+      if (property.key == "role") continue;
+      if (!is_for(result.role, property.key))
+        refuse(where_, "{} is not a property of this role; {}", property.label, allowed_text(result.role));
+      if (property.key == "name")
         result.name = text(property);
-      } else if (property.key == "served_by") {
+      else if (property.key == "served_by")
         result.served_by = text(property);
-      } else if (property.key == "radius_m") {
+      else if (property.key == "radius_m")
         result.radius_m = number(property, largest_radius_m);
-      } else {
+      else
         result.max_speed_deg_s = number(property, largest_speed_deg_s);
-      }
     }
-    if (result.role == HapticRole::plate && !result.radius_m) {
-      fail(label_of("radius_m") + " is missing: a plate needs its radius in metres");
-    }
+    if (result.role == HapticRole::plate && !result.radius_m)
+      refuse(where_, "{} is missing: a plate needs its radius in metres", label_of("radius_m"));
     return result;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw SceneError(where_ + what); }
-
   HapticRole role() const {
     const auto found = std::find_if(properties_.begin(), properties_.end(),
                                     [](const Property& p) { return p.key == "role"; });
-    if (found == properties_.end()) {
-      fail(label_of("role") + " is missing, beside " + properties_.front().label);
-    }
+    if (found == properties_.end())
+      refuse(where_, "{} is missing, beside {}", label_of("role"), properties_.front().label);
     const std::string name = text(*found);
-    for (const RoleName& known : role_names) {
-      if (known.name == name) {
-        return known.role;
-      }
-    }
-    fail(found->label + " is " + in_quotes(name) +
-         "; allowed are \"plate\", \"real\", \"virtual\" and \"start\"");
+    for (const RoleName& known : role_names)
+      if (known.name == name) return known.role;
+    refuse(where_, "{} is {}; allowed are \"plate\", \"real\", \"virtual\" and \"start\"", found->label,
+           in_quotes(name));
   }
 
   static bool is_for(HapticRole role, std::string_view key) {
@@ -98,38 +87,26 @@ class Reader {
 
   static std::string allowed_text(HapticRole role) {
     std::string text = "allowed are role";
-    for (const char* key : {"name", "radius_m", "max_speed_deg_s", "served_by"}) {
-      if (is_for(role, key)) {
-        text += std::string(", ") + key;
-      }
-    }
+    for (const char* key : {"name", "radius_m", "max_speed_deg_s", "served_by"})
+      if (is_for(role, key)) text += std::string(", ") + key;
     return text;
   }
 
   std::string text(const Property& property) const {
-    if (!property.value.is_string()) {
-      fail(property.label + " is not a string");
-    }
+    if (!property.value.is_string()) refuse(where_, "{} is not a string", property.label);
     std::string value(property.value.string());
-    if (value.empty() || value.size() > longest_text) {
-      fail(property.label + " has " + std::to_string(value.size()) + " bytes; allowed are 1 to " +
-           std::to_string(longest_text));
-    }
-    if (value != printable(value)) {
-      fail(property.label + " is " + in_quotes(value) + ", with a control character in it");
-    }
+    if (value.empty() || value.size() > longest_text)
+      refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), longest_text);
+    if (value != printable(value))
+      refuse(where_, "{} is {}, with a control character in it", property.label, in_quotes(value));
     return value;
   }
 
   double number(const Property& property, double largest) const {
-    if (!property.value.is_number()) {
-      fail(property.label + " is not a number");
-    }
+    if (!property.value.is_number()) refuse(where_, "{} is not a number", property.label);
     const double value = property.value.number();
-    if (!(value >= least_number && value <= largest)) {
-      fail(property.label + " is " + number_text(value) + "; allowed is " + number_text(least_number) +
-           " to " + number_text(largest));
-    }
+    if (!(value >= least_number && value <= largest))
+      refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, least_number, largest);
     return value;
   }
 
@@ -166,19 +143,12 @@ HapticProperties haptic_properties(JsonValue extras, const std::string& where) {
     }
   }
   const JsonValue nested = extras.find(nested_key);
-  if (!nested.exists()) {
-    return Reader(std::move(flat), where).read();
-  }
-  if (!flat.empty()) {
-    throw SceneError(where + "both extras.haptic and " + flat.front().label + " are given; keep one form");
-  }
-  if (!nested.is_object() || nested.size() == 0) {
-    throw SceneError(where + "extras.haptic is not an object with a role");
-  }
+  if (!nested.exists()) return Reader(std::move(flat), where).read();
+  if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
+  if (!nested.is_object() || nested.size() == 0) refuse(where, "extras.haptic is not an object with a role");
   std::vector<Property> properties;
-  for (const JsonValue member : nested) {
+  for (const JsonValue member : nested)
     properties.push_back({std::string(member.key()), "extras.haptic." + shown(member.key()), member});
-  }
   return Reader(std::move(properties), where).read();
 }
 
