@@ -98,16 +98,6 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   return HRT_OK;
 }
 
-hrt_result Session::find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const {
-  const hrt_target_config* real = nullptr;
-  const hrt_target_config* virtual_config = nullptr;
-  HRT_RETURN_IF_FAILED(find_target(targets, "real_target", real_target, HRT_TARGET_REAL, &real));
-  HRT_RETURN_IF_FAILED(
-      find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
-  *out = {*real, *virtual_config};
-  return HRT_OK;
-}
-
 // Directions and distance of the pair as seen from the start; fails unless a reach from there can go to it.
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) const {
   const Bearing real = view_from(start, config_, pair.real);
@@ -141,7 +131,7 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
   if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
   Pair pair{};
-  HRT_RETURN_IF_FAILED(find_pair(config.real_target, config.virtual_target, &pair));
+  HRT_RETURN_IF_FAILED(find_pair(targets, config.real_target, config.virtual_target, &pair));
   Reach reach{};
   reach.plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_;
   reach.duration_s = config.duration_s;
@@ -174,7 +164,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
 hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) {
   HRT_RETURN_IF_FAILED(check_reach());
   Pair pair{};
-  HRT_RETURN_IF_FAILED(find_pair(real_target, virtual_target, &pair));
+  HRT_RETURN_IF_FAILED(find_pair(targets, real_target, virtual_target, &pair));
   Reach from_start = reach_;
   HRT_RETURN_IF_FAILED(aim(pair, start_, &from_start));
   const auto place = [&](const hrt_target_config& target) {

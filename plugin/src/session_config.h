@@ -70,4 +70,7 @@ Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]);
 /// Fails unless the pose is one, naming the fields plate_position_m and plate_rotation.
 hrt_result check_plate_pose(const double (&position_m)[3], const double (&rotation)[4]);
 
+/// Fails, naming `field`, unless it is a unit quaternion.
+hrt_result check_rotation(const char* field, const double (&rotation)[4]);
+
 }  // namespace hrt::plugin

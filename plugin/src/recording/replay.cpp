@@ -247,11 +247,8 @@ class Replay {
   }
 
   hrt_result at_line(hrt_result result) const {
-    const Text<240> what = thread_error.text;
-    std::string_view detail = what.view();
-    detail.remove_prefix(std::min(detail.size(), std::string_view(thread_error.call).size() + 2));
     return fail(result == HRT_ERROR_OUT_OF_MEMORY ? result : HRT_ERROR_BAD_FORMAT, "line ", line_number_,
-                ": ", detail);
+                ": ", last_failure().view());
   }
 
   std::optional<Session> session_;
