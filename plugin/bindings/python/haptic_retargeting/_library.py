@@ -6,10 +6,14 @@ import ctypes
 import functools
 import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from . import _abi
+from ._struct import Struct
+
+_S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
@@ -80,3 +84,19 @@ def check(result: int) -> None:
     """Raises what this thread's last call of the library reported."""
     if result != _abi.OK:
         raise Error(result, library().hrt_last_error().decode(errors="replace"))
+
+
+def output(kind: type[_S], function: Any, *arguments: Any) -> _S:
+    """The struct that a function of the library fills, which is its last argument."""
+    out = kind()
+    check(function(*arguments, ctypes.byref(out)))
+    return out
+
+
+def default(kind: type[_S], function: Any, fields: Mapping[str, Any]) -> _S:
+    """The struct that a *_default() function of the library fills, with `fields` over it."""
+    config = kind()
+    check(function(ctypes.byref(config), ctypes.sizeof(config)))
+    for name, value in fields.items():
+        setattr(config, name, value)
+    return config
