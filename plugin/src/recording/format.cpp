@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/reach_numbers.h"
 #include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
 
@@ -117,6 +118,8 @@ void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   row.skip(2).put(begun.reach.plate_orientation_deg);
 }
 
+static_assert(command_columns == 2 + command_numbers.size());
+
 void write(const Updated& updated, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("update").put(result);
@@ -124,14 +127,8 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   row.skip(begin_columns + refused_columns + reach_columns);
   if (result != HRT_OK) return;
   const hrt_command& command = updated.command;
-  row.put(command.flags)
-      .put(command.step)
-      .put(command.plate_orientation_deg)
-      .put(command.finger_direction_deg);
-  row.put(command.perceived_direction_deg).put(command.aimed_direction_deg).put(command.distance_to_go_m);
-  row.put(command.tactile_weight).put(command.tactile_weight_sd).put(command.time_to_go_s);
-  row.put(command.felt_error_deg).put(command.predicted_miss_deg).put(command.normalised_innovation);
-  row.put(command.bearing_error_sd_deg);
+  row.put(command.flags).put(command.step);
+  for (double hrt_command::*number : command_numbers) row.put(command.*number);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {

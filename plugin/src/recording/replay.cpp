@@ -3,10 +3,12 @@
 #include <bit>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/reach_numbers.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/recording/replayed_calibrations.h"
@@ -18,12 +20,9 @@ namespace {
 void add(const hrt_command& command, Hash& hash) {
   hash.add(std::uint64_t{command.flags});
   hash.add(static_cast<std::uint64_t>(command.step));
-  for (const double value :
-       {command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
-        command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight,
-        command.tactile_weight_sd, command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg,
-        command.normalised_innovation})
-    hash.add(std::bit_cast<std::uint64_t>(value));
+  // As hrt_replay_report::hash says: without bearing_error_sd_deg.
+  for (double hrt_command::*number : std::span(command_numbers).first(11))
+    hash.add(std::bit_cast<std::uint64_t>(command.*number));
 }
 
 /// The ids of a session's targets, by their numbers in the recording.
