@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf_limits.h"
+#include "scene/json_number.h"
 #include "scene/refuse.h"
 
 namespace hrt {
@@ -40,10 +41,7 @@ class JsonReader : public nlohmann::json_sax<json> {
     return add(Kind::whole, {}, static_cast<double>(value));
   }
   bool number_float(number_float_t, const string_t& text) override {
-    // The parser has put the locale's decimal point into the text, and read its value by that.
-    std::string digits = text;
-    const std::size_t point = digits.find_first_not_of("+-0123456789eE");
-    if (point != digits.npos) digits[point] = '.';
+    const std::string digits = with_point(text);
     double value = 0.0;
     fast_float::from_chars(digits.data(), digits.data() + digits.size(), value);
     if (!std::isfinite(value))

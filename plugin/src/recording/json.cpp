@@ -15,6 +15,7 @@
 #include "plugin/src/session_config.h"
 #include "plugin/src/streamed_calibration.h"
 #include "plugin/src/targets.h"
+#include "scene/json_number.h"
 
 namespace hrt::plugin {
 namespace {
@@ -151,12 +152,8 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
   }
   bool number_float(number_float_t, const string_t& text) override {
-    // The parser has put the locale's decimal point into the text, and read its value by that.
-    std::string token = text;
-    const std::size_t point = token.find_first_not_of("+-0123456789eE");
-    if (point != token.npos) token[point] = '.';
     double value = 0.0;
-    return read_number(token, &value) && number(value, false, 0);
+    return read_number(with_point(text), &value) && number(value, false, 0);
   }
   bool string(string_t& value) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;
