@@ -1,7 +1,9 @@
 #include "scene/haptic_properties.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -18,13 +20,20 @@ constexpr double largest_speed_deg_s = 1e5;
 constexpr std::string_view nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
-struct RoleName {
+// A role, and the properties that it takes.
+struct Role {
   std::string_view name;
   HapticRole role;
+  std::span<const std::string_view> keys;
 };
-constexpr std::array role_names{RoleName{"plate", HapticRole::plate}, RoleName{"real", HapticRole::real},
-                                RoleName{"virtual", HapticRole::virtual_target},
-                                RoleName{"start", HapticRole::start}};
+constexpr std::string_view plate_keys[] = {"role", "name", "radius_m", "max_speed_deg_s"};
+constexpr std::string_view real_keys[] = {"role", "name", "radius_m"};
+constexpr std::string_view virtual_keys[] = {"role", "name", "radius_m", "served_by"};
+constexpr std::string_view start_keys[] = {"role", "name"};
+constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
+                          {"real", HapticRole::real, real_keys},
+                          {"virtual", HapticRole::virtual_target, virtual_keys},
+                          {"start", HapticRole::start, start_keys}};
 
 // One property, and how messages call it.
 struct Property {
@@ -39,11 +48,13 @@ class Reader {
       : properties_(std::move(properties)), where_(where) {}
 
   HapticProperties read() {
-    HapticProperties result{.role = role()};
+    const Role& known = role();
+    HapticProperties result{.role = known.role};
     for (const Property& property : properties_) {
       if (property.key == "role") continue;
-      if (!is_for(result.role, property.key))
-        refuse(where_, "{} is not a property of this role; {}", property.label, allowed_text(result.role));
+      if (std::find(known.keys.begin(), known.keys.end(), property.key) == known.keys.end())
+        refuse(where_, "{} is not a property of this role; allowed are {}", property.label,
+               fmt::join(known.keys, ", "));
       if (property.key == "name")
         result.name = text(property);
       else if (property.key == "served_by")
@@ -59,37 +70,16 @@ class Reader {
   }
 
  private:
-  HapticRole role() const {
+  const Role& role() const {
     const auto found = std::find_if(properties_.begin(), properties_.end(),
                                     [](const Property& p) { return p.key == "role"; });
     if (found == properties_.end())
       refuse(where_, "{} is missing, beside {}", label_of("role"), properties_.front().label);
     const std::string name = text(*found);
-    for (const RoleName& known : role_names)
-      if (known.name == name) return known.role;
+    for (const Role& known : roles)
+      if (known.name == name) return known;
     refuse(where_, "{} is {}; allowed are \"plate\", \"real\", \"virtual\" and \"start\"", found->label,
            in_quotes(name));
-  }
-
-  static bool is_for(HapticRole role, std::string_view key) {
-    switch (role) {
-      case HapticRole::plate:
-        return key == "name" || key == "radius_m" || key == "max_speed_deg_s";
-      case HapticRole::real:
-        return key == "name" || key == "radius_m";
-      case HapticRole::virtual_target:
-        return key == "name" || key == "radius_m" || key == "served_by";
-      case HapticRole::start:
-        return key == "name";
-    }
-    return false;
-  }
-
-  static std::string allowed_text(HapticRole role) {
-    std::string text = "allowed are role";
-    for (const char* key : {"name", "radius_m", "max_speed_deg_s", "served_by"})
-      if (is_for(role, key)) text += std::string(", ") + key;
-    return text;
   }
 
   std::string text(const Property& property) const {
