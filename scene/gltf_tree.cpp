@@ -9,7 +9,7 @@
 
 #include "scene/gltf_json.h"
 #include "scene/gltf_limits.h"
-#include "scene/scene_error.h"
+#include "scene/refuse.h"
 
 namespace hrt {
 namespace {
@@ -21,9 +21,7 @@ bool is_degenerate(const Axes& axes) {
   const double x = length(axes.x);
   const double y = length(axes.y);
   const double z = length(axes.z);
-  if (!(x > least_length && y > least_length && z > least_length)) {
-    return true;
-  }
+  if (!(x > least_length && y > least_length && z > least_length)) return true;
   const double volume = dot(cross(axes.x * (1.0 / x), axes.y * (1.0 / y)), axes.z * (1.0 / z));
   return !(std::abs(volume) > least_volume);
 }
@@ -61,28 +59,22 @@ class Walk {
     const GltfNode& node = gltf_.nodes[pending.node];
     ancestors_.resize(static_cast<std::size_t>(pending.depth));
     ancestors_.push_back(pending.node);
-    if (pending.depth >= gltf_limits::node_depth) {
-      throw SceneError(where() + "lies deeper than " + std::to_string(gltf_limits::node_depth) + " nodes");
-    }
+    if (pending.depth >= gltf_limits::node_depth)
+      refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
     const Transform world = pending.parent * node.local;
-    if (is_haptic(node.extras)) {
-      keep(node, world, haptic_properties(node.extras, where()));
-    }
+    if (is_haptic(node.extras)) keep(node, world, haptic_properties(node.extras, where()));
     push_reversed(node.children, world, pending.depth + 1);
   }
 
   void keep(const GltfNode& node, const Transform& world, const HapticProperties& properties) {
-    if (found_.size() == gltf_limits::haptic_nodes) {
-      throw SceneError(file_ + ": more than " + std::to_string(gltf_limits::haptic_nodes) +
-                       " nodes have a haptic role");
-    }
+    if (found_.size() == gltf_limits::haptic_nodes)
+      refuse(file_, "more than {} nodes have a haptic role", gltf_limits::haptic_nodes);
     for (std::size_t depth = 0; depth < ancestors_.size(); ++depth) {
       const GltfNode& above = gltf_.nodes[ancestors_[depth]];
       if (is_degenerate(above.local.axes)) {
-        throw SceneError(
-            file_ + ": node " + in_quotes(path(depth + 1)) + ": its " +
-            (above.has_matrix ? "matrix" : "scale") + " has a zero-length axis or flattens space" +
-            (depth + 1 == ancestors_.size() ? "" : ", and " + in_quotes(path()) + " is below it"));
+        refuse(file_, "node {}: its {} has a zero-length axis or flattens space{}",
+               in_quotes(path(depth + 1)), above.has_matrix ? "matrix" : "scale",
+               depth + 1 == ancestors_.size() ? "" : fmt::format(", and {} is below it", in_quotes(path())));
       }
     }
     found_.push_back({std::string(node.name), path(), world.origin, world.axes, properties});
@@ -93,13 +85,13 @@ class Walk {
     for (std::size_t i = 0; i < depth; ++i) {
       const std::string_view name = gltf_.nodes[ancestors_[i]].name;
       result += i == 0 ? "" : "/";
-      result += name.empty() ? "[" + std::to_string(ancestors_[i]) + "]" : printable(name);
+      result += name.empty() ? fmt::format("[{}]", ancestors_[i]) : printable(name);
     }
     return result;
   }
   std::string path() const { return path(ancestors_.size()); }
 
-  std::string where() const { return file_ + ": node " + in_quotes(path()) + ": "; }
+  std::string where() const { return fmt::format("{}: node {}", file_, in_quotes(path())); }
 
   const Gltf& gltf_;
   const std::string& file_;
@@ -126,18 +118,12 @@ std::vector<HapticNode> read_haptic_nodes(const std::filesystem::path& path) {
   const std::string file = printable(path.string());
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) {
-    throw SceneError(file + ": no such file");
-  }
+  if (!std::filesystem::exists(status)) refuse(file, "no such file");
   // A device or a pipe may have no end.
-  if (!std::filesystem::is_regular_file(status)) {
-    throw SceneError(file + ": not a regular file");
-  }
+  if (!std::filesystem::is_regular_file(status)) refuse(file, "not a regular file");
   const std::uintmax_t file_bytes = std::filesystem::file_size(path, error);
   std::ifstream stream(path, std::ios::binary);
-  if (error || !stream) {
-    throw SceneError(file + ": cannot be read");
-  }
+  if (error || !stream) refuse(file, "cannot be read");
   std::string head(glb_head_bytes, '\0');
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));
   head.resize(static_cast<std::size_t>(stream.gcount()));
@@ -147,9 +133,7 @@ std::vector<HapticNode> read_haptic_nodes(const std::filesystem::path& path) {
   stream.clear();
   stream.seekg(static_cast<std::streamoff>(extent.offset));
   stream.read(json.data(), static_cast<std::streamsize>(json.size()));
-  if (static_cast<std::size_t>(stream.gcount()) != json.size()) {
-    throw SceneError(file + ": ended while it was read");
-  }
+  if (static_cast<std::size_t>(stream.gcount()) != json.size()) refuse(file, "ended while it was read");
   return haptic_nodes_of(json, file);
 }
 

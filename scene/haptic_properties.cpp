@@ -1,12 +1,14 @@
 #include "scene/haptic_properties.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
-#include <array>
+#include <span>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "scene/scene_error.h"
+#include "scene/refuse.h"
 
 namespace hrt {
 namespace {
@@ -18,13 +20,20 @@ constexpr double largest_speed_deg_s = 1e5;
 constexpr std::string_view nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
-struct RoleName {
+// A role, and the properties that it takes.
+struct Role {
   std::string_view name;
   HapticRole role;
+  std::span<const std::string_view> keys;
 };
-constexpr std::array role_names{RoleName{"plate", HapticRole::plate}, RoleName{"real", HapticRole::real},
-                                RoleName{"virtual", HapticRole::virtual_target},
-                                RoleName{"start", HapticRole::start}};
+constexpr std::string_view plate_keys[] = {"role", "name", "radius_m", "max_speed_deg_s"};
+constexpr std::string_view real_keys[] = {"role", "name", "radius_m"};
+constexpr std::string_view virtual_keys[] = {"role", "name", "radius_m", "served_by"};
+constexpr std::string_view start_keys[] = {"role", "name"};
+constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
+                          {"real", HapticRole::real, real_keys},
+                          {"virtual", HapticRole::virtual_target, virtual_keys},
+                          {"start", HapticRole::start, start_keys}};
 
 // One property, and how messages call it.
 struct Property {
@@ -39,97 +48,55 @@ class Reader {
       : properties_(std::move(properties)), where_(where) {}
 
   HapticProperties read() {
-    HapticProperties result{.role = role()};
+    const Role& known = role();
+    HapticProperties result{.role = known.role};
     for (const Property& property : properties_) {
-      if (property.key == "role") {
-        continue;
-      }
-      if (!is_for(result.role, property.key)) {
-        fail(property.label + " is not a property of this role; " + allowed_text(result.role));
-      }
-      if (property.key == "name") {
+      if (property.key == "role") continue;
+      if (std::find(known.keys.begin(), known.keys.end(), property.key) == known.keys.end())
+        refuse(where_, "{} is not a property of this role; allowed are {}", property.label,
+               fmt::join(known.keys, ", "));
+      if (property.key == "name")
         result.name = text(property);
-      } else if (property.key == "served_by") {
+      else if (property.key == "served_by")
         result.served_by = text(property);
-      } else if (property.key == "radius_m") {
+      else if (property.key == "radius_m")
         result.radius_m = number(property, largest_radius_m);
-      } else {
+      else
         result.max_speed_deg_s = number(property, largest_speed_deg_s);
-      }
     }
-    if (result.role == HapticRole::plate && !result.radius_m) {
-      fail(label_of("radius_m") + " is missing: a plate needs its radius in metres");
-    }
+    if (result.role == HapticRole::plate && !result.radius_m)
+      refuse(where_, "{} is missing: a plate needs its radius in metres", label_of("radius_m"));
     return result;
   }
 
  private:
-  [[noreturn]] void fail(const std::string& what) const { throw SceneError(where_ + what); }
-
-  HapticRole role() const {
+  const Role& role() const {
     const auto found = std::find_if(properties_.begin(), properties_.end(),
                                     [](const Property& p) { return p.key == "role"; });
-    if (found == properties_.end()) {
-      fail(label_of("role") + " is missing, beside " + properties_.front().label);
-    }
+    if (found == properties_.end())
+      refuse(where_, "{} is missing, beside {}", label_of("role"), properties_.front().label);
     const std::string name = text(*found);
-    for (const RoleName& known : role_names) {
-      if (known.name == name) {
-        return known.role;
-      }
-    }
-    fail(found->label + " is " + in_quotes(name) +
-         "; allowed are \"plate\", \"real\", \"virtual\" and \"start\"");
-  }
-
-  static bool is_for(HapticRole role, std::string_view key) {
-    switch (role) {
-      case HapticRole::plate:
-        return key == "name" || key == "radius_m" || key == "max_speed_deg_s";
-      case HapticRole::real:
-        return key == "name" || key == "radius_m";
-      case HapticRole::virtual_target:
-        return key == "name" || key == "radius_m" || key == "served_by";
-      case HapticRole::start:
-        return key == "name";
-    }
-    return false;
-  }
-
-  static std::string allowed_text(HapticRole role) {
-    std::string text = "allowed are role";
-    for (const char* key : {"name", "radius_m", "max_speed_deg_s", "served_by"}) {
-      if (is_for(role, key)) {
-        text += std::string(", ") + key;
-      }
-    }
-    return text;
+    for (const Role& known : roles)
+      if (known.name == name) return known;
+    refuse(where_, "{} is {}; allowed are \"plate\", \"real\", \"virtual\" and \"start\"", found->label,
+           in_quotes(name));
   }
 
   std::string text(const Property& property) const {
-    if (!property.value.is_string()) {
-      fail(property.label + " is not a string");
-    }
+    if (!property.value.is_string()) refuse(where_, "{} is not a string", property.label);
     std::string value(property.value.string());
-    if (value.empty() || value.size() > longest_text) {
-      fail(property.label + " has " + std::to_string(value.size()) + " bytes; allowed are 1 to " +
-           std::to_string(longest_text));
-    }
-    if (value != printable(value)) {
-      fail(property.label + " is " + in_quotes(value) + ", with a control character in it");
-    }
+    if (value.empty() || value.size() > longest_text)
+      refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), longest_text);
+    if (value != printable(value))
+      refuse(where_, "{} is {}, with a control character in it", property.label, in_quotes(value));
     return value;
   }
 
   double number(const Property& property, double largest) const {
-    if (!property.value.is_number()) {
-      fail(property.label + " is not a number");
-    }
+    if (!property.value.is_number()) refuse(where_, "{} is not a number", property.label);
     const double value = property.value.number();
-    if (!(value >= least_number && value <= largest)) {
-      fail(property.label + " is " + number_text(value) + "; allowed is " + number_text(least_number) +
-           " to " + number_text(largest));
-    }
+    if (!(value >= least_number && value <= largest))
+      refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, least_number, largest);
     return value;
   }
 
@@ -166,19 +133,12 @@ HapticProperties haptic_properties(JsonValue extras, const std::string& where) {
     }
   }
   const JsonValue nested = extras.find(nested_key);
-  if (!nested.exists()) {
-    return Reader(std::move(flat), where).read();
-  }
-  if (!flat.empty()) {
-    throw SceneError(where + "both extras.haptic and " + flat.front().label + " are given; keep one form");
-  }
-  if (!nested.is_object() || nested.size() == 0) {
-    throw SceneError(where + "extras.haptic is not an object with a role");
-  }
+  if (!nested.exists()) return Reader(std::move(flat), where).read();
+  if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
+  if (!nested.is_object() || nested.size() == 0) refuse(where, "extras.haptic is not an object with a role");
   std::vector<Property> properties;
-  for (const JsonValue member : nested) {
+  for (const JsonValue member : nested)
     properties.push_back({std::string(member.key()), "extras.haptic." + shown(member.key()), member});
-  }
   return Reader(std::move(properties), where).read();
 }
 

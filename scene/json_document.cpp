@@ -7,7 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "scene/gltf_limits.h"
-#include "scene/scene_error.h"
+#include "scene/json_number.h"
+#include "scene/refuse.h"
 
 namespace hrt {
 
@@ -19,9 +20,7 @@ namespace {
 // file.
 std::string reason(std::string_view what) {
   const std::size_t name_end = what.find("] ");
-  if (name_end != what.npos) {
-    what.remove_prefix(name_end + 2);
-  }
+  if (name_end != what.npos) what.remove_prefix(name_end + 2);
   return printable(what.substr(0, what.find("; last read")));
 }
 
@@ -42,17 +41,11 @@ class JsonReader : public nlohmann::json_sax<json> {
     return add(Kind::whole, {}, static_cast<double>(value));
   }
   bool number_float(number_float_t, const string_t& text) override {
-    // The parser has put the locale's decimal point into the text, and read its value by that.
-    std::string digits = text;
-    const std::size_t point = digits.find_first_not_of("+-0123456789eE");
-    if (point != digits.npos) {
-      digits[point] = '.';
-    }
+    const std::string digits = with_point(text);
     double value = 0.0;
     fast_float::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (!std::isfinite(value)) {
-      throw SceneError(file_ + ": not a glTF file: the number " + in_quotes(digits) + " is too large");
-    }
+    if (!std::isfinite(value))
+      refuse(file_, "not a glTF file: the number {} is too large", in_quotes(digits));
     return add(Kind::number, digits, value);
   }
   bool string(string_t& value) override { return add(Kind::string, value); }
@@ -70,7 +63,7 @@ class JsonReader : public nlohmann::json_sax<json> {
   bool start_array(std::size_t) override { return open(Kind::array); }
   bool end_array() override { return close(); }
   bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception& error) override {
-    throw SceneError(file_ + ": not a glTF file: " + reason(error.what()));
+    refuse(file_, "not a glTF file: {}", reason(error.what()));
   }
 
  private:
@@ -84,10 +77,8 @@ class JsonReader : public nlohmann::json_sax<json> {
   }
 
   bool add(Kind kind, std::string_view text = {}, double number = 0.0) {
-    if (entries_.size() == gltf_limits::json_values) {
-      throw SceneError(file_ + ": its JSON has more than " + std::to_string(gltf_limits::json_values) +
-                       " values");
-    }
+    if (entries_.size() == gltf_limits::json_values)
+      refuse(file_, "its JSON has more than {} values", gltf_limits::json_values);
     entries_.push_back({.kind = kind,
                         .key_begin = key_begin_,
                         .key_size = key_size_,
@@ -95,17 +86,13 @@ class JsonReader : public nlohmann::json_sax<json> {
                         .text_size = static_cast<std::uint32_t>(text.size()),
                         .number = number});
     key_begin_ = key_size_ = 0;
-    if (!open_.empty()) {
-      ++entries_[open_.back()].size;
-    }
+    if (!open_.empty()) ++entries_[open_.back()].size;
     return true;
   }
 
   bool open(Kind kind) {
-    if (open_.size() == gltf_limits::json_depth) {
-      throw SceneError(file_ + ": its JSON is nested deeper than " + std::to_string(gltf_limits::json_depth) +
-                       " levels");
-    }
+    if (open_.size() == gltf_limits::json_depth)
+      refuse(file_, "its JSON is nested deeper than {} levels", gltf_limits::json_depth);
     add(kind);
     open_.push_back(entries_.size() - 1);
     return true;
@@ -122,14 +109,11 @@ class JsonReader : public nlohmann::json_sax<json> {
   // glTF allows each key once in an object; readers differ in which of two they take.
   void check_keys() {
     keys_.clear();
-    for (std::size_t i = open_.back() + 1; i < entries_.size(); i += entries_[i].entries) {
+    for (std::size_t i = open_.back() + 1; i < entries_.size(); i += entries_[i].entries)
       keys_.push_back(value(i).key());
-    }
     std::sort(keys_.begin(), keys_.end());
     const auto twice = std::adjacent_find(keys_.begin(), keys_.end());
-    if (twice != keys_.end()) {
-      throw SceneError(file_ + ": " + place() + " has the key " + in_quotes(*twice) + " twice");
-    }
+    if (twice != keys_.end()) refuse(file_, "{} has the key {} twice", place(), in_quotes(*twice));
   }
 
   // Of the innermost open object: its JSON, or "nodes[3].extras".
@@ -137,11 +121,10 @@ class JsonReader : public nlohmann::json_sax<json> {
     std::string path;
     for (std::size_t depth = 1; depth < open_.size(); ++depth) {
       const JsonValue parent = value(open_[depth - 1]);
-      if (parent.is_array()) {
+      if (parent.is_array())
         path += "[" + std::to_string(parent.size() - 1) + "]";
-      } else {
+      else
         path += (path.empty() ? "" : ".") + std::string(value(open_[depth]).key());
-      }
     }
     return path.empty() ? "its JSON" : in_quotes(path);
   }
@@ -171,9 +154,9 @@ std::string JsonValue::shown() const {
     case Kind::boolean:
       return "a boolean";
     case Kind::whole:
-      return number_text(number());
+      return fmt::format("{:g}", number());
     case Kind::number:
-      return text().empty() ? number_text(number()) : std::string(text());
+      return text().empty() ? fmt::format("{:g}", number()) : std::string(text());
     case Kind::string:
       return "\"" + std::string(text()) + "\"";
     case Kind::array:
@@ -194,11 +177,8 @@ JsonValue::Iterator JsonValue::end() const {
 
 JsonValue JsonValue::find(std::string_view key) const {
   if (is_object()) {
-    for (const JsonValue member : *this) {
-      if (member.key() == key) {
-        return member;
-      }
-    }
+    for (const JsonValue member : *this)
+      if (member.key() == key) return member;
   }
   return {&absent, text_};
 }

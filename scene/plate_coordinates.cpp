@@ -38,9 +38,7 @@ bool is_valid(const Pose& pose) {
 }
 
 bool locate_finger(const PlateSurface& surface, const Pose& plate, Vec3 fingertip_m, FingerOnPlate& out) {
-  if (!is_valid(plate) || !in_range(fingertip_m)) {
-    return false;
-  }
+  if (!is_valid(plate) || !in_range(fingertip_m)) return false;
   const Vec3 position_m = along(axes_of(normalized(plate.orientation)), fingertip_m - plate.position_m);
   out = {.position_m = position_m,
          .off_plate =

@@ -5,6 +5,7 @@
 
 #include "core/trigonometry.h"
 #include "scene/gltf_tree.h"
+#include "scene/refuse.h"
 
 namespace hrt {
 namespace {
@@ -18,55 +19,42 @@ class SceneBuilder {
   SceneBuilder(const std::vector<HapticNode>& nodes, const std::string& file) : nodes_(nodes), file_(file) {}
 
   Scene build() {
-    if (nodes_.empty()) {
-      throw SceneError(file_ + ": no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
-    }
-    for (const HapticNode& node : nodes_) {
-      check_position(node, node.origin_m, "the world's origin");
-    }
+    if (nodes_.empty())
+      refuse(file_, "no node has a haptic role (extras.haptic.role, or extras.haptic_role)");
+    for (const HapticNode& node : nodes_) check_position(node, node.origin_m, "the world's origin");
     const HapticNode* plate = only(HapticRole::plate);
-    if (plate == nullptr) {
-      throw SceneError(file_ + ": no node has extras.haptic.role \"plate\"");
-    }
+    if (plate == nullptr) refuse(file_, "no node has extras.haptic.role \"plate\"");
     place_plate(*plate);
     place_start(only(HapticRole::start));
     for (const HapticNode& node : nodes_) {
       const HapticRole role = node.properties.role;
-      if (role == HapticRole::real || role == HapticRole::virtual_target) {
-        add_target(node);
-      }
+      if (role == HapticRole::real || role == HapticRole::virtual_target) add_target(node);
     }
-    for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
-      if (scene_.targets[i].kind == TargetKind::virtual_object) {
+    for (std::size_t i = 0; i < scene_.targets.size(); ++i)
+      if (scene_.targets[i].kind == TargetKind::virtual_object)
         scene_.targets[i].served_by = real_target_of(*target_nodes_[i], scene_.targets[i].direction_deg);
-      }
-    }
     return std::move(scene_);
   }
 
  private:
-  [[noreturn]] void fail(const HapticNode& node, const std::string& what) const {
-    throw SceneError(file_ + ": node " + in_quotes(node.path) + ": " + what);
+  std::string where(const HapticNode& node) const {
+    return fmt::format("{}: node {}", file_, in_quotes(node.path));
   }
 
   void check_position(const HapticNode& node, Vec3 p, const char* whence) const {
-    for (const double coordinate_m : {p.x, p.y, p.z}) {
-      if (!(std::abs(coordinate_m) < largest_coordinate_m)) {
-        fail(node, std::string("it is further than 1000 m from ") + whence);
-      }
-    }
+    for (const double coordinate_m : {p.x, p.y, p.z})
+      if (!(std::abs(coordinate_m) < largest_coordinate_m))
+        refuse(where(node), "it is further than 1000 m from {}", whence);
   }
 
   // The node of a role that a file has at most once; null if it has none.
   const HapticNode* only(HapticRole role) const {
     const HapticNode* found = nullptr;
     for (const HapticNode& node : nodes_) {
-      if (node.properties.role != role) {
-        continue;
-      }
+      if (node.properties.role != role) continue;
       if (found != nullptr) {
-        fail(node, "extras.haptic.role is the same as that of " + in_quotes(found->path) +
-                       ", and there may be one only");
+        refuse(where(node), "extras.haptic.role is the same as that of {}, and there may be one only",
+               in_quotes(found->path));
       }
       found = &node;
     }
@@ -77,7 +65,8 @@ class SceneBuilder {
     const Vec3 up = node.axes.y * (1.0 / length(node.axes.y));
     const Vec3 back = node.axes.z * (1.0 / length(node.axes.z));
     if (!(std::abs(dot(up, back)) < largest_shear)) {
-      fail(node, "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
+      refuse(where(node),
+             "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
     }
     const Vec3 sideways = cross(up, back);
     plate_axes_.x = sideways * (1.0 / length(sideways));
@@ -103,8 +92,9 @@ class SceneBuilder {
     scene_.start_path = node->path;
     const double from_centre_m = length(scene_.start_m);
     if (from_centre_m > scene_.plate.radius_m) {
-      fail(*node, "the start lies off the plate, " + number_text(from_centre_m) +
-                      " m from its centre; the plate's radius_m is " + number_text(scene_.plate.radius_m));
+      refuse(where(*node),
+             "the start lies off the plate, {:g} m from its centre; the plate's radius_m is {:g}",
+             from_centre_m, scene_.plate.radius_m);
     }
   }
 
@@ -113,16 +103,14 @@ class SceneBuilder {
         node.properties.name.value_or(node.name.empty() ? node.path : printable(node.name));
     const auto [same, is_new] = index_of_.emplace(name, scene_.targets.size());
     if (!is_new) {
-      fail(node, "its name " + in_quotes(name) + " is also that of " +
-                     in_quotes(target_nodes_[same->second]->path) +
-                     "; targets need names of their own (extras.haptic.name)");
+      refuse(where(node),
+             "its name {} is also that of {}; targets need names of their own (extras.haptic.name)",
+             in_quotes(name), in_quotes(target_nodes_[same->second]->path));
     }
     const Vec3 position_m = in_plate_coordinates(node);
     check_position(node, position_m, "the plate");
     const Bearing bearing = bearing_from(scene_.start_m, position_m);
-    if (bearing.at_start) {
-      fail(node, "the target lies at the start point, so it has no direction");
-    }
+    if (bearing.at_start) refuse(where(node), "the target lies at the start point, so it has no direction");
     scene_.targets.push_back({
         .kind =
             node.properties.role == HapticRole::real ? TargetKind::real_object : TargetKind::virtual_object,
@@ -143,8 +131,8 @@ class SceneBuilder {
       const std::string& wanted = *node.properties.served_by;
       const auto found = index_of_.find(wanted);
       if (found == index_of_.end() || scene_.targets[found->second].kind != TargetKind::real_object) {
-        fail(node,
-             "extras.haptic.served_by is " + in_quotes(wanted) + ", which is not the name of a real target");
+        refuse(where(node), "extras.haptic.served_by is {}, which is not the name of a real target",
+               in_quotes(wanted));
       }
       return found->second;
     }
@@ -152,18 +140,14 @@ class SceneBuilder {
     std::optional<std::size_t> nearest;
     double smallest_gap_deg = 0.0;
     for (std::size_t i = 0; i < scene_.targets.size(); ++i) {
-      if (scene_.targets[i].kind != TargetKind::real_object) {
-        continue;
-      }
+      if (scene_.targets[i].kind != TargetKind::real_object) continue;
       const double gap_deg = std::abs(wrap_deg(scene_.targets[i].direction_deg - direction_deg, 360.0));
       if (!nearest || gap_deg < smallest_gap_deg) {
         nearest = i;
         smallest_gap_deg = gap_deg;
       }
     }
-    if (!nearest) {
-      fail(node, "the file has no real target that could serve this virtual one");
-    }
+    if (!nearest) refuse(where(node), "the file has no real target that could serve this virtual one");
     return *nearest;
   }
 

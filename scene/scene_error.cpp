@@ -19,8 +19,4 @@ std::string in_quotes(std::string_view text) {
   return fmt::format("\"{}{}\"", printable(shown), shown.size() < text.size() ? "..." : "");
 }
 
-std::string number_text(double value) {
-  return fmt::format("{:g}", value);
-}
-
 }  // namespace hrt

@@ -19,7 +19,4 @@ std::string printable(std::string_view text);
 /// `text` in double quotes for a message: printable, cut after 80 characters of UTF-8.
 std::string in_quotes(std::string_view text);
 
-/// A number for a message: six digits, whatever the locale.
-std::string number_text(double value);
-
 }  // namespace hrt

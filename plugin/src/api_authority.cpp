@@ -81,13 +81,9 @@ hrt_result hrt_authority_query(hrt_session session, hrt_target real_target, hrt_
                                hrt_authority* out_authority) noexcept {
   return with_session("hrt_authority_query", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_authority", out_authority));
-    const hrt_target_config* real = nullptr;
-    const hrt_target_config* virtual_config = nullptr;
-    HRT_RETURN_IF_FAILED(
-        find_target(s.session().targets, "real_target", real_target, HRT_TARGET_REAL, &real));
-    HRT_RETURN_IF_FAILED(find_target(s.session().targets, "virtual_target", virtual_target,
-                                     HRT_TARGET_VIRTUAL, &virtual_config));
-    write_struct(authority_of(s.session(), real_target, virtual_target, *real, *virtual_config),
+    Pair pair{};
+    HRT_RETURN_IF_FAILED(find_pair(s.session().targets, real_target, virtual_target, &pair));
+    write_struct(authority_of(s.session(), real_target, virtual_target, pair.real, pair.virtual_target),
                  out_authority);
     return HRT_OK;
   });

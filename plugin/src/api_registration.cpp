@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <string_view>
 #include <vector>
 
 #include "core/frame_error.h"
@@ -16,6 +15,7 @@
 #include "plugin/src/finger_sample.h"
 #include "plugin/src/session_config.h"
 #include "plugin/src/sessions.h"
+#include "plugin/src/triangle.h"
 
 namespace hrt::plugin {
 namespace {
@@ -79,12 +79,6 @@ hrt_result check_touches(const Touch* touches, std::uint64_t count) {
   return HRT_OK;
 }
 
-hrt_result check_rotation(const char* field, const double (&q)[4]) {
-  if (is_valid(Pose{.position_m = {}, .orientation = {q[0], q[1], q[2], q[3]}})) return HRT_OK;
-  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is (", q[0], ", ", q[1], ", ", q[2], ", ", q[3],
-              "); allowed: length 1 within 0.001");
-}
-
 // `where` is put before the names of the fields.
 hrt_result read_touch(const char* where, const hrt_mark_touch& given, MarkTouch* out) {
   Text<64> mark, touched;
@@ -136,17 +130,14 @@ hrt_registration to_abi(const Registration& found, std::uint32_t touches) {
       .residual_m = found.residual_m,
       .turn_sd_deg = deg_per_rad * std::sqrt(std::max(0.0, found.covariance(1, 1))),
   };
-  double* covariance = result.covariance;
-  for (int i = 0; i < 7; ++i)
-    for (int j = 0; j <= i; ++j) *covariance++ = found.covariance(i, j);
+  write_triangle<7>(found.covariance, result.covariance);
   return result;
 }
 
 // True if no direction has a negative variance, within rounding.
-using Covariance = Eigen::Matrix<double, 7, 7>;
-bool is_covariance(const Covariance& matrix) {
+bool is_covariance(const Square<7>& matrix) {
   const double rounding = 1e-9 * std::max(1e-12, matrix.trace());
-  return is_positive_definite(matrix + rounding * Covariance::Identity());
+  return is_positive_definite(matrix + rounding * Square<7>::Identity());
 }
 
 // A registration that holds, of any version.
@@ -164,12 +155,9 @@ hrt_result read_registration(const hrt_registration* given, Registration* out) {
           .position_m = vector_of(known.plate_position_m),
           .scale = known.plate_scale,
           .touch_sd_m = known.touch_sd_m};
-  const double* covariance = known.covariance;
-  for (int i = 0; i < 7; ++i)
-    for (int j = 0; j <= i; ++j) {
-      HRT_RETURN_IF_FAILED(check_range("covariance", *covariance, -1.0, 1.0));
-      out->covariance(i, j) = out->covariance(j, i) = *covariance++;
-    }
+  for (const double covariance : known.covariance)
+    HRT_RETURN_IF_FAILED(check_range("covariance", covariance, -1.0, 1.0));
+  out->covariance = from_triangle<7>(known.covariance);
   if (is_covariance(out->covariance)) return HRT_OK;
   return fail(
       HRT_ERROR_OUT_OF_RANGE,
@@ -216,14 +204,6 @@ hrt_session_config registered(hrt_session_config config, const hrt_registration&
   return config;
 }
 
-// The failure that was just reported, with the element's name before the field's.
-hrt_result of_element(std::string_view name, hrt_result result) {
-  const Text<240> what = thread_error.text;
-  std::string_view detail = what.view();
-  detail.remove_prefix(std::min(detail.size(), std::string_view(thread_error.call).size() + 2));
-  return fail(result, name, ".", detail);
-}
-
 // The samples of a finger that is carried; in any frame, but all in one.
 hrt_result read_carried(const hrt_sample* given, std::uint64_t count, std::vector<CarriedSample>* out) {
   if (count > HRT_LATENCY_SAMPLES_MAX)
@@ -243,7 +223,7 @@ hrt_result read_carried(const hrt_sample* given, std::uint64_t count, std::vecto
     hrt_sample sample{};
     HRT_RETURN_IF_FAILED(read_struct(name.c_str(), reinterpret_cast<const hrt_sample*>(bytes), &sample));
     if (const hrt_result result = check_sample(sample); result != HRT_OK)
-      return of_element(name.view(), result);
+      return fail(result, name.view(), ".", last_failure().view());
     if (i > 0 && sample.time_ns < last_ns)
       return fail(HRT_ERROR_TIME_REVERSED, name.view(), ": time_ns is ", sample.time_ns,
                   "; allowed: from the last sample's, ", last_ns);

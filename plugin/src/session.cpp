@@ -7,13 +7,14 @@
 #include "core/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
+#include "plugin/src/reach_numbers.h"
 
 namespace hrt::plugin {
 namespace {
 
 // The last line of defence: false, and 0 in its place, if a value is no finite number.
 template <class Struct, std::size_t count>
-bool make_finite(Struct& values, double Struct::*const (&fields)[count]) {
+bool make_finite(Struct& values, const std::array<double Struct::*, count>& fields) {
   bool finite = true;
   for (double Struct::*field : fields) {
     if (std::isfinite(values.*field)) continue;
@@ -34,47 +35,17 @@ bool is_registration_poor(const hrt_session_config& config, const Reach& reach) 
 }
 
 bool make_finite(hrt_command& command, double held_orientation_deg) {
-  using C = hrt_command;
   const bool plate_finite = std::isfinite(command.plate_orientation_deg);
   if (!plate_finite) command.plate_orientation_deg = held_orientation_deg;
-  const bool finite =
-      make_finite(command, {&C::finger_direction_deg, &C::perceived_direction_deg, &C::aimed_direction_deg,
-                            &C::distance_to_go_m, &C::tactile_weight, &C::tactile_weight_sd, &C::time_to_go_s,
-                            &C::felt_error_deg, &C::predicted_miss_deg, &C::normalised_innovation,
-                            &C::bearing_error_sd_deg});
-  if (finite && plate_finite) return true;
+  if (make_finite(command, command_numbers) && plate_finite) return true;
   command.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
   return false;
 }
 
 bool make_finite(hrt_reach_summary& summary) {
-  using S = hrt_reach_summary;
-  const bool finite = make_finite(summary, {&S::final_direction_deg,
-                                            &S::final_miss_deg,
-                                            &S::perceived_direction_deg,
-                                            &S::perceived_error_deg,
-                                            &S::distance_to_target_m,
-                                            &S::tactile_weight,
-                                            &S::tactile_weight_sd,
-                                            &S::tracker_noise_m,
-                                            &S::motor_variance_deg2,
-                                            &S::motor_variance_sd_deg2,
-                                            &S::bearing_error_deg,
-                                            &S::peak_felt_error_deg,
-                                            &S::rms_felt_error_deg,
-                                            &S::normalised_innovation,
-                                            &S::illusion_curve,
-                                            &S::illusion_curve_sd,
-                                            &S::gain_per_s,
-                                            &S::gain_sd_per_s,
-                                            &S::bias_deg,
-                                            &S::bias_sd_deg,
-                                            &S::habit_deg,
-                                            &S::habit_sd_deg,
-                                            &S::duration_s,
-                                            &S::bearing_error_sd_deg});
-  if (!finite) summary.flags |= HRT_COMMAND_FAULT;
-  return finite;
+  if (make_finite(summary, summary_numbers)) return true;
+  summary.flags |= HRT_COMMAND_FAULT;
+  return false;
 }
 
 }  // namespace
@@ -95,16 +66,6 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   config_ = checked_config;
   registration_doubted_ = false;
   retargeter_ = Retargeter(to_core(checked_config));
-  return HRT_OK;
-}
-
-hrt_result Session::find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const {
-  const hrt_target_config* real = nullptr;
-  const hrt_target_config* virtual_config = nullptr;
-  HRT_RETURN_IF_FAILED(find_target(targets, "real_target", real_target, HRT_TARGET_REAL, &real));
-  HRT_RETURN_IF_FAILED(
-      find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
-  *out = {*real, *virtual_config};
   return HRT_OK;
 }
 
@@ -141,7 +102,7 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
   if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
   Pair pair{};
-  HRT_RETURN_IF_FAILED(find_pair(config.real_target, config.virtual_target, &pair));
+  HRT_RETURN_IF_FAILED(find_pair(targets, config.real_target, config.virtual_target, &pair));
   Reach reach{};
   reach.plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_;
   reach.duration_s = config.duration_s;
@@ -174,7 +135,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
 hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) {
   HRT_RETURN_IF_FAILED(check_reach());
   Pair pair{};
-  HRT_RETURN_IF_FAILED(find_pair(real_target, virtual_target, &pair));
+  HRT_RETURN_IF_FAILED(find_pair(targets, real_target, virtual_target, &pair));
   Reach from_start = reach_;
   HRT_RETURN_IF_FAILED(aim(pair, start_, &from_start));
   const auto place = [&](const hrt_target_config& target) {

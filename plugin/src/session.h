@@ -42,12 +42,6 @@ class Session {
   Targets targets;
 
  private:
-  /// The targets of a reach as they were when it was given them.
-  struct Pair {
-    hrt_target_config real;
-    hrt_target_config virtual_target;
-  };
-  hrt_result find_pair(hrt_target real_target, hrt_target virtual_target, Pair* out) const;
   hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
   hrt_result start_at(const PlatePoint& finger);
   bool is_registration_doubtful(std::int64_t time_ns) const;
@@ -57,7 +51,7 @@ class Session {
 
   hrt_session_config config_;
   Retargeter retargeter_;
-  Pair pair_{};
+  Pair pair_{};  // as the targets were when the reach was given them
   PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;

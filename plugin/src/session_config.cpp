@@ -7,6 +7,7 @@
 
 #include "core/exponential.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/triangle.h"
 
 namespace hrt::plugin {
 namespace {
@@ -43,15 +44,6 @@ constexpr NumberField all_number_fields[] = {
     {"steering_delay_s", &C::steering_delay_s, 0.0, 0.5, true, &C::steering_delay_s},
 };
 
-constexpr VectorField all_vector_fields[] = {
-    {"start_position_m", offsetof(C, start_position_m), 3, false},
-    {"plate_position_m", offsetof(C, plate_position_m), 3, false},
-    {"plate_rotation", offsetof(C, plate_rotation), 4, false},
-    {"person_mean", offsetof(C, person_mean), HRT_PERSON_TRAITS, true},
-    {"person_covariance", offsetof(C, person_covariance), HRT_PERSON_COVARIANCES, true},
-    {"plate_covariance", offsetof(C, plate_covariance), std::size(C{}.plate_covariance), false},
-};
-
 bool turns_freely(const C& config) {
   return config.plate_lower_stop_deg == 0.0 && config.plate_upper_stop_deg == 0.0;
 }
@@ -70,11 +62,8 @@ PersonBelief person_of(const C& config) {
   PersonBelief belief = unknown_person(config.tactile_weight, config.tactile_weight_sd, config.bias_deg);
   if (!knows_person(config)) return belief;
   belief.wander_sd_deg = later_wander_sd_deg;
-  const double* covariance = config.person_covariance;
-  for (int i = 0; i < PersonTrait::count; ++i) {
-    belief.mean(i) = config.person_mean[i];
-    for (int j = 0; j <= i; ++j) belief.covariance(i, j) = belief.covariance(j, i) = *covariance++;
-  }
+  for (int i = 0; i < PersonTrait::count; ++i) belief.mean(i) = config.person_mean[i];
+  belief.covariance = from_triangle<PersonTrait::count>(config.person_covariance);
   return belief;
 }
 
@@ -118,17 +107,11 @@ hrt_result check_plate_covariance(const hrt_session_config& config) {
 }  // namespace
 
 FrameCovariance frame_covariance_of(const hrt_session_config& config) {
-  FrameCovariance result;
-  const double* covariance = config.plate_covariance;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j) result(i, j) = result(j, i) = *covariance++;
-  return result;
+  return from_triangle<3>(config.plate_covariance);
 }
 
 void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config) {
-  double* out = config->plate_covariance;
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j <= i; ++j) *out++ = covariance(i, j);
+  write_triangle<3>(covariance, config->plate_covariance);
 }
 
 Vec3 unscaled(const hrt_session_config& config, Vec3 plate_position_m, Vec3 world_position_m) {
@@ -152,9 +135,6 @@ bool holds_belief(const hrt_session_config& config) {
 
 std::span<const NumberField> number_fields() {
   return all_number_fields;
-}
-std::span<const VectorField> vector_fields() {
-  return all_vector_fields;
 }
 
 hrt_session_config default_session_config() {
@@ -279,12 +259,8 @@ RetargeterConfig to_core(const hrt_session_config& config) {
 }
 
 void write_person(const PersonBelief& belief, hrt_session_config* config) {
-  using T = PersonTrait;
-  double* covariance = config->person_covariance;
-  for (int i = 0; i < T::count; ++i) {
-    config->person_mean[i] = belief.mean(i);
-    for (int j = 0; j <= i; ++j) *covariance++ = belief.covariance(i, j);
-  }
+  for (int i = 0; i < PersonTrait::count; ++i) config->person_mean[i] = belief.mean(i);
+  write_triangle<PersonTrait::count>(belief.covariance, config->person_covariance);
   const LinearIllusion linear = linear_illusion(belief);
   config->tactile_weight = linear.weight;
   config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, most_weight_sd);
@@ -319,10 +295,13 @@ Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]) {
 
 hrt_result check_plate_pose(const double (&position_m)[3], const double (&rotation)[4]) {
   HRT_RETURN_IF_FAILED(check_position("plate_position_m", position_m));
-  if (!is_valid(to_pose(position_m, rotation)))
-    return fail(HRT_ERROR_OUT_OF_RANGE, "plate_rotation is (", rotation[0], ", ", rotation[1], ", ",
-                rotation[2], ", ", rotation[3], "); allowed: length 1 within 0.001");
-  return HRT_OK;
+  return check_rotation("plate_rotation", rotation);
+}
+
+hrt_result check_rotation(const char* field, const double (&q)[4]) {
+  if (is_valid(to_pose({}, q))) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, field, " is (", q[0], ", ", q[1], ", ", q[2], ", ", q[3],
+              "); allowed: length 1 within 0.001");
 }
 
 }  // namespace hrt::plugin

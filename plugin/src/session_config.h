@@ -1,7 +1,6 @@
 // A session's configuration: its defaults and ranges, and what the core makes of it.
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "core/frame_error.h"
@@ -23,15 +22,6 @@ struct NumberField {
   double hrt_session_config::*known_by = nullptr;  ///< in the profile only if this is above 0
 };
 std::span<const NumberField> number_fields();
-
-/// A field that is a place or a rotation.
-struct VectorField {
-  const char* name;
-  std::size_t offset;
-  std::size_t size;
-  bool of_participant;  ///< part of a profile
-};
-std::span<const VectorField> vector_fields();
 
 hrt_session_config default_session_config();
 
@@ -79,5 +69,8 @@ Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]);
 
 /// Fails unless the pose is one, naming the fields plate_position_m and plate_rotation.
 hrt_result check_plate_pose(const double (&position_m)[3], const double (&rotation)[4]);
+
+/// Fails, naming `field`, unless it is a unit quaternion.
+hrt_result check_rotation(const char* field, const double (&rotation)[4]);
 
 }  // namespace hrt::plugin

@@ -136,4 +136,14 @@ hrt_result find_target(const Targets& targets, const char* argument, hrt_target 
   return HRT_OK;
 }
 
+hrt_result find_pair(const Targets& targets, hrt_target real_target, hrt_target virtual_target, Pair* out) {
+  const hrt_target_config* real = nullptr;
+  const hrt_target_config* virtual_config = nullptr;
+  HRT_RETURN_IF_FAILED(find_target(targets, "real_target", real_target, HRT_TARGET_REAL, &real));
+  HRT_RETURN_IF_FAILED(
+      find_target(targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &virtual_config));
+  *out = {*real, *virtual_config};
+  return HRT_OK;
+}
+
 }  // namespace hrt::plugin

@@ -52,8 +52,17 @@ Bearing view_from(const PlatePoint& start, const hrt_session_config& config, con
 /// The same from where the session's reaches start.
 Bearing view(const hrt_session_config& config, const hrt_target_config& target);
 
+/// The targets of a reach.
+struct Pair {
+  hrt_target_config real;
+  hrt_target_config virtual_target;
+};
+
 /// Finds a target of the wanted role (0: of either), or fails naming `argument`.
 hrt_result find_target(const Targets& targets, const char* argument, hrt_target target, std::uint32_t role,
                        const hrt_target_config** out_config);
+
+/// Copies a real and a virtual target, or fails naming `real_target` or `virtual_target`.
+hrt_result find_pair(const Targets& targets, hrt_target real_target, hrt_target virtual_target, Pair* out);
 
 }  // namespace hrt::plugin

@@ -79,9 +79,7 @@ static void find_columns(char** header, int count) {
 
 /* An empty cell is 0, which is right for what `flags` do not name. */
 static hrt_sample read_sample(char** cells) {
-  hrt_sample sample;
-  memset(&sample, 0, sizeof sample);
-  sample.struct_size = sizeof sample;
+  hrt_sample sample = hrt_sample_init();
   sample.flags = (uint32_t)strtoul(cells[indices[FLAGS]], NULL, 10);
   sample.time_ns = strtoll(cells[indices[TIME]], NULL, 10);
   for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = strtod(cells[indices[X + i]], NULL);
@@ -90,9 +88,8 @@ static hrt_sample read_sample(char** cells) {
 }
 
 static hrt_session create_session(void) {
-  hrt_session_config config;
+  hrt_session_config config = hrt_session_config_init();
   hrt_session session;
-  check(hrt_session_config_default(&config, sizeof config));
   config.horizon = 20;
   config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
@@ -106,9 +103,8 @@ static hrt_session create_session(void) {
 }
 
 static hrt_target add_target(hrt_session session, uint32_t role, double direction_deg, const char* name) {
-  hrt_target_config config;
+  hrt_target_config config = hrt_target_config_init();
   hrt_target target;
-  check(hrt_target_config_default(&config, sizeof config));
   config.role = role;
   config.direction_deg = direction_deg;
   snprintf(config.name, sizeof config.name, "%s", name);
@@ -118,9 +114,9 @@ static hrt_target add_target(hrt_session session, uint32_t role, double directio
 
 int main(int argc, char** argv) {
   hrt_session session;
-  hrt_reach_config reach;
-  hrt_command command;
-  hrt_reach_summary summary;
+  hrt_reach_config reach = hrt_reach_config_init();
+  hrt_command command = hrt_command_init();
+  hrt_reach_summary summary = hrt_reach_summary_init();
   char line[2048];
   char* cells[64];
   int columns = 0;
@@ -129,12 +125,9 @@ int main(int argc, char** argv) {
   if (!file) fail("the argument is a recording that can be read");
 
   session = create_session();
-  check(hrt_reach_config_default(&reach, sizeof reach));
   reach.real_target = add_target(session, HRT_TARGET_REAL, -5, "cylinder");
   reach.virtual_target = add_target(session, HRT_TARGET_VIRTUAL, 5, "cup");
   check(hrt_reach_begin(session, &reach));
-  command.struct_size = sizeof command;
-  summary.struct_size = sizeof summary;
 
   while (fgets(line, sizeof line, file)) {
     hrt_sample sample;

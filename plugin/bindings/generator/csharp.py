@@ -87,7 +87,7 @@ class Renderer:
 
     def struct(self, struct: Struct) -> str:
         name = self.types[struct.name]
-        text = self.doc(struct.doc, "") + "[Serializable]\n[StructLayout(LayoutKind.Sequential)]\n"
+        text = self.doc(struct.doc, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
         text += f"public partial struct {name}\n{{\n"
         for f in struct.fields:
             text += self.doc(f.doc, "    ") + f"    public {self.field_type(struct, f)} {camel(f.name)};\n"
@@ -120,7 +120,7 @@ class Renderer:
         named = re.search(r"\b(HRT_[A-Z_]+_)\*", field.doc)
         names = {c.value: camel(c.name.removeprefix(named[1])) for c in reversed(self.abi.constants)
                  if named and c.name.startswith(named[1])}
-        text = self.doc(field.doc, "") + "[Serializable]\n[StructLayout(LayoutKind.Sequential)]\n"
+        text = self.doc(field.doc, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
         text += f"public struct {self.arrays[struct.name, field.name]}\n{{\n"
         elements = ", ".join(names.get(i, f"value{i}") for i in range(field.length))
         lines = textwrap.wrap(f"public {_TYPES[field.type.name]} {elements};", _WIDTH - 12)
@@ -131,7 +131,7 @@ class Renderer:
         words = ", ".join(f"word{i}" for i in range(field.length // 8))
         declared = "\n        ".join(textwrap.wrap(f"public ulong {words};", _WIDTH - 16))
         passed = "\n        ".join(textwrap.wrap(f"{words});", _WIDTH - 16))
-        return (self.doc(field.doc, "") + "[Serializable]\n[StructLayout(LayoutKind.Sequential)]\n"
+        return (self.doc(field.doc, "") + "[Serializable, StructLayout(LayoutKind.Sequential)]\n"
                 f"public struct {self.arrays[struct.name, field.name]}\n{{\n    {declared}\n\n"
                 f"    public override string ToString() => Utf8.Read(\n        {passed}\n}}\n")
 

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import settings
-from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
+from abi import Abi, Enumeration, Field, HeaderError, pascal
 
-# What a script gets as a Dictionary, by the function of fields.h that returns its table.
+# What a script gets as a Dictionary, by its table in fields.h.
 _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "authority": "hrt_authority",
             "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
             "comparison": "hrt_calibration_comparison", "registration": "hrt_registration",
@@ -17,6 +17,13 @@ _KINDS = {"int32_t": "kInt32", "uint32_t": "kUint32", "int64_t": "kInt64", "uint
 # Of no property or Dictionary: methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
+_INTERVAL = r"""#define INTERVAL(type, name)                                        \
+  {#name, FieldKind::kDouble, offsetof(type, name.value)},          \
+  {#name "_lower", FieldKind::kDouble, offsetof(type, name.lower)}, \
+  {#name "_upper", FieldKind::kDouble, offsetof(type, name.upper)}, \
+  {#name "_known", FieldKind::kUint32, offsetof(type, name.known)}
+
+"""
 
 
 def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
@@ -28,30 +35,26 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
                                                           if f.name != "struct_size" and f.type.name != "char"])
     return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
             "#include <cstring>\n\n"
-            "namespace hrt_godot {\nnamespace {\n\n"
+            + _INTERVAL + "namespace hrt_godot {\nnamespace {\n\n"
             + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
             + "constexpr Constant kConstants[] = {\n"
             + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
                       f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) + _shown(plate) for m in e.members)
             + "};\n\n}  // namespace\n\n"
-            + "".join(f"std::span<const Field> {name}_fields() {{\n  return k{name.capitalize()};\n}}\n\n"
-                      for name in tables)
-            + "std::span<const Constant> constants() {\n  return kConstants;\n}\n\n"
+            + "".join(f"constinit const std::span<const Field> {name}_fields = k{name.capitalize()};\n" for name in tables)
+            + "constinit const std::span<const Constant> constants = kConstants;\n\n"
             + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
             + "".join(f"  std::memcpy(to.{f.name}, from.{f.name}, sizeof to.{f.name});\n" for f in settings.hidden(abi))
             + "}\n\n}  // namespace hrt_godot\n")
 
 
 def _table(abi: Abi, struct: str, fields: list[Field]) -> str:
-    return "".join(_rows(abi, struct, field) for field in fields)
+    return "".join(_row(abi, struct, field) for field in fields)
 
 
-def _rows(abi: Abi, struct: str, field: Field, path: str = "", name: str = "") -> str:
-    name, path = name or field.name, path or field.name
+def _row(abi: Abi, struct: str, field: Field) -> str:
     if field.type.name == "hrt_interval" and not field.length:
-        inner: Struct = abi.struct("hrt_interval")
-        return "".join(_rows(abi, struct, f, f"{path}.{f.name}", name if f.name == "value" else f"{name}_{f.name}")
-                       for f in inner.fields if f.name != "reserved")
+        return f"    INTERVAL({struct}, {field.name}),\n"
     kind = "kVector3" if (field.type.name, field.length) == ("double", 3) else _KINDS.get(field.type.name)
     if kind is None or field.length not in (0, 3):
         raise HeaderError(f"{struct}::{field.name} is of a type that Godot's tables do not have; "
@@ -61,7 +64,7 @@ def _rows(abi: Abi, struct: str, field: Field, path: str = "", name: str = "") -
         enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
         if not enumeration.flags:
             choices = f', "{_choices(enumeration)}"'
-    return f'    {{"{name}", FieldKind::{kind}, offsetof({struct}, {path}){choices}}},\n'
+    return f'    {{"{field.name}", FieldKind::{kind}, offsetof({struct}, {field.name}){choices}}},\n'
 
 
 def _shown(abi: Abi) -> list[Enumeration]:

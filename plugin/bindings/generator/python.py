@@ -10,6 +10,8 @@ from abi import Abi, Enumeration, Field, Function, Struct, Type, pascal
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
+# Of _struct.py.
+_ANNOTATED = {"int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "double": "Double"}
 # Whose names in Python are not those of the headers.
 _ENUMERATIONS = {"HRT_ERROR_": "ErrorCode", "HRT_LOG_": "LogLevel", "HRT_TARGET_": "Role"}
 # Classes of the package whose methods take fields of a struct by keyword: method, what it takes before them, and what
@@ -30,12 +32,13 @@ def render(abi: Abi, notice: str) -> str:
         f"# {notice}\n"
         '"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""\n\n'
         "from __future__ import annotations\n\n"
-        "import ctypes\n"
         "from ctypes import (\n"
-        "    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,\n"
+        "    CFUNCTYPE, POINTER, Array, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,\n"
         ")\n"
-        "from typing import TYPE_CHECKING\n\n"
-        "from ._struct import Choice, Flags, Struct, enumerated\n\n"
+        "from typing import TYPE_CHECKING, Annotated, Any\n\n"
+        "from ._struct import (\n"
+        "    Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out,\n"
+        ")\n\n"
         "if TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n",
         (f'VERSION = ({version})\n"""Of the headers that this was written from."""\n' if version else "")
         + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "", names)
@@ -48,10 +51,10 @@ def render(abi: Abi, notice: str) -> str:
     parts.insert(2, "__all__ = [\n" + textwrap.fill(", ".join(f'"{n}"' for n in public), 112, initial_indent="    ",
                                                       subsequent_indent="    ") + ",\n]\n")
     parts.append(
-        "def declare(library: CDLL) -> None:\n"
-        '    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""\n'
-        + "".join(f"    library.{f.name}.argtypes = ({_list([_type(p.type, names) for p in f.parameters])})\n"
-                  f"    library.{f.name}.restype = {_type(f.result, names)}\n" for f in abi.functions))
+        "FUNCTIONS: dict[str, tuple[Any, ...]] = {\n"
+        + "".join(f'    "{f.name}": ({_list([_type(t, names) for t in (f.result, *(p.type for p in f.parameters))])}),\n'
+                  for f in abi.functions)
+        + '}\n"""The types of each function\'s result and parameters."""\n')
     return "\n\n".join(part.rstrip("\n") + "\n" for part in parts if part)
 
 
@@ -113,25 +116,21 @@ def _callback(function: Function, names: _Names) -> str:
 
 
 def _struct(struct: Struct, names: _Names) -> str:
-    # What help() shows has the fields too; they stand where a type checker sees them.
+    # What help() shows has the fields too.
     lines = textwrap.wrap(_renamed(struct.doc, names), 104) + [""]
-    hints, fields = "", ""
     for f in struct.fields:
-        hints += f"        {f.name}: {_hint(f, names)}\n"
-        fields += f'        ("{f.name}", {_type(f.type, names)}{f" * {f.length}" if f.length else ""}),\n'
         if f.doc:
             lines += textwrap.wrap(f"{f.name}: {_renamed(f.doc, names)}", 104, subsequent_indent="    ")
         elif f.name not in ("struct_size", "reserved"):
             lines.append(f.name)
+    fields = "".join(f"    {f.name}: {_stored(f, names)}\n" for f in struct.fields)
     keywords = [f"{f.name}: {_given_hint(f, names, 'ArrayLike')} = ..." for f in struct.fields
                 if f.name not in ("struct_size", "reserved")]
-    hints += "\n        def __init__(\n" + _wrapped(["self, *", *keywords], 12) + "\n        ) -> None: ...\n"
-    named = ", ".join(f"{f.name}={names.enums[f.enumeration]}" for f in struct.fields if f.enumeration)
-    head = f"@enumerated({named})\n" if named else ""
     doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
     doc = f'    """{doc}\n    """\n' if "\n" in doc else f'    """{doc}"""\n'
-    return (head + f"class {names.structs[struct.name]}(Struct):\n{doc}\n    if TYPE_CHECKING:\n{hints}\n"
-            f"    _fields_ = (\n{fields}    )\n")
+    return (f"@laid_out\nclass {names.structs[struct.name]}(Struct):\n{doc}\n{fields}\n"
+            f"    if TYPE_CHECKING:\n        def __init__(\n{_wrapped(['self, *', *keywords], 12)}\n"
+            "        ) -> None: ...\n")
 
 
 def _renamed(doc: str, names: _Names) -> str:
@@ -155,13 +154,25 @@ def _type(type_: Type, names: _Names) -> str:
     return f"POINTER({name})"
 
 
+def _stored(field: Field, names: _Names) -> str:
+    """The type that a script reads, annotated with the one of ctypes where that is another."""
+    if field.enumeration:
+        return names.enums[field.enumeration]
+    stored = _type(field.type, names)
+    if field.length:
+        return f"Annotated[{_hint(field, names)}, {stored} * {field.length}]"
+    if field.type.callback:
+        return f"Annotated[FunctionPointer, {stored}]"
+    return "Pointer" if field.type.pointer else _ANNOTATED.get(field.type.name, stored)
+
+
 def _hint(field: Field, names: _Names) -> str:
     if field.enumeration:
         return names.enums[field.enumeration]
     if field.length:
-        return "bytes" if field.type.name == "char" else f"ctypes.Array[{_CTYPES[field.type.name]}]"
+        return "bytes" if field.type.name == "char" else f"Array[{_CTYPES[field.type.name]}]"
     if field.type.callback:
-        return "ctypes._FuncPointer"
+        return "FunctionPointer"
     if field.type.pointer:
         return "int | None"
     if field.type.name == "double":

@@ -243,9 +243,9 @@ class _Renderer:
 
     # Conversions
 
-    def from_(self, name: str) -> str:
+    def from_(self, name: str, storage: str = "") -> str:
         short = _STRUCTS[name].removeprefix("FHaptic")
-        return (f"\t{_STRUCTS[name]} From{short}(const {name}& C)\n\t{{\n\t\t{_STRUCTS[name]} Result;\n"
+        return (f"\t{storage}{_STRUCTS[name]} From{short}(const {name}& C)\n\t{{\n\t\t{_STRUCTS[name]} Result;\n"
                 + "".join(f"\t\tResult.{m.name} = {m.taken};\n" for m in self.members[name])
                 + "\t\treturn Result;\n\t}\n")
 
@@ -270,16 +270,18 @@ class _Renderer:
                           for f in settings.hidden(self.abi)) + "\t\treturn Config;\n\t}\n")
 
     def take_changes(self) -> str:
-        text = ""
-        for m in self.members[settings.STRUCT]:
-            source = re.search(r"C\.(\w+)", m.taken)
-            assert source
-            text += (f"\t\tif (Differ(C.{source[1]}, Before.{source[1]}))\n\t\t{{\n"
-                     f"\t\t\tS.{m.name} = {m.taken};\n\t\t}}\n")
-        return ("\ttemplate <typename T>\n\tstatic bool Differ(const T& A, const T& B)\n\t{\n"
-                "\t\treturn std::memcmp(&A, &B, sizeof A) != 0;\n\t}\n\n"
+        members = ", ".join(f"&FHapticSettings::{m.name}" for m in self.members[settings.STRUCT])
+        return ("\t/** Members that differ between `Before` and `Now` become those of `Now`. */\n"
+                "\ttemplate <typename... Members>\n"
+                "\tstatic void TakeMembers(const FHapticSettings& Before, const FHapticSettings& Now, FHapticSettings& S,\n"
+                "\t\tMembers... Member)\n\t{\n"
+                "\t\tconst auto Take = [](const auto& Old, const auto& New, auto& Into)\n\t\t{\n"
+                "\t\t\tif (std::memcmp(&Old, &New, sizeof New) != 0)\n\t\t\t{\n\t\t\t\tInto = New;\n\t\t\t}\n\t\t};\n"
+                "\t\t(Take(Before.*Member, Now.*Member, S.*Member), ...);\n\t}\n\n"
                 "\tvoid TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S)\n"
-                "\t{\n" + text + "\t}\n")
+                "\t{\n\t\tTakeMembers(FromSettings(Before), FromSettings(C), S,\n"
+                + textwrap.fill(members + ");", _WIDTH - 8, initial_indent="\t\t\t", subsequent_indent="\t\t\t",
+                                expand_tabs=False) + "\n\t}\n")
 
 
 def _shown(field: Field, number: Decimal) -> Decimal:
@@ -324,4 +326,5 @@ def render_conversions(abi: Abi, notice: str) -> str:
     outputs = [name for name in _STRUCTS if name not in (settings.STRUCT, "hrt_interval")]
     return (f"// {notice}\n#include \"HapticStructs.h\"\n\n#include <cstring>\n\n#include \"HapticConversions.h\"\n\n"
             "namespace HapticConversions\n{\n"
-            + "\n".join([r.to_config(), r.take_changes()] + [r.from_(name) for name in outputs]) + "}\n")
+            + "\n".join([r.to_config(), r.from_(settings.STRUCT, "static "), r.take_changes()]
+                        + [r.from_(name) for name in outputs]) + "}\n")

@@ -99,9 +99,7 @@ def render_types(abi: Abi, notice: str) -> str:
         "  readonly fields: Readonly<Record<Field, FieldPlace>>;\n"
         "}\n\n"
         "export declare const structs: {\n")
-    for struct in abi.structs:
-        names = " | ".join(f'"{f.name}"' for f in struct.fields)
-        text += f"  readonly {struct.name}: StructLayout<{names}>;\n"
+    text += "".join(f"  readonly {struct.name}: StructLayout<keyof {struct.name}>;\n" for struct in abi.structs)
     text += "};\n\nexport declare const functions: readonly string[];\n\n"
     return text + "\n".join(_interface(abi, struct) for struct in abi.structs)
 

@@ -31,20 +31,20 @@ Record to_record(const void* object, std::span<const Field> fields);
 
 /** The properties: hrt_session_config without the plate's pose, which is the node's own, and without its
  * fixed arrays, such as what is believed of the person, which profiles hold. */
-std::span<const Field> config_fields();
-std::span<const Field> command_fields();
-std::span<const Field> summary_fields();
-std::span<const Field> authority_fields();
+extern const std::span<const Field> config_fields;
+extern const std::span<const Field> command_fields;
+extern const std::span<const Field> summary_fields;
+extern const std::span<const Field> authority_fields;
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
-std::span<const Field> calibration_fields();
-std::span<const Field> slide_fields();
-std::span<const Field> comparison_fields();
-std::span<const Field> registration_fields();
-std::span<const Field> touch_fields();
-std::span<const Field> fingertip_fields();
-std::span<const Field> recording_fields();
+extern const std::span<const Field> calibration_fields;
+extern const std::span<const Field> slide_fields;
+extern const std::span<const Field> comparison_fields;
+extern const std::span<const Field> registration_fields;
+extern const std::span<const Field> touch_fields;
+extern const std::span<const Field> fingertip_fields;
+extern const std::span<const Field> recording_fields;
 /** Of hrt_plate_report, its texts excepted. */
-std::span<const Field> device_fields();
+extern const std::span<const Field> device_fields;
 
 struct Constant {
   const char* enumeration;
@@ -53,7 +53,7 @@ struct Constant {
   bool is_flag;
 };
 /** Of properties and flags: COMMAND_SATURATED and its like. */
-std::span<const Constant> constants();
+extern const std::span<const Constant> constants;
 
 /** Copies the fixed arrays, which no property shows. */
 void copy_hidden(const hrt_session_config& from, hrt_session_config& to);

@@ -62,20 +62,18 @@ Value PlateNode::cancel_trial(const Value*) {
 }
 
 Value PlateNode::solve_calibration(const Value*) {
-  hrt_calibration_result user{};
-  user.struct_size = sizeof user;
+  hrt_calibration_result user = hrt_calibration_result_init();
   if (!ok(hrt_calibration_solve(calibration_, &user))) return Record{};
   user_ = user;
-  return to_record(&user_, calibration_fields());
+  return to_record(&user_, calibration_fields);
 }
 
 Value PlateNode::get_slide(const Value* arguments) {
-  hrt_calibration_slide slide{};
-  slide.struct_size = sizeof slide;
+  hrt_calibration_slide slide = hrt_calibration_slide_init();
   const int64_t number = to_int(arguments[0]);
   const uint32_t wanted = number >= 0 && number < UINT32_MAX ? static_cast<uint32_t>(number) : UINT32_MAX;
   if (!ok(hrt_calibration_get_residual(calibration_, wanted, &slide))) return Record{};
-  return to_record(&slide, slide_fields());
+  return to_record(&slide, slide_fields);
 }
 
 Value PlateNode::apply_calibration(const Value*) {
@@ -91,10 +89,9 @@ Value PlateNode::compare_calibrations(const Value*) {
     engine_.push_error("compare_calibrations: it needs two calibrations of this node that were solved");
     return Record{};
   }
-  hrt_calibration_comparison comparison{};
-  comparison.struct_size = sizeof comparison;
+  hrt_calibration_comparison comparison = hrt_calibration_comparison_init();
   if (!ok(hrt_calibration_compare(&before_, &user_, &comparison))) return Record{};
-  return to_record(&comparison, comparison_fields());
+  return to_record(&comparison, comparison_fields);
 }
 
 Value PlateNode::end_calibration(const Value*) {

@@ -37,7 +37,7 @@ bool PlateDevice::get(hrt_plate_report& out_report) const {
 Record PlateDevice::report() const {
   hrt_plate_report report;
   if (!get(report)) return {};
-  return to_record(&report, device_fields());
+  return to_record(&report, device_fields);
 }
 
 std::string PlateDevice::description() const {

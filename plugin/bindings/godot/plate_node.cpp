@@ -27,36 +27,25 @@ std::string signature(const Method& method) {
 }  // namespace
 
 int64_t to_godot_error(hrt_result result) {
-  switch (result) {
-    case HRT_OK:
-      return 0;  // OK
-    case HRT_ERROR_WRONG_STATE:
-      return 2;  // ERR_UNAVAILABLE
-    case HRT_ERROR_OUT_OF_RANGE:
-      return 5;  // ERR_PARAMETER_RANGE_ERROR
-    case HRT_ERROR_OUT_OF_MEMORY:
-      return 6;  // ERR_OUT_OF_MEMORY
-    case HRT_ERROR_SYSTEM:
-      return 13;  // ERR_FILE_CANT_WRITE
-    case HRT_ERROR_LIMIT_REACHED:
-      return 20;  // ERR_CANT_CREATE
-    case HRT_ERROR_INSUFFICIENT_DATA:
-    case HRT_ERROR_TIME_REVERSED:
-      return 30;  // ERR_INVALID_DATA
-    case HRT_ERROR_NULL_ARGUMENT:
-      return kErrInvalidParameter;
-    case HRT_ERROR_NAME_TAKEN:
-      return 32;  // ERR_ALREADY_EXISTS
-    case HRT_ERROR_INVALID_HANDLE:
-    case HRT_ERROR_NOT_FOUND:
-      return 33;  // ERR_DOES_NOT_EXIST
-    case HRT_ERROR_BAD_FORMAT:
-      return 43;  // ERR_PARSE_ERROR
-    case HRT_ERROR_BUSY:
-      return 44;  // ERR_BUSY
-    default:
-      return 47;  // ERR_BUG
-  }
+  constexpr std::pair<hrt_result, int64_t> errors[] = {
+      {HRT_OK, 0},                        // OK
+      {HRT_ERROR_WRONG_STATE, 2},         // ERR_UNAVAILABLE
+      {HRT_ERROR_OUT_OF_RANGE, 5},        // ERR_PARAMETER_RANGE_ERROR
+      {HRT_ERROR_OUT_OF_MEMORY, 6},       // ERR_OUT_OF_MEMORY
+      {HRT_ERROR_SYSTEM, 13},             // ERR_FILE_CANT_WRITE
+      {HRT_ERROR_LIMIT_REACHED, 20},      // ERR_CANT_CREATE
+      {HRT_ERROR_INSUFFICIENT_DATA, 30},  // ERR_INVALID_DATA
+      {HRT_ERROR_TIME_REVERSED, 30},
+      {HRT_ERROR_NULL_ARGUMENT, kErrInvalidParameter},
+      {HRT_ERROR_NAME_TAKEN, 32},      // ERR_ALREADY_EXISTS
+      {HRT_ERROR_INVALID_HANDLE, 33},  // ERR_DOES_NOT_EXIST
+      {HRT_ERROR_NOT_FOUND, 33},
+      {HRT_ERROR_BAD_FORMAT, 43},  // ERR_PARSE_ERROR
+      {HRT_ERROR_BUSY, 44},        // ERR_BUSY
+  };
+  for (const auto& [ours, godots] : errors)
+    if (ours == result) return godots;
+  return 47;  // ERR_BUG
 }
 
 PlateNode::PlateNode(Engine& engine) : engine_(engine), config_(hrt_session_config_init()) {}
@@ -166,7 +155,7 @@ void PlateNode::move_to_plate() {
 void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
   if (!ok(hrt_session_get_config(session_, &configured_))) return;
-  for (const Field& field : config_fields())
+  for (const Field& field : config_fields)
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));
   copy_hidden(configured_, config_);

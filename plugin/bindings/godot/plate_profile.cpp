@@ -19,8 +19,7 @@ Value PlateNode::save_profile(const Value*) {
 }
 
 Value PlateNode::set_conditions(const Value* arguments) {
-  hrt_conditions now{};
-  now.struct_size = sizeof now;
+  hrt_conditions now = hrt_conditions_init();
   // A name that is too long fills its field without a zero, which the plugin refuses.
   to_text(arguments[0]).copy(now.plate, sizeof now.plate);
   to_text(arguments[1]).copy(now.tracker, sizeof now.tracker);
@@ -30,8 +29,7 @@ Value PlateNode::set_conditions(const Value* arguments) {
 }
 
 Value PlateNode::get_conditions(const Value*) {
-  hrt_conditions measured{};
-  measured.struct_size = sizeof measured;
+  hrt_conditions measured = hrt_conditions_init();
   if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return Record{};
   return Record{{"differing", int64_t{measured.differing}}, {"time_s", measured.time_s}};
 }
@@ -42,15 +40,13 @@ Value PlateNode::start_recording(const Value* arguments) {
 }
 
 Value PlateNode::get_recording_status(const Value*) {
-  hrt_recording_status status{};
-  status.struct_size = sizeof status;
+  hrt_recording_status status = hrt_recording_status_init();
   if (!ok(hrt_recording_get_status(session_, &status))) return Record{};
-  return to_record(&status, recording_fields());
+  return to_record(&status, recording_fields);
 }
 
 Value PlateNode::stop_recording(const Value*) {
-  hrt_recording_status status{};
-  status.struct_size = sizeof status;
+  hrt_recording_status status = hrt_recording_status_init();
   if (!ok(hrt_recording_stop(session_, &status))) return to_godot_error(result_);
   if (status.rows_lost == 0) return int64_t{0};
   engine_.push_error(

@@ -40,8 +40,7 @@ Value PlateNode::begin_reach(const hrt_reach_config& config) {
 
 /** A sample of the fingertip in the world, with the plate where the node is. */
 bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
-  out_sample = {};
-  out_sample.struct_size = sizeof out_sample;
+  out_sample = hrt_sample_init();
   out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
   out_sample.time_ns = to_int(arguments[1]);
   copy(std::get<Vector3>(arguments[0]), out_sample.finger_position_m);
@@ -88,8 +87,7 @@ Value PlateNode::update_sample(const Value* arguments) {
 Value PlateNode::send(const hrt_sample& filled) {
   hrt_sample sample = filled;
   sample.struct_size = sizeof sample;
-  hrt_command command{};
-  command.struct_size = sizeof command;
+  hrt_command command = hrt_command_init();
   result_ = hrt_reach_update(session_, &sample, &command);
   if (result_ != HRT_OK) {
     report_sample(reason_of(result_), hrt_last_error());
@@ -114,8 +112,7 @@ Value PlateNode::cancel(const Value*) {
 }
 
 Value PlateNode::end(const Value*) {
-  hrt_reach_summary summary{};
-  summary.struct_size = sizeof summary;
+  hrt_reach_summary summary = hrt_reach_summary_init();
   if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
   reaching_ = false;
   summary_ = summary;
@@ -129,11 +126,11 @@ Value PlateNode::is_reaching(const Value*) {
 }
 
 Value PlateNode::get_command(const Value*) {
-  return command_.struct_size ? to_record(&command_, command_fields()) : Record{};
+  return command_.struct_size ? to_record(&command_, command_fields) : Record{};
 }
 
 Value PlateNode::get_summary(const Value*) {
-  return summary_.struct_size ? to_record(&summary_, summary_fields()) : Record{};
+  return summary_.struct_size ? to_record(&summary_, summary_fields) : Record{};
 }
 
 }  // namespace hrt_godot

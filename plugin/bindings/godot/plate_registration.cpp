@@ -38,13 +38,12 @@ Value PlateNode::add_mark_touch(const Value* arguments) {
 }
 
 Value PlateNode::fit_registration(const Value*) {
-  hrt_registration registration{};
-  registration.struct_size = sizeof registration;
+  hrt_registration registration = hrt_registration_init();
   if (!ok(hrt_registration_fit(nullptr, mark_touches_.data(), mark_touches_.size(), 0, nullptr,
                                &registration)))
     return Record{};
   registration_ = registration;
-  return to_record(&registration_, registration_fields());
+  return to_record(&registration_, registration_fields);
 }
 
 Value PlateNode::get_registration_advice(const Value*) {
@@ -62,15 +61,14 @@ Value PlateNode::apply_registration(const Value* arguments) {
 
 Value PlateNode::confirm_registration(const Value* arguments) {
   const hrt_mark_touch touch = mark_touch(arguments);
-  hrt_touch_check check{};
-  check.struct_size = sizeof check;
+  hrt_touch_check check = hrt_touch_check_init();
   if (!is_fitted(registration_.struct_size,
                  "confirm_registration: nothing is fitted; call fit_registration() first") ||
       !configure() ||
       !ok(hrt_registration_confirm(session_, &registration_, &touch, to_int(arguments[2]), &check)))
     return Record{};
   take_changes();
-  return to_record(&check, touch_fields());
+  return to_record(&check, touch_fields);
 }
 
 Value PlateNode::add_joint_touch(const Value* arguments) {
@@ -79,12 +77,11 @@ Value PlateNode::add_joint_touch(const Value* arguments) {
 }
 
 Value PlateNode::fit_fingertip(const Value*) {
-  hrt_fingertip fingertip{};
-  fingertip.struct_size = sizeof fingertip;
+  hrt_fingertip fingertip = hrt_fingertip_init();
   if (!ok(hrt_fingertip_fit(nullptr, joint_touches_.data(), joint_touches_.size(), &fingertip)))
     return Record{};
   fingertip_ = fingertip;
-  return to_record(&fingertip_, fingertip_fields());
+  return to_record(&fingertip_, fingertip_fields);
 }
 
 /** The skin's place in the world. Comes with every frame, as samples do. */
@@ -92,8 +89,7 @@ Value PlateNode::place_fingertip(const Value* arguments) {
   if (!is_fitted(fingertip_.struct_size, "place_fingertip: nothing is fitted; call fit_fingertip() first"))
     return kNowhere;
   const hrt_joint_touch joint = joint_touch(std::get<Pose>(arguments[0]));
-  hrt_sample sample{};
-  sample.struct_size = sizeof sample;
+  hrt_sample sample = hrt_sample_init();
   result_ = hrt_fingertip_place(&fingertip_, &joint, &sample);
   if (result_ == HRT_OK) {
     const auto [x, y, z] = sample.finger_position_m;

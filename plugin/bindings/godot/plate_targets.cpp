@@ -59,8 +59,7 @@ Value PlateNode::add_virtual_target_at(const Value* arguments) {
 }
 
 Value PlateNode::move_target_to(const Value* arguments) {
-  hrt_target_config config{};
-  config.struct_size = sizeof config;
+  hrt_target_config config = hrt_target_config_init();
   if (!configure() || !ok(hrt_target_get(session_, to_target(arguments[0]), &config)))
     return to_godot_error(result_);
   place_at(std::get<Vector3>(arguments[1]), config);
@@ -74,20 +73,18 @@ Value PlateNode::remove_target(const Value* arguments) {
 }
 
 Value PlateNode::get_authority(const Value* arguments) {
-  hrt_authority authority{};
-  authority.struct_size = sizeof authority;
+  hrt_authority authority = hrt_authority_init();
   if (!configure() ||
       !ok(hrt_authority_query(session_, to_target(arguments[0]), to_target(arguments[1]), &authority)))
     return Record{};
-  return to_record(&authority, authority_fields());
+  return to_record(&authority, authority_fields);
 }
 
 Value PlateNode::get_best_authority(const Value* arguments) {
-  hrt_authority authority{};
-  authority.struct_size = sizeof authority;
+  hrt_authority authority = hrt_authority_init();
   if (!configure() || !ok(hrt_authority_query_best(session_, to_target(arguments[0]), &authority)))
     return Record{};
-  return to_record(&authority, authority_fields());
+  return to_record(&authority, authority_fields);
 }
 
 bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets) {
@@ -101,9 +98,8 @@ Value PlateNode::assign_targets(const Value* arguments) {
   std::vector<hrt_target> real, felt;
   if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt))
     return to_godot_error(result_);
-  hrt_authority one{};
-  one.struct_size = sizeof one;
-  std::vector<hrt_authority> assigned(felt.size() + 1, one);  // one more: the plugin reads the first
+  // One more than is filled, because the plugin reads the first one's size.
+  std::vector<hrt_authority> assigned(felt.size() + 1, hrt_authority_init());
   const uint32_t flags = std::get<bool>(arguments[0]) ? HRT_ASSIGN_EXCLUSIVE : 0;
   if (ok(hrt_target_assign(session_, felt.data(), felt.size(), real.data(), real.size(), flags, felt.size(),
                            assigned.data()))) {
@@ -117,7 +113,7 @@ Value PlateNode::get_assigned(const Value* arguments) {
   const auto found = std::find_if(assigned_.begin(), assigned_.end(), [&](const hrt_authority& one) {
     return one.virtual_target.value == to_target(arguments[0]).value;
   });
-  if (found != assigned_.end()) return to_record(&*found, authority_fields());
+  if (found != assigned_.end()) return to_record(&*found, authority_fields);
   engine_.push_error("get_assigned: no assignment of this virtual target; call assign_targets() first");
   return Record{};
 }

@@ -6,6 +6,12 @@
 
 #include <cstring>
 
+#define INTERVAL(type, name)                                        \
+  {#name, FieldKind::kDouble, offsetof(type, name.value)},          \
+  {#name "_lower", FieldKind::kDouble, offsetof(type, name.lower)}, \
+  {#name "_upper", FieldKind::kDouble, offsetof(type, name.upper)}, \
+  {#name "_known", FieldKind::kUint32, offsetof(type, name.known)}
+
 namespace hrt_godot {
 namespace {
 
@@ -116,68 +122,29 @@ constexpr Field kCalibration[] = {
     {"slides_turning", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_turning)},
     {"trials", FieldKind::kUint32, offsetof(hrt_calibration_result, trials)},
     {"trials_used", FieldKind::kUint32, offsetof(hrt_calibration_result, trials_used)},
-    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.value)},
-    {"tactile_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.lower)},
-    {"tactile_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, tactile_weight.upper)},
-    {"tactile_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_result, tactile_weight.known)},
-    {"bias_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.value)},
-    {"bias_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.lower)},
-    {"bias_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, bias_deg.upper)},
-    {"bias_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, bias_deg.known)},
-    {"motor_variance_deg2", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.value)},
-    {"motor_variance_deg2_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.lower)},
-    {"motor_variance_deg2_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, motor_variance_deg2.upper)},
-    {"motor_variance_deg2_known", FieldKind::kUint32, offsetof(hrt_calibration_result, motor_variance_deg2.known)},
-    {"sensory_variance_deg2", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.value)},
-    {"sensory_variance_deg2_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.lower)},
-    {"sensory_variance_deg2_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, sensory_variance_deg2.upper)},
-    {"sensory_variance_deg2_known", FieldKind::kUint32, offsetof(hrt_calibration_result, sensory_variance_deg2.known)},
-    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.value)},
-    {"tracker_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.lower)},
-    {"tracker_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, tracker_noise_m.upper)},
-    {"tracker_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_result, tracker_noise_m.known)},
+    INTERVAL(hrt_calibration_result, tactile_weight),
+    INTERVAL(hrt_calibration_result, bias_deg),
+    INTERVAL(hrt_calibration_result, motor_variance_deg2),
+    INTERVAL(hrt_calibration_result, sensory_variance_deg2),
+    INTERVAL(hrt_calibration_result, tracker_noise_m),
     {"illusion", FieldKind::kUint32, offsetof(hrt_calibration_result, illusion), "Linear,Saturating,Sine,Tanh,Dead Band,Unequal,Cubic,None"},
     {"lack_of_fit", FieldKind::kUint32, offsetof(hrt_calibration_result, lack_of_fit)},
     {"slides_outlying", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_outlying)},
     {"slides_along_ridges", FieldKind::kUint32, offsetof(hrt_calibration_result, slides_along_ridges)},
     {"illusion_scale_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, illusion_scale_deg)},
     {"peak_offset_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, peak_offset_deg)},
-    {"person_weight", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.value)},
-    {"person_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.lower)},
-    {"person_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, person_weight.upper)},
-    {"person_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_result, person_weight.known)},
-    {"person_curve", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.value)},
-    {"person_curve_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.lower)},
-    {"person_curve_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, person_curve.upper)},
-    {"person_curve_known", FieldKind::kUint32, offsetof(hrt_calibration_result, person_curve.known)},
+    INTERVAL(hrt_calibration_result, person_weight),
+    INTERVAL(hrt_calibration_result, person_curve),
     {"weight_curve_correlation", FieldKind::kDouble, offsetof(hrt_calibration_result, weight_curve_correlation)},
-    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.value)},
-    {"largest_gap_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.lower)},
-    {"largest_gap_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, largest_gap_deg.upper)},
-    {"largest_gap_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, largest_gap_deg.known)},
-    {"habit_deg", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.value)},
-    {"habit_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.lower)},
-    {"habit_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, habit_deg.upper)},
-    {"habit_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_result, habit_deg.known)},
-    {"correlated_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.value)},
-    {"correlated_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.lower)},
-    {"correlated_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, correlated_noise_m.upper)},
-    {"correlated_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_result, correlated_noise_m.known)},
-    {"noise_correlation_s", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.value)},
-    {"noise_correlation_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.lower)},
-    {"noise_correlation_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, noise_correlation_s.upper)},
-    {"noise_correlation_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, noise_correlation_s.known)},
+    INTERVAL(hrt_calibration_result, largest_gap_deg),
+    INTERVAL(hrt_calibration_result, habit_deg),
+    INTERVAL(hrt_calibration_result, correlated_noise_m),
+    INTERVAL(hrt_calibration_result, noise_correlation_s),
     {"angle_p", FieldKind::kDouble, offsetof(hrt_calibration_result, angle_p)},
     {"order_p", FieldKind::kDouble, offsetof(hrt_calibration_result, order_p)},
     {"path_p", FieldKind::kDouble, offsetof(hrt_calibration_result, path_p)},
-    {"steering_rate_per_s", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.value)},
-    {"steering_rate_per_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.lower)},
-    {"steering_rate_per_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_rate_per_s.upper)},
-    {"steering_rate_per_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, steering_rate_per_s.known)},
-    {"steering_delay_s", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.value)},
-    {"steering_delay_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.lower)},
-    {"steering_delay_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_delay_s.upper)},
-    {"steering_delay_s_known", FieldKind::kUint32, offsetof(hrt_calibration_result, steering_delay_s.known)},
+    INTERVAL(hrt_calibration_result, steering_rate_per_s),
+    INTERVAL(hrt_calibration_result, steering_delay_s),
     {"steering_p", FieldKind::kDouble, offsetof(hrt_calibration_result, steering_p)},
 };
 
@@ -192,34 +159,13 @@ constexpr Field kSlide[] = {
 
 constexpr Field kComparison[] = {
     {"differing", FieldKind::kUint32, offsetof(hrt_calibration_comparison, differing)},
-    {"tactile_weight", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.value)},
-    {"tactile_weight_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.lower)},
-    {"tactile_weight_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tactile_weight.upper)},
-    {"tactile_weight_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, tactile_weight.known)},
-    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.value)},
-    {"largest_gap_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.lower)},
-    {"largest_gap_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, largest_gap_deg.upper)},
-    {"largest_gap_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, largest_gap_deg.known)},
-    {"bias_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.value)},
-    {"bias_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.lower)},
-    {"bias_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, bias_deg.upper)},
-    {"bias_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, bias_deg.known)},
-    {"habit_deg", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.value)},
-    {"habit_deg_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.lower)},
-    {"habit_deg_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, habit_deg.upper)},
-    {"habit_deg_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, habit_deg.known)},
-    {"tracker_noise_m", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.value)},
-    {"tracker_noise_m_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.lower)},
-    {"tracker_noise_m_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, tracker_noise_m.upper)},
-    {"tracker_noise_m_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, tracker_noise_m.known)},
-    {"steering_rate_per_s", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.value)},
-    {"steering_rate_per_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.lower)},
-    {"steering_rate_per_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_rate_per_s.upper)},
-    {"steering_rate_per_s_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, steering_rate_per_s.known)},
-    {"steering_delay_s", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.value)},
-    {"steering_delay_s_lower", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.lower)},
-    {"steering_delay_s_upper", FieldKind::kDouble, offsetof(hrt_calibration_comparison, steering_delay_s.upper)},
-    {"steering_delay_s_known", FieldKind::kUint32, offsetof(hrt_calibration_comparison, steering_delay_s.known)},
+    INTERVAL(hrt_calibration_comparison, tactile_weight),
+    INTERVAL(hrt_calibration_comparison, largest_gap_deg),
+    INTERVAL(hrt_calibration_comparison, bias_deg),
+    INTERVAL(hrt_calibration_comparison, habit_deg),
+    INTERVAL(hrt_calibration_comparison, tracker_noise_m),
+    INTERVAL(hrt_calibration_comparison, steering_rate_per_s),
+    INTERVAL(hrt_calibration_comparison, steering_delay_s),
 };
 
 constexpr Field kRegistration[] = {
@@ -367,57 +313,19 @@ constexpr Constant kConstants[] = {
 
 }  // namespace
 
-std::span<const Field> config_fields() {
-  return kConfig;
-}
-
-std::span<const Field> command_fields() {
-  return kCommand;
-}
-
-std::span<const Field> summary_fields() {
-  return kSummary;
-}
-
-std::span<const Field> authority_fields() {
-  return kAuthority;
-}
-
-std::span<const Field> calibration_fields() {
-  return kCalibration;
-}
-
-std::span<const Field> slide_fields() {
-  return kSlide;
-}
-
-std::span<const Field> comparison_fields() {
-  return kComparison;
-}
-
-std::span<const Field> registration_fields() {
-  return kRegistration;
-}
-
-std::span<const Field> touch_fields() {
-  return kTouch;
-}
-
-std::span<const Field> fingertip_fields() {
-  return kFingertip;
-}
-
-std::span<const Field> recording_fields() {
-  return kRecording;
-}
-
-std::span<const Field> device_fields() {
-  return kDevice;
-}
-
-std::span<const Constant> constants() {
-  return kConstants;
-}
+constinit const std::span<const Field> config_fields = kConfig;
+constinit const std::span<const Field> command_fields = kCommand;
+constinit const std::span<const Field> summary_fields = kSummary;
+constinit const std::span<const Field> authority_fields = kAuthority;
+constinit const std::span<const Field> calibration_fields = kCalibration;
+constinit const std::span<const Field> slide_fields = kSlide;
+constinit const std::span<const Field> comparison_fields = kComparison;
+constinit const std::span<const Field> registration_fields = kRegistration;
+constinit const std::span<const Field> touch_fields = kTouch;
+constinit const std::span<const Field> fingertip_fields = kFingertip;
+constinit const std::span<const Field> recording_fields = kRecording;
+constinit const std::span<const Field> device_fields = kDevice;
+constinit const std::span<const Constant> constants = kConstants;
 
 void copy_hidden(const hrt_session_config& from, hrt_session_config& to) {
   std::memcpy(to.person_mean, from.person_mean, sizeof to.person_mean);

@@ -1,7 +1,9 @@
 // What crosses between a script and the plate node, whichever Godot it is.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <variant>
@@ -40,25 +42,10 @@ inline Type type_of(const Value& value) {
 }
 
 inline const char* type_name(Type type) {
-  switch (type) {
-    case Type::kNil:
-      return "null";
-    case Type::kBool:
-      return "bool";
-    case Type::kInt:
-      return "int";
-    case Type::kReal:
-      return "float";
-    case Type::kString:
-      return "String";
-    case Type::kVector3:
-      return "Vector3";
-    case Type::kRecord:
-      return "Dictionary";
-    case Type::kPose:
-      return "Transform";
-  }
-  return "?";
+  constexpr const char* names[] = {"null",   "bool",    "int",        "float",
+                                   "String", "Vector3", "Dictionary", "Transform"};
+  static_assert(std::size(names) == std::variant_size_v<Value>);
+  return names[static_cast<size_t>(type)];
 }
 
 inline int64_t to_int(const Value& value) {

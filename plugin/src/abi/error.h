@@ -2,6 +2,7 @@
 // real-time calls report errors too.
 #pragma once
 
+#include <algorithm>
 #include <exception>
 #include <new>
 #include <string_view>
@@ -28,6 +29,14 @@ hrt_result fail(hrt_result code, const Parts&... parts) {
   (thread_error.text << ... << parts);
   thread_error.text.make_printable();
   return code;
+}
+
+/// What fail() was last given, without the call.
+inline Text<240> last_failure() {
+  const std::string_view text = thread_error.text.view();
+  Text<240> parts;
+  parts << text.substr(std::min(text.size(), std::string_view(thread_error.call).size() + 2));
+  return parts;
 }
 
 /// Runs the body of an entry point. Nothing it throws gets past here.

@@ -119,12 +119,11 @@ bool is_calibration_call(std::string_view call) {
 
 hrt_result read_calibration_call(const Cells& cells, Record* out) {
   std::uint64_t number = 0;
-  HRT_RETURN_IF_FAILED(read_cell(calibration_column, cells[calibration_column], &number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, calibration_column, &number));
   const std::string_view call = cells[0];
   if (call == begin_call) {
     TrialBegun begun{number, 0.0};
-    HRT_RETURN_IF_FAILED(
-        read_cell(measured_plate_column, cells[measured_plate_column], &begun.plate_orientation_deg));
+    HRT_RETURN_IF_FAILED(read_cell(cells, measured_plate_column, &begun.plate_orientation_deg));
     out->call = begun;
   } else if (call == sample_call) {
     TrialSampled sampled{number, {}};

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/reach_numbers.h"
 #include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
 
@@ -117,6 +118,8 @@ void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
   row.skip(2).put(begun.reach.plate_orientation_deg);
 }
 
+static_assert(command_columns == 2 + command_numbers.size());
+
 void write(const Updated& updated, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("update").put(result);
@@ -124,14 +127,8 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   row.skip(begin_columns + refused_columns + reach_columns);
   if (result != HRT_OK) return;
   const hrt_command& command = updated.command;
-  row.put(command.flags)
-      .put(command.step)
-      .put(command.plate_orientation_deg)
-      .put(command.finger_direction_deg);
-  row.put(command.perceived_direction_deg).put(command.aimed_direction_deg).put(command.distance_to_go_m);
-  row.put(command.tactile_weight).put(command.tactile_weight_sd).put(command.time_to_go_s);
-  row.put(command.felt_error_deg).put(command.predicted_miss_deg).put(command.normalised_innovation);
-  row.put(command.bearing_error_sd_deg);
+  row.put(command.flags).put(command.step);
+  for (double hrt_command::*number : command_numbers) row.put(command.*number);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
@@ -168,20 +165,19 @@ bool is_same_cell(std::string_view cell, std::string_view other) {
 
 hrt_result read_begin(const Cells& cells, Record* out) {
   ReachBegun begun{};
-  HRT_RETURN_IF_FAILED(
-      read_cell(measured_plate_column, cells[measured_plate_column], &begun.plate_orientation_deg));
-  HRT_RETURN_IF_FAILED(read_cell(begin_column, cells[begin_column], &begun.flags));
-  HRT_RETURN_IF_FAILED(read_cell(begin_column + 1, cells[begin_column + 1], &begun.real_number));
-  HRT_RETURN_IF_FAILED(read_cell(begin_column + 2, cells[begin_column + 2], &begun.virtual_number));
-  HRT_RETURN_IF_FAILED(read_cell(begin_column + 3, cells[begin_column + 3], &begun.duration_s));
+  HRT_RETURN_IF_FAILED(read_cell(cells, measured_plate_column, &begun.plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column, &begun.flags));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 1, &begun.real_number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 2, &begun.virtual_number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 3, &begun.duration_s));
   out->call = begun;
   return HRT_OK;
 }
 
 hrt_result read_retarget(const Cells& cells, Record* out) {
   Retargeted retargeted{};
-  HRT_RETURN_IF_FAILED(read_cell(begin_column + 1, cells[begin_column + 1], &retargeted.real_number));
-  HRT_RETURN_IF_FAILED(read_cell(begin_column + 2, cells[begin_column + 2], &retargeted.virtual_number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 1, &retargeted.real_number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 2, &retargeted.virtual_number));
   out->call = retargeted;
   return HRT_OK;
 }
@@ -192,7 +188,7 @@ hrt_result read_refused(const Cells& cells, Record* out) {
   for (const ArgumentName& known : argument_names) {
     if (known.name != name || known.call != cells[0]) continue;
     Refused refused{known.argument, 0};
-    HRT_RETURN_IF_FAILED(read_cell(refused_column + 1, cells[refused_column + 1], &refused.struct_size));
+    HRT_RETURN_IF_FAILED(read_cell(cells, refused_column + 1, &refused.struct_size));
     out->call = refused;
     return HRT_OK;
   }
@@ -224,7 +220,7 @@ void write_end(std::uint64_t checksum, RecordText& out) {
 hrt_result read_row(std::string_view line, bool has_calibrations, Record* out) {
   Cells cells;
   HRT_RETURN_IF_FAILED(split(line, has_calibrations ? columns : calibration_column, &cells));
-  HRT_RETURN_IF_FAILED(read_cell(1, cells[1], &out->result));
+  HRT_RETURN_IF_FAILED(read_cell(cells, 1, &out->result));
   if (!cells[refused_column].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
   if (cells[0] == "update") return read_update(cells, out);

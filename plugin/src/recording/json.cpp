@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "plugin/src/abi/checks.h"
@@ -12,32 +15,101 @@
 #include "plugin/src/session_config.h"
 #include "plugin/src/streamed_calibration.h"
 #include "plugin/src/targets.h"
+#include "scene/json_number.h"
 
 namespace hrt::plugin {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::string_view profile_format = "haptic retargeting profile";
+constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t largest_text = 65536;
 constexpr std::size_t most_fields = 64;
 
-void write_string(std::string_view text, JsonText& out) {
-  out << "\"";
-  for (const char& c : text) {
-    if (c == '"' || c == '\\') out << "\\";
-    out << std::string_view(&c, 1);
+// The fields of each struct in JSON, in their order: `visit` gets each one's key and value.
+void visit_fields(hrt_session_config& config, auto&& visit) {
+  visit("horizon", config.horizon);
+  visit("step_period_ns", config.step_period_ns);
+  visit("control", config.control);
+  visit("guidance", config.guidance);
+  visit("adaptation", config.adaptation);
+  visit("plate_latency_ns", config.plate_latency_ns);
+  visit("tracker_latency_ns", config.tracker_latency_ns);
+  visit("registration_time_ns", config.registration_time_ns);
+  visit("max_registration_age_ns", config.max_registration_age_ns);
+  visit("flags", config.flags);
+  for (const NumberField& field : number_fields()) visit(field.name, config.*field.value);
+  visit("start_position_m", config.start_position_m);
+  visit("plate_position_m", config.plate_position_m);
+  visit("plate_rotation", config.plate_rotation);
+  visit("person_mean", config.person_mean);
+  visit("person_covariance", config.person_covariance);
+  visit("plate_covariance", config.plate_covariance);
+}
+
+void visit_fields(hrt_target_config& target, auto&& visit) {
+  visit("name", target.name);
+  visit("role", target.role);
+  visit("place", target.place);
+  visit("direction_deg", target.direction_deg);
+  visit("distance_m", target.distance_m);
+  visit("position_m", target.position_m);
+}
+
+void visit_fields(hrt_calibration_config& config, auto&& visit) {
+  visit("max_trials", config.max_trials);
+  visit("max_samples", config.max_samples);
+  visit("goal_direction_deg", config.goal_direction_deg);
+  visit("lower_plate_deg", config.lower_plate_deg);
+  visit("upper_plate_deg", config.upper_plate_deg);
+  visit("enough_weight_width", config.enough_weight_width);
+}
+
+void visit_fields(hrt_conditions& conditions, auto&& visit) {
+  visit("measured_at_s", conditions.time_s);
+  visit("plate", conditions.plate);
+  visit("tracker", conditions.tracker);
+}
+
+// Writes a flat object, field by field.
+class ObjectWriter {
+ public:
+  explicit ObjectWriter(JsonText& out) : out_(out) { out_ << "{"; }
+  ~ObjectWriter() { out_ << "}"; }
+  ObjectWriter(const ObjectWriter&) = delete;
+  ObjectWriter& operator=(const ObjectWriter&) = delete;
+  ObjectWriter(ObjectWriter&&) = delete;
+  ObjectWriter& operator=(ObjectWriter&&) = delete;
+
+  void operator()(std::string_view key, const auto& value) {
+    out_ << separator_ << "\"" << key << "\":";
+    separator_ = ",";
+    put(value);
   }
-  out << "\"";
-}
 
-void write_array(const double* values, std::size_t size, JsonText& out) {
-  for (std::size_t i = 0; i < size; ++i) out << (i == 0 ? "[" : ",") << values[i];
-  out << "]";
-}
+ private:
+  void put(auto number) { out_ << number; }
+  void put(const char* text) {
+    out_ << "\"";
+    for (; *text != '\0'; ++text) {
+      if (*text == '"' || *text == '\\') out_ << "\\";
+      out_ << std::string_view(text, 1);
+    }
+    out_ << "\"";
+  }
+  template <std::size_t size>
+  void put(const double (&values)[size]) {
+    for (std::size_t i = 0; i < size; ++i) out_ << (i == 0 ? "[" : ",") << values[i];
+    out_ << "]";
+  }
 
-const double* vector_of(const hrt_session_config& config, const VectorField& field) {
-  return reinterpret_cast<const double*>(reinterpret_cast<const char*>(&config) + field.offset);
+  JsonText& out_;
+  std::string_view separator_;
+};
+
+template <class Struct>
+void write_all(Struct values, JsonText& out) {
+  visit_fields(values, ObjectWriter(out));
 }
 
 // A field of a flat object: a number, a string, or an array of numbers.
@@ -80,12 +152,8 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
     return number(static_cast<double>(value), value <= INT64_MAX, static_cast<std::int64_t>(value));
   }
   bool number_float(number_float_t, const string_t& text) override {
-    // The parser has put the locale's decimal point into the text, and read its value by that.
-    std::string token = text;
-    const std::size_t point = token.find_first_not_of("+-0123456789eE");
-    if (point != token.npos) token[point] = '.';
     double value = 0.0;
-    return read_number(token, &value) && number(value, false, 0);
+    return read_number(with_point(text), &value) && number(value, false, 0);
   }
   bool string(string_t& value) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;
@@ -130,212 +198,145 @@ hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
   return HRT_OK;
 }
 
-hrt_result read_number(const Field& field, double* out) {
+hrt_result read(const Field& field, double& out) {
   if (field.is_array || field.is_text) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a number");
-  *out = field.numbers[0];
+  out = field.numbers[0];
   return HRT_OK;
 }
 
-hrt_result read_integer(const Field& field, std::int64_t* out) {
+hrt_result read(const Field& field, std::int64_t& out) {
   if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a whole number");
-  *out = field.whole;
+  out = field.whole;
   return HRT_OK;
 }
 
-hrt_result read_unsigned(const Field& field, std::uint32_t* out) {
+hrt_result read(const Field& field, std::uint32_t& out) {
   std::int64_t number = 0;
-  HRT_RETURN_IF_FAILED(read_integer(field, &number));
+  HRT_RETURN_IF_FAILED(read(field, number));
   HRT_RETURN_IF_FAILED(check_range<std::int64_t>(field.key.c_str(), number, 0, UINT32_MAX));
-  *out = static_cast<std::uint32_t>(number);
+  out = static_cast<std::uint32_t>(number);
   return HRT_OK;
 }
 
-hrt_result read_array(const Field& field, std::size_t size, double* out) {
+template <std::size_t size>
+hrt_result read(const Field& field, double (&out)[size]) {
   if (!field.is_array || field.numbers.size() != size)
     return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an array of ", size, " numbers");
   std::copy(field.numbers.begin(), field.numbers.end(), out);
   return HRT_OK;
 }
 
-hrt_result read_name(const Field& field, char (&out)[HRT_NAME_SIZE]) {
+hrt_result read(const Field& field, char (&out)[HRT_NAME_SIZE]) {
   if (!field.is_text || field.text.size() >= sizeof out)
     return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a text of up to ", sizeof out - 1, " bytes");
   std::memcpy(out, field.text.data(), field.text.size());
   return HRT_OK;
 }
 
-hrt_result read_field(const Field& field, hrt_session_config* config) {
-  const std::string& key = field.key;
-  if (key == "horizon") return read_unsigned(field, &config->horizon);
-  if (key == "step_period_ns") return read_integer(field, &config->step_period_ns);
-  if (key == "control") return read_unsigned(field, &config->control);
-  if (key == "guidance") return read_unsigned(field, &config->guidance);
-  if (key == "adaptation") return read_unsigned(field, &config->adaptation);
-  if (key == "plate_latency_ns") return read_integer(field, &config->plate_latency_ns);
-  if (key == "tracker_latency_ns") return read_integer(field, &config->tracker_latency_ns);
-  if (key == "max_registration_age_ns") return read_integer(field, &config->max_registration_age_ns);
-  if (key == "registration_time_ns") return read_integer(field, &config->registration_time_ns);
-  if (key == "flags") return read_unsigned(field, &config->flags);
-  for (const NumberField& number : number_fields()) {
-    if (key == number.name) return read_number(field, &(config->*number.value));
-  }
-  for (const VectorField& vector : vector_fields()) {
-    if (key == vector.name)
-      return read_array(field, vector.size,
-                        reinterpret_cast<double*>(reinterpret_cast<char*>(config) + vector.offset));
-  }
-  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{key}, "\" is not a field of a configuration");
+// Reads the member of `*out` that has the field's key; `what` names the struct in messages.
+template <class Struct>
+hrt_result read_into(const char* what, const Field& field, Struct* out) {
+  std::optional<hrt_result> result;
+  visit_fields(*out, [&](std::string_view key, auto& value) {
+    if (key == field.key) result = read(field, value);
+  });
+  if (result) return *result;
+  return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
 }
 
-bool is_of_participant(const std::string& key) {
-  return std::any_of(
-             number_fields().begin(), number_fields().end(),
-             [&](const NumberField& number) { return number.of_participant && key == number.name; }) ||
-         std::any_of(vector_fields().begin(), vector_fields().end(),
-                     [&](const VectorField& vector) { return vector.of_participant && key == vector.name; });
+// Reads an object that has every field of `*out`, and no other.
+template <class Struct>
+hrt_result read_all(const char* what, std::string_view text, Struct* out) {
+  std::vector<Field> fields;
+  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
+  std::size_t needed = 0;
+  visit_fields(*out, [&](std::string_view, auto&) { ++needed; });
+  if (fields.size() != needed)
+    return fail(HRT_ERROR_BAD_FORMAT, "the ", what, " has ", fields.size(), " fields; ", needed,
+                " are needed");
+  for (const Field& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
+  return HRT_OK;
+}
+
+bool is_of_participant(std::string_view key) {
+  if (key == "person_mean" || key == "person_covariance") return true;
+  return std::any_of(number_fields().begin(), number_fields().end(),
+                     [&](const NumberField& number) { return number.of_participant && key == number.name; });
 }
 
 }  // namespace
 
 void write_config(const hrt_session_config& config, JsonText& out) {
-  out << "{\"horizon\":" << config.horizon << ",\"step_period_ns\":" << config.step_period_ns
-      << ",\"control\":" << config.control << ",\"guidance\":" << config.guidance
-      << ",\"adaptation\":" << config.adaptation << ",\"plate_latency_ns\":" << config.plate_latency_ns
-      << ",\"tracker_latency_ns\":" << config.tracker_latency_ns
-      << ",\"registration_time_ns\":" << config.registration_time_ns
-      << ",\"max_registration_age_ns\":" << config.max_registration_age_ns << ",\"flags\":" << config.flags;
-  for (const NumberField& field : number_fields()) out << ",\"" << field.name << "\":" << config.*field.value;
-  for (const VectorField& field : vector_fields()) {
-    out << ",\"" << field.name << "\":";
-    write_array(vector_of(config, field), field.size, out);
-  }
-  out << "}";
+  write_all(config, out);
 }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
   // Fields that the place does not name are not read, and may hold anything.
-  const bool by_direction = target.place == HRT_PLACE_DIRECTION;
-  constexpr double unread_m[3] = {};
-  out << "{\"name\":";
-  write_string(target.name, out);
-  out << ",\"role\":" << target.role << ",\"place\":" << target.place
-      << ",\"direction_deg\":" << (by_direction ? target.direction_deg : 0.0)
-      << ",\"distance_m\":" << (by_direction ? target.distance_m : 0.0) << ",\"position_m\":";
-  write_array(by_direction ? unread_m : target.position_m, 3, out);
-  out << "}";
+  hrt_target_config read = target;
+  if (target.place == HRT_PLACE_DIRECTION)
+    std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
+  else
+    read.direction_deg = read.distance_m = 0.0;
+  write_all(read, out);
+}
+
+void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
+  write_all(config, out);
 }
 
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
-  std::vector<Field> fields;
-  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  constexpr std::size_t whole_number_fields = 10;
-  const std::size_t needed = whole_number_fields + number_fields().size() + vector_fields().size();
-  if (fields.size() != needed)
-    return fail(HRT_ERROR_BAD_FORMAT, "the configuration has ", fields.size(), " fields; ", needed,
-                " are needed");
   hrt_session_config config = default_session_config();
-  for (const Field& field : fields) HRT_RETURN_IF_FAILED(read_field(field, &config));
+  HRT_RETURN_IF_FAILED(read_all("configuration", text, &config));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   *out = config;
   return HRT_OK;
 }
 
 hrt_result read_target(std::string_view text, hrt_target_config* out) {
-  std::vector<Field> fields;
-  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  constexpr std::size_t needed = 6;
-  if (fields.size() != needed)
-    return fail(HRT_ERROR_BAD_FORMAT, "the target has ", fields.size(), " fields; ", needed, " are needed");
   hrt_target_config target{};
   target.struct_size = sizeof target;
-  for (const Field& field : fields) {
-    if (field.key == "name") {
-      HRT_RETURN_IF_FAILED(read_name(field, target.name));
-    } else if (field.key == "role") {
-      HRT_RETURN_IF_FAILED(read_unsigned(field, &target.role));
-    } else if (field.key == "place") {
-      HRT_RETURN_IF_FAILED(read_unsigned(field, &target.place));
-    } else if (field.key == "direction_deg") {
-      HRT_RETURN_IF_FAILED(read_number(field, &target.direction_deg));
-    } else if (field.key == "distance_m") {
-      HRT_RETURN_IF_FAILED(read_number(field, &target.distance_m));
-    } else if (field.key == "position_m") {
-      HRT_RETURN_IF_FAILED(read_array(field, 3, target.position_m));
-    } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a target");
-    }
-  }
+  HRT_RETURN_IF_FAILED(read_all("target", text, &target));
   HRT_RETURN_IF_FAILED(check_target_fields(&target));
   *out = target;
   return HRT_OK;
 }
 
-void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
-  out << "{\"max_trials\":" << config.max_trials << ",\"max_samples\":" << config.max_samples
-      << ",\"goal_direction_deg\":" << config.goal_direction_deg
-      << ",\"lower_plate_deg\":" << config.lower_plate_deg
-      << ",\"upper_plate_deg\":" << config.upper_plate_deg
-      << ",\"enough_weight_width\":" << config.enough_weight_width << "}";
-}
-
 hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out) {
-  std::vector<Field> fields;
-  HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  constexpr std::size_t needed = 6;
-  if (fields.size() != needed)
-    return fail(HRT_ERROR_BAD_FORMAT, "the calibration has ", fields.size(), " fields; ", needed,
-                " are needed");
   hrt_calibration_config config = default_calibration_config();
-  for (const Field& field : fields) {
-    if (field.key == "max_trials") {
-      HRT_RETURN_IF_FAILED(read_unsigned(field, &config.max_trials));
-    } else if (field.key == "max_samples") {
-      HRT_RETURN_IF_FAILED(read_unsigned(field, &config.max_samples));
-    } else if (field.key == "goal_direction_deg") {
-      HRT_RETURN_IF_FAILED(read_number(field, &config.goal_direction_deg));
-    } else if (field.key == "lower_plate_deg") {
-      HRT_RETURN_IF_FAILED(read_number(field, &config.lower_plate_deg));
-    } else if (field.key == "upper_plate_deg") {
-      HRT_RETURN_IF_FAILED(read_number(field, &config.upper_plate_deg));
-    } else if (field.key == "enough_weight_width") {
-      HRT_RETURN_IF_FAILED(read_number(field, &config.enough_weight_width));
-    } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a calibration");
-    }
-  }
+  HRT_RETURN_IF_FAILED(read_all("calibration", text, &config));
   HRT_RETURN_IF_FAILED(check_calibration_config(config));
   *out = config;
   return HRT_OK;
 }
 
 void write_profile(const hrt_session_config& config, const hrt_conditions& conditions, JsonText& out) {
-  out << "{\"format\":\"" << profile_format << "\",\"version\":1";
-  for (const NumberField& field : number_fields()) {
-    if (!field.of_participant || (field.known_by && !(config.*field.known_by > 0.0))) continue;
-    out << ",\"" << field.name << "\":" << config.*field.value;
+  {
+    ObjectWriter write(out);
+    write("format", profile_format);
+    write("version", 1);
+    for (const NumberField& field : number_fields()) {
+      if (!field.of_participant || (field.known_by && !(config.*field.known_by > 0.0))) continue;
+      write(field.name, config.*field.value);
+    }
+    if (knows_person(config)) {
+      write("person_mean", config.person_mean);
+      write("person_covariance", config.person_covariance);
+    }
+    if (conditions.time_s != 0) write("measured_at_s", conditions.time_s);
+    if (conditions.plate[0] != '\0') write("plate", conditions.plate);
+    if (conditions.tracker[0] != '\0') write("tracker", conditions.tracker);
   }
-  for (const VectorField& field : vector_fields()) {
-    if (!field.of_participant || !knows_person(config)) continue;
-    out << ",\"" << field.name << "\":";
-    write_array(vector_of(config, field), field.size, out);
-  }
-  if (conditions.time_s != 0) out << ",\"measured_at_s\":" << conditions.time_s;
-  for (const auto& [key, name] : {std::pair{"plate", conditions.plate}, {"tracker", conditions.tracker}}) {
-    if (*name == '\0') continue;
-    out << ",\"" << key << "\":";
-    write_string(name, out);
-  }
-  out << "}\n";
+  out << "\n";
 }
 
 hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions) {
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  hrt_session_config read = *config;
+  hrt_session_config known = *config;
   // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
-  forget_person(&read);
+  forget_person(&known);
   for (const NumberField& field : number_fields())
-    if (field.known_by) read.*field.known_by = 0.0;
+    if (field.known_by) known.*field.known_by = 0.0;
   hrt_conditions measured{};
   bool has_format = false, has_version = false;
   for (const Field& field : fields) {
@@ -343,23 +344,17 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
       has_format = field.text == profile_format;
     } else if (field.key == "version") {
       has_version = field.is_whole && field.whole == 1;
-    } else if (field.key == "measured_at_s") {
-      HRT_RETURN_IF_FAILED(read_integer(field, &measured.time_s));
-    } else if (field.key == "plate") {
-      HRT_RETURN_IF_FAILED(read_name(field, measured.plate));
-    } else if (field.key == "tracker") {
-      HRT_RETURN_IF_FAILED(read_name(field, measured.tracker));
     } else if (is_of_participant(field.key)) {
-      HRT_RETURN_IF_FAILED(read_field(field, &read));
+      HRT_RETURN_IF_FAILED(read_into("profile", field, &known));
     } else {
-      return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a profile");
+      HRT_RETURN_IF_FAILED(read_into("profile", field, &measured));
     }
   }
   if (!has_format) return fail(HRT_ERROR_BAD_FORMAT, "format is not \"", profile_format, "\"");
   if (!has_version) return fail(HRT_ERROR_BAD_FORMAT, "version is not 1");
-  HRT_RETURN_IF_FAILED(check_session_config(read));
+  HRT_RETURN_IF_FAILED(check_session_config(known));
   HRT_RETURN_IF_FAILED(check_conditions(&measured));
-  *config = read;
+  *config = known;
   *conditions = measured;
   return HRT_OK;
 }

@@ -3,10 +3,12 @@
 #include <bit>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/reach_numbers.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/recording/replayed_calibrations.h"
@@ -18,96 +20,24 @@ namespace {
 void add(const hrt_command& command, Hash& hash) {
   hash.add(std::uint64_t{command.flags});
   hash.add(static_cast<std::uint64_t>(command.step));
-  for (const double value :
-       {command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
-        command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight,
-        command.tactile_weight_sd, command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg,
-        command.normalised_innovation})
-    hash.add(std::bit_cast<std::uint64_t>(value));
+  // As hrt_replay_report::hash says: without bearing_error_sd_deg.
+  for (double hrt_command::*number : std::span(command_numbers).first(11))
+    hash.add(std::bit_cast<std::uint64_t>(command.*number));
 }
 
-/// The ids of a session's targets, by their numbers in the recording.
-using TargetIds = std::map<std::uint64_t, std::uint64_t>;
-
-/// Makes the record's call, and puts what came out of it in place of what was recorded.
-class Rerun {
- public:
-  Rerun(Session& session, const TargetIds& ids, ReplayedCalibrations& calibrations, Hash& hash,
-        Record& record)
-      : session_(session), ids_(ids), calibrations_(calibrations), hash_(hash), record_(record) {}
-
-  /// Fails if the call is of a calibration that is not there.
-  hrt_result run() {
-    return std::visit(
-        [&](auto& call) -> hrt_result {
-          if constexpr (requires { calibrations_.rerun(call, &record_.result); }) {
-            return calibrations_.rerun(call, &record_.result);
-          } else {
-            (*this)(call);
-            return HRT_OK;
-          }
-        },
-        record_.call);
+hrt_result check_size(const Refused& call) {
+  switch (call.argument) {
+    case Refused::Argument::config:
+      return check_struct_size<hrt_reach_config>("config", call.struct_size);
+    case Refused::Argument::sample:
+      return check_struct_size<hrt_sample>("sample", call.struct_size);
+    case Refused::Argument::out_command:
+      return check_struct_size<hrt_command>("out_command", call.struct_size);
+    case Refused::Argument::out_summary:
+      return check_struct_size<hrt_reach_summary>("out_summary", call.struct_size);
   }
-
- private:
-  void operator()(ReachBegun& call) {
-    record_.result = session_.begin({
-        .struct_size = sizeof(hrt_reach_config),
-        .flags = call.flags,
-        .real_target = target(call.real_number),
-        .virtual_target = target(call.virtual_number),
-        .plate_orientation_deg = call.plate_orientation_deg,
-        .duration_s = call.duration_s,
-    });
-    call.reach = session_.reach();
-  }
-  void operator()(Updated& call) {
-    record_.result = session_.update(call.sample, &call.command);
-    if (record_.result == HRT_OK) add(call.command, hash_);
-  }
-  void operator()(Retargeted& call) {
-    record_.result = session_.retarget(target(call.real_number), target(call.virtual_number));
-    call.reach = session_.reach();
-  }
-  void operator()(ReachCancelled&) { record_.result = session_.cancel(); }
-  void operator()(ReachEnded& call) { record_.result = session_.end(&call.summary); }
-  void operator()(Refused& call) {
-    if (record_.result == HRT_ERROR_NULL_ARGUMENT) return;
-    const hrt_result result = check_size(call);
-    // A size that is right was refused for bytes beyond what the library knew, which are not recorded.
-    record_.result = result == HRT_OK ? HRT_ERROR_STRUCT_SIZE : result;
-  }
-  void operator()(ConfigSet&) {}
-  void operator()(TargetChanged&) {}
-  void operator()(PlateStands&) {}
-  void operator()(CalibrationChanged&) {}
-
-  hrt_target target(std::uint64_t number) const {
-    const auto found = ids_.find(number);
-    return {found == ids_.end() ? 0 : found->second};
-  }
-
-  static hrt_result check_size(const Refused& call) {
-    switch (call.argument) {
-      case Refused::Argument::config:
-        return check_struct_size<hrt_reach_config>("config", call.struct_size);
-      case Refused::Argument::sample:
-        return check_struct_size<hrt_sample>("sample", call.struct_size);
-      case Refused::Argument::out_command:
-        return check_struct_size<hrt_command>("out_command", call.struct_size);
-      case Refused::Argument::out_summary:
-        return check_struct_size<hrt_reach_summary>("out_summary", call.struct_size);
-    }
-    return HRT_OK;
-  }
-
-  Session& session_;
-  const TargetIds& ids_;
-  ReplayedCalibrations& calibrations_;
-  Hash& hash_;
-  Record& record_;
-};
+  return HRT_OK;
+}
 
 bool starts_with_and_drops(std::string_view& line, std::string_view prefix) {
   if (!line.starts_with(prefix)) return false;
@@ -235,7 +165,7 @@ class Replay {
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
     HRT_RETURN_IF_FAILED(read_row(line, has_calibrations_, &record));
-    HRT_RETURN_IF_FAILED(Rerun(*session_, target_ids_, calibrations_, hash_, record).run());
+    HRT_RETURN_IF_FAILED(rerun(&record));
     ++report_.rows;
     RecordText again;
     write_record(record, again);
@@ -246,16 +176,66 @@ class Replay {
     return HRT_OK;
   }
 
+  // Makes the record's call, and puts what came out of it in place of what was recorded. Fails if the call is
+  // of a calibration that is not there.
+  hrt_result rerun(Record* record) {
+    return std::visit(
+        [&](auto& call) -> hrt_result {
+          if constexpr (requires { calibrations_.rerun(call, &record->result); }) {
+            return calibrations_.rerun(call, &record->result);
+          } else {
+            call_again(call, &record->result);
+            return HRT_OK;
+          }
+        },
+        record->call);
+  }
+
+  void call_again(ReachBegun& call, hrt_result* result) {
+    *result = session_->begin({
+        .struct_size = sizeof(hrt_reach_config),
+        .flags = call.flags,
+        .real_target = target(call.real_number),
+        .virtual_target = target(call.virtual_number),
+        .plate_orientation_deg = call.plate_orientation_deg,
+        .duration_s = call.duration_s,
+    });
+    call.reach = session_->reach();
+  }
+  void call_again(Updated& call, hrt_result* result) {
+    *result = session_->update(call.sample, &call.command);
+    if (*result == HRT_OK) add(call.command, hash_);
+  }
+  void call_again(Retargeted& call, hrt_result* result) {
+    *result = session_->retarget(target(call.real_number), target(call.virtual_number));
+    call.reach = session_->reach();
+  }
+  void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
+  void call_again(ReachEnded& call, hrt_result* result) { *result = session_->end(&call.summary); }
+  static void call_again(const Refused& call, hrt_result* result) {
+    if (*result == HRT_ERROR_NULL_ARGUMENT) return;
+    *result = check_size(call);
+    // A size that is right was refused for bytes beyond what the library knew, which are not recorded.
+    if (*result == HRT_OK) *result = HRT_ERROR_STRUCT_SIZE;
+  }
+  // Of these no row is read.
+  static void call_again(const ConfigSet&, hrt_result*) {}
+  static void call_again(const TargetChanged&, hrt_result*) {}
+  static void call_again(const PlateStands&, hrt_result*) {}
+  static void call_again(const CalibrationChanged&, hrt_result*) {}
+
+  hrt_target target(std::uint64_t number) const {
+    const auto found = target_ids_.find(number);
+    return {found == target_ids_.end() ? 0 : found->second};
+  }
+
   hrt_result at_line(hrt_result result) const {
-    const Text<240> what = thread_error.text;
-    std::string_view detail = what.view();
-    detail.remove_prefix(std::min(detail.size(), std::string_view(thread_error.call).size() + 2));
     return fail(result == HRT_ERROR_OUT_OF_MEMORY ? result : HRT_ERROR_BAD_FORMAT, "line ", line_number_,
-                ": ", detail);
+                ": ", last_failure().view());
   }
 
   std::optional<Session> session_;
-  TargetIds target_ids_;  // 0: removed
+  std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
   ReplayedCalibrations calibrations_;
   bool has_calibrations_ = false;  // the table has their columns
   Hash hash_;

@@ -69,13 +69,6 @@ hrt_result take_number(const What& what, std::string_view text, Number* out) {
   return fail(HRT_ERROR_BAD_FORMAT, what, " is \"", Shown{text}, "\", which is not a number");
 }
 
-template <class Number>
-hrt_result read_cell(std::size_t column, std::string_view cell, Number* out) {
-  Text<32> what;
-  what << "column " << column + 1;
-  return cell.empty() ? HRT_OK : take_number(what.view(), cell, out);
-}
-
 using Cells = std::array<std::string_view, columns>;
 
 inline hrt_result split(std::string_view line, std::size_t expected, Cells* cells) {
@@ -89,9 +82,18 @@ inline hrt_result split(std::string_view line, std::size_t expected, Cells* cell
   return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", expected, " are needed");
 }
 
+/// Leaves `*out` as it is if the cell is empty.
+template <class Number>
+hrt_result read_cell(const Cells& cells, std::size_t column, Number* out) {
+  if (cells[column].empty()) return HRT_OK;
+  Text<32> what;
+  what << "column " << column + 1;
+  return take_number(what.view(), cells[column], out);
+}
+
 template <std::size_t n>
 hrt_result read_cells(const Cells& cells, std::size_t first, double (&out)[n]) {
-  for (std::size_t i = 0; i < n; ++i) HRT_RETURN_IF_FAILED(read_cell(first + i, cells[first + i], &out[i]));
+  for (std::size_t i = 0; i < n; ++i) HRT_RETURN_IF_FAILED(read_cell(cells, first + i, &out[i]));
   return HRT_OK;
 }
 
@@ -108,12 +110,11 @@ inline void put_sample(const hrt_sample& sample, Row& row) {
 
 inline hrt_result read_sample(const Cells& cells, hrt_sample* sample) {
   sample->struct_size = sizeof *sample;
-  HRT_RETURN_IF_FAILED(read_cell(2, cells[2], &sample->time_ns));
-  HRT_RETURN_IF_FAILED(read_cell(3, cells[3], &sample->flags));
-  HRT_RETURN_IF_FAILED(read_cell(4, cells[4], &sample->finger_direction_deg));
+  HRT_RETURN_IF_FAILED(read_cell(cells, 2, &sample->time_ns));
+  HRT_RETURN_IF_FAILED(read_cell(cells, 3, &sample->flags));
+  HRT_RETURN_IF_FAILED(read_cell(cells, 4, &sample->finger_direction_deg));
   HRT_RETURN_IF_FAILED(read_cells(cells, 5, sample->finger_position_m));
-  HRT_RETURN_IF_FAILED(
-      read_cell(measured_plate_column, cells[measured_plate_column], &sample->plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(read_cell(cells, measured_plate_column, &sample->plate_orientation_deg));
   HRT_RETURN_IF_FAILED(read_cells(cells, 9, sample->plate_position_m));
   return read_cells(cells, 12, sample->plate_rotation);
 }

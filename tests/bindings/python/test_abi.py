@@ -38,9 +38,8 @@ def test_structs_have_the_sizes_and_offsets_of_the_library() -> None:
 def test_every_function_is_declared() -> None:
     functions = re.findall(r"^function .*?(hrt_\w+)\(", ABI, re.M)
     assert len(functions) > 30
-    source = (BINDINGS / "python/haptic_retargeting/_abi.py").read_text()
     for name in functions:
-        assert f"library.{name}.argtypes" in source
+        assert getattr(library(), name).argtypes is not None, name
 
 
 def test_help_has_units_ranges_and_defaults() -> None:

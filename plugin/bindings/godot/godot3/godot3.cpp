@@ -162,25 +162,10 @@ Value to_value(const godot_variant& variant) {
 }
 
 godot_int variant_type(Type type) {
-  switch (type) {
-    case Type::kNil:
-      return GODOT_NIL;
-    case Type::kBool:
-      return GODOT_BOOL;
-    case Type::kInt:
-      return GODOT_INT;
-    case Type::kReal:
-      return GODOT_REAL;
-    case Type::kString:
-      return GODOT_STRING;
-    case Type::kVector3:
-      return GODOT_VECTOR3;
-    case Type::kRecord:
-      return GODOT_DICTIONARY;
-    case Type::kPose:
-      return GODOT_TRANSFORM;
-  }
-  return GODOT_NIL;
+  constexpr godot_int types[] = {GODOT_NIL,    GODOT_BOOL,    GODOT_INT,        GODOT_REAL,
+                                 GODOT_STRING, GODOT_VECTOR3, GODOT_DICTIONARY, GODOT_TRANSFORM};
+  static_assert(std::size(types) == std::variant_size_v<Value>);
+  return types[static_cast<size_t>(type)];
 }
 
 /** A node of a scene and what it runs. */
@@ -337,6 +322,6 @@ extern "C" GDN_EXPORT void godot_nativescript_init(void* library) {
     nativescript->register_method(library, kClassName, method.name, {0},
                                   {call, method_data(method), nullptr});
   const hrt_session_config defaults = hrt_session_config_init();
-  for (const Field& field : config_fields()) register_property(library, field, defaults);
+  for (const Field& field : config_fields) register_property(library, field, defaults);
   for (const Signal& signal : signals()) register_signal(library, signal);
 }

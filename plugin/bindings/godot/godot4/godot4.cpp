@@ -36,30 +36,21 @@ const char* load_interface(gde_get_proc_address get_proc_address) {
   return nullptr;
 }
 
-/** Values of the engine's, destroyed at the end of their scope. */
-class EngineString {
+/** A text of the engine's, destroyed at the end of its scope. */
+template <typename Text, auto make, int32_t type>
+class EngineText {
  public:
-  explicit EngineString(const char* utf8) { engine.string_new_with_utf8_chars(&string_, utf8); }
-  EngineString(const EngineString&) = delete;
-  EngineString& operator=(const EngineString&) = delete;
-  ~EngineString() { engine.variant_get_ptr_destructor(GDE_STRING)(&string_); }
-  const gde_string& get() const { return string_; }
+  explicit EngineText(const char* utf8) { (engine.*make)(&text_, utf8); }
+  EngineText(const EngineText&) = delete;
+  EngineText& operator=(const EngineText&) = delete;
+  ~EngineText() { engine.variant_get_ptr_destructor(type)(&text_); }
+  const Text& get() const { return text_; }
 
  private:
-  gde_string string_;
+  Text text_;
 };
-
-class EngineName {
- public:
-  explicit EngineName(const char* utf8) { engine.string_name_new_with_utf8_chars(&name_, utf8); }
-  EngineName(const EngineName&) = delete;
-  EngineName& operator=(const EngineName&) = delete;
-  ~EngineName() { engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name_); }
-  const gde_string_name& get() const { return name_; }
-
- private:
-  gde_string_name name_;
-};
+using EngineString = EngineText<gde_string, &Interface::string_new_with_utf8_chars, GDE_STRING>;
+using EngineName = EngineText<gde_string_name, &Interface::string_name_new_with_utf8_chars, GDE_STRING_NAME>;
 
 std::string to_utf8(const gde_string& string) {
   std::string text(static_cast<size_t>(engine.string_to_utf8_chars(&string, nullptr, 0)), '\0');
@@ -104,25 +95,10 @@ EngineTransform to_transform(const Pose& pose) {
 }
 
 int32_t variant_type(Type type) {
-  switch (type) {
-    case Type::kNil:
-      return GDE_NIL;
-    case Type::kBool:
-      return GDE_BOOL;
-    case Type::kInt:
-      return GDE_INT;
-    case Type::kReal:
-      return GDE_FLOAT;
-    case Type::kString:
-      return GDE_STRING;
-    case Type::kVector3:
-      return GDE_VECTOR3;
-    case Type::kRecord:
-      return GDE_DICTIONARY;
-    case Type::kPose:
-      return GDE_TRANSFORM3D;
-  }
-  return GDE_NIL;
+  constexpr int32_t types[] = {GDE_NIL,    GDE_BOOL,    GDE_INT,        GDE_FLOAT,
+                               GDE_STRING, GDE_VECTOR3, GDE_DICTIONARY, GDE_TRANSFORM3D};
+  static_assert(std::size(types) == std::variant_size_v<Value>);
+  return types[static_cast<size_t>(type)];
 }
 
 void to_variant(gde_variant* out, const Value& value);
@@ -463,9 +439,9 @@ void initialize(void*, int32_t level) noexcept {
     register_callable(
         name,
         {method.name, method.returns, {method.arguments.begin(), method.arguments.end()}, &method, nullptr});
-  for (const Field& field : config_fields()) register_property(name, field);
+  for (const Field& field : config_fields) register_property(name, field);
   for (const Signal& signal : signals()) register_signal(name, signal);
-  for (const Constant& constant : constants()) register_constant(name, constant);
+  for (const Constant& constant : constants) register_constant(name, constant);
 }
 
 void deinitialize(void*, int32_t level) noexcept {

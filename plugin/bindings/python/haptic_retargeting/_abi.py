@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-import ctypes
 from ctypes import (
-    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
+    CFUNCTYPE, POINTER, Array, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
 )
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any
 
-from ._struct import Choice, Flags, Struct, enumerated
+from ._struct import (
+    Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -445,6 +446,7 @@ on a thread of the library or within a call that is not real-time, one call at a
 may not call this library or throw."""
 
 
+@laid_out
 class Allocator(Struct):
     """Source of the library's memory. Both functions are called from any thread, concurrently. Neither may
     call this library or throw.
@@ -456,46 +458,34 @@ class Allocator(Struct):
         needs it keeps it beside the memory.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        reserved: int
-        context: int | None
-        allocate: ctypes._FuncPointer
-        release: ctypes._FuncPointer
+    struct_size: UInt32
+    reserved: UInt32
+    context: Pointer
+    allocate: Annotated[FunctionPointer, AllocatorAllocate]
+    release: Annotated[FunctionPointer, AllocatorRelease]
 
+    if TYPE_CHECKING:
         def __init__(
-            self, *, context: int | None = ..., allocate: ctypes._FuncPointer = ...,
-            release: ctypes._FuncPointer = ...,
+            self, *, context: int | None = ..., allocate: FunctionPointer = ..., release: FunctionPointer = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("context", c_void_p),
-        ("allocate", AllocatorAllocate),
-        ("release", AllocatorRelease),
-    )
 
-
+@laid_out
 class SessionHandle(Struct):
     """A session's handle. Zero is never a session. Handles are never reused.
 
     value
     """
 
-    if TYPE_CHECKING:
-        value: int
+    value: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_uint64),
-    )
 
-
-@enumerated(control=Control, guidance=Guidance, adaptation=Adaptation, flags=SessionFlag)
+@laid_out
 class SessionConfig(Struct):
     """Configuration of a session.
 
@@ -599,51 +589,51 @@ class SessionConfig(Struct):
         known. Default 0.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        horizon: int
-        step_period_ns: int
-        control: Control
-        guidance: Guidance
-        adaptation: Adaptation
-        flags: SessionFlag
-        perceived_weight: float
-        actual_weight: float
-        plate_bound_deg: float
-        plate_max_speed_deg_s: float
-        plate_max_acceleration_deg_s2: float
-        plate_latency_ns: int
-        plate_lower_stop_deg: float
-        plate_upper_stop_deg: float
-        fixed_plate_orientation_deg: float
-        tactile_weight: float
-        tactile_weight_sd: float
-        motor_variance_deg2: float
-        sensory_variance_deg2: float
-        initial_variance_deg2: float
-        tracker_noise_m: float
-        start_position_m: ctypes.Array[c_double]
-        plate_radius_m: float
-        lift_height_m: float
-        plate_position_m: ctypes.Array[c_double]
-        plate_rotation: ctypes.Array[c_double]
-        bias_deg: float
-        motor_variance_sd_deg2: float
-        max_felt_error_deg: float
-        motion_bound_deg: float
-        tracker_latency_ns: int
-        person_mean: ctypes.Array[c_double]
-        person_covariance: ctypes.Array[c_double]
-        plate_scale: float
-        plate_covariance: ctypes.Array[c_double]
-        registration_time_ns: int
-        max_registration_age_ns: int
-        max_registration_sd_deg: float
-        tracker_correlated_noise_m: float
-        tracker_correlation_s: float
-        steering_rate_per_s: float
-        steering_delay_s: float
+    struct_size: UInt32
+    horizon: UInt32
+    step_period_ns: Int64
+    control: Control
+    guidance: Guidance
+    adaptation: Adaptation
+    flags: SessionFlag
+    perceived_weight: Double
+    actual_weight: Double
+    plate_bound_deg: Double
+    plate_max_speed_deg_s: Double
+    plate_max_acceleration_deg_s2: Double
+    plate_latency_ns: Int64
+    plate_lower_stop_deg: Double
+    plate_upper_stop_deg: Double
+    fixed_plate_orientation_deg: Double
+    tactile_weight: Double
+    tactile_weight_sd: Double
+    motor_variance_deg2: Double
+    sensory_variance_deg2: Double
+    initial_variance_deg2: Double
+    tracker_noise_m: Double
+    start_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_radius_m: Double
+    lift_height_m: Double
+    plate_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_rotation: Annotated[Array[c_double], c_double * 4]
+    bias_deg: Double
+    motor_variance_sd_deg2: Double
+    max_felt_error_deg: Double
+    motion_bound_deg: Double
+    tracker_latency_ns: Int64
+    person_mean: Annotated[Array[c_double], c_double * 9]
+    person_covariance: Annotated[Array[c_double], c_double * 45]
+    plate_scale: Double
+    plate_covariance: Annotated[Array[c_double], c_double * 6]
+    registration_time_ns: Int64
+    max_registration_age_ns: Int64
+    max_registration_sd_deg: Double
+    tracker_correlated_noise_m: Double
+    tracker_correlation_s: Double
+    steering_rate_per_s: Double
+    steering_delay_s: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, horizon: int = ..., step_period_ns: int = ..., control: Control = ..., guidance: Guidance = ...,
             adaptation: Adaptation = ..., flags: SessionFlag = ..., perceived_weight: float = ...,
@@ -662,72 +652,23 @@ class SessionConfig(Struct):
             steering_rate_per_s: float = ..., steering_delay_s: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("horizon", c_uint32),
-        ("step_period_ns", c_int64),
-        ("control", c_uint32),
-        ("guidance", c_uint32),
-        ("adaptation", c_uint32),
-        ("flags", c_uint32),
-        ("perceived_weight", c_double),
-        ("actual_weight", c_double),
-        ("plate_bound_deg", c_double),
-        ("plate_max_speed_deg_s", c_double),
-        ("plate_max_acceleration_deg_s2", c_double),
-        ("plate_latency_ns", c_int64),
-        ("plate_lower_stop_deg", c_double),
-        ("plate_upper_stop_deg", c_double),
-        ("fixed_plate_orientation_deg", c_double),
-        ("tactile_weight", c_double),
-        ("tactile_weight_sd", c_double),
-        ("motor_variance_deg2", c_double),
-        ("sensory_variance_deg2", c_double),
-        ("initial_variance_deg2", c_double),
-        ("tracker_noise_m", c_double),
-        ("start_position_m", c_double * 3),
-        ("plate_radius_m", c_double),
-        ("lift_height_m", c_double),
-        ("plate_position_m", c_double * 3),
-        ("plate_rotation", c_double * 4),
-        ("bias_deg", c_double),
-        ("motor_variance_sd_deg2", c_double),
-        ("max_felt_error_deg", c_double),
-        ("motion_bound_deg", c_double),
-        ("tracker_latency_ns", c_int64),
-        ("person_mean", c_double * 9),
-        ("person_covariance", c_double * 45),
-        ("plate_scale", c_double),
-        ("plate_covariance", c_double * 6),
-        ("registration_time_ns", c_int64),
-        ("max_registration_age_ns", c_int64),
-        ("max_registration_sd_deg", c_double),
-        ("tracker_correlated_noise_m", c_double),
-        ("tracker_correlation_s", c_double),
-        ("steering_rate_per_s", c_double),
-        ("steering_delay_s", c_double),
-    )
 
-
+@laid_out
 class TargetHandle(Struct):
     """A target's id within its session. Zero is never a target. Ids are never reused, in any session.
 
     value
     """
 
-    if TYPE_CHECKING:
-        value: int
+    value: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_uint64),
-    )
 
-
-@enumerated(role=Role, place=Place)
+@laid_out
 class TargetConfig(Struct):
     """A target. Only the fields that `place` names are read.
 
@@ -740,33 +681,23 @@ class TargetConfig(Struct):
     name: UTF-8, terminated by a zero; unique within the session unless empty. Default empty.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        role: Role
-        place: Place
-        reserved: int
-        direction_deg: float
-        distance_m: float
-        position_m: ctypes.Array[c_double]
-        name: bytes
+    struct_size: UInt32
+    role: Role
+    place: Place
+    reserved: UInt32
+    direction_deg: Double
+    distance_m: Double
+    position_m: Annotated[Array[c_double], c_double * 3]
+    name: Annotated[bytes, c_char * 64]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, role: Role = ..., place: Place = ..., direction_deg: float = ..., distance_m: float = ...,
             position_m: ArrayLike = ..., name: str | bytes = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("role", c_uint32),
-        ("place", c_uint32),
-        ("reserved", c_uint32),
-        ("direction_deg", c_double),
-        ("distance_m", c_double),
-        ("position_m", c_double * 3),
-        ("name", c_char * 64),
-    )
 
-
+@laid_out
 class Authority(Struct):
     """Authority over one pair of targets.
 
@@ -783,18 +714,18 @@ class Authority(Struct):
         Since version 0.3.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        reachable: int
-        real_target: TargetHandle
-        virtual_target: TargetHandle
-        gap_deg: float
-        largest_gap_deg: float
-        margin_deg: float
-        plate_orientation_deg: float
-        settling_direction_deg: float
-        paper_largest_gap_deg: float
+    struct_size: UInt32
+    reachable: UInt32
+    real_target: TargetHandle
+    virtual_target: TargetHandle
+    gap_deg: Double
+    largest_gap_deg: Double
+    margin_deg: Double
+    plate_orientation_deg: Double
+    settling_direction_deg: Double
+    paper_largest_gap_deg: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, reachable: bool | int = ..., real_target: TargetHandle = ..., virtual_target: TargetHandle = ...,
             gap_deg: float = ..., largest_gap_deg: float = ..., margin_deg: float = ...,
@@ -802,21 +733,8 @@ class Authority(Struct):
             paper_largest_gap_deg: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reachable", c_uint32),
-        ("real_target", TargetHandle),
-        ("virtual_target", TargetHandle),
-        ("gap_deg", c_double),
-        ("largest_gap_deg", c_double),
-        ("margin_deg", c_double),
-        ("plate_orientation_deg", c_double),
-        ("settling_direction_deg", c_double),
-        ("paper_largest_gap_deg", c_double),
-    )
 
-
-@enumerated(flags=ReachFlag)
+@laid_out
 class ReachConfig(Struct):
     """Configuration of a reach.
 
@@ -830,30 +748,21 @@ class ReachConfig(Struct):
         from the finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version 0.3.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        flags: ReachFlag
-        real_target: TargetHandle
-        virtual_target: TargetHandle
-        plate_orientation_deg: float
-        duration_s: float
+    struct_size: UInt32
+    flags: ReachFlag
+    real_target: TargetHandle
+    virtual_target: TargetHandle
+    plate_orientation_deg: Double
+    duration_s: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, flags: ReachFlag = ..., real_target: TargetHandle = ..., virtual_target: TargetHandle = ...,
             plate_orientation_deg: float = ..., duration_s: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("flags", c_uint32),
-        ("real_target", TargetHandle),
-        ("virtual_target", TargetHandle),
-        ("plate_orientation_deg", c_double),
-        ("duration_s", c_double),
-    )
 
-
-@enumerated(flags=SampleFlag)
+@laid_out
 class Sample(Struct):
     """One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the
     fields that `flags` names are read.
@@ -869,35 +778,24 @@ class Sample(Struct):
     plate_rotation
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        flags: SampleFlag
-        time_ns: int
-        finger_direction_deg: float
-        finger_position_m: ctypes.Array[c_double]
-        plate_orientation_deg: float
-        plate_position_m: ctypes.Array[c_double]
-        plate_rotation: ctypes.Array[c_double]
+    struct_size: UInt32
+    flags: SampleFlag
+    time_ns: Int64
+    finger_direction_deg: Double
+    finger_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_orientation_deg: Double
+    plate_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_rotation: Annotated[Array[c_double], c_double * 4]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, flags: SampleFlag = ..., time_ns: int = ..., finger_direction_deg: float = ...,
             finger_position_m: ArrayLike = ..., plate_orientation_deg: float = ..., plate_position_m: ArrayLike = ...,
             plate_rotation: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("flags", c_uint32),
-        ("time_ns", c_int64),
-        ("finger_direction_deg", c_double),
-        ("finger_position_m", c_double * 3),
-        ("plate_orientation_deg", c_double),
-        ("plate_position_m", c_double * 3),
-        ("plate_rotation", c_double * 4),
-    )
 
-
-@enumerated(flags=CommandFlag)
+@laid_out
 class Command(Struct):
     """Command for the plate, and its reasons.
 
@@ -926,23 +824,23 @@ class Command(Struct):
         the end, of bearing_error_deg. 0 under FIXED_DIRECTION. Since version 0.3.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        flags: CommandFlag
-        step: int
-        plate_orientation_deg: float
-        finger_direction_deg: float
-        perceived_direction_deg: float
-        aimed_direction_deg: float
-        distance_to_go_m: float
-        tactile_weight: float
-        tactile_weight_sd: float
-        time_to_go_s: float
-        felt_error_deg: float
-        predicted_miss_deg: float
-        normalised_innovation: float
-        bearing_error_sd_deg: float
+    struct_size: UInt32
+    flags: CommandFlag
+    step: Int64
+    plate_orientation_deg: Double
+    finger_direction_deg: Double
+    perceived_direction_deg: Double
+    aimed_direction_deg: Double
+    distance_to_go_m: Double
+    tactile_weight: Double
+    tactile_weight_sd: Double
+    time_to_go_s: Double
+    felt_error_deg: Double
+    predicted_miss_deg: Double
+    normalised_innovation: Double
+    bearing_error_sd_deg: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, flags: CommandFlag = ..., step: int = ..., plate_orientation_deg: float = ...,
             finger_direction_deg: float = ..., perceived_direction_deg: float = ..., aimed_direction_deg: float = ...,
@@ -951,26 +849,8 @@ class Command(Struct):
             normalised_innovation: float = ..., bearing_error_sd_deg: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("flags", c_uint32),
-        ("step", c_int64),
-        ("plate_orientation_deg", c_double),
-        ("finger_direction_deg", c_double),
-        ("perceived_direction_deg", c_double),
-        ("aimed_direction_deg", c_double),
-        ("distance_to_go_m", c_double),
-        ("tactile_weight", c_double),
-        ("tactile_weight_sd", c_double),
-        ("time_to_go_s", c_double),
-        ("felt_error_deg", c_double),
-        ("predicted_miss_deg", c_double),
-        ("normalised_innovation", c_double),
-        ("bearing_error_sd_deg", c_double),
-    )
 
-
-@enumerated(flags=CommandFlag)
+@laid_out
 class ReachSummary(Struct):
     """Result of a reach.
 
@@ -1018,40 +898,40 @@ class ReachSummary(Struct):
     bearing_error_sd_deg: The last Command.bearing_error_sd_deg: standard deviation of bearing_error_deg.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        flags: CommandFlag
-        samples: int
-        dropped_samples: int
-        steps: int
-        predicted_steps: int
-        saturated_steps: int
-        rate_limited_steps: int
-        final_direction_deg: float
-        final_miss_deg: float
-        perceived_direction_deg: float
-        perceived_error_deg: float
-        distance_to_target_m: float
-        tactile_weight: float
-        tactile_weight_sd: float
-        tracker_noise_m: float
-        motor_variance_deg2: float
-        motor_variance_sd_deg2: float
-        bearing_error_deg: float
-        peak_felt_error_deg: float
-        rms_felt_error_deg: float
-        normalised_innovation: float
-        illusion_curve: float
-        illusion_curve_sd: float
-        gain_per_s: float
-        gain_sd_per_s: float
-        bias_deg: float
-        bias_sd_deg: float
-        habit_deg: float
-        habit_sd_deg: float
-        duration_s: float
-        bearing_error_sd_deg: float
+    struct_size: UInt32
+    flags: CommandFlag
+    samples: Int64
+    dropped_samples: Int64
+    steps: Int64
+    predicted_steps: Int64
+    saturated_steps: Int64
+    rate_limited_steps: Int64
+    final_direction_deg: Double
+    final_miss_deg: Double
+    perceived_direction_deg: Double
+    perceived_error_deg: Double
+    distance_to_target_m: Double
+    tactile_weight: Double
+    tactile_weight_sd: Double
+    tracker_noise_m: Double
+    motor_variance_deg2: Double
+    motor_variance_sd_deg2: Double
+    bearing_error_deg: Double
+    peak_felt_error_deg: Double
+    rms_felt_error_deg: Double
+    normalised_innovation: Double
+    illusion_curve: Double
+    illusion_curve_sd: Double
+    gain_per_s: Double
+    gain_sd_per_s: Double
+    bias_deg: Double
+    bias_sd_deg: Double
+    habit_deg: Double
+    habit_sd_deg: Double
+    duration_s: Double
+    bearing_error_sd_deg: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, flags: CommandFlag = ..., samples: int = ..., dropped_samples: int = ..., steps: int = ...,
             predicted_steps: int = ..., saturated_steps: int = ..., rate_limited_steps: int = ...,
@@ -1065,60 +945,23 @@ class ReachSummary(Struct):
             duration_s: float = ..., bearing_error_sd_deg: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("flags", c_uint32),
-        ("samples", c_int64),
-        ("dropped_samples", c_int64),
-        ("steps", c_int64),
-        ("predicted_steps", c_int64),
-        ("saturated_steps", c_int64),
-        ("rate_limited_steps", c_int64),
-        ("final_direction_deg", c_double),
-        ("final_miss_deg", c_double),
-        ("perceived_direction_deg", c_double),
-        ("perceived_error_deg", c_double),
-        ("distance_to_target_m", c_double),
-        ("tactile_weight", c_double),
-        ("tactile_weight_sd", c_double),
-        ("tracker_noise_m", c_double),
-        ("motor_variance_deg2", c_double),
-        ("motor_variance_sd_deg2", c_double),
-        ("bearing_error_deg", c_double),
-        ("peak_felt_error_deg", c_double),
-        ("rms_felt_error_deg", c_double),
-        ("normalised_innovation", c_double),
-        ("illusion_curve", c_double),
-        ("illusion_curve_sd", c_double),
-        ("gain_per_s", c_double),
-        ("gain_sd_per_s", c_double),
-        ("bias_deg", c_double),
-        ("bias_sd_deg", c_double),
-        ("habit_deg", c_double),
-        ("habit_sd_deg", c_double),
-        ("duration_s", c_double),
-        ("bearing_error_sd_deg", c_double),
-    )
 
-
+@laid_out
 class CalibrationHandle(Struct):
     """A calibration's handle. Zero is never a calibration. Handles are never reused.
 
     value
     """
 
-    if TYPE_CHECKING:
-        value: int
+    value: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_uint64),
-    )
 
-
+@laid_out
 class CalibrationConfig(Struct):
     """Configuration of a calibration.
 
@@ -1136,33 +979,23 @@ class CalibrationConfig(Struct):
         0.02. Since version 0.3.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        max_trials: int
-        max_samples: int
-        reserved: int
-        goal_direction_deg: float
-        lower_plate_deg: float
-        upper_plate_deg: float
-        enough_weight_width: float
+    struct_size: UInt32
+    max_trials: UInt32
+    max_samples: UInt32
+    reserved: UInt32
+    goal_direction_deg: Double
+    lower_plate_deg: Double
+    upper_plate_deg: Double
+    enough_weight_width: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, max_trials: int = ..., max_samples: int = ..., goal_direction_deg: float = ...,
             lower_plate_deg: float = ..., upper_plate_deg: float = ..., enough_weight_width: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("max_trials", c_uint32),
-        ("max_samples", c_uint32),
-        ("reserved", c_uint32),
-        ("goal_direction_deg", c_double),
-        ("lower_plate_deg", c_double),
-        ("upper_plate_deg", c_double),
-        ("enough_weight_width", c_double),
-    )
 
-
+@laid_out
 class Interval(Struct):
     """An estimate with the ends of its 95 % interval. This struct never grows.
 
@@ -1173,27 +1006,19 @@ class Interval(Struct):
         and the value its likeliest point.
     """
 
-    if TYPE_CHECKING:
-        value: float
-        lower: float
-        upper: float
-        known: int
-        reserved: int
+    value: Double
+    lower: Double
+    upper: Double
+    known: UInt32
+    reserved: UInt32
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: float = ..., lower: float = ..., upper: float = ..., known: bool | int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_double),
-        ("lower", c_double),
-        ("upper", c_double),
-        ("known", c_uint32),
-        ("reserved", c_uint32),
-    )
 
-
-@enumerated(illusion=Illusion, lack_of_fit=LackOfFitFlag)
+@laid_out
 class CalibrationResult(Struct):
     """Parameters of the user; the fields are those of SessionConfig.
 
@@ -1243,36 +1068,36 @@ class CalibrationResult(Struct):
     steering_p: As path_p, of the turning slides under the likeliest law of steering; 1 without such slides.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        slides_turning: int
-        trials: int
-        trials_used: int
-        tactile_weight: Interval
-        bias_deg: Interval
-        motor_variance_deg2: Interval
-        sensory_variance_deg2: Interval
-        tracker_noise_m: Interval
-        illusion: Illusion
-        lack_of_fit: LackOfFitFlag
-        slides_outlying: int
-        slides_along_ridges: int
-        illusion_scale_deg: float
-        peak_offset_deg: float
-        person_weight: Interval
-        person_curve: Interval
-        weight_curve_correlation: float
-        largest_gap_deg: Interval
-        habit_deg: Interval
-        correlated_noise_m: Interval
-        noise_correlation_s: Interval
-        angle_p: float
-        order_p: float
-        path_p: float
-        steering_rate_per_s: Interval
-        steering_delay_s: Interval
-        steering_p: float
+    struct_size: UInt32
+    slides_turning: UInt32
+    trials: UInt32
+    trials_used: UInt32
+    tactile_weight: Interval
+    bias_deg: Interval
+    motor_variance_deg2: Interval
+    sensory_variance_deg2: Interval
+    tracker_noise_m: Interval
+    illusion: Illusion
+    lack_of_fit: LackOfFitFlag
+    slides_outlying: UInt32
+    slides_along_ridges: UInt32
+    illusion_scale_deg: Double
+    peak_offset_deg: Double
+    person_weight: Interval
+    person_curve: Interval
+    weight_curve_correlation: Double
+    largest_gap_deg: Interval
+    habit_deg: Interval
+    correlated_noise_m: Interval
+    noise_correlation_s: Interval
+    angle_p: Double
+    order_p: Double
+    path_p: Double
+    steering_rate_per_s: Interval
+    steering_delay_s: Interval
+    steering_p: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, slides_turning: int = ..., trials: int = ..., trials_used: int = ...,
             tactile_weight: Interval = ..., bias_deg: Interval = ..., motor_variance_deg2: Interval = ...,
@@ -1285,39 +1110,8 @@ class CalibrationResult(Struct):
             steering_delay_s: Interval = ..., steering_p: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("slides_turning", c_uint32),
-        ("trials", c_uint32),
-        ("trials_used", c_uint32),
-        ("tactile_weight", Interval),
-        ("bias_deg", Interval),
-        ("motor_variance_deg2", Interval),
-        ("sensory_variance_deg2", Interval),
-        ("tracker_noise_m", Interval),
-        ("illusion", c_uint32),
-        ("lack_of_fit", c_uint32),
-        ("slides_outlying", c_uint32),
-        ("slides_along_ridges", c_uint32),
-        ("illusion_scale_deg", c_double),
-        ("peak_offset_deg", c_double),
-        ("person_weight", Interval),
-        ("person_curve", Interval),
-        ("weight_curve_correlation", c_double),
-        ("largest_gap_deg", Interval),
-        ("habit_deg", Interval),
-        ("correlated_noise_m", Interval),
-        ("noise_correlation_s", Interval),
-        ("angle_p", c_double),
-        ("order_p", c_double),
-        ("path_p", c_double),
-        ("steering_rate_per_s", Interval),
-        ("steering_delay_s", Interval),
-        ("steering_p", c_double),
-    )
 
-
-@enumerated(verdict=Slide)
+@laid_out
 class CalibrationSlide(Struct):
     """One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Since version
     0.3.
@@ -1330,34 +1124,23 @@ class CalibrationSlide(Struct):
     residual_deg
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        verdict: Slide
-        trial: int
-        reserved: int
-        plate_deg: float
-        direction_deg: float
-        fitted_deg: float
-        residual_deg: float
+    struct_size: UInt32
+    verdict: Slide
+    trial: UInt32
+    reserved: UInt32
+    plate_deg: Double
+    direction_deg: Double
+    fitted_deg: Double
+    residual_deg: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, verdict: Slide = ..., trial: int = ..., plate_deg: float = ..., direction_deg: float = ...,
             fitted_deg: float = ..., residual_deg: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("verdict", c_uint32),
-        ("trial", c_uint32),
-        ("reserved", c_uint32),
-        ("plate_deg", c_double),
-        ("direction_deg", c_double),
-        ("fitted_deg", c_double),
-        ("residual_deg", c_double),
-    )
 
-
-@enumerated(differing=DiffersFlag)
+@laid_out
 class CalibrationComparison(Struct):
     """Test and retest: two calibrations of a user, or of two users. Each field is the second value less the
     first, with the 95 % interval of the difference; known if both values are. Since version 0.3.
@@ -1373,37 +1156,25 @@ class CalibrationComparison(Struct):
     steering_delay_s
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        differing: DiffersFlag
-        tactile_weight: Interval
-        largest_gap_deg: Interval
-        bias_deg: Interval
-        habit_deg: Interval
-        tracker_noise_m: Interval
-        steering_rate_per_s: Interval
-        steering_delay_s: Interval
+    struct_size: UInt32
+    differing: DiffersFlag
+    tactile_weight: Interval
+    largest_gap_deg: Interval
+    bias_deg: Interval
+    habit_deg: Interval
+    tracker_noise_m: Interval
+    steering_rate_per_s: Interval
+    steering_delay_s: Interval
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, differing: DiffersFlag = ..., tactile_weight: Interval = ..., largest_gap_deg: Interval = ...,
             bias_deg: Interval = ..., habit_deg: Interval = ..., tracker_noise_m: Interval = ...,
             steering_rate_per_s: Interval = ..., steering_delay_s: Interval = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("differing", c_uint32),
-        ("tactile_weight", Interval),
-        ("largest_gap_deg", Interval),
-        ("bias_deg", Interval),
-        ("habit_deg", Interval),
-        ("tracker_noise_m", Interval),
-        ("steering_rate_per_s", Interval),
-        ("steering_delay_s", Interval),
-    )
 
-
-@enumerated(differing=ConditionFlag)
+@laid_out
 class Conditions(Struct):
     """Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since
     version 0.3.
@@ -1415,27 +1186,20 @@ class Conditions(Struct):
     tracker
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        differing: ConditionFlag
-        time_s: int
-        plate: bytes
-        tracker: bytes
+    struct_size: UInt32
+    differing: ConditionFlag
+    time_s: Int64
+    plate: Annotated[bytes, c_char * 64]
+    tracker: Annotated[bytes, c_char * 64]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, differing: ConditionFlag = ..., time_s: int = ..., plate: str | bytes = ...,
             tracker: str | bytes = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("differing", c_uint32),
-        ("time_s", c_int64),
-        ("plate", c_char * 64),
-        ("tracker", c_char * 64),
-    )
 
-
+@laid_out
 class RecordingStatus(Struct):
     """State of a recording.
 
@@ -1445,25 +1209,18 @@ class RecordingStatus(Struct):
         complete.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        system_error: int
-        rows_written: int
-        rows_lost: int
+    struct_size: UInt32
+    system_error: Int32
+    rows_written: UInt64
+    rows_lost: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, system_error: int = ..., rows_written: int = ..., rows_lost: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("system_error", c_int32),
-        ("rows_written", c_uint64),
-        ("rows_lost", c_uint64),
-    )
 
-
-@enumerated(ending=Ending)
+@laid_out
 class ReplayReport(Struct):
     """Result of a replay.
 
@@ -1476,31 +1233,22 @@ class ReplayReport(Struct):
     ending: Ending. Since version 0.3.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        complete: int
-        rows: int
-        first_different_line: int
-        hash: int
-        ending: Ending
-        reserved: int
+    struct_size: UInt32
+    complete: UInt32
+    rows: UInt64
+    first_different_line: UInt64
+    hash: UInt64
+    ending: Ending
+    reserved: UInt32
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, complete: bool | int = ..., rows: int = ..., first_different_line: int = ..., hash: int = ...,
             ending: Ending = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("complete", c_uint32),
-        ("rows", c_uint64),
-        ("first_different_line", c_uint64),
-        ("hash", c_uint64),
-        ("ending", c_uint32),
-        ("reserved", c_uint32),
-    )
 
-
+@laid_out
 class MarkTouch(Struct):
     """A touch of a mark. This struct never grows.
 
@@ -1508,21 +1256,16 @@ class MarkTouch(Struct):
     touched_m: Where the tracker saw the fingertip, in the engine's world. Each within 1000.
     """
 
-    if TYPE_CHECKING:
-        mark_m: ctypes.Array[c_double]
-        touched_m: ctypes.Array[c_double]
+    mark_m: Annotated[Array[c_double], c_double * 3]
+    touched_m: Annotated[Array[c_double], c_double * 3]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, mark_m: ArrayLike = ..., touched_m: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("mark_m", c_double * 3),
-        ("touched_m", c_double * 3),
-    )
 
-
-@enumerated(flags=RegisterFlag)
+@laid_out
 class RegistrationConfig(Struct):
     """Configuration of a registration.
 
@@ -1533,25 +1276,18 @@ class RegistrationConfig(Struct):
         within 1000, and not all 0. Default (0, 1, 0).
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        flags: RegisterFlag
-        touch_sd_m: float
-        up: ctypes.Array[c_double]
+    struct_size: UInt32
+    flags: RegisterFlag
+    touch_sd_m: Double
+    up: Annotated[Array[c_double], c_double * 3]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, flags: RegisterFlag = ..., touch_sd_m: float = ..., up: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("flags", c_uint32),
-        ("touch_sd_m", c_double),
-        ("up", c_double * 3),
-    )
 
-
-@enumerated(verdict=RegistrationVerdict)
+@laid_out
 class Registration(Struct):
     """A registered pose. Its numbers mean something if it HOLDS; INCONSISTENT and UPSIDE_DOWN have those of
     the fit to all touches, to look at.
@@ -1569,40 +1305,27 @@ class Registration(Struct):
     turn_sd_deg: Standard deviation of the plate's turn about its normal, which turns every reach.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        verdict: RegistrationVerdict
-        touches: int
-        left_out: int
-        plate_position_m: ctypes.Array[c_double]
-        plate_rotation: ctypes.Array[c_double]
-        plate_scale: float
-        covariance: ctypes.Array[c_double]
-        touch_sd_m: float
-        residual_m: float
-        turn_sd_deg: float
+    struct_size: UInt32
+    verdict: RegistrationVerdict
+    touches: UInt32
+    left_out: Int32
+    plate_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_rotation: Annotated[Array[c_double], c_double * 4]
+    plate_scale: Double
+    covariance: Annotated[Array[c_double], c_double * 28]
+    touch_sd_m: Double
+    residual_m: Double
+    turn_sd_deg: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, verdict: RegistrationVerdict = ..., touches: int = ..., left_out: int = ...,
             plate_position_m: ArrayLike = ..., plate_rotation: ArrayLike = ..., plate_scale: float = ...,
             covariance: ArrayLike = ..., touch_sd_m: float = ..., residual_m: float = ..., turn_sd_deg: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("verdict", c_uint32),
-        ("touches", c_uint32),
-        ("left_out", c_int32),
-        ("plate_position_m", c_double * 3),
-        ("plate_rotation", c_double * 4),
-        ("plate_scale", c_double),
-        ("covariance", c_double * 28),
-        ("touch_sd_m", c_double),
-        ("residual_m", c_double),
-        ("turn_sd_deg", c_double),
-    )
 
-
+@laid_out
 class TouchCheck(Struct):
     """Result of hrt_registration_check().
 
@@ -1612,24 +1335,18 @@ class TouchCheck(Struct):
         has moved by less may pass.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        holds: int
-        distance_m: float
-        allowed_m: float
+    struct_size: UInt32
+    holds: UInt32
+    distance_m: Double
+    allowed_m: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, holds: bool | int = ..., distance_m: float = ..., allowed_m: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("holds", c_uint32),
-        ("distance_m", c_double),
-        ("allowed_m", c_double),
-    )
 
-
+@laid_out
 class JointTouch(Struct):
     """A tracked joint, in touches while its fingertip is on a mark. This struct never grows.
 
@@ -1638,20 +1355,16 @@ class JointTouch(Struct):
         within 0.001.
     """
 
-    if TYPE_CHECKING:
-        position_m: ctypes.Array[c_double]
-        rotation: ctypes.Array[c_double]
+    position_m: Annotated[Array[c_double], c_double * 3]
+    rotation: Annotated[Array[c_double], c_double * 4]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, position_m: ArrayLike = ..., rotation: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("position_m", c_double * 3),
-        ("rotation", c_double * 4),
-    )
 
-
+@laid_out
 class Fingertip(Struct):
     """Where the skin that touches is, in the joint's axes: at position + rotation * offset_m in the world. Of
     one hand.
@@ -1662,24 +1375,18 @@ class Fingertip(Struct):
     sd_m: Its standard deviations.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        known: int
-        offset_m: ctypes.Array[c_double]
-        sd_m: ctypes.Array[c_double]
+    struct_size: UInt32
+    known: UInt32
+    offset_m: Annotated[Array[c_double], c_double * 3]
+    sd_m: Annotated[Array[c_double], c_double * 3]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, known: bool | int = ..., offset_m: ArrayLike = ..., sd_m: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("known", c_uint32),
-        ("offset_m", c_double * 3),
-        ("sd_m", c_double * 3),
-    )
 
-
+@laid_out
 class Latency(Struct):
     """Latency of a tracker.
 
@@ -1691,49 +1398,37 @@ class Latency(Struct):
     radius_m: Radius of that circle.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        known: int
-        latency_ns: int
-        lower_ns: int
-        upper_ns: int
-        residual_m: float
-        radius_m: float
+    struct_size: UInt32
+    known: UInt32
+    latency_ns: Int64
+    lower_ns: Int64
+    upper_ns: Int64
+    residual_m: Double
+    radius_m: Double
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, known: bool | int = ..., latency_ns: int = ..., lower_ns: int = ..., upper_ns: int = ...,
             residual_m: float = ..., radius_m: float = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("known", c_uint32),
-        ("latency_ns", c_int64),
-        ("lower_ns", c_int64),
-        ("upper_ns", c_int64),
-        ("residual_m", c_double),
-        ("radius_m", c_double),
-    )
 
-
+@laid_out
 class SceneHandle(Struct):
     """A scene's handle. Zero is never a scene. Handles are never reused.
 
     value
     """
 
-    if TYPE_CHECKING:
-        value: int
+    value: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_uint64),
-    )
 
-
+@laid_out
 class SceneInfo(Struct):
     """The plate of a scene.
 
@@ -1745,32 +1440,22 @@ class SceneInfo(Struct):
     start_position_m: Start of reaches, in plate coordinates.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        target_count: int
-        plate_position_m: ctypes.Array[c_double]
-        plate_rotation: ctypes.Array[c_double]
-        plate_radius_m: float
-        plate_max_speed_deg_s: float
-        start_position_m: ctypes.Array[c_double]
+    struct_size: UInt32
+    target_count: UInt32
+    plate_position_m: Annotated[Array[c_double], c_double * 3]
+    plate_rotation: Annotated[Array[c_double], c_double * 4]
+    plate_radius_m: Double
+    plate_max_speed_deg_s: Double
+    start_position_m: Annotated[Array[c_double], c_double * 3]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, target_count: int = ..., plate_position_m: ArrayLike = ..., plate_rotation: ArrayLike = ...,
             plate_radius_m: float = ..., plate_max_speed_deg_s: float = ..., start_position_m: ArrayLike = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("target_count", c_uint32),
-        ("plate_position_m", c_double * 3),
-        ("plate_rotation", c_double * 4),
-        ("plate_radius_m", c_double),
-        ("plate_max_speed_deg_s", c_double),
-        ("start_position_m", c_double * 3),
-    )
 
-
-@enumerated(role=Role)
+@laid_out
 class SceneTarget(Struct):
     """A target of a scene.
 
@@ -1785,169 +1470,91 @@ class SceneTarget(Struct):
     name
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        role: Role
-        served_by: int
-        reserved: int
-        position_m: ctypes.Array[c_double]
-        world_position_m: ctypes.Array[c_double]
-        direction_deg: float
-        distance_m: float
-        radius_m: float
-        name: bytes
+    struct_size: UInt32
+    role: Role
+    served_by: Int32
+    reserved: UInt32
+    position_m: Annotated[Array[c_double], c_double * 3]
+    world_position_m: Annotated[Array[c_double], c_double * 3]
+    direction_deg: Double
+    distance_m: Double
+    radius_m: Double
+    name: Annotated[bytes, c_char * 64]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, role: Role = ..., served_by: int = ..., position_m: ArrayLike = ...,
             world_position_m: ArrayLike = ..., direction_deg: float = ..., distance_m: float = ...,
             radius_m: float = ..., name: str | bytes = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("role", c_uint32),
-        ("served_by", c_int32),
-        ("reserved", c_uint32),
-        ("position_m", c_double * 3),
-        ("world_position_m", c_double * 3),
-        ("direction_deg", c_double),
-        ("distance_m", c_double),
-        ("radius_m", c_double),
-        ("name", c_char * 64),
-    )
 
-
-def declare(library: CDLL) -> None:
-    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""
-    library.hrt_result_string.argtypes = (c_int32,)
-    library.hrt_result_string.restype = c_char_p
-    library.hrt_last_error.argtypes = ()
-    library.hrt_last_error.restype = c_char_p
-    library.hrt_get_version.argtypes = (POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32))
-    library.hrt_get_version.restype = None
-    library.hrt_set_allocator.argtypes = (POINTER(Allocator),)
-    library.hrt_set_allocator.restype = c_int32
-    library.hrt_set_log_callback.argtypes = (LogCallback, c_void_p)
-    library.hrt_set_log_callback.restype = c_int32
-    library.hrt_session_config_default.argtypes = (POINTER(SessionConfig), c_uint32)
-    library.hrt_session_config_default.restype = c_int32
-    library.hrt_session_create.argtypes = (POINTER(SessionConfig), POINTER(SessionHandle))
-    library.hrt_session_create.restype = c_int32
-    library.hrt_session_is_valid.argtypes = (SessionHandle,)
-    library.hrt_session_is_valid.restype = c_uint32
-    library.hrt_session_get_state.argtypes = (SessionHandle, POINTER(c_uint32))
-    library.hrt_session_get_state.restype = c_int32
-    library.hrt_session_destroy.argtypes = (SessionHandle,)
-    library.hrt_session_destroy.restype = c_int32
-    library.hrt_session_set_log_callback.argtypes = (SessionHandle, LogCallback, c_void_p)
-    library.hrt_session_set_log_callback.restype = c_int32
-    library.hrt_session_get_config.argtypes = (SessionHandle, POINTER(SessionConfig))
-    library.hrt_session_get_config.restype = c_int32
-    library.hrt_session_set_config.argtypes = (SessionHandle, POINTER(SessionConfig))
-    library.hrt_session_set_config.restype = c_int32
-    library.hrt_target_config_default.argtypes = (POINTER(TargetConfig), c_uint32)
-    library.hrt_target_config_default.restype = c_int32
-    library.hrt_target_add.argtypes = (SessionHandle, POINTER(TargetConfig), POINTER(TargetHandle))
-    library.hrt_target_add.restype = c_int32
-    library.hrt_target_set.argtypes = (SessionHandle, TargetHandle, POINTER(TargetConfig))
-    library.hrt_target_set.restype = c_int32
-    library.hrt_target_get.argtypes = (SessionHandle, TargetHandle, POINTER(TargetConfig))
-    library.hrt_target_get.restype = c_int32
-    library.hrt_target_remove.argtypes = (SessionHandle, TargetHandle)
-    library.hrt_target_remove.restype = c_int32
-    library.hrt_target_find.argtypes = (SessionHandle, c_char_p, POINTER(TargetHandle))
-    library.hrt_target_find.restype = c_int32
-    library.hrt_target_list.argtypes = (SessionHandle, c_uint32, c_uint64, POINTER(TargetHandle), POINTER(c_uint64))
-    library.hrt_target_list.restype = c_int32
-    library.hrt_authority_query.argtypes = (SessionHandle, TargetHandle, TargetHandle, POINTER(Authority))
-    library.hrt_authority_query.restype = c_int32
-    library.hrt_authority_query_all.argtypes = (SessionHandle, c_uint64, POINTER(Authority), POINTER(c_uint64))
-    library.hrt_authority_query_all.restype = c_int32
-    library.hrt_authority_query_best.argtypes = (SessionHandle, TargetHandle, POINTER(Authority))
-    library.hrt_authority_query_best.restype = c_int32
-    library.hrt_target_assign.argtypes = (SessionHandle, POINTER(TargetHandle), c_uint64, POINTER(TargetHandle), c_uint64, c_uint32, c_uint64, POINTER(Authority))
-    library.hrt_target_assign.restype = c_int32
-    library.hrt_reach_config_default.argtypes = (POINTER(ReachConfig), c_uint32)
-    library.hrt_reach_config_default.restype = c_int32
-    library.hrt_reach_begin.argtypes = (SessionHandle, POINTER(ReachConfig))
-    library.hrt_reach_begin.restype = c_int32
-    library.hrt_reach_update.argtypes = (SessionHandle, POINTER(Sample), POINTER(Command))
-    library.hrt_reach_update.restype = c_int32
-    library.hrt_reach_retarget.argtypes = (SessionHandle, TargetHandle, TargetHandle)
-    library.hrt_reach_retarget.restype = c_int32
-    library.hrt_reach_cancel.argtypes = (SessionHandle,)
-    library.hrt_reach_cancel.restype = c_int32
-    library.hrt_reach_end.argtypes = (SessionHandle, POINTER(ReachSummary))
-    library.hrt_reach_end.restype = c_int32
-    library.hrt_calibration_config_default.argtypes = (POINTER(CalibrationConfig), c_uint32)
-    library.hrt_calibration_config_default.restype = c_int32
-    library.hrt_calibration_create.argtypes = (SessionHandle, POINTER(CalibrationConfig), POINTER(CalibrationHandle))
-    library.hrt_calibration_create.restype = c_int32
-    library.hrt_calibration_destroy.argtypes = (CalibrationHandle,)
-    library.hrt_calibration_destroy.restype = c_int32
-    library.hrt_calibration_begin_trial.argtypes = (CalibrationHandle, c_double)
-    library.hrt_calibration_begin_trial.restype = c_int32
-    library.hrt_calibration_add_sample.argtypes = (CalibrationHandle, POINTER(Sample))
-    library.hrt_calibration_add_sample.restype = c_int32
-    library.hrt_calibration_end_trial.argtypes = (CalibrationHandle,)
-    library.hrt_calibration_end_trial.restype = c_int32
-    library.hrt_calibration_cancel_trial.argtypes = (CalibrationHandle,)
-    library.hrt_calibration_cancel_trial.restype = c_int32
-    library.hrt_calibration_next_angle.argtypes = (CalibrationHandle, POINTER(c_double), POINTER(c_uint32))
-    library.hrt_calibration_next_angle.restype = c_int32
-    library.hrt_calibration_solve.argtypes = (CalibrationHandle, POINTER(CalibrationResult))
-    library.hrt_calibration_solve.restype = c_int32
-    library.hrt_calibration_get_residual.argtypes = (CalibrationHandle, c_uint32, POINTER(CalibrationSlide))
-    library.hrt_calibration_get_residual.restype = c_int32
-    library.hrt_calibration_compare.argtypes = (POINTER(CalibrationResult), POINTER(CalibrationResult), POINTER(CalibrationComparison))
-    library.hrt_calibration_compare.restype = c_int32
-    library.hrt_calibration_apply.argtypes = (SessionHandle, POINTER(CalibrationResult))
-    library.hrt_calibration_apply.restype = c_int32
-    library.hrt_profile_set_conditions.argtypes = (SessionHandle, POINTER(Conditions))
-    library.hrt_profile_set_conditions.restype = c_int32
-    library.hrt_profile_get_conditions.argtypes = (SessionHandle, POINTER(Conditions))
-    library.hrt_profile_get_conditions.restype = c_int32
-    library.hrt_profile_save.argtypes = (SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64))
-    library.hrt_profile_save.restype = c_int32
-    library.hrt_profile_load.argtypes = (SessionHandle, c_char_p, c_uint64)
-    library.hrt_profile_load.restype = c_int32
-    library.hrt_recording_start.argtypes = (SessionHandle, c_char_p)
-    library.hrt_recording_start.restype = c_int32
-    library.hrt_recording_get_status.argtypes = (SessionHandle, POINTER(RecordingStatus))
-    library.hrt_recording_get_status.restype = c_int32
-    library.hrt_recording_stop.argtypes = (SessionHandle, POINTER(RecordingStatus))
-    library.hrt_recording_stop.restype = c_int32
-    library.hrt_replay_text.argtypes = (c_char_p, c_uint64, POINTER(ReplayReport))
-    library.hrt_replay_text.restype = c_int32
-    library.hrt_replay_file.argtypes = (c_char_p, POINTER(ReplayReport))
-    library.hrt_replay_file.restype = c_int32
-    library.hrt_registration_config_default.argtypes = (POINTER(RegistrationConfig), c_uint32)
-    library.hrt_registration_config_default.restype = c_int32
-    library.hrt_registration_fit.argtypes = (POINTER(RegistrationConfig), POINTER(MarkTouch), c_uint64, c_uint64, POINTER(c_double), POINTER(Registration))
-    library.hrt_registration_fit.restype = c_int32
-    library.hrt_registration_advice.argtypes = (c_uint32,)
-    library.hrt_registration_advice.restype = c_char_p
-    library.hrt_registration_apply.argtypes = (SessionHandle, POINTER(Registration), c_int64)
-    library.hrt_registration_apply.restype = c_int32
-    library.hrt_registration_check.argtypes = (POINTER(Registration), POINTER(MarkTouch), POINTER(TouchCheck))
-    library.hrt_registration_check.restype = c_int32
-    library.hrt_registration_confirm.argtypes = (SessionHandle, POINTER(Registration), POINTER(MarkTouch), c_int64, POINTER(TouchCheck))
-    library.hrt_registration_confirm.restype = c_int32
-    library.hrt_fingertip_fit.argtypes = (POINTER(RegistrationConfig), POINTER(JointTouch), c_uint64, POINTER(Fingertip))
-    library.hrt_fingertip_fit.restype = c_int32
-    library.hrt_fingertip_place.argtypes = (POINTER(Fingertip), POINTER(JointTouch), POINTER(Sample))
-    library.hrt_fingertip_place.restype = c_int32
-    library.hrt_latency_fit.argtypes = (POINTER(Sample), c_uint64, POINTER(Latency))
-    library.hrt_latency_fit.restype = c_int32
-    library.hrt_scene_load_file.argtypes = (c_char_p, POINTER(SceneHandle))
-    library.hrt_scene_load_file.restype = c_int32
-    library.hrt_scene_load_memory.argtypes = (c_void_p, c_uint64, c_char_p, POINTER(SceneHandle))
-    library.hrt_scene_load_memory.restype = c_int32
-    library.hrt_scene_destroy.argtypes = (SceneHandle,)
-    library.hrt_scene_destroy.restype = c_int32
-    library.hrt_scene_get_info.argtypes = (SceneHandle, POINTER(SceneInfo))
-    library.hrt_scene_get_info.restype = c_int32
-    library.hrt_scene_get_target.argtypes = (SceneHandle, c_uint32, POINTER(SceneTarget))
-    library.hrt_scene_get_target.restype = c_int32
-    library.hrt_scene_register.argtypes = (SceneHandle, SessionHandle, c_uint64, POINTER(TargetHandle))
-    library.hrt_scene_register.restype = c_int32
+FUNCTIONS: dict[str, tuple[Any, ...]] = {
+    "hrt_result_string": (c_char_p, c_int32),
+    "hrt_last_error": (c_char_p,),
+    "hrt_get_version": (None, POINTER(c_uint32), POINTER(c_uint32), POINTER(c_uint32)),
+    "hrt_set_allocator": (c_int32, POINTER(Allocator)),
+    "hrt_set_log_callback": (c_int32, LogCallback, c_void_p),
+    "hrt_session_config_default": (c_int32, POINTER(SessionConfig), c_uint32),
+    "hrt_session_create": (c_int32, POINTER(SessionConfig), POINTER(SessionHandle)),
+    "hrt_session_is_valid": (c_uint32, SessionHandle),
+    "hrt_session_get_state": (c_int32, SessionHandle, POINTER(c_uint32)),
+    "hrt_session_destroy": (c_int32, SessionHandle),
+    "hrt_session_set_log_callback": (c_int32, SessionHandle, LogCallback, c_void_p),
+    "hrt_session_get_config": (c_int32, SessionHandle, POINTER(SessionConfig)),
+    "hrt_session_set_config": (c_int32, SessionHandle, POINTER(SessionConfig)),
+    "hrt_target_config_default": (c_int32, POINTER(TargetConfig), c_uint32),
+    "hrt_target_add": (c_int32, SessionHandle, POINTER(TargetConfig), POINTER(TargetHandle)),
+    "hrt_target_set": (c_int32, SessionHandle, TargetHandle, POINTER(TargetConfig)),
+    "hrt_target_get": (c_int32, SessionHandle, TargetHandle, POINTER(TargetConfig)),
+    "hrt_target_remove": (c_int32, SessionHandle, TargetHandle),
+    "hrt_target_find": (c_int32, SessionHandle, c_char_p, POINTER(TargetHandle)),
+    "hrt_target_list": (c_int32, SessionHandle, c_uint32, c_uint64, POINTER(TargetHandle), POINTER(c_uint64)),
+    "hrt_authority_query": (c_int32, SessionHandle, TargetHandle, TargetHandle, POINTER(Authority)),
+    "hrt_authority_query_all": (c_int32, SessionHandle, c_uint64, POINTER(Authority), POINTER(c_uint64)),
+    "hrt_authority_query_best": (c_int32, SessionHandle, TargetHandle, POINTER(Authority)),
+    "hrt_target_assign": (c_int32, SessionHandle, POINTER(TargetHandle), c_uint64, POINTER(TargetHandle), c_uint64, c_uint32, c_uint64, POINTER(Authority)),
+    "hrt_reach_config_default": (c_int32, POINTER(ReachConfig), c_uint32),
+    "hrt_reach_begin": (c_int32, SessionHandle, POINTER(ReachConfig)),
+    "hrt_reach_update": (c_int32, SessionHandle, POINTER(Sample), POINTER(Command)),
+    "hrt_reach_retarget": (c_int32, SessionHandle, TargetHandle, TargetHandle),
+    "hrt_reach_cancel": (c_int32, SessionHandle),
+    "hrt_reach_end": (c_int32, SessionHandle, POINTER(ReachSummary)),
+    "hrt_calibration_config_default": (c_int32, POINTER(CalibrationConfig), c_uint32),
+    "hrt_calibration_create": (c_int32, SessionHandle, POINTER(CalibrationConfig), POINTER(CalibrationHandle)),
+    "hrt_calibration_destroy": (c_int32, CalibrationHandle),
+    "hrt_calibration_begin_trial": (c_int32, CalibrationHandle, c_double),
+    "hrt_calibration_add_sample": (c_int32, CalibrationHandle, POINTER(Sample)),
+    "hrt_calibration_end_trial": (c_int32, CalibrationHandle),
+    "hrt_calibration_cancel_trial": (c_int32, CalibrationHandle),
+    "hrt_calibration_next_angle": (c_int32, CalibrationHandle, POINTER(c_double), POINTER(c_uint32)),
+    "hrt_calibration_solve": (c_int32, CalibrationHandle, POINTER(CalibrationResult)),
+    "hrt_calibration_get_residual": (c_int32, CalibrationHandle, c_uint32, POINTER(CalibrationSlide)),
+    "hrt_calibration_compare": (c_int32, POINTER(CalibrationResult), POINTER(CalibrationResult), POINTER(CalibrationComparison)),
+    "hrt_calibration_apply": (c_int32, SessionHandle, POINTER(CalibrationResult)),
+    "hrt_profile_set_conditions": (c_int32, SessionHandle, POINTER(Conditions)),
+    "hrt_profile_get_conditions": (c_int32, SessionHandle, POINTER(Conditions)),
+    "hrt_profile_save": (c_int32, SessionHandle, c_uint64, POINTER(c_char), POINTER(c_uint64)),
+    "hrt_profile_load": (c_int32, SessionHandle, c_char_p, c_uint64),
+    "hrt_recording_start": (c_int32, SessionHandle, c_char_p),
+    "hrt_recording_get_status": (c_int32, SessionHandle, POINTER(RecordingStatus)),
+    "hrt_recording_stop": (c_int32, SessionHandle, POINTER(RecordingStatus)),
+    "hrt_replay_text": (c_int32, c_char_p, c_uint64, POINTER(ReplayReport)),
+    "hrt_replay_file": (c_int32, c_char_p, POINTER(ReplayReport)),
+    "hrt_registration_config_default": (c_int32, POINTER(RegistrationConfig), c_uint32),
+    "hrt_registration_fit": (c_int32, POINTER(RegistrationConfig), POINTER(MarkTouch), c_uint64, c_uint64, POINTER(c_double), POINTER(Registration)),
+    "hrt_registration_advice": (c_char_p, c_uint32),
+    "hrt_registration_apply": (c_int32, SessionHandle, POINTER(Registration), c_int64),
+    "hrt_registration_check": (c_int32, POINTER(Registration), POINTER(MarkTouch), POINTER(TouchCheck)),
+    "hrt_registration_confirm": (c_int32, SessionHandle, POINTER(Registration), POINTER(MarkTouch), c_int64, POINTER(TouchCheck)),
+    "hrt_fingertip_fit": (c_int32, POINTER(RegistrationConfig), POINTER(JointTouch), c_uint64, POINTER(Fingertip)),
+    "hrt_fingertip_place": (c_int32, POINTER(Fingertip), POINTER(JointTouch), POINTER(Sample)),
+    "hrt_latency_fit": (c_int32, POINTER(Sample), c_uint64, POINTER(Latency)),
+    "hrt_scene_load_file": (c_int32, c_char_p, POINTER(SceneHandle)),
+    "hrt_scene_load_memory": (c_int32, c_void_p, c_uint64, c_char_p, POINTER(SceneHandle)),
+    "hrt_scene_destroy": (c_int32, SceneHandle),
+    "hrt_scene_get_info": (c_int32, SceneHandle, POINTER(SceneInfo)),
+    "hrt_scene_get_target": (c_int32, SceneHandle, c_uint32, POINTER(SceneTarget)),
+    "hrt_scene_register": (c_int32, SceneHandle, SessionHandle, c_uint64, POINTER(TargetHandle)),
+}
+"""The types of each function's result and parameters."""

@@ -6,9 +6,14 @@ import ctypes
 import functools
 import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any, TypeVar
 
 from . import _abi
+from ._struct import Struct
+
+_S = TypeVar("_S", bound=Struct)
 
 
 class Error(RuntimeError):
@@ -46,10 +51,17 @@ def library() -> ctypes.CDLL:
         if found[0] != needed[0] or found[:2] < needed[:2]:
             raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} or later of the same major "
                               "version is needed")
-        _abi.declare(loaded)
+        declare(loaded, _abi.FUNCTIONS)
     except AttributeError as error:
         raise ImportError(f"{name} is not the haptic_retargeting library that is needed: {error}") from error
     return loaded
+
+
+def declare(loaded: ctypes.CDLL, functions: dict[str, tuple[Any, ...]]) -> None:
+    """Declares functions to ctypes; AttributeError names one that the library lacks."""
+    for name, (result, *parameters) in functions.items():
+        function = getattr(loaded, name)
+        function.restype, function.argtypes = result, parameters
 
 
 def _version(loaded: ctypes.CDLL) -> tuple[int, int, int]:
@@ -72,3 +84,19 @@ def check(result: int) -> None:
     """Raises what this thread's last call of the library reported."""
     if result != _abi.OK:
         raise Error(result, library().hrt_last_error().decode(errors="replace"))
+
+
+def output(kind: type[_S], function: Any, *arguments: Any) -> _S:
+    """The struct that a function of the library fills, which is its last argument."""
+    out = kind()
+    check(function(*arguments, ctypes.byref(out)))
+    return out
+
+
+def default(kind: type[_S], function: Any, fields: Mapping[str, Any]) -> _S:
+    """The struct that a *_default() function of the library fills, with `fields` over it."""
+    config = kind()
+    check(function(ctypes.byref(config), ctypes.sizeof(config)))
+    for name, value in fields.items():
+        setattr(config, name, value)
+    return config

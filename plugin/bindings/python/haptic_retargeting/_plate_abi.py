@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-import ctypes
 from ctypes import (
-    CDLL, CFUNCTYPE, POINTER, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
+    CFUNCTYPE, POINTER, Array, c_char, c_char_p, c_double, c_int32, c_int64, c_size_t, c_uint32, c_uint64, c_void_p,
 )
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any
 
-from ._struct import Choice, Flags, Struct, enumerated
+from ._struct import (
+    Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out,
+)
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -83,24 +84,22 @@ class PlateReportFlag(Flags):
     HOST_SILENT = 16
 
 
+@laid_out
 class PlateHandle(Struct):
     """A plate. Zero is never one.
 
     value
     """
 
-    if TYPE_CHECKING:
-        value: int
+    value: UInt64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, value: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("value", c_uint64),
-    )
 
-
+@laid_out
 class PlateOptions(Struct):
     """How to treat a plate.
 
@@ -109,23 +108,17 @@ class PlateOptions(Struct):
         it again. 50 ms to 10 s, default 300 ms.
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        reserved: int
-        host_timeout_ns: int
+    struct_size: UInt32
+    reserved: UInt32
+    host_timeout_ns: Int64
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, host_timeout_ns: int = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("reserved", c_uint32),
-        ("host_timeout_ns", c_int64),
-    )
 
-
-@enumerated(state=PlateState, fault=PlateFault, flags=PlateReportFlag)
+@laid_out
 class PlateReport(Struct):
     """What is known of a plate. All numbers are finite, and 0 while they are unknown.
 
@@ -149,23 +142,23 @@ class PlateReport(Struct):
     message: Why the plate has failed, in one line of UTF-8: "the plate at /dev/ttyACM0 is unplugged".
     """
 
-    if TYPE_CHECKING:
-        struct_size: int
-        state: PlateState
-        fault: PlateFault
-        flags: PlateReportFlag
-        orientation_deg: float
-        command_deg: float
-        age_ns: int
-        latency_ns: int
-        round_trip_ns: int
-        max_speed_deg_s: float
-        lower_stop_deg: float
-        upper_stop_deg: float
-        refused_messages: int
-        description: bytes
-        message: bytes
+    struct_size: UInt32
+    state: PlateState
+    fault: PlateFault
+    flags: PlateReportFlag
+    orientation_deg: Double
+    command_deg: Double
+    age_ns: Int64
+    latency_ns: Int64
+    round_trip_ns: Int64
+    max_speed_deg_s: Double
+    lower_stop_deg: Double
+    upper_stop_deg: Double
+    refused_messages: UInt64
+    description: Annotated[bytes, c_char * 128]
+    message: Annotated[bytes, c_char * 256]
 
+    if TYPE_CHECKING:
         def __init__(
             self, *, state: PlateState = ..., fault: PlateFault = ..., flags: PlateReportFlag = ...,
             orientation_deg: float = ..., command_deg: float = ..., age_ns: int = ..., latency_ns: int = ...,
@@ -174,38 +167,14 @@ class PlateReport(Struct):
             message: str | bytes = ...,
         ) -> None: ...
 
-    _fields_ = (
-        ("struct_size", c_uint32),
-        ("state", c_uint32),
-        ("fault", c_uint32),
-        ("flags", c_uint32),
-        ("orientation_deg", c_double),
-        ("command_deg", c_double),
-        ("age_ns", c_int64),
-        ("latency_ns", c_int64),
-        ("round_trip_ns", c_int64),
-        ("max_speed_deg_s", c_double),
-        ("lower_stop_deg", c_double),
-        ("upper_stop_deg", c_double),
-        ("refused_messages", c_uint64),
-        ("description", c_char * 128),
-        ("message", c_char * 256),
-    )
 
-
-def declare(library: CDLL) -> None:
-    """Declares the types of every function to ctypes; AttributeError names one that the library lacks."""
-    library.hrt_plate_options_default.argtypes = (POINTER(PlateOptions), c_uint32)
-    library.hrt_plate_options_default.restype = c_int32
-    library.hrt_plate_open.argtypes = (c_char_p, POINTER(PlateOptions), POINTER(PlateHandle))
-    library.hrt_plate_open.restype = c_int32
-    library.hrt_plate_set.argtypes = (PlateHandle, c_double)
-    library.hrt_plate_set.restype = c_int32
-    library.hrt_plate_stop.argtypes = (PlateHandle,)
-    library.hrt_plate_stop.restype = c_int32
-    library.hrt_plate_get.argtypes = (PlateHandle, POINTER(PlateReport))
-    library.hrt_plate_get.restype = c_int32
-    library.hrt_plate_close.argtypes = (PlateHandle,)
-    library.hrt_plate_close.restype = c_int32
-    library.hrt_plate_last_error.argtypes = ()
-    library.hrt_plate_last_error.restype = c_char_p
+FUNCTIONS: dict[str, tuple[Any, ...]] = {
+    "hrt_plate_options_default": (c_int32, POINTER(PlateOptions), c_uint32),
+    "hrt_plate_open": (c_int32, c_char_p, POINTER(PlateOptions), POINTER(PlateHandle)),
+    "hrt_plate_set": (c_int32, PlateHandle, c_double),
+    "hrt_plate_stop": (c_int32, PlateHandle),
+    "hrt_plate_get": (c_int32, PlateHandle, POINTER(PlateReport)),
+    "hrt_plate_close": (c_int32, PlateHandle),
+    "hrt_plate_last_error": (c_char_p,),
+}
+"""The types of each function's result and parameters."""

@@ -6,16 +6,24 @@ from __future__ import annotations
 import ctypes
 import functools
 import operator
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from enum import IntEnum, IntFlag
 from html import escape
-from typing import TYPE_CHECKING, Any, ClassVar, TypeVar, Union
+from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Optional, TypeVar, Union, get_type_hints
 
 import numpy as np
 from numpy.typing import NDArray
 
 Numbers = Union[Sequence[float], NDArray[Any]]
 """What a field of several numbers takes."""
+
+# A field's type as it is read, annotated with what ctypes keeps.
+Int32 = Annotated[int, ctypes.c_int32]
+UInt32 = Annotated[int, ctypes.c_uint32]
+Int64 = Annotated[int, ctypes.c_int64]
+UInt64 = Annotated[int, ctypes.c_uint64]
+Double = Annotated[float, ctypes.c_double]
+Pointer = Annotated[Optional[int], ctypes.c_void_p]
 
 _INTEGERS = (ctypes.c_int32, ctypes.c_uint32, ctypes.c_int64, ctypes.c_uint64)
 _HIDDEN = ("struct_size", "reserved")
@@ -43,8 +51,10 @@ class Flags(IntFlag):
 
 if TYPE_CHECKING:
     _Base = ctypes._CData  # a Structure has any attribute, as type checkers see it
+    FunctionPointer = ctypes._FuncPointer
 else:
     _Base = ctypes.Structure
+    FunctionPointer = Any
 
 
 class Struct(_Base):
@@ -100,13 +110,26 @@ class Struct(_Base):
 _S = TypeVar("_S", bound=Struct)
 
 
-def enumerated(**kinds: type[Choice] | type[Flags]) -> Callable[[type[_S]], type[_S]]:
-    """Has fields of a struct read as their enumeration."""
-    def decorate(struct: type[_S]) -> type[_S]:
-        for name, kind in kinds.items():
-            setattr(struct, name, _Enumerated(getattr(struct, name), kind))
-        return struct
-    return decorate
+def laid_out(struct: type[_S]) -> type[_S]:
+    """Gives a struct the fields that it annotates; those of an enumeration are read as such."""
+    hints = get_type_hints(struct, include_extras=True)
+    types = {name: hints[name] for name in struct.__annotations__}
+    struct._fields_ = [(name, _stored(type_)) for name, type_ in types.items()]
+    for name, type_ in types.items():
+        if _is_enumeration(type_):
+            setattr(struct, name, _Enumerated(getattr(struct, name), type_))
+    return struct
+
+
+def _stored(type_: Any) -> Any:
+    """What ctypes keeps of a field."""
+    if _is_enumeration(type_):
+        return ctypes.c_uint32
+    return type_.__metadata__[0] if hasattr(type_, "__metadata__") else type_
+
+
+def _is_enumeration(type_: Any) -> bool:
+    return isinstance(type_, type) and issubclass(type_, (Choice, Flags))
 
 
 class _Enumerated:

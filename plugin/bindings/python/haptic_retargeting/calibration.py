@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import ctypes
-import weakref
 from ctypes import byref
 from typing import Any
 
 from . import _abi
 from ._abi import CalibrationComparison, CalibrationConfig, CalibrationResult, CalibrationSlide
+from ._closing import Closing
 from ._keywords import CalibrationKeywords, SessionKeywords
-from ._library import Error, check, library
+from ._library import Error, check, default, library, output
 from .arrays import SAMPLE, Array, expect_samples
 from .session import Session
 
 
-class Calibration(CalibrationKeywords):
+class Calibration(CalibrationKeywords, Closing):
     """Slides of one user, and the parameters fitted to them.
 
         with Calibration(session) as calibration:
@@ -34,24 +34,10 @@ class Calibration(CalibrationKeywords):
     def _create(self, session: SessionKeywords, fields: dict[str, Any]) -> None:
         if not isinstance(session, Session):
             raise TypeError(f"session is {session!r}: a Session is needed")
-        config = CalibrationConfig()
-        check(library().hrt_calibration_config_default(byref(config), ctypes.sizeof(config)))
-        for name, value in fields.items():
-            setattr(config, name, value)
+        config = default(CalibrationConfig, library().hrt_calibration_config_default, fields)
         self.handle = _abi.CalibrationHandle()
         check(library().hrt_calibration_create(session.handle, byref(config), byref(self.handle)))
-        self._destroy = weakref.finalize(self, library().hrt_calibration_destroy, self.handle)
-
-    def close(self) -> None:
-        """Forgets the calibration and its trials. Twice does nothing."""
-        if self._destroy.alive:
-            check(self._destroy() or _abi.OK)
-
-    def __enter__(self) -> Calibration:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
+        self._own(self.handle, library().hrt_calibration_destroy)
 
     def add_trial(self, plate_orientation_deg: float, samples: Array) -> None:
         """Adds one slide: an array of SAMPLE, with the plate at rest. After an error the trial is forgotten."""
@@ -76,20 +62,14 @@ class Calibration(CalibrationKeywords):
     def residual(self, slide: int) -> CalibrationSlide:
         """A slide of the last solve(), from 0 to trials_used - 1: seen and fitted direction, and whether it
         was left out."""
-        out = CalibrationSlide()
-        check(library().hrt_calibration_get_residual(self.handle, slide, byref(out)))
-        return out
+        return output(CalibrationSlide, library().hrt_calibration_get_residual, self.handle, slide)
 
     def solve(self) -> CalibrationResult:
         """Fits the user to the trials, which stay. Takes some 50 microseconds a sample."""
-        result = CalibrationResult()
-        check(library().hrt_calibration_solve(self.handle, byref(result)))
-        return result
+        return output(CalibrationResult, library().hrt_calibration_solve, self.handle)
 
 
 def compare_calibrations(first: CalibrationResult, second: CalibrationResult) -> CalibrationComparison:
     """Test and retest: which values of two calibrations differ, and the differences, second less first, with their
     95 % intervals."""
-    out = CalibrationComparison()
-    check(library().hrt_calibration_compare(byref(first), byref(second), byref(out)))
-    return out
+    return output(CalibrationComparison, library().hrt_calibration_compare, byref(first), byref(second))

@@ -17,7 +17,7 @@ from pathlib import Path
 from types import TracebackType
 
 from . import _abi, _plate_abi
-from ._library import Error
+from ._library import Error, declare
 from ._plate_abi import *
 
 __all__ = ["Plate", *_plate_abi.__all__]
@@ -32,7 +32,7 @@ def _library() -> ctypes.CDLL:
     name = os.environ.get("HRT_PLATE_LIBRARY") or (str(in_wheel) if in_wheel.exists() else default)
     try:
         loaded = ctypes.CDLL(name)
-        _plate_abi.declare(loaded)
+        declare(loaded, _plate_abi.FUNCTIONS)
     except (OSError, AttributeError) as error:
         raise ImportError(f"{name} cannot be loaded as the hrt_plate library: {error}. Install it, or set "
                           "HRT_PLATE_LIBRARY to its file") from error

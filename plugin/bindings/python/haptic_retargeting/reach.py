@@ -10,7 +10,7 @@ from typing import Protocol
 from . import _abi
 from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._struct import Numbers
-from ._library import Error, check, library
+from ._library import Error, check, default, library, output
 from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
 
 
@@ -56,11 +56,8 @@ class Reach:
 
     def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
                  plate_orientation_deg: float | None, start_at_finger: bool, duration_s: float, pace: Pace | None) -> None:
-        config = ReachConfig()
-        check(library().hrt_reach_config_default(byref(config), ctypes.sizeof(config)))
-        config.real_target = real
-        config.virtual_target = virtual
-        config.duration_s = duration_s
+        fields = {"real_target": real, "virtual_target": virtual, "duration_s": duration_s}
+        config = default(ReachConfig, library().hrt_reach_config_default, fields)
         if plate_orientation_deg is not None:
             config.flags |= ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
@@ -149,10 +146,8 @@ class Reach:
 
     def end(self) -> ReachSummary:
         """Ends the reach and returns its summary."""
-        summary = ReachSummary()
-        check(library().hrt_reach_end(self._session, byref(summary)))
-        self._summary = summary
-        return summary
+        self._summary = output(ReachSummary, library().hrt_reach_end, self._session)
+        return self._summary
 
     def __enter__(self) -> Reach:
         return self

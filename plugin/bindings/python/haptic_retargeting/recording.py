@@ -5,7 +5,6 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Iterable
-from ctypes import byref
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,7 +12,7 @@ import numpy as np
 
 from . import _abi
 from ._abi import ReplayReport, SessionConfig, TargetConfig
-from ._library import check, library
+from ._library import library, output
 from .arrays import COMMAND, SAMPLE
 from .record import ReachRecord
 
@@ -199,6 +198,4 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:
     """Runs the recorded calls again and compares what comes out, bit for bit."""
-    report = ReplayReport()
-    check(library().hrt_replay_file(os.fsencode(path), byref(report)))
-    return report
+    return output(ReplayReport, library().hrt_replay_file, os.fsencode(path))

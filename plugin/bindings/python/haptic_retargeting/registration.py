@@ -13,7 +13,7 @@ from . import _abi
 from ._abi import (
     Fingertip, Latency, RegisterFlag, Registration, RegistrationConfig, RegistrationVerdict, TouchCheck,
 )
-from ._library import check, library
+from ._library import default, library, output
 from .arrays import SAMPLE, Array, expect_rows
 
 
@@ -47,10 +47,9 @@ def register(mark_m: ArrayLike, touched_m: ArrayLike, *, touch_sd_m: float | Non
         config.up = (ctypes.c_double * 3)(*np.asarray(up, np.float64))
     touches = (_abi.MarkTouch * len(marks))(*(_abi.MarkTouch(mark_m=m, touched_m=t) for m, t in zip(marks, touched)))
     residuals = np.zeros(len(marks))
-    out = Registration()
-    check(library().hrt_registration_fit(byref(config), touches, len(marks), len(marks),
-                                         residuals.ctypes.data_as(ctypes.POINTER(ctypes.c_double)), byref(out)))
-    return out, residuals
+    registration = output(Registration, library().hrt_registration_fit, byref(config), touches, len(marks), len(marks),
+                          residuals.ctypes.data_as(ctypes.POINTER(ctypes.c_double)))
+    return registration, residuals
 
 
 def registration_advice(verdict: RegistrationVerdict | int) -> str:
@@ -61,10 +60,8 @@ def registration_advice(verdict: RegistrationVerdict | int) -> str:
 
 def check_touch(registration: Registration, mark_m: ArrayLike, touched_m: ArrayLike) -> TouchCheck:
     """Whether a later touch of a mark agrees with a registration, as before a reach."""
-    out = TouchCheck()
     touch = _abi.MarkTouch(mark_m=mark_m, touched_m=touched_m)
-    check(library().hrt_registration_check(byref(registration), byref(touch), byref(out)))
-    return out
+    return output(TouchCheck, library().hrt_registration_check, byref(registration), byref(touch))
 
 
 def fit_fingertip(position_m: ArrayLike, rotation: ArrayLike, *, touch_sd_m: float | None = None) -> Fingertip:
@@ -82,33 +79,25 @@ def fit_fingertip(position_m: ArrayLike, rotation: ArrayLike, *, touch_sd_m: flo
     config = _config(touch_sd_m)
     touches = (_abi.JointTouch * len(positions))(
         *(_abi.JointTouch(position_m=p, rotation=r) for p, r in zip(positions, rotations)))
-    out = Fingertip()
-    check(library().hrt_fingertip_fit(byref(config), touches, len(positions), byref(out)))
-    return out
+    return output(Fingertip, library().hrt_fingertip_fit, byref(config), touches, len(positions))
 
 
 def place_fingertip(fingertip: Fingertip, position_m: ArrayLike, rotation: ArrayLike) -> NDArray[np.float64]:
     """Where the skin that touches is in the world, from a joint's position and its unit quaternion x, y, z, w: for
     every sample of that hand, and for the touches of a registration that its reaches use."""
     joint = _abi.JointTouch(position_m=position_m, rotation=rotation)
-    out = _abi.Sample()
-    check(library().hrt_fingertip_place(byref(fingertip), byref(joint), byref(out)))
-    return np.array(out.finger_position_m)
+    sample = output(_abi.Sample, library().hrt_fingertip_place, byref(fingertip), byref(joint))
+    return np.array(sample.finger_position_m)
 
 
 def fit_latency(samples: Array) -> Latency:
     """Finds how late the tracker is from an array of SAMPLE of a finger that rests on a mark near the rim while the
     plate turns to and fro under it, at uneven times: positions and plate orientations."""
     expect_rows(samples, "samples", SAMPLE)
-    out = Latency()
     rows = ctypes.cast(samples.ctypes.data, ctypes.POINTER(_abi.Sample))
-    check(library().hrt_latency_fit(rows, len(samples), byref(out)))
-    return out
+    return output(Latency, library().hrt_latency_fit, rows, len(samples))
 
 
 def _config(touch_sd_m: float | None) -> RegistrationConfig:
-    config = RegistrationConfig()
-    check(library().hrt_registration_config_default(byref(config), ctypes.sizeof(config)))
-    if touch_sd_m is not None:
-        config.touch_sd_m = touch_sd_m
-    return config
+    fields = {} if touch_sd_m is None else {"touch_sd_m": touch_sd_m}
+    return default(RegistrationConfig, library().hrt_registration_config_default, fields)

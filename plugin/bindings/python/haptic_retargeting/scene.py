@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import os
-import weakref
 from ctypes import byref
 
 from . import _abi
 from ._abi import SceneInfo, SceneTarget
-from ._library import check, library
+from ._closing import Closing
+from ._library import check, library, output
 from .session import Session, Target
 
 
-class Scene:
-    """A scene that a designer made.
+class Scene(Closing):
+    """A scene that a designer made. What was registered from it stays when it is closed.
 
         with Scene("desk.gltf") as scene:
             targets = scene.register(session)
@@ -22,25 +22,12 @@ class Scene:
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.handle = _abi.SceneHandle()
         check(library().hrt_scene_load_file(os.fsencode(path), byref(self.handle)))
-        self._destroy = weakref.finalize(self, library().hrt_scene_destroy, self.handle)
-
-    def close(self) -> None:
-        """Forgets the scene; what was registered from it stays. Twice does nothing."""
-        if self._destroy.alive:
-            check(self._destroy() or _abi.OK)
-
-    def __enter__(self) -> Scene:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
+        self._own(self.handle, library().hrt_scene_destroy)
 
     @property
     def info(self) -> SceneInfo:
         """The plate and the start."""
-        info = SceneInfo()
-        check(library().hrt_scene_get_info(self.handle, byref(info)))
-        return info
+        return output(SceneInfo, library().hrt_scene_get_info, self.handle)
 
     @property
     def targets(self) -> list[SceneTarget]:

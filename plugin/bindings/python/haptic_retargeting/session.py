@@ -5,7 +5,6 @@ from __future__ import annotations
 import ctypes
 import json
 import os
-import weakref
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from ctypes import byref
@@ -19,8 +18,9 @@ from ._abi import (
     AssignFlag, Authority, CalibrationResult, Conditions, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
     TargetConfig, TouchCheck,
 )
+from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
-from ._library import Error, check, library
+from ._library import Error, check, default, library, output
 from ._struct import short
 from .arrays import Array, expect_samples
 from .reach import Pace, Reach, handle_of
@@ -42,9 +42,7 @@ class Target(TargetKeywords):
     @property
     def config(self) -> TargetConfig:
         """What the target was last set to: a copy."""
-        config = TargetConfig()
-        check(library().hrt_target_get(self._session.handle, self.handle, byref(config)))
-        return config
+        return output(TargetConfig, library().hrt_target_get, self._session.handle, self.handle)
 
     @property
     def name(self) -> str:
@@ -89,7 +87,7 @@ def _handles(targets: Sequence[Target], name: str) -> ctypes.Array[_abi.TargetHa
     return (_abi.TargetHandle * len(targets))(*(handle_of(target, f"{name}[{i}]") for i, target in enumerate(targets)))
 
 
-class Session(SessionKeywords):
+class Session(SessionKeywords, Closing):
     """One user, one plate, and what the controller assumes of both.
 
         with Session(horizon=20, adaptation=Adaptation.REACH) as session:
@@ -98,41 +96,26 @@ class Session(SessionKeywords):
             record = session.run_reach(cylinder, cup, samples)
 
     The keywords are the fields of SessionConfig, whose documentation has their units, ranges and defaults. One
-    thread at a time; other sessions may be used by other threads at the same time.
+    thread at a time; other sessions may be used by other threads at the same time. Closing it ends its targets, its
+    reach and its recording.
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
-        config = SessionConfig()
-        check(library().hrt_session_config_default(byref(config), ctypes.sizeof(config)))
-        for name, value in fields.items():
-            setattr(config, name, value)
+        config = default(SessionConfig, library().hrt_session_config_default, fields)
         self.handle = _abi.SessionHandle()
         check(library().hrt_session_create(byref(config), byref(self.handle)))
-        self._destroy = weakref.finalize(self, library().hrt_session_destroy, self.handle)
+        self._own(self.handle, library().hrt_session_destroy)
         self._pace: Pace | None = None
-
-    def close(self) -> None:
-        """Ends the session, its targets, its reach and its recording. A second call does nothing."""
-        if self._destroy.alive:
-            check(self._destroy() or _abi.OK)
 
     def __repr__(self) -> str:
         if not self._destroy.alive:
             return "<Session, closed>"
         return f"<Session: {len(self.targets())} targets, {short(self.state) if self.state else 'idle'}>"
 
-    def __enter__(self) -> Session:
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self.close()
-
     @property
     def config(self) -> SessionConfig:
         """The configuration in use: a copy."""
-        config = SessionConfig()
-        check(library().hrt_session_get_config(self.handle, byref(config)))
-        return config
+        return output(SessionConfig, library().hrt_session_get_config, self.handle)
 
     def _configure(self, fields: dict[str, Any]) -> None:
         """Sets fields of SessionConfig, between reaches; the others stay."""
@@ -163,17 +146,13 @@ class Session(SessionKeywords):
         if by_direction + (position_m is not None) + (world_position_m is not None) != 1:
             raise TypeError("a target is placed by direction_deg (with distance_m, or not), or by position_m, or by "
                             "world_position_m")
-        config = TargetConfig()
-        check(library().hrt_target_config_default(byref(config), ctypes.sizeof(config)))
-        given = {"direction_deg": direction_deg, "distance_m": distance_m,
-                 "position_m": position_m if world_position_m is None else world_position_m}
-        for field, value in given.items():
-            if value is not None:
-                setattr(config, field, value)
-        config.role = role
-        config.place = (Place.DIRECTION if by_direction else
-                        Place.PLATE_POSITION if world_position_m is None else Place.WORLD_POSITION)
-        setattr(config, "name", name)
+        place = (Place.DIRECTION if by_direction else
+                 Place.PLATE_POSITION if world_position_m is None else Place.WORLD_POSITION)
+        fields = {"direction_deg": direction_deg, "distance_m": distance_m,
+                  "position_m": position_m if world_position_m is None else world_position_m,
+                  "role": role, "place": place, "name": name}
+        config = default(TargetConfig, library().hrt_target_config_default,
+                         {field: value for field, value in fields.items() if value is not None})
         handle = _abi.TargetHandle()
         check(library().hrt_target_add(self.handle, byref(config), byref(handle)))
         return Target(self, handle)
@@ -199,15 +178,12 @@ class Session(SessionKeywords):
 
     def authority(self, real: Target, virtual: Target) -> Authority:
         """The largest gap that the plate can sustain for a pair, computed before a reach."""
-        authority = Authority()
-        check(library().hrt_authority_query(
-            self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"), byref(authority)))
-        return authority
+        return output(Authority, library().hrt_authority_query,
+                      self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"))
 
     def best_authority(self, virtual: Target) -> tuple[Target, Authority]:
         """The real target that serves a virtual one with the greatest margin, and what can be held for the pair."""
-        authority = Authority()
-        check(library().hrt_authority_query_best(self.handle, handle_of(virtual, "virtual"), byref(authority)))
+        authority = output(Authority, library().hrt_authority_query_best, self.handle, handle_of(virtual, "virtual"))
         return Target(self, _abi.TargetHandle(value=authority.real_target.value)), authority
 
     def authorities(self) -> Array:
@@ -319,10 +295,9 @@ class Session(SessionKeywords):
                              time_ns: int) -> TouchCheck:
         """Checks the registration that was applied by a touch of a mark, as before each reach. One that agrees counts as
         made at `time_ns`; one that does not makes the session unregistered."""
-        out = TouchCheck()
         touch = _abi.MarkTouch(mark_m=mark_m, touched_m=touched_m)
-        check(library().hrt_registration_confirm(self.handle, byref(registration), byref(touch), time_ns, byref(out)))
-        return out
+        return output(TouchCheck, library().hrt_registration_confirm, self.handle, byref(registration), byref(touch),
+                      time_ns)
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
         """Names the plate, the tracker and the time (seconds since 1970) of now: a calibration is measured under them,
@@ -333,9 +308,7 @@ class Session(SessionKeywords):
     @property
     def conditions(self) -> Conditions:
         """Under which conditions the person of the profile was measured, and which of them are others now."""
-        out = Conditions()
-        check(library().hrt_profile_get_conditions(self.handle, byref(out)))
-        return out
+        return output(Conditions, library().hrt_profile_get_conditions, self.handle)
 
     def load_profile(self, profile: Mapping[str, Any] | str | bytes) -> None:
         """Takes a profile into the configuration: a mapping, or JSON text. What it lacks stays as it is."""

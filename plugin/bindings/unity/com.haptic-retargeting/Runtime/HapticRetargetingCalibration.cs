@@ -30,10 +30,8 @@ namespace Hrt
         }
 
         /// <summary>The plate stands at this orientation until the trial ends.</summary>
-        public void BeginTrial(double plateOrientationDeg)
-        {
+        public void BeginTrial(double plateOrientationDeg) =>
             Check(Native.hrt_calibration_begin_trial(Handle, plateOrientationDeg));
-        }
 
         /// <summary>Takes one sample in: the finger at rest, then its slide. A component's is
         /// <see cref="HapticRetargeting.ReadFinger"/>.</summary>
@@ -43,16 +41,10 @@ namespace Hrt
             Check(Native.hrt_calibration_add_sample(Handle, ref sample));
         }
 
-        public void EndTrial()
-        {
-            Check(Native.hrt_calibration_end_trial(Handle));
-        }
+        public void EndTrial() => Check(Native.hrt_calibration_end_trial(Handle));
 
         /// <summary>Ends the trial and forgets it, as when the user has slipped.</summary>
-        public void CancelTrial()
-        {
-            Check(Native.hrt_calibration_cancel_trial(Handle));
-        }
+        public void CancelTrial() => Check(Native.hrt_calibration_cancel_trial(Handle));
 
         /// <summary>Fits the user to the trials, which stay. Takes half a second for 20000 samples: call it on a
         /// thread that draws no frames. Throws <see cref="Result.InsufficientData"/>, with what is needed, if the

@@ -76,14 +76,9 @@ namespace Hrt
             Gizmos.DrawLine(from, from + plate.rotation * Axes.Direction(authority.settlingDirectionDeg) * length);
         }
 
-        Vector3 StartPosition()
-        {
-            return start != null ? start.position : OnPlate(Axes.ToUnity(SessionConfig.Default.startPositionM));
-        }
+        Vector3 StartPosition() =>
+            start != null ? start.position : OnPlate(Axes.ToUnity(SessionConfig.Default.startPositionM));
 
-        Vector3 OnPlate(Vector3 position)
-        {
-            return plate.position + plate.rotation * position;
-        }
+        Vector3 OnPlate(Vector3 position) => plate.position + plate.rotation * position;
     }
 }

@@ -32,16 +32,10 @@ namespace Hrt
         /// <summary>Turns the plate there, or to an orientation that feels the same:
         /// <see cref="Command.plateOrientationDeg"/>. <see cref="Result.WrongState"/> while it is being opened, and with
         /// the reason when it has failed.</summary>
-        public void Set(double orientationDeg)
-        {
-            Check(PlateNative.hrt_plate_set(Handle, orientationDeg));
-        }
+        public void Set(double orientationDeg) => Check(PlateNative.hrt_plate_set(Handle, orientationDeg));
 
         /// <summary>Stops it where it is.</summary>
-        public void Stop()
-        {
-            Check(PlateNative.hrt_plate_stop(Handle));
-        }
+        public void Stop() => Check(PlateNative.hrt_plate_stop(Handle));
 
         /// <summary>What is known of it: call it in every frame.</summary>
         public PlateReport Get()

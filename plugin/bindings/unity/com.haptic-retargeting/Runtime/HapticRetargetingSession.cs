@@ -87,10 +87,7 @@ namespace Hrt
             return config;
         }
 
-        public void RemoveTarget(TargetId target)
-        {
-            Check(Native.hrt_target_remove(Handle, target));
-        }
+        public void RemoveTarget(TargetId target) => Check(Native.hrt_target_remove(Handle, target));
 
         public bool TryFindTarget(string name, out TargetId target)
         {
@@ -173,10 +170,8 @@ namespace Hrt
             return authorities;
         }
 
-        public void BeginReach(TargetId realTarget, TargetId virtualTarget)
-        {
+        public void BeginReach(TargetId realTarget, TargetId virtualTarget) =>
             BeginReach(new ReachConfig { realTarget = realTarget, virtualTarget = virtualTarget });
-        }
 
         public void BeginReach(ReachConfig config)
         {
@@ -193,23 +188,16 @@ namespace Hrt
 
         /// <summary>As <see cref="Update"/>, for a loop that must make no garbage when a sample is refused:
         /// returns false then; <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
-        public bool TryUpdate(Sample sample, out Command command)
-        {
-            return Exchange(ref sample, out command) == Result.Ok;
-        }
+        public bool TryUpdate(Sample sample, out Command command) =>
+            Exchange(ref sample, out command) == Result.Ok;
 
         /// <summary>Leads the reach to other targets from now on, or to the same ones after
         /// <see cref="SetTarget"/> has moved them.</summary>
-        public void RetargetReach(TargetId realTarget, TargetId virtualTarget)
-        {
+        public void RetargetReach(TargetId realTarget, TargetId virtualTarget) =>
             Check(Native.hrt_reach_retarget(Handle, realTarget, virtualTarget));
-        }
 
         /// <summary>Ends the reach without a summary; nothing is learnt from it.</summary>
-        public void CancelReach()
-        {
-            Check(Native.hrt_reach_cancel(Handle));
-        }
+        public void CancelReach() => Check(Native.hrt_reach_cancel(Handle));
 
         public ReachSummary EndReach()
         {
@@ -284,10 +272,8 @@ namespace Hrt
 
         /// <summary>Records all that crosses the interface into a CSV file, which is created or replaced; not
         /// during a reach. A full or slow disk never delays a call: it is logged, and the status says.</summary>
-        public void StartRecording(string path)
-        {
+        public void StartRecording(string path) =>
             Check(Native.hrt_recording_start(Handle, Utf8.ZeroEnded(path, nameof(path))));
-        }
 
         public RecordingStatus GetRecordingStatus()
         {

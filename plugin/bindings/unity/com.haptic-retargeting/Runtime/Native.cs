@@ -394,8 +394,7 @@ namespace Hrt
 
     /// <summary>Source of the library's memory. Both functions are called from any thread, concurrently.
     /// Neither may call this library or throw.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Allocator
     {
         public uint structSize;
@@ -411,16 +410,14 @@ namespace Hrt
     }
 
     /// <summary>A session's handle. Zero is never a session. Handles are never reused.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct SessionHandle
     {
         public ulong value;
     }
 
     /// <summary>Configuration of a session. hrt_session_config_default() fills every field.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct SessionConfig
     {
         public uint structSize;
@@ -580,8 +577,7 @@ namespace Hrt
 
     /// <summary>A target's id within its session. Zero is never a target. Ids are never reused, in any
     /// session.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct TargetId
     {
         public ulong value;
@@ -589,8 +585,7 @@ namespace Hrt
 
     /// <summary>A target. hrt_target_config_default() fills every field. Only the fields that <c>place</c>
     /// names are read.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct TargetConfig
     {
         public uint structSize;
@@ -625,8 +620,7 @@ namespace Hrt
     }
 
     /// <summary>Authority over one pair of targets. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Authority
     {
         public uint structSize;
@@ -652,8 +646,7 @@ namespace Hrt
     }
 
     /// <summary>Configuration of a reach. hrt_reach_config_default() fills every field.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct ReachConfig
     {
         public uint structSize;
@@ -688,8 +681,7 @@ namespace Hrt
 
     /// <summary>One sample of the tracked finger. Set it to zero, then set <c>structSize</c> and the known
     /// fields. Only the fields that <c>flags</c> names are read.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Sample
     {
         public uint structSize;
@@ -712,8 +704,7 @@ namespace Hrt
     }
 
     /// <summary>Command for the plate, and its reasons. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Command
     {
         public uint structSize;
@@ -758,8 +749,7 @@ namespace Hrt
     }
 
     /// <summary>Result of a reach. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct ReachSummary
     {
         public uint structSize;
@@ -826,16 +816,14 @@ namespace Hrt
     }
 
     /// <summary>A calibration's handle. Zero is never a calibration. Handles are never reused.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationHandle
     {
         public ulong value;
     }
 
     /// <summary>Configuration of a calibration. hrt_calibration_config_default() fills every field.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationConfig
     {
         public uint structSize;
@@ -873,8 +861,7 @@ namespace Hrt
     }
 
     /// <summary>An estimate with the ends of its 95 % interval. This struct never grows.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Interval
     {
         public double value;
@@ -888,8 +875,7 @@ namespace Hrt
 
     /// <summary>Parameters of the user; the fields are those of SessionConfig. Set <c>structSize</c> before
     /// the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationResult
     {
         public uint structSize;
@@ -965,8 +951,7 @@ namespace Hrt
 
     /// <summary>One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Set
     /// <c>structSize</c> before the call. Since version 0.3.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationSlide
     {
         public uint structSize;
@@ -985,8 +970,7 @@ namespace Hrt
     /// <summary>Test and retest: two calibrations of a user, or of two users. Each field is the second value
     /// less the first, with the 95 % interval of the difference; known if both values are. Set
     /// <c>structSize</c> before the call. Since version 0.3.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct CalibrationComparison
     {
         public uint structSize;
@@ -1005,8 +989,7 @@ namespace Hrt
 
     /// <summary>Conditions of a measurement. The plugin reads no clock and knows no devices: the host names
     /// them. Since version 0.3.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Conditions
     {
         public uint structSize;
@@ -1023,8 +1006,7 @@ namespace Hrt
     }
 
     /// <summary>State of a recording. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct RecordingStatus
     {
         public uint structSize;
@@ -1038,8 +1020,7 @@ namespace Hrt
     }
 
     /// <summary>Result of a replay. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct ReplayReport
     {
         public uint structSize;
@@ -1060,8 +1041,7 @@ namespace Hrt
     }
 
     /// <summary>A touch of a mark. This struct never grows.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct MarkTouch
     {
         /// <summary>The mark in plate coordinates. Each within 1000.</summary>
@@ -1072,8 +1052,7 @@ namespace Hrt
 
     /// <summary>Configuration of a registration. hrt_registration_config_default() fills every
     /// field.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct RegistrationConfig
     {
         public uint structSize;
@@ -1102,8 +1081,7 @@ namespace Hrt
 
     /// <summary>A registered pose. Set <c>structSize</c> before the call. Its numbers mean something if it
     /// HOLDS; INCONSISTENT and UPSIDE_DOWN have those of the fit to all touches, to look at.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Registration
     {
         public uint structSize;
@@ -1131,8 +1109,7 @@ namespace Hrt
     }
 
     /// <summary>Result of hrt_registration_check(). Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct TouchCheck
     {
         public uint structSize;
@@ -1147,8 +1124,7 @@ namespace Hrt
 
     /// <summary>A tracked joint, in touches while its fingertip is on a mark. This struct never
     /// grows.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct JointTouch
     {
         /// <summary>Position of the joint in the engine's world. Each within 1000.</summary>
@@ -1160,8 +1136,7 @@ namespace Hrt
 
     /// <summary>Where the skin that touches is, in the joint's axes: at position + rotation * offsetM in the
     /// world. Of one hand. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Fingertip
     {
         public uint structSize;
@@ -1174,8 +1149,7 @@ namespace Hrt
     }
 
     /// <summary>Latency of a tracker. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct Latency
     {
         public uint structSize;
@@ -1194,16 +1168,14 @@ namespace Hrt
     }
 
     /// <summary>A scene's handle. Zero is never a scene. Handles are never reused.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct SceneHandle
     {
         public ulong value;
     }
 
     /// <summary>The plate of a scene. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct SceneInfo
     {
         public uint structSize;
@@ -1220,8 +1192,7 @@ namespace Hrt
     }
 
     /// <summary>A target of a scene. Set <c>structSize</c> before the call.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct SceneTarget
     {
         public uint structSize;
@@ -1246,8 +1217,7 @@ namespace Hrt
     /// is not 0: then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to 90,
     /// the habit -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to 2.4,
     /// the fading -0.2 to 1. Default 0. Since version 0.3.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct PersonMean
     {
         public double weight, curve, gain, bias, habit, evenness, heading, logRate, fading;
@@ -1256,8 +1226,7 @@ namespace Hrt
     /// <summary>Covariance of personMean: the lower triangle, row by row; positive definite, up to 1e4. All
     /// 0: an unknown person, of whom only tactileWeight, tactileWeightSd and biasDeg are read. Default 0.
     /// Since version 0.3.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct PersonCovariance
     {
         public double value0, value1, value2, value3, value4, value5, value6, value7, value8, value9,
@@ -1272,8 +1241,7 @@ namespace Hrt
     /// lower triangle, row by row. Variances 0 to 1. All 0: the pose is exact. Under Guidance.Arrival it goes
     /// into UNREACHABLE and bearingErrorSdDeg; where the plate leads does not depend on it. Default
     /// 0.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct PlateCovariance
     {
         public double value0, value1, value2, value3, value4, value5;
@@ -1281,8 +1249,7 @@ namespace Hrt
 
     /// <summary>Covariance of the rotation about the plate's x, y and z (radians), the position in the world
     /// (metres) and the scale: the lower triangle, row by row. 0 for a scale that was not fitted.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct RegistrationCovariance
     {
         public double value0, value1, value2, value3, value4, value5, value6, value7, value8, value9,

@@ -64,16 +64,14 @@ namespace Hrt
     }
 
     /// <summary>A plate. Zero is never one.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct PlateHandle
     {
         public ulong value;
     }
 
     /// <summary>How to treat a plate. hrt_plate_options_default() fills every field.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct PlateOptions
     {
         public uint structSize;
@@ -98,8 +96,7 @@ namespace Hrt
     }
 
     /// <summary>What is known of a plate. All numbers are finite, and 0 while they are unknown.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public partial struct PlateReport
     {
         public uint structSize;
@@ -140,8 +137,7 @@ namespace Hrt
 
     /// <summary>The device, in one line of UTF-8: "protocol 2, firmware 1.0.0, serial number
     /// 000042".</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct PlateReportDescription
     {
         public ulong word0, word1, word2, word3, word4, word5, word6, word7, word8, word9, word10,
@@ -154,8 +150,7 @@ namespace Hrt
 
     /// <summary>Why the plate has failed, in one line of UTF-8: "the plate at /dev/ttyACM0 is
     /// unplugged".</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct PlateReportMessage
     {
         public ulong word0, word1, word2, word3, word4, word5, word6, word7, word8, word9, word10,

@@ -6,8 +6,7 @@ namespace Hrt
 {
     /// <summary>Three numbers, as the library has them: a position in metres, x right, y up, z towards the user,
     /// right-handed. <see cref="Axes"/> converts to and from Unity's.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Double3
     {
         public double x;
@@ -25,8 +24,7 @@ namespace Hrt
     }
 
     /// <summary>Four numbers, as the library has them: a unit quaternion in right-handed axes.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Double4
     {
         public double x;
@@ -47,8 +45,7 @@ namespace Hrt
 
     /// <summary>A name of at most 63 bytes of UTF-8, ended by a zero: the library's char[64], as eight words of
     /// eight bytes, the first byte lowest.</summary>
-    [Serializable]
-    [StructLayout(LayoutKind.Sequential)]
+    [Serializable, StructLayout(LayoutKind.Sequential)]
     public struct Name
     {
         public ulong word0;

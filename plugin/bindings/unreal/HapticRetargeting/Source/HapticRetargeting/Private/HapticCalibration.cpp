@@ -93,8 +93,7 @@ bool UHapticRetargetingComponent::CancelTrial()
 
 bool UHapticRetargetingComponent::SolveCalibration(FHapticCalibration& OutCalibration)
 {
-	hrt_calibration_result Solved{};
-	Solved.struct_size = sizeof Solved;
+	hrt_calibration_result Solved = hrt_calibration_result_init();
 	if (!HAPTIC_CALL(hrt_calibration_solve(Calibration, &Solved)))
 	{
 		return false;
@@ -106,8 +105,7 @@ bool UHapticRetargetingComponent::SolveCalibration(FHapticCalibration& OutCalibr
 
 bool UHapticRetargetingComponent::GetSlide(int32 Number, FHapticSlide& OutSlide)
 {
-	hrt_calibration_slide Slide{};
-	Slide.struct_size = sizeof Slide;
+	hrt_calibration_slide Slide = hrt_calibration_slide_init();
 	if (!HAPTIC_CALL(hrt_calibration_get_residual(Calibration, static_cast<uint32_t>(Number), &Slide)))
 	{
 		return false;
@@ -139,8 +137,7 @@ bool UHapticRetargetingComponent::EndCalibration()
 bool UHapticRetargetingComponent::CompareCalibrations(FHapticCalibrationComparison& OutComparison)
 {
 	constexpr const TCHAR* Missing = TEXT("a comparison needs two calibrations of this component that were solved");
-	hrt_calibration_comparison Comparison{};
-	Comparison.struct_size = sizeof Comparison;
+	hrt_calibration_comparison Comparison = hrt_calibration_comparison_init();
 	if (!HasResult(User.struct_size, Missing) || !HasResult(UserBefore.struct_size, Missing) ||
 		!HAPTIC_CALL(hrt_calibration_compare(&UserBefore, &User, &Comparison)))
 	{

@@ -37,8 +37,7 @@ bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
 
 bool UHapticRetargetingComponent::SetConditions(const FString& Plate, const FString& Tracker, int64 Time)
 {
-	hrt_conditions Now{};
-	Now.struct_size = sizeof Now;
+	hrt_conditions Now = hrt_conditions_init();
 	Now.time_s = Time;
 	// A name that is too long fills its field without a zero, which the plugin refuses.
 	const std::string PlateName = TCHAR_TO_UTF8(*Plate), TrackerName = TCHAR_TO_UTF8(*Tracker);
@@ -49,8 +48,7 @@ bool UHapticRetargetingComponent::SetConditions(const FString& Plate, const FStr
 
 bool UHapticRetargetingComponent::GetConditions(FString& OutPlate, FString& OutTracker, int64& OutTime, bool& bOutPlateDiffers, bool& bOutTrackerDiffers)
 {
-	hrt_conditions Measured{};
-	Measured.struct_size = sizeof Measured;
+	hrt_conditions Measured = hrt_conditions_init();
 	if (!Configure() || !HAPTIC_CALL(hrt_profile_get_conditions(Session, &Measured)))
 	{
 		return false;
@@ -70,8 +68,7 @@ bool UHapticRetargetingComponent::StartRecording(const FString& Path)
 
 bool UHapticRetargetingComponent::GetRecordingStatus(int64& OutRowsWritten, int64& OutRowsLost)
 {
-	hrt_recording_status Status{};
-	Status.struct_size = sizeof Status;
+	hrt_recording_status Status = hrt_recording_status_init();
 	if (!HAPTIC_CALL(hrt_recording_get_status(Session, &Status)))
 	{
 		return false;
@@ -83,8 +80,7 @@ bool UHapticRetargetingComponent::GetRecordingStatus(int64& OutRowsWritten, int6
 
 bool UHapticRetargetingComponent::StopRecording()
 {
-	hrt_recording_status Status{};
-	Status.struct_size = sizeof Status;
+	hrt_recording_status Status = hrt_recording_status_init();
 	if (!HAPTIC_CALL(hrt_recording_stop(Session, &Status)))
 	{
 		return false;

@@ -55,8 +55,7 @@ hrt_sample UHapticRetargetingComponent::FingerAndPlateSample(const FVector& Loca
 
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
-	hrt_sample Sample{};
-	Sample.struct_size = sizeof Sample;
+	hrt_sample Sample = hrt_sample_init();
 	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
 	Sample.time_ns = ToNanoseconds(Time);
 	ToMetres(Location, Sample.finger_position_m);
@@ -85,8 +84,7 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 {
 	hrt_sample Sample = Filled;
 	Sample.struct_size = sizeof Sample;
-	hrt_command Decided{};
-	Decided.struct_size = sizeof Decided;
+	hrt_command Decided = hrt_command_init();
 	if (!HAPTIC_CALL(hrt_reach_update(Session, &Sample, &Decided)))
 	{
 		return false;
@@ -121,8 +119,7 @@ bool UHapticRetargetingComponent::CancelReach()
 
 bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
 {
-	hrt_reach_summary Summary{};
-	Summary.struct_size = sizeof Summary;
+	hrt_reach_summary Summary = hrt_reach_summary_init();
 	if (!HAPTIC_CALL(hrt_reach_end(Session, &Summary)))
 	{
 		return false;

@@ -16,8 +16,7 @@ bool UHapticRetargetingComponent::FitRegistration(const TArray<FHapticMarkTouch>
 	{
 		Marks.push_back(ToMarkTouch(Touch));
 	}
-	hrt_registration Fitted{};
-	Fitted.struct_size = sizeof Fitted;
+	hrt_registration Fitted = hrt_registration_init();
 	if (!HAPTIC_CALL(hrt_registration_fit(nullptr, Marks.data(), Marks.size(), 0, nullptr, &Fitted)))
 	{
 		return false;
@@ -42,8 +41,7 @@ bool UHapticRetargetingComponent::ApplyRegistration(double Time)
 bool UHapticRetargetingComponent::ConfirmRegistration(const FHapticMarkTouch& Touch, double Time, FHapticTouchCheck& OutCheck)
 {
 	const hrt_mark_touch Mark = ToMarkTouch(Touch);
-	hrt_touch_check Check{};
-	Check.struct_size = sizeof Check;
+	hrt_touch_check Check = hrt_touch_check_init();
 	if (!HasResult(Registration.struct_size, TEXT("no registration is fitted; call FitRegistration first")) || !Configure() ||
 		!HAPTIC_CALL(hrt_registration_confirm(Session, &Registration, &Mark, ToNanoseconds(Time), &Check)))
 	{
@@ -61,8 +59,7 @@ bool UHapticRetargetingComponent::FitFingertip(const TArray<FTransform>& Joints,
 	{
 		Touches.push_back(ToJointTouch(Joint));
 	}
-	hrt_fingertip Fitted{};
-	Fitted.struct_size = sizeof Fitted;
+	hrt_fingertip Fitted = hrt_fingertip_init();
 	if (!HAPTIC_CALL(hrt_fingertip_fit(nullptr, Touches.data(), Touches.size(), &Fitted)))
 	{
 		return false;
@@ -75,8 +72,7 @@ bool UHapticRetargetingComponent::FitFingertip(const TArray<FTransform>& Joints,
 bool UHapticRetargetingComponent::PlaceFingertip(const FTransform& Joint, FVector& OutLocation) const
 {
 	const hrt_joint_touch Touch = ToJointTouch(Joint);
-	hrt_sample Sample{};
-	Sample.struct_size = sizeof Sample;
+	hrt_sample Sample = hrt_sample_init();
 	if (!HasResult(Fingertip.struct_size, TEXT("no fingertip is fitted; call FitFingertip first")) ||
 		!HAPTIC_CALL(hrt_fingertip_place(&Fingertip, &Touch, &Sample)))
 	{

@@ -55,166 +55,81 @@ namespace HapticConversions
 		return Config;
 	}
 
-	template <typename T>
-	static bool Differ(const T& A, const T& B)
+	static FHapticSettings FromSettings(const hrt_session_config& C)
 	{
-		return std::memcmp(&A, &B, sizeof A) != 0;
+		FHapticSettings Result;
+		Result.Horizon = static_cast<int32>(C.horizon);
+		Result.StepPeriod = static_cast<double>(C.step_period_ns) / NanosecondsPerSecond;
+		Result.Control = static_cast<EHapticControl>(C.control);
+		Result.Guidance = static_cast<EHapticGuidance>(C.guidance);
+		Result.Adaptation = static_cast<EHapticAdaptation>(C.adaptation);
+		Result.bPlateWaits = (C.flags & HRT_SESSION_PLATE_WAITS) != 0;
+		Result.bRegistered = (C.flags & HRT_SESSION_REGISTERED) != 0;
+		Result.PerceivedWeight = C.perceived_weight;
+		Result.ActualWeight = C.actual_weight;
+		Result.MaxFeltError = C.max_felt_error_deg;
+		Result.MotionBound = C.motion_bound_deg;
+		Result.MaxRegistrationAge = static_cast<double>(C.max_registration_age_ns) / NanosecondsPerSecond;
+		Result.MaxRegistrationSd = C.max_registration_sd_deg;
+		Result.SteeringRate = C.steering_rate_per_s;
+		Result.SteeringDelay = C.steering_delay_s;
+		Result.PlateBound = C.plate_bound_deg;
+		Result.PlateMaxSpeed = C.plate_max_speed_deg_s;
+		Result.PlateMaxAcceleration = C.plate_max_acceleration_deg_s2;
+		Result.PlateLatency = static_cast<double>(C.plate_latency_ns) / NanosecondsPerSecond;
+		Result.PlateLowerStopYaw = Turned(C.plate_upper_stop_deg);
+		Result.PlateUpperStopYaw = Turned(C.plate_lower_stop_deg);
+		Result.FixedPlateYaw = Turned(C.fixed_plate_orientation_deg);
+		Result.StartPosition = FromMetres(C.start_position_m);
+		Result.PlateRadius = C.plate_radius_m * CentimetresPerMetre;
+		Result.LiftHeight = C.lift_height_m * CentimetresPerMetre;
+		Result.PlateScale = C.plate_scale;
+		Result.TactileWeight = C.tactile_weight;
+		Result.TactileWeightSd = C.tactile_weight_sd;
+		Result.MotorVariance = C.motor_variance_deg2;
+		Result.SensoryVariance = C.sensory_variance_deg2;
+		Result.InitialVariance = C.initial_variance_deg2;
+		Result.BiasYaw = Turned(C.bias_deg);
+		Result.MotorVarianceSd = C.motor_variance_sd_deg2;
+		Result.TrackerNoise = C.tracker_noise_m * CentimetresPerMetre;
+		Result.TrackerLatency = static_cast<double>(C.tracker_latency_ns) / NanosecondsPerSecond;
+		Result.RegistrationTime = static_cast<double>(C.registration_time_ns) / NanosecondsPerSecond;
+		Result.TrackerCorrelatedNoise = C.tracker_correlated_noise_m * CentimetresPerMetre;
+		Result.TrackerCorrelation = C.tracker_correlation_s;
+		return Result;
+	}
+
+	/** Members that differ between `Before` and `Now` become those of `Now`. */
+	template <typename... Members>
+	static void TakeMembers(const FHapticSettings& Before, const FHapticSettings& Now, FHapticSettings& S,
+		Members... Member)
+	{
+		const auto Take = [](const auto& Old, const auto& New, auto& Into)
+		{
+			if (std::memcmp(&Old, &New, sizeof New) != 0)
+			{
+				Into = New;
+			}
+		};
+		(Take(Before.*Member, Now.*Member, S.*Member), ...);
 	}
 
 	void TakeChanges(const hrt_session_config& Before, const hrt_session_config& C, FHapticSettings& S)
 	{
-		if (Differ(C.horizon, Before.horizon))
-		{
-			S.Horizon = static_cast<int32>(C.horizon);
-		}
-		if (Differ(C.step_period_ns, Before.step_period_ns))
-		{
-			S.StepPeriod = static_cast<double>(C.step_period_ns) / NanosecondsPerSecond;
-		}
-		if (Differ(C.control, Before.control))
-		{
-			S.Control = static_cast<EHapticControl>(C.control);
-		}
-		if (Differ(C.guidance, Before.guidance))
-		{
-			S.Guidance = static_cast<EHapticGuidance>(C.guidance);
-		}
-		if (Differ(C.adaptation, Before.adaptation))
-		{
-			S.Adaptation = static_cast<EHapticAdaptation>(C.adaptation);
-		}
-		if (Differ(C.flags, Before.flags))
-		{
-			S.bPlateWaits = (C.flags & HRT_SESSION_PLATE_WAITS) != 0;
-		}
-		if (Differ(C.flags, Before.flags))
-		{
-			S.bRegistered = (C.flags & HRT_SESSION_REGISTERED) != 0;
-		}
-		if (Differ(C.perceived_weight, Before.perceived_weight))
-		{
-			S.PerceivedWeight = C.perceived_weight;
-		}
-		if (Differ(C.actual_weight, Before.actual_weight))
-		{
-			S.ActualWeight = C.actual_weight;
-		}
-		if (Differ(C.max_felt_error_deg, Before.max_felt_error_deg))
-		{
-			S.MaxFeltError = C.max_felt_error_deg;
-		}
-		if (Differ(C.motion_bound_deg, Before.motion_bound_deg))
-		{
-			S.MotionBound = C.motion_bound_deg;
-		}
-		if (Differ(C.max_registration_age_ns, Before.max_registration_age_ns))
-		{
-			S.MaxRegistrationAge = static_cast<double>(C.max_registration_age_ns) / NanosecondsPerSecond;
-		}
-		if (Differ(C.max_registration_sd_deg, Before.max_registration_sd_deg))
-		{
-			S.MaxRegistrationSd = C.max_registration_sd_deg;
-		}
-		if (Differ(C.steering_rate_per_s, Before.steering_rate_per_s))
-		{
-			S.SteeringRate = C.steering_rate_per_s;
-		}
-		if (Differ(C.steering_delay_s, Before.steering_delay_s))
-		{
-			S.SteeringDelay = C.steering_delay_s;
-		}
-		if (Differ(C.plate_bound_deg, Before.plate_bound_deg))
-		{
-			S.PlateBound = C.plate_bound_deg;
-		}
-		if (Differ(C.plate_max_speed_deg_s, Before.plate_max_speed_deg_s))
-		{
-			S.PlateMaxSpeed = C.plate_max_speed_deg_s;
-		}
-		if (Differ(C.plate_max_acceleration_deg_s2, Before.plate_max_acceleration_deg_s2))
-		{
-			S.PlateMaxAcceleration = C.plate_max_acceleration_deg_s2;
-		}
-		if (Differ(C.plate_latency_ns, Before.plate_latency_ns))
-		{
-			S.PlateLatency = static_cast<double>(C.plate_latency_ns) / NanosecondsPerSecond;
-		}
-		if (Differ(C.plate_upper_stop_deg, Before.plate_upper_stop_deg))
-		{
-			S.PlateLowerStopYaw = Turned(C.plate_upper_stop_deg);
-		}
-		if (Differ(C.plate_lower_stop_deg, Before.plate_lower_stop_deg))
-		{
-			S.PlateUpperStopYaw = Turned(C.plate_lower_stop_deg);
-		}
-		if (Differ(C.fixed_plate_orientation_deg, Before.fixed_plate_orientation_deg))
-		{
-			S.FixedPlateYaw = Turned(C.fixed_plate_orientation_deg);
-		}
-		if (Differ(C.start_position_m, Before.start_position_m))
-		{
-			S.StartPosition = FromMetres(C.start_position_m);
-		}
-		if (Differ(C.plate_radius_m, Before.plate_radius_m))
-		{
-			S.PlateRadius = C.plate_radius_m * CentimetresPerMetre;
-		}
-		if (Differ(C.lift_height_m, Before.lift_height_m))
-		{
-			S.LiftHeight = C.lift_height_m * CentimetresPerMetre;
-		}
-		if (Differ(C.plate_scale, Before.plate_scale))
-		{
-			S.PlateScale = C.plate_scale;
-		}
-		if (Differ(C.tactile_weight, Before.tactile_weight))
-		{
-			S.TactileWeight = C.tactile_weight;
-		}
-		if (Differ(C.tactile_weight_sd, Before.tactile_weight_sd))
-		{
-			S.TactileWeightSd = C.tactile_weight_sd;
-		}
-		if (Differ(C.motor_variance_deg2, Before.motor_variance_deg2))
-		{
-			S.MotorVariance = C.motor_variance_deg2;
-		}
-		if (Differ(C.sensory_variance_deg2, Before.sensory_variance_deg2))
-		{
-			S.SensoryVariance = C.sensory_variance_deg2;
-		}
-		if (Differ(C.initial_variance_deg2, Before.initial_variance_deg2))
-		{
-			S.InitialVariance = C.initial_variance_deg2;
-		}
-		if (Differ(C.bias_deg, Before.bias_deg))
-		{
-			S.BiasYaw = Turned(C.bias_deg);
-		}
-		if (Differ(C.motor_variance_sd_deg2, Before.motor_variance_sd_deg2))
-		{
-			S.MotorVarianceSd = C.motor_variance_sd_deg2;
-		}
-		if (Differ(C.tracker_noise_m, Before.tracker_noise_m))
-		{
-			S.TrackerNoise = C.tracker_noise_m * CentimetresPerMetre;
-		}
-		if (Differ(C.tracker_latency_ns, Before.tracker_latency_ns))
-		{
-			S.TrackerLatency = static_cast<double>(C.tracker_latency_ns) / NanosecondsPerSecond;
-		}
-		if (Differ(C.registration_time_ns, Before.registration_time_ns))
-		{
-			S.RegistrationTime = static_cast<double>(C.registration_time_ns) / NanosecondsPerSecond;
-		}
-		if (Differ(C.tracker_correlated_noise_m, Before.tracker_correlated_noise_m))
-		{
-			S.TrackerCorrelatedNoise = C.tracker_correlated_noise_m * CentimetresPerMetre;
-		}
-		if (Differ(C.tracker_correlation_s, Before.tracker_correlation_s))
-		{
-			S.TrackerCorrelation = C.tracker_correlation_s;
-		}
+		TakeMembers(FromSettings(Before), FromSettings(C), S,
+			&FHapticSettings::Horizon, &FHapticSettings::StepPeriod, &FHapticSettings::Control,
+			&FHapticSettings::Guidance, &FHapticSettings::Adaptation, &FHapticSettings::bPlateWaits,
+			&FHapticSettings::bRegistered, &FHapticSettings::PerceivedWeight, &FHapticSettings::ActualWeight,
+			&FHapticSettings::MaxFeltError, &FHapticSettings::MotionBound, &FHapticSettings::MaxRegistrationAge,
+			&FHapticSettings::MaxRegistrationSd, &FHapticSettings::SteeringRate, &FHapticSettings::SteeringDelay,
+			&FHapticSettings::PlateBound, &FHapticSettings::PlateMaxSpeed, &FHapticSettings::PlateMaxAcceleration,
+			&FHapticSettings::PlateLatency, &FHapticSettings::PlateLowerStopYaw, &FHapticSettings::PlateUpperStopYaw,
+			&FHapticSettings::FixedPlateYaw, &FHapticSettings::StartPosition, &FHapticSettings::PlateRadius,
+			&FHapticSettings::LiftHeight, &FHapticSettings::PlateScale, &FHapticSettings::TactileWeight,
+			&FHapticSettings::TactileWeightSd, &FHapticSettings::MotorVariance, &FHapticSettings::SensoryVariance,
+			&FHapticSettings::InitialVariance, &FHapticSettings::BiasYaw, &FHapticSettings::MotorVarianceSd,
+			&FHapticSettings::TrackerNoise, &FHapticSettings::TrackerLatency, &FHapticSettings::RegistrationTime,
+			&FHapticSettings::TrackerCorrelatedNoise, &FHapticSettings::TrackerCorrelation);
 	}
 
 	FHapticCommand FromCommand(const hrt_command& C)

@@ -47,8 +47,7 @@ bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FStr
 
 bool UHapticRetargetingComponent::MoveTarget(const FHapticTarget& Target, const FVector& Location)
 {
-	hrt_target_config Config{};
-	Config.struct_size = sizeof Config;
+	hrt_target_config Config = hrt_target_config_init();
 	if (!Configure() || !HAPTIC_CALL(hrt_target_get(Session, ToTarget(Target), &Config)))
 	{
 		return false;
@@ -66,8 +65,7 @@ bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
 bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual,
 	FHapticAuthority& OutAuthority)
 {
-	hrt_authority Authority{};
-	Authority.struct_size = sizeof Authority;
+	hrt_authority Authority = hrt_authority_init();
 	if (!Configure() || !HAPTIC_CALL(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
 	{
 		return false;
@@ -78,8 +76,7 @@ bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const 
 
 bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority)
 {
-	hrt_authority Authority{};
-	Authority.struct_size = sizeof Authority;
+	hrt_authority Authority = hrt_authority_init();
 	if (!Configure() || !HAPTIC_CALL(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
 	{
 		return false;
@@ -100,10 +97,8 @@ bool UHapticRetargetingComponent::AssignTargets(const TArray<FHapticTarget>& Vir
 	{
 		RealIds.push_back(ToTarget(Target));
 	}
-	hrt_authority Sized{};
-	Sized.struct_size = sizeof Sized;
 	// One more than is filled, because the plugin reads the first one's size.
-	std::vector<hrt_authority> Authorities(VirtualIds.size() + 1, Sized);
+	std::vector<hrt_authority> Authorities(VirtualIds.size() + 1, hrt_authority_init());
 	const uint32_t Flags = bExclusive ? HRT_ASSIGN_EXCLUSIVE : 0u;
 	if (!Configure() || !HAPTIC_CALL(hrt_target_assign(Session, VirtualIds.data(), VirtualIds.size(), RealIds.data(), RealIds.size(), Flags,
 							VirtualIds.size(), Authorities.data())))
@@ -126,14 +121,12 @@ bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticT
 	{
 		return false;
 	}
-	hrt_scene_info Info{};
-	Info.struct_size = sizeof Info;
+	hrt_scene_info Info = hrt_scene_info_init();
 	bool bLoaded = HAPTIC_CALL(hrt_scene_get_info(Scene, &Info));
 	std::vector<hrt_target> Ids(Info.target_count);
-	std::vector<hrt_scene_target> Targets(Info.target_count);
+	std::vector<hrt_scene_target> Targets(Info.target_count, hrt_scene_target_init());
 	for (uint32_t i = 0; bLoaded && i < Info.target_count; ++i)
 	{
-		Targets[i].struct_size = sizeof Targets[i];
 		bLoaded = HAPTIC_CALL(hrt_scene_get_target(Scene, i, &Targets[i]));
 	}
 	bLoaded = bLoaded && HAPTIC_CALL(hrt_scene_register(Scene, Session, Ids.size(), Ids.data()));
