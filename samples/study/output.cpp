@@ -6,12 +6,14 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "samples/study/arguments.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -39,16 +41,29 @@ std::string fixed(double value, int decimals) {
   return {text.data(), end};
 }
 
-std::string wrapped(const std::string& words) {
+std::string cell(double value, int decimals, std::size_t width) {
+  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
+}
+
+std::string between(double low, double high, int decimals, const std::string& dash) {
+  const auto bound = [&](double value) { return std::isnan(value) ? "?" : fixed(value, decimals); };
+  return bound(low) + dash + bound(high);
+}
+
+std::string wrapped(const std::string& words, std::size_t width, const std::string& first,
+                    const std::string& indent) {
   std::string page;
-  std::string line;
+  std::string line = first;
+  std::string space;  // before every word of a line except the first one
   std::istringstream stream(words);
   for (std::string word; stream >> word;) {
-    if (line.size() + word.size() > 109) {
+    if (line.size() + space.size() + word.size() > width) {
       page += line + '\n';
-      line.clear();
+      line = indent;
+      space.clear();
     }
-    line += (line.empty() ? "" : " ") + word;
+    line += space + word;
+    space = " ";
   }
   return page + line + '\n';
 }

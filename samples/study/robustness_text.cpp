@@ -76,16 +76,13 @@ std::string near_table(const RobustnessStudy& study) {
 // "0.42 (0.38-0.47)"; what too few values bound is left out.
 std::string with_interval(const Quantile& quantile, int decimals) {
   if (std::isnan(quantile.value)) return "-";
-  const auto bound = [&](double value) {
-    return std::isnan(value) ? std::string("?") : fixed(value, decimals);
-  };
-  return fixed(quantile.value, decimals) + " (" + bound(quantile.low) + "-" + bound(quantile.high) + ")";
+  return fixed(quantile.value, decimals) + " (" + between(quantile.low, quantile.high, decimals) + ")";
 }
 
 std::string with_interval(const Share& share) {
   if (share.of == 0) return "-";
   const PercentInterval interval = share.interval();
-  return fixed(share.percent(), 1) + " (" + fixed(interval.low, 1) + "-" + fixed(interval.high, 1) + ")";
+  return fixed(share.percent(), 1) + " (" + between(interval.low, interval.high, 1) + ")";
 }
 
 std::string flags_table(const Rows& all) {

@@ -11,7 +11,6 @@
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/figures/retest.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/input.h"
@@ -67,9 +66,7 @@ bool is_name(const std::string& text) {
 std::string draw(const Figure& figure, const std::string& path) {
   const std::string ending = path.ends_with(".png") ? "png" : "svg";
   const fs::path parent = fs::absolute(path).parent_path();
-  const Workshop workshop("--plot", parent.string());
-  run_gnuplot(drawing(figure, ending), workshop.folder());
-  return workshop.read(figure.name + '.' + ending);
+  return Workshop("--plot", parent.string()).draw(figure, ending);
 }
 
 CalibrationReport calibrated(const std::string& data, const CalibrationConfig& config) {

@@ -62,8 +62,7 @@ Figure duration_figure(double duration_s, Rows rows) {
 // "98.5 (97.1–99.2)"; what too few values bound is "?".
 std::string with_interval(double value, double low, double high) {
   if (std::isnan(value)) return "";
-  const auto bound = [](double end) { return std::isnan(end) ? std::string("?") : fixed(end, 1); };
-  return "<b>" + fixed(value, 1) + "</b> <small>" + bound(low) + "–" + bound(high) + "</small>";
+  return "<b>" + fixed(value, 1) + "</b> <small>" + between(low, high, 1, "–") + "</small>";
 }
 
 std::string cell(const std::string& html) {
@@ -119,10 +118,7 @@ std::string table(Rows rows) {
 // For a page, where w_T has its subscript.
 std::string prose(const std::string& text) {
   std::string html = escaped(text);
-  const std::string plain = "w_T";
-  const std::string set = "w<sub>T</sub>";
-  for (std::size_t at = html.find(plain); at != std::string::npos; at = html.find(plain, at + set.size()))
-    html.replace(at, plain.size(), set);
+  replace_all(html, "w_T", "w<sub>T</sub>");
   return html;
 }
 
@@ -143,8 +139,7 @@ std::vector<Figure> robustness_figures(const RobustnessStudy& study) {
   return figures;
 }
 
-std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures,
-                            const std::vector<std::string>& drawings) {
+std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures) {
   std::string page = page_start("Haptic retargeting by touch: people as they are");
   page +=
       "<p>" + prose(condition_words(study)) +
@@ -161,7 +156,7 @@ std::string robustness_page(const RobustnessStudy& study, const std::vector<Figu
       "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound "
       "it.</p>\n";
   for (std::size_t i = 0; i < figures.size(); ++i)
-    page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i], drawings[i]) +
+    page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i]) +
             folded("The numbers (open them to print them; all are in robustness.csv)",
                    table(at_duration(study.rows, study.options.durations_s[i])));
   return page + "</body>\n</html>\n";
