@@ -52,8 +52,8 @@ void CallLog::append(CallRecord record) {
   if (records_.size() > remembered_calls) records_.pop_front();
 }
 
-XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
-                      XrCallRecordHRTX* records) {
+void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
+                  XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
   for (std::uint32_t i = 0; i < capacity && records != nullptr; ++i)
     require_struct(&records[i], XR_TYPE_CALL_RECORD_HRTX, "records");
@@ -66,7 +66,6 @@ XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* 
              to.thread = from.thread;
              std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
            });
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

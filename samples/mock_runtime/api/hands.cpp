@@ -94,8 +94,8 @@ void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& location
 
 }  // namespace
 
-XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
-                             XrHandTrackerEXT* tracker) {
+void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
+                         XrHandTrackerEXT* tracker) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
   require_pointer(tracker, "handTracker");
@@ -107,16 +107,14 @@ XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT*
   auto sources = requested_sources(session.instance(), info->next);
   *tracker = handle_of<XrHandTrackerEXT>(
       runtime().registry.create<HandTracker>(&session, info->hand, std::move(sources)));
-  return XR_SUCCESS;
 }
 
-XrResult destroy_hand_tracker(XrHandTrackerEXT handle) {
+void destroy_hand_tracker(XrHandTrackerEXT handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<HandTracker>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
-                            XrHandJointLocationsEXT* locations) {
+void locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
+                        XrHandJointLocationsEXT* locations) {
   auto& tracker = runtime().registry.get<HandTracker>(handle);
   require_struct(info, XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, "locateInfo");
   require_struct(locations, XR_TYPE_HAND_JOINT_LOCATIONS_EXT, "locations");
@@ -141,7 +139,7 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
           "the tracker was created without XrHandTrackingDataSourceInfoEXT");
   if (session.player) {
     play_joints(session.player->joints(tracker.hand, base.name, info->time), *locations, velocities, state);
-    return XR_SUCCESS;
+    return;
   }
   const bool around_controller =
       conforms(session.instance(), info->next) && holds_controller(session, tracker.hand);
@@ -165,7 +163,7 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
       locations->jointLocations[i] = {0, to_xr(Pose{}), 0.0F};
       if (velocities != nullptr) velocities->jointVelocities[i] = {};
     }
-    return XR_SUCCESS;
+    return;
   }
 
   const Pose from_world = inverse(*base_in_world);
@@ -196,7 +194,6 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
       velocity.angularVelocity =
           to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
   }
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

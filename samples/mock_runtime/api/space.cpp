@@ -16,8 +16,8 @@ constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-XrResult play_views(Player& player, const Space& space, const XrViewLocateInfo& info, XrViewState& state,
-                    std::uint32_t capacity, std::uint32_t* count, XrView* views) {
+void play_views(Player& player, const Space& space, const XrViewLocateInfo& info, XrViewState& state,
+                std::uint32_t capacity, std::uint32_t* count, XrView* views) {
   // The count alone is no sample.
   const RecordedViews played = capacity > 0 ? player.views(space.name, info.displayTime) : RecordedViews{};
   two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views,
@@ -27,7 +27,6 @@ XrResult play_views(Player& player, const Space& space, const XrViewLocateInfo& 
              view.fov = given ? played.views[eye].fov : field_of_view;
            });
   state.viewStateFlags = played.flags;
-  return XR_SUCCESS;
 }
 
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
@@ -109,13 +108,12 @@ std::optional<Motion> locate(const Space& space, const Space& base, XrTime time)
   return relative(*of, *in);
 }
 
-XrResult enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
-                                    XrReferenceSpaceType* types) {
+void enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                XrReferenceSpaceType* types) {
   two_call(reference_spaces(runtime().registry.get<Session>(handle)), capacity, count, types);
-  return XR_SUCCESS;
 }
 
-XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
+void create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
@@ -124,10 +122,9 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
   const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
   *space = handle_of<XrSpace>(
       runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
-  return XR_SUCCESS;
 }
 
-XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+void create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
@@ -143,7 +140,6 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
   const Pose pose = checked_pose(info->poseInActionSpace);
   const Space::ActionOrigin origin{action.id(), info->subactionPath};
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
-  return XR_SUCCESS;
 }
 
 XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds) {
@@ -159,7 +155,7 @@ XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType 
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
 }
 
-XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* location) {
+void locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* location) {
   auto& space = runtime().registry.get<Space>(handle);
   auto& base = runtime().registry.get<Space>(base_handle);
   require_struct(location, XR_TYPE_SPACE_LOCATION, "location");
@@ -169,15 +165,14 @@ XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceL
   auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY);
   if (auto& player = space.session().player) {
     play_location(player->location(space.name, base.name, time), *location, velocity);
-    return XR_SUCCESS;
+    return;
   }
   const auto located = locate(space, base, time);
   write_location(located, flags_of(space, base), *location);
   if (velocity != nullptr) write_velocity(located, *velocity);
-  return XR_SUCCESS;
 }
 
-XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
+void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_SPACES_LOCATE_INFO, "locateInfo");
   require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
@@ -211,20 +206,14 @@ XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpace
     write_location(located, flags_of(*spaces[i], base), locations->locations[i]);
     if (velocities != nullptr) write_velocity(located, velocities->velocities[i]);
   }
-  return XR_SUCCESS;
 }
 
-XrResult locate_spaces_khr(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
-  return locate_spaces(handle, info, locations);
-}
-
-XrResult destroy_space(XrSpace handle) {
+void destroy_space(XrSpace handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state,
-                      std::uint32_t capacity, std::uint32_t* count, XrView* views) {
+void locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
+                  std::uint32_t* count, XrView* views) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_VIEW_LOCATE_INFO, "viewLocateInfo");
   require_struct(state, XR_TYPE_VIEW_STATE, "viewState");
@@ -249,7 +238,6 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
                       XR_VIEW_STATE_ORIENTATION_TRACKED_BIT |
                       (space.stands_in_room() && !space.can_see_room() ? XrViewStateFlags{0}
                                                                        : XR_VIEW_STATE_POSITION_TRACKED_BIT);
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock
