@@ -55,9 +55,7 @@ void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction)
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
   require_hand(instruction->hand);
-  const Eigen::Vector3d start_m(static_cast<double>(instruction->start.x),
-                                static_cast<double>(instruction->start.y),
-                                static_cast<double>(instruction->start.z));
+  const Eigen::Vector3d start_m = from_xr(instruction->start);
   require(start_m.allFinite() && start_m.norm() <= longest_m, XR_ERROR_VALIDATION_FAILURE,
           "start must be within 10 m of the plate");
   require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,

@@ -136,7 +136,6 @@ struct Recording {
 
  private:
   RecordedSession& session(std::uint64_t number, const std::string& where);
-  void add_event(class Fields& fields);
   std::size_t records_ = 0;
 };
 
