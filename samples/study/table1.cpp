@@ -146,13 +146,11 @@ void judge_claims(std::vector<CellGroup>& claims) {
       judge(claim);
       claim.verdict +=
           "; the paper's text calls 2 the standard deviation, the caption of its Fig. 7 the variance, which "
-          "is "
-          "what is simulated";
+          "is what is simulated";
     } else if (claim.name == "gap_12_within_5") {
       judge(claim,
             "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "
-            "within 5 deg; the "
-            "model agrees with the text");
+            "within 5 deg; the model agrees with the text");
     } else if (claim.name == "no_controller") {
       const BatchResult& result = claim.cells.front().result;
       const double final_deg = first.real_direction_deg + result.mean_miss_deg();

@@ -101,10 +101,8 @@ std::string coverage_text(const Options& options, Progress* progress, std::uint6
       " deg to one\nside and the other, after 22 over a plate at rest. There was no human trial. " +
       std::to_string(options.people) +
       " people a kind.\nknown: % of people; cover: % of those whose 95 % interval holds the truth, and the "
-      "95 "
-      "% interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people whose "
-      "paths no law of steering "
-      "fits.\n\n" +
+      "95 % interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people "
+      "whose paths no law of steering fits.\n\n" +
       left("", 14) + left("rate, 1/s", 38) + "delay, ms\n" + left("", 14) +
       "  known  cover           error   width  known  cover           error   width  unlike\n";
   SteeringTally all_of_law;
@@ -126,8 +124,7 @@ std::string coverage_text(const Options& options, Progress* progress, std::uint6
   for (const char* kind : other_kinds) add_row(kind, false);
   return page +
          "\nThe last rows have no rate and delay of this law: steps of 100 ms, an arm that lags, ridges felt "
-         "as "
-         "they are\ncrossed. What is found of them is the law's nearest.\n";
+         "as they are\ncrossed. What is found of them is the law's nearest.\n";
 }
 
 // What the controller is given of the steering.

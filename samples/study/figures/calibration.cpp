@@ -266,8 +266,7 @@ Figure calibration_figure(const CalibrationReport& report) {
   };
   figure.script +=
       "EOD\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
-      "graph "
-      "0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
+      "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
       "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion: " +
       family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" +
       interval_text(all[0]) + "), largest gap " + fixed(all[3].interval.value, 1) + "° (" +
@@ -276,8 +275,7 @@ Figure calibration_figure(const CalibrationReport& report) {
       "[-80:80]\nset xtics 15\n"
       "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"
       "plot $band using 1:3:4 with filledcurves fc rgb '#c6dbef' title '95 %', $band using 1:2 with lines lw "
-      "2 lc "
-      "rgb '#08306b' title 'curve'\n"
+      "2 lc rgb '#08306b' title 'curve'\n"
       "set key top right\nset origin 0,0.33\nset size 1,0.33\nset title \"Directions of " +
       std::to_string(calibration.slides.size()) + " slides\\n" +
       with_minus_signs("bias " + fixed(all[1].interval.value, 2) + "° (" + interval_text(all[1]) +

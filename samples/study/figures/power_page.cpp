@@ -49,9 +49,8 @@ Figure figure_of(const PowerStudy& study, std::uint64_t reaches) {
       "the bearing error'\nset grid y back lt 1 lw 0.6 lc rgb '#dddddd'\nset logscale x\nset xtics (" +
       ticks + ")\nset bmargin 8\nset xrange [" + number(0.85 * study.options.people.front()) + ':' +
       number(1.18 * study.options.people.back()) +
-      "]\nset xlabel 'people'\nset yrange "
-      "[-2:102]\nset ytics 20\nset ylabel 'trials that find the effect, %'\nplot 80 with lines dt 3 lw 1.5 "
-      "lc rgb '#555555' notitle" +
+      "]\nset xlabel 'people'\nset yrange [-2:102]\nset ytics 20\nset ylabel 'trials that find the effect, "
+      "%'\nplot 80 with lines dt 3 lw 1.5 lc rgb '#555555' notitle" +
       plots + "\n";
   return figure;
 }

@@ -137,8 +137,7 @@ Figure retest_figure(const RetestReport& report) {
       "set title 'Illusion, test and retest' font ',12'\nset key top left\nset xrange [-80:80]\nset xtics "
       "15\n"
       "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\nset style fill transparent "
-      "solid 0.5 "
-      "noborder\n"
+      "solid 0.5 noborder\n"
       "plot $test using 1:3:4 with filledcurves fc rgb '#c6dbef' title 'test, 95 %', "
       "$retest using 1:3:4 with filledcurves fc rgb '#fdd0a2' title 'retest, 95 %', "
       "$test using 1:2 with lines lw 2 lc rgb '#08306b' notitle, "
@@ -148,8 +147,7 @@ Figure retest_figure(const RetestReport& report) {
       "\" font ',11'\nunset key\nset lmargin 28\nset rmargin 4\nset xrange [-4:4]\nset xtics 1\nset yrange "
       "[0.4:" +
       std::to_string(report.values.size()) + ".8]\nset ytics (" + names +
-      ")\nset xlabel 'difference over half its 95 % interval'\nunset "
-      "ylabel\n"
+      ")\nset xlabel 'difference over half its 95 % interval'\nunset ylabel\n"
       "set arrow from -1,graph 0 to -1,graph 1 nohead dt 2 lc rgb '#555555'\n"
       "set arrow from 1,graph 0 to 1,graph 1 nohead dt 2 lc rgb '#555555'\n"
       "plot $values using (strcol(3) eq 'not determined'?NaN:$1<-3.8?-3.8:($1>3.8?3.8:$1)):2 with points pt "

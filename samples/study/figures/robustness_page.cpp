@@ -143,18 +143,16 @@ std::string robustness_page(const RobustnessStudy& study, const std::vector<Figu
   std::string page = page_start("Haptic retargeting by touch: people as they are");
   page +=
       "<p>" + prose(condition_words(study)) +
-      " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with "
-      "the paper's controller, which assumes w<sub>T</sub> = 0.15; five times with ours, which does not know "
-      "the "
+      " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with the "
+      "paper's controller, which assumes w<sub>T</sub> = 0.15; five times with ours, which does not know the "
       "person at first and carries what it learns; and once with ours informed of the person's "
       "traits.</p>\n<p>Whether a person can hold the gap does not depend on the controller: their largest "
-      "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges "
-      "within 60° of the motion. The felt error is the largest difference between the direction that the "
-      "person feels and the virtual target's; 4.5° is noticed in vision, no threshold is published for "
+      "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges within 60° "
+      "of the motion. The felt error is the largest difference between the direction that the person feels "
+      "and the virtual target's; 4.5° is noticed in vision, no threshold is published for "
       "touch.</p>\n<p>Unreachable: reported so by then. A silent miss ends off target without a flag; a "
       "false alarm ends on target and is flagged unreachable or off target. In brackets: 95 % intervals, "
-      "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound "
-      "it.</p>\n";
+      "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound it.</p>\n";
   for (std::size_t i = 0; i < figures.size(); ++i)
     page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i]) +
             folded("The numbers (open them to print them; all are in robustness.csv)",
