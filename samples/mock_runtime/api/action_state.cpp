@@ -32,10 +32,9 @@ ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* 
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
   if (!session.player) return session.input.state(action, info->subactionPath);
-  const RecordedState played = session.player->state(
-      action.full_name(),
-      info->subactionPath == XR_NULL_PATH ? "" : session.instance().paths.text(info->subactionPath));
-  return {played.active, played.changed, played.value, played.last_change};
+  return session.player->state(action.full_name(), info->subactionPath == XR_NULL_PATH
+                                                       ? ""
+                                                       : session.instance().paths.text(info->subactionPath));
 }
 
 template <typename State>

@@ -75,9 +75,9 @@ HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fing
   return held;
 }
 
-// Joints that the recorded application was not given have no valid bit.
-void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
-                 XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
+// Joints that are not given have no valid bit.
+void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
+                  XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
   if (state != nullptr) {
     state->isActive = joints.active ? XR_TRUE : XR_FALSE;
     state->dataSource = static_cast<XrHandTrackingDataSourceEXT>(joints.source);
@@ -90,6 +90,51 @@ void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& location
       velocities->jointVelocities[i] =
           i < joints.velocities.size() ? joints.velocities[i] : XrHandJointVelocityEXT{};
   }
+}
+
+RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
+                                const XrHandJointsLocateInfoEXT& info) {
+  Session& session = tracker.session();
+  World& world = session.world();
+  const bool around_controller =
+      conforms(session.instance(), info.next) && holds_controller(session, tracker.hand);
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
+  const auto hand = world.hand(tracker.hand, info.time);
+  const auto base_in_world = base.in_world(info.time);
+  const auto source = world.hand_source(tracker.hand) == HandSource::controller
+                          ? XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT
+                          : XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
+  RecordedJoints given{focused && hand && base_in_world && tracker.takes(source), source, {}, {}};
+  if (!given.active) return given;
+  const Pose from_world = inverse(*base_in_world);
+  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers, around_controller);
+  // Where bending fingers alone would bring them.
+  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
+  const XrSpaceLocationFlags position_tracked =
+      base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const Velocities kind = world.velocities();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
+                                   XR_SPACE_LOCATION_POSITION_VALID_BIT |
+                                   XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
+                               to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)});
+    if (kind == Velocities::none) continue;
+    XrHandJointVelocityEXT& velocity = given.velocities.emplace_back();
+    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+    if (kind == Velocities::zero) continue;
+    const Eigen::Vector3d linear =
+        hand->index_tip_velocity_m_per_s +
+        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m) +
+        (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
+    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
+    if (kind == Velocities::full)
+      velocity.angularVelocity =
+          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
+  }
+  return given;
 }
 
 }  // namespace
@@ -137,63 +182,9 @@ void locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT
   if (!session.instance().enabled(Extension::data_source)) state = nullptr;
   require(state == nullptr || tracker.sources, XR_ERROR_VALIDATION_FAILURE,
           "the tracker was created without XrHandTrackingDataSourceInfoEXT");
-  if (session.player) {
-    play_joints(session.player->joints(tracker.hand, base.name, info->time), *locations, velocities, state);
-    return;
-  }
-  const bool around_controller =
-      conforms(session.instance(), info->next) && holds_controller(session, tracker.hand);
-
-  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
-  // input focus."
-  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
-  const auto hand = session.world().hand(tracker.hand, info->time);
-  const auto base_in_world = base.in_world(info->time);
-  const auto source = session.world().hand_source(tracker.hand) == HandSource::controller
-                          ? XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT
-                          : XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
-  const bool active = focused && hand && base_in_world && tracker.takes(source);
-  if (state != nullptr) {
-    state->isActive = active ? XR_TRUE : XR_FALSE;
-    state->dataSource = source;
-  }
-  locations->isActive = active ? XR_TRUE : XR_FALSE;
-  if (!active) {
-    for (std::uint32_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
-      locations->jointLocations[i] = {0, to_xr(Pose{}), 0.0F};
-      if (velocities != nullptr) velocities->jointVelocities[i] = {};
-    }
-    return;
-  }
-
-  const Pose from_world = inverse(*base_in_world);
-  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers, around_controller);
-  // Where bending fingers alone would bring them.
-  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const XrSpaceLocationFlags position_tracked =
-        base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    locations->jointLocations[i] = {
-        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
-        to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
-    if (velocities == nullptr) continue;
-    const Velocities kind = session.world().velocities();
-    velocities->jointVelocities[i] = {};
-    if (kind == Velocities::none) continue;
-    XrHandJointVelocityEXT& velocity = velocities->jointVelocities[i];
-    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
-    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
-    if (kind == Velocities::zero) continue;
-    const Eigen::Vector3d linear =
-        hand->index_tip_velocity_m_per_s +
-        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m) +
-        (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
-    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
-    if (kind == Velocities::full)
-      velocity.angularVelocity =
-          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
-  }
+  const RecordedJoints joints = session.player ? session.player->joints(tracker.hand, base.name, info->time)
+                                               : simulated_joints(tracker, base, *info);
+  write_joints(joints, *locations, velocities, state);
 }
 
 }  // namespace hrt::mock

@@ -16,6 +16,23 @@ void require_hand(XrHandEXT hand) {
   require(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such hand");
 }
 
+// In what is played back or in the simulation.
+RecordedTruth truth_of(Session& session, XrHandEXT hand) {
+  if (session.player) {
+    const auto played = session.player->truth(hand);
+    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
+    return *played;
+  }
+  World& world = session.world();
+  const Reach* reach = world.reach(hand);
+  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
+  return {
+      {reach->true_direction_deg(), reach->perceived_direction_deg(), reach->peak_felt_error_deg(),
+       reach->outermost_direction_deg(1.0), reach->outermost_direction_deg(-1.0), reach->tactile_weight()},
+      to_xr(world.true_index_tip_m(hand)),
+      reach->done()};
+}
+
 }  // namespace
 
 void place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
@@ -73,31 +90,15 @@ void get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* truth) 
   auto& session = runtime().registry.get<Session>(handle);
   require_hand(hand);
   require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
-  if (session.player) {
-    const auto played = session.player->truth(hand);
-    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
-    const auto& numbers = played->numbers;
-    truth->trueDirection = numbers[0];
-    truth->perceivedDirection = numbers[1];
-    truth->peakFeltError = numbers[2];
-    truth->leftmostDirection = numbers[3];
-    truth->rightmostDirection = numbers[4];
-    truth->tactileWeight = numbers[5];
-    truth->indexTip = played->index_tip;
-    truth->isDone = played->done ? XR_TRUE : XR_FALSE;
-    return;
-  }
-  World& world = session.world();
-  const Reach* reach = world.reach(hand);
-  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
-  truth->trueDirection = reach->true_direction_deg();
-  truth->perceivedDirection = reach->perceived_direction_deg();
-  truth->indexTip = to_xr(world.true_index_tip_m(hand));
-  truth->peakFeltError = reach->peak_felt_error_deg();
-  truth->leftmostDirection = reach->outermost_direction_deg(1.0);
-  truth->rightmostDirection = reach->outermost_direction_deg(-1.0);
-  truth->tactileWeight = reach->tactile_weight();
-  truth->isDone = reach->done() ? XR_TRUE : XR_FALSE;
+  const RecordedTruth given = truth_of(session, hand);
+  truth->trueDirection = given.numbers[0];
+  truth->perceivedDirection = given.numbers[1];
+  truth->peakFeltError = given.numbers[2];
+  truth->leftmostDirection = given.numbers[3];
+  truth->rightmostDirection = given.numbers[4];
+  truth->tactileWeight = given.numbers[5];
+  truth->indexTip = given.index_tip;
+  truth->isDone = given.done ? XR_TRUE : XR_FALSE;
 }
 
 }  // namespace hrt::mock

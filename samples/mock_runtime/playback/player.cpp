@@ -260,8 +260,8 @@ bool Player::synced(bool otherwise) {
   return session_.synced.empty() ? otherwise : read(session_.synced, present_);
 }
 
-RecordedState Player::state(const std::string& action, const std::string& subaction) {
-  return read_of(session_.states, std::pair(action, subaction), present_).value_or(RecordedState{});
+ActionState Player::state(const std::string& action, const std::string& subaction) {
+  return read_of(session_.states, std::pair(action, subaction), present_).value_or(ActionState{});
 }
 
 std::string Player::profile(const std::string& top_level) {
