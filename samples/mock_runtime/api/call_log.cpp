@@ -55,9 +55,7 @@ void CallLog::append(CallRecord record) {
 void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
                   XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
-  for (std::uint32_t i = 0; i < capacity && records != nullptr; ++i)
-    require_struct(&records[i], XR_TYPE_CALL_RECORD_HRTX, "records");
-  two_call(runtime().log.records(), capacity, count, records,
+  two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
            [](XrCallRecordHRTX& to, const CallRecord& from) {
              to.time = from.time;
              to.result = from.result;

@@ -51,12 +51,11 @@ void enumerate_instance_extension_properties(const char* layer, std::uint32_t ca
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i)) present.push_back(extensions[i]);
-  for (std::uint32_t i = 0; i < capacity && properties != nullptr; ++i)
-    require_struct(&properties[i], XR_TYPE_EXTENSION_PROPERTIES, "properties");
-  two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
-    std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
-    to.extensionVersion = from.version;
-  });
+  two_call(present, capacity, count, properties, XR_TYPE_EXTENSION_PROPERTIES, "properties",
+           [](XrExtensionProperties& to, const ExtensionInfo& from) {
+             std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
+             to.extensionVersion = from.version;
+           });
 }
 
 void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {

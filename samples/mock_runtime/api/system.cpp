@@ -78,13 +78,12 @@ void enumerate_view_configuration_views(XrInstance handle, XrSystemId system, Xr
   runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
-  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
-    require_struct(&views[i], XR_TYPE_VIEW_CONFIGURATION_VIEW, "views");
-  two_call(std::array{0, 1}, capacity, count, views, [](XrViewConfigurationView& view, int) {
-    view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
-    view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
-    view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
-  });
+  two_call(std::array{0, 1}, capacity, count, views, XR_TYPE_VIEW_CONFIGURATION_VIEW, "views",
+           [](XrViewConfigurationView& view, int) {
+             view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
+             view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
+             view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
+           });
 }
 
 }  // namespace hrt::mock

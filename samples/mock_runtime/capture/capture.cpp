@@ -333,40 +333,33 @@ void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
   note(of_session("synced").add(present_).add(result == XR_SUCCESS));
 }
 
-void Capture::note_state(const XrActionStateGetInfo& info, bool active, bool changed, XrTime last_change,
-                         float x, float y) {
-  note(of_session("action")
-           .add(present_)
-           .add(actions_[info.action])
-           .add(path_text(info.subactionPath))
-           .add(active)
-           .add(changed)
-           .add(last_change)
-           .add(x)
-           .add(y));
+template <typename State>
+void Capture::note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value) {
+  Record record = of_session("action");
+  record.add(present_).add(actions_[info.action]).add(path_text(info.subactionPath));
+  record.add(state.isActive == XR_TRUE).add(state.changedSinceLastSync == XR_TRUE).add(state.lastChangeTime);
+  note(record.add(value.x).add(value.y));
 }
 
 void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                             const XrActionStateBoolean* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F);
+  note_state(*info, *state, {state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F});
 }
 
 void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                           const XrActionStateFloat* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState, 0.0F);
+  note_state(*info, *state, {state->currentState, 0.0F});
 }
 
 void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                            const XrActionStateVector2f* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState.x, state->currentState.y);
+  note_state(*info, *state, state->currentState);
 }
 
 void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                          const XrActionStatePose* state) {
-  note_state(*info, state->isActive == XR_TRUE, false, 0, 0.0F, 0.0F);
+  const XrActionStateFloat without_value{.isActive = state->isActive};
+  note_state(*info, without_value, {0.0F, 0.0F});
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
