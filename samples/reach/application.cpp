@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "samples/format.h"
 #include "samples/reach/at_end.h"
 #include "samples/reach/calibrate.h"
 #include "samples/reach/choice.h"
 #include "samples/reach/conditions.h"
-#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
 #include "samples/reach/make_plate.h"
 #include "samples/reach/output/calibration_text.h"

@@ -6,9 +6,9 @@
 #include <future>
 #include <string>
 
+#include "samples/format.h"
 #include "samples/reach/at_end.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 
 namespace hrt::reach {
 namespace {

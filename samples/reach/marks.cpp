@@ -5,8 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 
 namespace hrt::reach {
 namespace {

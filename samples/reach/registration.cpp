@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {

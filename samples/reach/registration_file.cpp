@@ -1,6 +1,7 @@
 #include "samples/reach/registration_file.h"
 
 #include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -10,9 +11,9 @@
 #include <string>
 #include <utility>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
-#include "samples/reach/whole_file.h"
+#include "samples/whole_file.h"
 
 namespace hrt::reach {
 namespace {
@@ -130,7 +131,8 @@ void write_registration(const std::filesystem::path& file, const RegisteredPlate
     }
     text += "\n";
   }
-  write_whole_file(file, text);
+  if (const int error = write_whole_file(file, text); error != 0)
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
 }
 
 RegisteredPlate read_registration(const std::filesystem::path& file) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {

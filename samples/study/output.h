@@ -33,12 +33,8 @@ std::string read_file(const std::filesystem::path& path);
 /// "cannot write `path`: ..." with the text of an errno.
 std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 
-/// Puts `content` in the place of `path` in one step: it is written to a temporary file beside it, which is
-/// then renamed. Throws std::runtime_error, and leaves nothing behind, if that fails.
+/// write_whole_file() (samples/whole_file.h). Throws std::runtime_error if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);
-
-/// Writes all of `content` to an open file. Returns 0, or errno.
-int write_all(int file, std::string_view content);
 
 /// Where a subcommand's result goes: a file, or standard output for an empty path. Made before the work, so
 /// that a place that can't be written is known at once.

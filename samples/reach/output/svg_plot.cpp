@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/text.h"
 
 namespace hrt::reach {

@@ -5,7 +5,7 @@
 #include <thread>
 #include <utility>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/reach/interrupt.h"
 
 namespace hrt::reach {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <system_error>
 
-namespace hrt::reach {
+namespace hrt {
 
 /// printf into a string, cut after 511 bytes.
 template <class... Values>
@@ -26,4 +26,4 @@ inline std::optional<double> number_in(std::string_view text, double low, double
   return is_number && value >= low && value <= high ? std::optional(value) : std::nullopt;
 }
 
-}  // namespace hrt::reach
+}  // namespace hrt
