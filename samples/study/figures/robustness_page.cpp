@@ -82,18 +82,14 @@ constexpr int columns = 8;
 
 // A sort of people, whether they can hold the gap or not, under each controller.
 std::string group_rows(const RobustnessRow& row, bool can_hold) {
-  const auto of = [&](Leading leading) -> const ReachGroup& {
-    const RobustnessCell& cell = row.cell(leading);
-    return can_hold ? cell.can_hold : cell.cannot_hold;
-  };
-  const std::uint64_t people = of(Leading::none).near.of;
+  const std::uint64_t people = row.cell(Leading::none).group(can_hold).near.of;
   if (people == 0) return "";
   std::string html = "<tr class=\"head\"><td colspan=\"" + std::to_string(columns) + "\"><b>" +
                      escaped(label(row.people)) + "</b>: " + escaped(row.people.says) + "; " +
                      std::to_string(people) + (can_hold ? " can hold the gap" : " cannot hold the gap") +
                      "</td></tr>\n";
   for (const Leading leading : leadings) {
-    const ReachGroup& group = of(leading);
+    const ReachGroup& group = row.cell(leading).group(can_hold);
     const bool flags = leading != Leading::none;
     html += leading == leadings.back() ? "<tr class=\"last\">" : "<tr>";
     html += "<td>" + escaped(leading_title(leading)) + "</td>" + cell(group.near) +
