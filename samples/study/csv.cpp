@@ -1,6 +1,7 @@
 #include "samples/study/csv.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace hrt::study {
 namespace {
@@ -26,7 +27,7 @@ std::string shown(std::string_view text) {
   return std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "");
 }
 
-CsvReader::CsvReader(const std::string& name, std::string_view text) : name_(name), rest_(text) {
+CsvReader::CsvReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {
   if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
 }
 

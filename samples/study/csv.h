@@ -16,7 +16,7 @@ namespace hrt::study {
 class CsvReader {
  public:
   /// `name` is the file's name in errors.
-  CsvReader(const std::string& name, std::string_view text);
+  CsvReader(std::string name, std::string_view text);
 
   /// Goes to the next line that is not blank; false after the last one.
   bool next();
