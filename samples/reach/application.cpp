@@ -7,10 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "samples/format.h"
+#include "samples/reach/at_end.h"
 #include "samples/reach/calibrate.h"
 #include "samples/reach/choice.h"
 #include "samples/reach/conditions.h"
-#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
 #include "samples/reach/make_plate.h"
 #include "samples/reach/output/calibration_text.h"
@@ -83,17 +84,6 @@ class Run {
   }
 
  private:
-  // The plate that put_in_order() stops.
-  struct Turning {
-    Turning(Run& of, Plate& plate) : run(of) { run.turning_ = &plate; }
-    ~Turning() { run.turning_ = nullptr; }
-    Turning(const Turning&) = delete;
-    Turning& operator=(const Turning&) = delete;
-    Turning(Turning&&) = delete;
-    Turning& operator=(Turning&&) = delete;
-    Run& run;
-  };
-
   bool is_done() const { return calibration_ ? calibrated_.has_value() : next_ == pairs_.size(); }
   std::size_t slides_made() const { return calibration_ ? calibration_->slides() : next_; }
 
@@ -135,7 +125,8 @@ class Run {
     }
     const std::unique_ptr<Plate> plate =
         make_plate(options_.plate, simulation ? &*simulation : nullptr, session, runtime.name());
-    const Turning turning(*this, *plate);
+    turning_ = plate.get();
+    const AtEnd not_turning([this] { turning_ = nullptr; });
     is_simulated_ = instructed != nullptr;
     print_header_once(runtime, *plate);
 
@@ -301,8 +292,8 @@ class Run {
   std::optional<RunFiles> files_;
   std::size_t next_ = 0;
   int unfinished_in_a_row_ = 0;
-  bool checked_ = false;  // the registration, before the next reach
-  Plate* turning_ = nullptr;
+  bool checked_ = false;      // the registration, before the next reach
+  Plate* turning_ = nullptr;  // which put_in_order() stops
   bool header_printed_ = false;
   bool is_simulated_ = false;
   Tally tally_;

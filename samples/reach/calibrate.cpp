@@ -6,8 +6,9 @@
 #include <future>
 #include <string>
 
+#include "samples/format.h"
+#include "samples/reach/at_end.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 
 namespace hrt::reach {
 namespace {
@@ -136,22 +137,12 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool t
   }
   const XrTime began = next_frame(stage);
   plugin_.check(plugin_.hrt_calibration_begin_trial(calibration_, plate_orientation_deg));
-  struct Trial {
-    explicit Trial(GuidedCalibration& of) : calibration(of) {}
-    ~Trial() {
-      if (!ended) calibration.plugin_.hrt_calibration_cancel_trial(calibration.calibration_);
-    }
-    Trial(const Trial&) = delete;
-    Trial& operator=(const Trial&) = delete;
-    Trial(Trial&&) = delete;
-    Trial& operator=(Trial&&) = delete;
-    GuidedCalibration& calibration;
-    bool ended = false;
-  } trial(*this);
+  bool ended = false;
+  const AtEnd cancel([&] {
+    if (!ended) plugin_.hrt_calibration_cancel_trial(calibration_);
+  });
   if (stage.simulation != nullptr) {
-    Point start_m = targets_.start_m;
-    start_m[1] += tip_height_m;
-    stage.simulation->instruct(hand, start_m, goal_direction_deg, distance_m_);
+    instruct(stage, hand, goal_direction_deg, distance_m_);
   }
   std::vector<Moment> moments;
   std::optional<XrTime> done_since;
@@ -163,16 +154,8 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool t
       stage.tell_user("The plate has moved: this slide does not count.");
       return false;
     }
-    hrt_sample sample{.struct_size = sizeof sample};
-    sample.time_ns = time;
-    if (tip.tracked) {
-      sample.flags = HRT_SAMPLE_PLATE_POSITION;
-      std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
-    }
-    if (turns) {
-      sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-      sample.plate_orientation_deg = measured_deg.value_or(commanded_deg);
-    }
+    const hrt_sample sample =
+        sample_of(time, tip, turns ? std::optional(measured_deg.value_or(commanded_deg)) : std::nullopt);
     plugin_.check(plugin_.hrt_calibration_add_sample(calibration_, &sample));
     const double share = (targets_.start_m[2] - tip.position_m[2]) / distance_m_;
     if (turns && tip.tracked) {
@@ -181,23 +164,19 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool t
       if (wanted_deg != commanded_deg) stage.plate.command(time, wanted_deg);
       commanded_deg = wanted_deg;
     }
-    Moment moment{};
-    moment.time = time;
-    moment.tracked = tip.tracked;
-    moment.position_m = tip.position_m;
-    moments.push_back(moment);
+    moments.push_back({.time = time, .tracked = tip.tracked, .position_m = tip.position_m});
     if (stage.simulation != nullptr && stage.simulation->truth(hand).done && !done_since) done_since = time;
-    const bool ended = stage.simulation != nullptr
-                           ? done_since && time - *done_since >= settle_ns
-                           : is_at_rest(moments, began, targets_.start_m, distance_m_ / 2.0, settle_ns);
-    if (!ended) continue;
+    const bool arrived = stage.simulation != nullptr
+                             ? done_since && time - *done_since >= settle_ns
+                             : is_at_rest(moments, began, targets_.start_m, distance_m_ / 2.0, settle_ns);
+    if (!arrived) continue;
     const auto lost =
         std::count_if(moments.begin(), moments.end(), [](const Moment& m) { return !m.tracked; });
     if (4 * lost > static_cast<std::ptrdiff_t>(moments.size())) {
       stage.tell_user("The tracker lost the fingertip: this slide does not count.");
       return false;
     }
-    trial.ended = true;
+    ended = true;
     plugin_.check(plugin_.hrt_calibration_end_trial(calibration_));
     return true;
   }
@@ -216,31 +195,19 @@ CalibrationOutcome GuidedCalibration::run(Stage& stage, std::ostream& out) {
                1e3 * distance_m_, turning_left_ > 0 ? "24 to 52" : "12 to 40",
                std::ceil(minutes_of(limit_ns_)), static_cast<double>(stage.time_limit_ns) * 1e-9));
   }
-  // However it ends, the plate stops.
-  struct Spent {
-    Spent(GuidedCalibration& of, Plate& turned, XrTime began_at)
-        : calibration(of), plate(turned), began(began_at), now(began_at) {}
-    ~Spent() {
-      calibration.spent_ns_ += now - began;
-      try {
-        plate.stop(now);
-      } catch (const std::exception&) {
-        // A failure is already being reported, or the slides are complete without the plate.
-      }
+  XrTime now = began;
+  const AtEnd stop([&] {
+    spent_ns_ += now - began;
+    try {
+      stage.plate.stop(now);
+    } catch (const std::exception&) {
+      // A failure is already being reported, or the slides are complete without the plate.
     }
-    Spent(const Spent&) = delete;
-    Spent& operator=(const Spent&) = delete;
-    Spent(Spent&&) = delete;
-    Spent& operator=(Spent&&) = delete;
-    GuidedCalibration& calibration;
-    Plate& plate;
-    XrTime began;
-    XrTime now;
-  } spent(*this, stage.plate, began);
+  });
   for (;;) {
     const Next next = next_slide(stage);
-    spent.now = next_frame(stage);
-    const XrDuration spent_ns = spent_ns_ + (spent.now - began);
+    now = next_frame(stage);
+    const XrDuration spent_ns = spent_ns_ + (now - began);
     if (!asks_for_more() || spent_ns > limit_ns_) return solve(stage);
     turn_plate(stage, next.plate_orientation_deg);
     stage.tell_user(

@@ -5,7 +5,7 @@
 #include <ctime>
 #include <iostream>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 
 namespace hrt::reach {
 namespace {

@@ -3,8 +3,8 @@
 #include <chrono>
 #include <thread>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 
 namespace hrt::reach {
 

@@ -2,10 +2,10 @@
 
 #include <chrono>
 
+#include "samples/format.h"
 #include "samples/reach/device_plate.h"
 #include "samples/reach/exit_code.h"
 #include "samples/reach/followed_plate.h"
-#include "samples/reach/format.h"
 #include "samples/reach/runtime_plate.h"
 #include "samples/reach/simulated_servo.h"
 

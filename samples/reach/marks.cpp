@@ -1,11 +1,11 @@
 #include "samples/reach/marks.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <sstream>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
 
 namespace hrt::reach {
@@ -61,9 +61,9 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
     for (double& coordinate_m : mark.position_m) {
       std::string cell;
       std::getline(cells, cell, ',');
-      const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), coordinate_m);
-      if (error != std::errc() || end != cell.data() + cell.size() || !(std::abs(coordinate_m) <= farthest_m))
-        refuse(file, number, "\"" + cell + "\" is not a number of metres within 1");
+      const std::optional<double> value_m = number_in(cell, -farthest_m, farthest_m);
+      if (!value_m) refuse(file, number, "\"" + cell + "\" is not a number of metres within 1");
+      coordinate_m = *value_m;
     }
     marks.push_back(mark);
     if (marks.size() > most_marks) refuse(file, number, "there are more than 40 marks");

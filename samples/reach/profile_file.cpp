@@ -1,10 +1,12 @@
 #include "samples/reach/profile_file.h"
 
+#include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
 
 #include "samples/reach/exit_code.h"
+#include "samples/whole_file.h"
 
 namespace hrt::reach {
 
@@ -22,16 +24,8 @@ void save_profile(const Plugin& plugin, hrt_session session, const std::filesyst
   std::string text(length + 1, '\0');
   plugin.check(plugin.hrt_profile_save(session, text.size(), text.data(), &length));
   text.back() = '\n';
-  const std::filesystem::path unfinished = file.string() + ".unfinished";
-  std::ofstream stream(unfinished, std::ios::binary);
-  stream << text << std::flush;
-  stream.close();
-  std::error_code error;
-  if (stream) std::filesystem::rename(unfinished, file, error);
-  if (stream && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(unfinished, ignored);
-  throw Failure(ExitCode::output, file.string() + " cannot be written");
+  if (const int error = write_whole_file(file, text); error != 0)
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
 }
 
 }  // namespace hrt::reach

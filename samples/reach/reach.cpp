@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {
@@ -49,16 +49,7 @@ class ActiveReach {
 
   hrt_command update(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg) {
     time_ = time;
-    hrt_sample sample{.struct_size = sizeof sample};
-    sample.time_ns = time;
-    if (tip.tracked) {
-      sample.flags |= HRT_SAMPLE_PLATE_POSITION;
-      std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
-    }
-    if (plate_orientation_deg) {
-      sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-      sample.plate_orientation_deg = *plate_orientation_deg;
-    }
+    const hrt_sample sample = sample_of(time, tip, plate_orientation_deg);
     hrt_command command{.struct_size = sizeof command};
     stage_.plugin.check(stage_.plugin.hrt_reach_update(stage_.targets.session, &sample, &command));
     return command;
@@ -210,9 +201,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
   FingerInUse finger(stage, first, began);
   ActiveReach reach(stage, pair, began);
   if (stage.simulation != nullptr) {
-    Point start_m = stage.targets.start_m;
-    start_m[1] += tip_height_m;
-    stage.simulation->instruct(first, start_m, pair.virtual_direction_deg, pair.real_distance_m);
+    instruct(stage, first, pair.virtual_direction_deg, pair.real_distance_m);
   }
 
   std::vector<Moment> moments;

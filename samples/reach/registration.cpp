@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {
@@ -154,9 +154,13 @@ hrt_fingertip find_fingertip(Stage& stage, const Mark& mark, Hand hand) {
                 "more differently, or leave out --fingertip");
 }
 
+XrPosef pose_of(const hrt_registration& registration) {
+  return to_xr(registration.plate_position_m, registration.plate_rotation);
+}
+
 void apply(Stage& stage, const RegisteredPlate& plate, XrTime time) {
   stage.plugin.check(stage.plugin.hrt_registration_apply(stage.targets.session, &plate.registration, time));
-  stage.session.place_plate(plate.space, pose_of(plate));
+  stage.session.place_plate(plate.space, pose_of(plate.registration));
 }
 
 // What became of the touches, for a person.
@@ -176,13 +180,6 @@ void report(Stage& stage, std::span<const Mark> marks, const hrt_registration& f
 }
 
 }  // namespace
-
-XrPosef pose_of(const RegisteredPlate& plate) {
-  const auto f = [](double value) { return static_cast<float>(value); };
-  const double(&p)[3] = plate.registration.plate_position_m;
-  const double(&q)[4] = plate.registration.plate_rotation;
-  return {{f(q[0]), f(q[1]), f(q[2]), f(q[3])}, {f(p[0]), f(p[1]), f(p[2])}};
-}
 
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertips) {
   hrt_registration_config config{.struct_size = sizeof config};
@@ -255,7 +252,7 @@ void check_plate(Stage& stage, const RegisteredPlate& plate) {
             format("and %.0f mm are allowed; touch it again, or register the plate anew (--register)",
                    millimetres * check.allowed_m));
   stage.tell_user(format("It is: the touch was %.0f mm off.", millimetres * check.distance_m));
-  stage.session.place_plate(plate.space, pose_of(plate));
+  stage.session.place_plate(plate.space, pose_of(plate.registration));
 }
 
 }  // namespace hrt::reach

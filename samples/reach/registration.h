@@ -18,9 +18,6 @@ struct RegisteredPlate {
   std::array<hrt_fingertip, 2> fingertips{};
 };
 
-/// The pose of its mount in its space.
-XrPosef pose_of(const RegisteredPlate& plate);
-
 /// Asks for a touch of each mark on the terminal, in the session's steady space, until they fit: three times
 /// at most. Places the session's plate space there. With `fingertips`, asks before for touches of the first
 /// mark by each of the stage's hands, in different attitudes, and from then on locates their skin. Throws

@@ -1,18 +1,19 @@
 #include "samples/reach/registration_file.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <span>
 #include <sstream>
 #include <string>
 #include <utility>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
+#include "samples/whole_file.h"
 
 namespace hrt::reach {
 namespace {
@@ -85,13 +86,14 @@ class Reader {
   }
 
   void numbers(const char* name, std::span<double> values) {
+    constexpr double finite = std::numeric_limits<double>::max();
     std::istringstream words(rest(name));
     std::string word;
     for (double& value : values) {
       words >> word;
-      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-      if (!words || error != std::errc() || end != word.data() + word.size() || !std::isfinite(value))
-        refuse(std::string(name) + " is not " + std::to_string(values.size()) + " numbers");
+      const std::optional<double> number = words ? number_in(word, -finite, finite) : std::nullopt;
+      if (!number) refuse(std::string(name) + " is not " + std::to_string(values.size()) + " numbers");
+      value = *number;
     }
     if (words >> word)
       refuse(std::string(name) + " has more than " + std::to_string(values.size()) + " numbers");
@@ -107,10 +109,6 @@ class Reader {
   std::optional<std::string> ahead_;  // read, and not yet taken
   int number_ = 0;
 };
-
-[[noreturn]] void fail_to_write(const std::filesystem::path& file) {
-  throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(errno));
-}
 
 }  // namespace
 
@@ -133,18 +131,8 @@ void write_registration(const std::filesystem::path& file, const RegisteredPlate
     }
     text += "\n";
   }
-  // A reader finds the old file or the whole new one.
-  std::filesystem::path fresh = file;
-  fresh += ".new";
-  errno = 0;
-  std::ofstream stream(fresh);
-  if (!(stream << text << std::flush)) fail_to_write(fresh);
-  stream.close();
-  std::error_code error;
-  std::filesystem::rename(fresh, file, error);
-  if (!error) return;
-  std::filesystem::remove(fresh, error);
-  fail_to_write(file);
+  if (const int error = write_whole_file(file, text); error != 0)
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
 }
 
 RegisteredPlate read_registration(const std::filesystem::path& file) {

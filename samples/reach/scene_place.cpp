@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 
 namespace hrt::reach {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/person/sighting.h"
 
 namespace hrt::reach {
@@ -34,6 +34,26 @@ Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
   stage.plugin.check(stage.plugin.hrt_fingertip_place(&skin, &joint, &placed));
   std::copy_n(placed.finger_position_m, 3, tip.position_m.begin());
   return tip;
+}
+
+hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg) {
+  hrt_sample sample{.struct_size = sizeof sample};
+  sample.time_ns = time;
+  if (tip.tracked) {
+    sample.flags |= HRT_SAMPLE_PLATE_POSITION;
+    std::copy(tip.position_m.begin(), tip.position_m.end(), sample.finger_position_m);
+  }
+  if (plate_orientation_deg) {
+    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.plate_orientation_deg = *plate_orientation_deg;
+  }
+  return sample;
+}
+
+void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m) {
+  Point start_m = stage.targets.start_m;
+  start_m[1] += tip_height_m;
+  stage.simulation->instruct(hand, start_m, direction_deg, distance_m);
 }
 
 XrTime next_frame(Stage& stage) {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -59,6 +60,12 @@ std::string within_s(XrDuration limit_ns);
 
 /// The fingertip: the skin that touches if its offset from the joint is known, else the joint.
 Fingertip locate(const Stage& stage, Hand hand, XrTime time);
+
+/// What the plugin is given of a frame.
+hrt_sample sample_of(XrTime time, const Fingertip& tip, std::optional<double> plate_orientation_deg);
+
+/// Has the simulated user slide from the start.
+void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);
 
 /// The next frame, with the plate served and the user attended to.
 XrTime next_frame(Stage& stage);

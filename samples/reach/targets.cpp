@@ -35,17 +35,17 @@ class LoadedScene {
   hrt_scene scene_{};
 };
 
-XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]) {
-  const auto f = [](double value) { return static_cast<float>(value); };
-  return {{f(rotation[0]), f(rotation[1]), f(rotation[2]), f(rotation[3])},
-          {f(position_m[0]), f(position_m[1]), f(position_m[2])}};
-}
-
 std::array<double, 3> to_array(const double (&v)[3]) {
   return {v[0], v[1], v[2]};
 }
 
 }  // namespace
+
+XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]) {
+  const auto f = [](double value) { return static_cast<float>(value); };
+  return {{f(rotation[0]), f(rotation[1]), f(rotation[2]), f(rotation[3])},
+          {f(position_m[0]), f(position_m[1]), f(position_m[2])}};
+}
 
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,
                        const hrt_session_config& config) {

@@ -36,6 +36,9 @@ struct TargetSet {
   std::vector<TargetPair> pairs;  ///< one a virtual target, in the scene's order
 };
 
+/// A pose of the plugin's, as OpenXR has it.
+XrPosef to_xr(const double (&position_m)[3], const double (&rotation)[4]);
+
 /// Loads the scene and makes the session from `config`, in which the scene sets the start and the plate.
 /// Throws Failure: ExitCode::scene, ExitCode::plugin.
 TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_file,

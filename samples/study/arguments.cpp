@@ -104,6 +104,11 @@ bool NumberRange::contains(double value) const {
   return (low_allowed ? value >= low : value > low) && (high_allowed ? value <= high : value < high);
 }
 
+std::optional<double> NumberRange::parse(std::string_view words) const {
+  const auto value = study::parse<double>(words);
+  return value && contains(*value) ? value : std::nullopt;
+}
+
 std::string NumberRange::text() const {
   if (whole) return "a whole number from " + number(low) + " to " + number(high);
   return std::string("a number in ") + (low_allowed ? "[" : "(") + number(low) + ", " + number(high) +
@@ -137,10 +142,9 @@ CLI::Option* add_value(CLI::App& app, const std::string& name, const std::string
 CLI::Option* add_number(CLI::App& app, const std::string& name, double* value, NumberRange range,
                         const std::string& help) {
   return add_value(app, name, range.text(), number(*value), help, [value, range](const std::string& text) {
-    const auto parsed = parse<double>(text);
-    if (!parsed || !range.contains(*parsed)) return false;
-    *value = *parsed;
-    return true;
+    const auto parsed = range.parse(text);
+    if (parsed) *value = *parsed;
+    return parsed.has_value();
   });
 }
 
@@ -160,9 +164,8 @@ CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<dou
   return add_value(app, name, "a list a,b,c or first:last:count, each " + range.text(), joined(*values), help,
                    [values, range](const std::string& text) {
                      const auto list = parse_list(text);
-                     if (!list) return false;
-                     for (const double value : *list)
-                       if (!range.contains(value)) return false;
+                     const auto is_allowed = [&](double value) { return range.contains(value); };
+                     if (!list || !std::all_of(list->begin(), list->end(), is_allowed)) return false;
                      *values = *list;
                      return true;
                    });

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -37,7 +38,8 @@ struct NumberRange {
   bool whole = false;             ///< whole numbers only
 
   bool contains(double value) const;
-  std::string text() const;  ///< "a number in (0, 0.5)"
+  std::optional<double> parse(std::string_view words) const;  ///< nothing unless it is one of them
+  std::string text() const;                                   ///< "a number in (0, 0.5)"
 };
 
 inline constexpr NumberRange tactile_weight_range{0.0, 0.5, false, false};

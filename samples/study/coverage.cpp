@@ -7,6 +7,8 @@
 #include "core/simulation/calibration_trial.h"
 #include "core/slide_plan.h"
 #include "core/trigonometry.h"
+#include "samples/study/output.h"
+#include "samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -104,32 +106,36 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
   const auto result = calibrate(trials, {.variances = false});
   const auto* found = std::get_if<Calibration>(&result);
   person.refused = found == nullptr;
-  if (!found) return person;
-  person.fits = found->fits();
+  if (!found) {
+    for (Interval& unknown : person.found) unknown.known = false;
+    return person;
+  }
   person.found = {found->tactile_weight, found->bias_deg, found->habit_deg, found->largest_gap_deg};
   person.lack_of_fit = found->lack_of_fit;
-  person.family = found->illusion.family;
-  person.outlying = found->count(SlideVerdict::outlying);
-  person.along_ridges = found->count(SlideVerdict::along_ridges);
   return person;
 }
 
+void Tally::add(const Interval& found, double truth, double error_of_value) {
+  known.count(found.known);
+  if (!found.known) return;
+  covered.count(found.lower <= truth && truth <= found.upper);
+  error += error_of_value;
+  width += found.upper - found.lower;
+}
+
+std::string Tally::covered_text(std::size_t columns) const {
+  const PercentInterval range = covered.interval();
+  return cell(covered.percent(), 0, columns) +
+         left(covered.of > 0 ? " (" + between(range.low, range.high, 0) + ")" : "", 9);
+}
+
 void Coverage::add(const CoveragePerson& person) {
-  ++people;
-  refused += person.refused;
-  if (person.refused) return;
-  angle += person.lack_of_fit.angle_p < least_fit_p;
-  order += person.lack_of_fit.order_p < least_fit_p;
-  path += person.lack_of_fit.path_p < least_fit_p;
-  for (std::size_t i = 0; i < quantities; ++i) {
-    const Interval& found = person.found[i];
-    if (!found.known) continue;
-    Of& of_this = of[i];
-    ++of_this.known;
-    of_this.covered += found.lower <= person.truth[i] && person.truth[i] <= found.upper;
-    of_this.error += found.value - person.truth[i];
-    of_this.width += found.upper - found.lower;
-  }
+  refused.count(person.refused);
+  angle.count(person.lack_of_fit.angle_p < least_fit_p);
+  order.count(person.lack_of_fit.order_p < least_fit_p);
+  path.count(person.lack_of_fit.path_p < least_fit_p);
+  for (std::size_t i = 0; i < quantities; ++i)
+    of[i].add(person.found[i], person.truth[i], person.found[i].value - person.truth[i]);
 }
 
 }  // namespace hrt::study

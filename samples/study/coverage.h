@@ -10,6 +10,7 @@
 
 #include "core/calibration.h"
 #include "core/simulation/people.h"
+#include "samples/study/statistics.h"
 
 namespace hrt::study {
 
@@ -39,14 +40,10 @@ inline constexpr const char* quantity_name[quantities] = {"w_T", "bias", "habit"
 
 /// One person: truth and interval of each quantity.
 struct CoveragePerson {
-  bool refused = false;
-  bool fits = false;
+  bool refused = false;  ///< no calibration: there are no intervals
   std::array<double, quantities> truth{};
   std::array<Interval, quantities> found{};
   LackOfFit lack_of_fit;
-  CurveFamily family = CurveFamily::linear;
-  std::size_t outlying = 0;
-  std::size_t along_ridges = 0;
 };
 
 /// The slides of person `index` of a kind, in order, and the truth about them.
@@ -55,18 +52,27 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
 
 CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session, std::uint32_t index);
 
+/// One quantity of many people: how often its intervals hold the truth.
+struct Tally {
+  Share known;
+  Share covered;       ///< of the known
+  double error = 0.0;  ///< sum over the known
+  double width = 0.0;  ///< sum over the known
+
+  /// `error_of_value` counts if the value is known.
+  void add(const Interval& found, double truth, double error_of_value);
+  /// Means over the known; NaN without any.
+  double mean_error() const { return error / static_cast<double>(known.hits); }
+  double mean_width() const { return width / static_cast<double>(known.hits); }
+  /// The percentage covered, in `columns` characters, and its 95 % interval in 9: " 98 (77-99) ".
+  std::string covered_text(std::size_t columns) const;
+};
+
 /// Of people of one kind.
 struct Coverage {
-  std::uint64_t people = 0;
-  std::uint64_t refused = 0;
-  std::uint64_t angle = 0, order = 0, path = 0;  ///< with lack of fit of each sort
-  struct Of {
-    std::uint64_t known = 0;
-    std::uint64_t covered = 0;  ///< of the known
-    double error = 0.0;         ///< sum over the known
-    double width = 0.0;         ///< sum over the known
-  };
-  std::array<Of, quantities> of{};
+  Share refused;
+  Share angle, order, path;  ///< with lack of fit of each sort
+  std::array<Tally, quantities> of;
 
   void add(const CoveragePerson& person);
 };

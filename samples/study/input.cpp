@@ -25,7 +25,7 @@ std::string read_input(const std::string& argument, const std::string& path, std
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
     if (text.size() > most_bytes)
-      throw refuse("this one is larger than " + std::to_string(most_bytes) + " bytes");
+      throw refuse("this one is larger than " + std::to_string(most_bytes >> 20) + " MiB");
   } while (file);
   if (file.bad()) throw refuse("reading fails");
   return text;

@@ -6,12 +6,15 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <sstream>
 
 #include "samples/study/arguments.h"
+#include "samples/text.h"
+#include "samples/whole_file.h"
 
 namespace hrt::study {
 namespace {
@@ -19,10 +22,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int bar_width = 30;
-
-std::filesystem::path temporary_beside(const std::filesystem::path& path) {
-  return path.parent_path() / ("." + path.filename().string() + "." + std::to_string(getpid()) + ".tmp");
-}
 
 }  // namespace
 
@@ -39,16 +38,29 @@ std::string fixed(double value, int decimals) {
   return {text.data(), end};
 }
 
-std::string wrapped(const std::string& words) {
+std::string cell(double value, int decimals, std::size_t width) {
+  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
+}
+
+std::string between(double low, double high, int decimals, const std::string& dash) {
+  const auto bound = [&](double value) { return std::isnan(value) ? "?" : fixed(value, decimals); };
+  return bound(low) + dash + bound(high);
+}
+
+std::string wrapped(const std::string& words, std::size_t width, const std::string& first,
+                    const std::string& indent) {
   std::string page;
-  std::string line;
+  std::string line = first;
+  std::string space;  // before every word of a line except the first one
   std::istringstream stream(words);
   for (std::string word; stream >> word;) {
-    if (line.size() + word.size() > 109) {
+    if (line.size() + space.size() + word.size() > width) {
       page += line + '\n';
-      line.clear();
+      line = indent;
+      space.clear();
     }
-    line += (line.empty() ? "" : " ") + word;
+    line += space + word;
+    space = " ";
   }
   return page + line + '\n';
 }
@@ -64,25 +76,8 @@ std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
   return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
 }
 
-int write_all(int file, std::string_view content) {
-  while (!content.empty()) {
-    const ssize_t written = write(file, content.data(), content.size());
-    if (written < 0 && errno != EINTR) return errno;
-    if (written > 0) content.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return 0;
-}
-
 void replace_file(const std::filesystem::path& path, std::string_view content) {
-  const std::filesystem::path temporary = temporary_beside(path);
-  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  if (file < 0) throw cannot_write(path, errno);
-  int error = write_all(file, content);
-  if (close(file) != 0 && error == 0) error = errno;
-  if (error == 0 && rename(temporary.c_str(), path.c_str()) != 0) error = errno;
-  if (error == 0) return;
-  unlink(temporary.c_str());
-  throw cannot_write(path, error);
+  if (const int error = write_whole_file(path, content); error != 0) throw cannot_write(path, error);
 }
 
 Output::Output(const std::string& argument, const std::string& path) {

@@ -17,8 +17,15 @@ std::string number(double value);
 /// `value` with `decimals` digits after the point.
 std::string fixed(double value, int decimals);
 
-/// Words in lines of at most 110 characters.
-std::string wrapped(const std::string& words);
+/// fixed(), with spaces before it to `width` characters; "-" for NaN.
+std::string cell(double value, int decimals, std::size_t width);
+
+/// "0.38-0.47", with `dash` in between; "?" for NaN, a bound that is unknown.
+std::string between(double low, double high, int decimals, const std::string& dash = "-");
+
+/// Words in lines of at most `width` characters, the first after `first`, the others after `indent`.
+std::string wrapped(const std::string& words, std::size_t width = 110, const std::string& first = "",
+                    const std::string& indent = "");
 
 /// The content of a file; empty if it can't be read.
 std::string read_file(const std::filesystem::path& path);
@@ -26,12 +33,8 @@ std::string read_file(const std::filesystem::path& path);
 /// "cannot write `path`: ..." with the text of an errno.
 std::runtime_error cannot_write(const std::filesystem::path& path, int error);
 
-/// Puts `content` in the place of `path` in one step: it is written to a temporary file beside it, which is
-/// then renamed. Throws std::runtime_error, and leaves nothing behind, if that fails.
+/// write_whole_file() (samples/whole_file.h). Throws std::runtime_error if that fails.
 void replace_file(const std::filesystem::path& path, std::string_view content);
-
-/// Writes all of `content` to an open file. Returns 0, or errno.
-int write_all(int file, std::string_view content);
 
 /// Where a subcommand's result goes: a file, or standard output for an empty path. Made before the work, so
 /// that a place that can't be written is known at once.

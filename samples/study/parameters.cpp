@@ -82,6 +82,15 @@ Condition make_condition(const ParameterValues& values, double real_direction_de
   return condition;
 }
 
+Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
+                         double virtual_direction_deg) {
+  Condition condition = make_condition(default_values(), real_direction_deg, virtual_direction_deg);
+  condition.participant.motor_variance_deg2 = motor_variance_deg2;
+  condition.participant.tactile_weight = tactile_weight;
+  condition.controller.participant = condition.participant;
+  return condition;
+}
+
 ParameterValues values_of(const Condition& condition) {
   const Participant& participant = condition.participant;
   const MpcConfig& mpc = condition.controller.mpc;

@@ -32,6 +32,11 @@ ParameterValues default_values();
 Condition make_condition(const ParameterValues& values, double real_direction_deg,
                          double virtual_direction_deg);
 
+/// As condition 1 of Table I, except for the person's motor variance and tactile weight, which the controller
+/// knows.
+Condition make_condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
+                         double virtual_direction_deg);
+
 /// The values of a condition, with an assumed weight of NaN replaced.
 ParameterValues values_of(const Condition& condition);
 

@@ -1,7 +1,6 @@
 #include "samples/study/person_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -9,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/arguments.h"
+#include "samples/study/csv.h"
 #include "samples/study/input.h"
 #include "samples/study/output.h"
 #include "samples/text.h"
@@ -18,7 +17,6 @@ namespace hrt::study {
 namespace {
 
 constexpr std::size_t most_bytes = 1 << 20;
-constexpr std::size_t longest_shown = 40;
 
 using C = PersonCondition;
 
@@ -109,16 +107,6 @@ std::string all_names() {
   return text;
 }
 
-std::string shown(std::string_view text) {
-  return std::string(text.substr(0, longest_shown)) + (text.size() > longest_shown ? "..." : "");
-}
-
-std::string_view trimmed(std::string_view text) {
-  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
-  text.remove_suffix(text.size() - (text.find_last_not_of(" \t") + 1));
-  return text;
-}
-
 // Collects parameters; `where` is file and line in errors.
 class Taker {
  public:
@@ -151,11 +139,10 @@ class Taker {
   }
 
   void take_number(const std::string& where, const NumberParameter& parameter, std::string_view text) {
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !parameter.range.contains(value))
+    const std::optional<double> value = parameter.range.parse(text);
+    if (!value)
       throw UsageError(not_allowed(where + ", " + parameter.name, shown(text), parameter.range.text()));
-    parameter.set(file_.condition, value);
+    parameter.set(file_.condition, *value);
     if (std::string_view(parameter.name) == "duration_s") file_.has_duration = true;
   }
 
@@ -163,37 +150,28 @@ class Taker {
   std::set<std::string> seen_;
 };
 
-std::string at_line(const std::string& name, std::size_t line) {
-  return name + ", line " + std::to_string(line);
-}
-
 PersonFile parse_csv(const std::string& name, std::string_view text) {
   Taker taker;
   bool has_header = false;
-  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    std::string_view line = text.substr(0, end);
-    text.remove_prefix(std::min(end + 1, text.size()));
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (trimmed(line).empty() || trimmed(line).front() == '#') continue;
-    const std::string where = at_line(name, line_number);
-    const auto parts = split(line, ',');
-    if (!has_header) {
-      has_header = true;
-      if (parts.size() != 2 || trimmed(parts[0]) != "name" || trimmed(parts[1]) != "value")
-        throw UsageError(not_allowed(where, shown(line), "the header name,value, or JSON"));
-      continue;
+  for (CsvReader csv(name, text); csv.next();) {
+    if (csv.line().starts_with('#')) continue;
+    const auto& fields = csv.fields();
+    if (has_header) {
+      if (fields.size() != 2)
+        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "a name, a comma and a value"));
+      taker.take(csv.where(), fields[0], fields[1]);
+    } else {
+      has_header = fields.size() == 2 && fields[0] == "name" && fields[1] == "value";
+      if (!has_header)
+        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "the header name,value, or JSON"));
     }
-    if (parts.size() != 2) throw UsageError(not_allowed(where, shown(line), "a name, a comma and a value"));
-    taker.take(where, trimmed(parts[0]), trimmed(parts[1]));
   }
   return taker.finish(name);
 }
 
-// The line of a byte of the text, from 1.
-std::size_t line_of(std::string_view text, std::size_t at) {
-  return 1 + static_cast<std::size_t>(std::count(
-                 text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(at, text.size())), '\n'));
+std::size_t line_of(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte);
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
 PersonFile parse_json(const std::string& name, std::string_view text) {
@@ -201,30 +179,29 @@ PersonFile parse_json(const std::string& name, std::string_view text) {
   Taker taker;
   std::string key;
   std::size_t from = 0;  // of the text: keys come in its order
+  const auto where = [&] { return line_of_file(name, line_of(text, from)); };
   const auto take = [&](int depth, json::parse_event_t event, json& value) {
     if (event == json::parse_event_t::key) {
       key = value.get<std::string>();
       const std::size_t at = text.find(json(key).dump(), from);
       from = at == std::string_view::npos ? from : at + 1;
     } else if (depth >= 1 && (event != json::parse_event_t::value || depth > 1)) {
-      throw UsageError(not_allowed(at_line(name, line_of(text, from)), shown(key), "a number or a word"));
+      throw UsageError(not_allowed(where(), shown(key), "a number or a word"));
     } else if (depth == 1) {
       const bool is_word = value.is_string();
       if (!is_word && !value.is_number())
-        throw UsageError(not_allowed(at_line(name, line_of(text, from)) + ", " + shown(key),
-                                     shown(value.dump()), "a number or a word"));
-      taker.take(at_line(name, line_of(text, from)), key, is_word ? value.get<std::string>() : value.dump());
+        throw UsageError(not_allowed(where() + ", " + shown(key), shown(value.dump()), "a number or a word"));
+      taker.take(where(), key, is_word ? value.get<std::string>() : value.dump());
     }
     return true;
   };
   try {
     [[maybe_unused]] const json page = json::parse(text, take);
   } catch (const json::parse_error& error) {
-    throw UsageError(at_line(name, line_of(text, error.byte == 0 ? 0 : error.byte - 1)) +
+    throw UsageError(line_of_file(name, line_of(text, error.byte == 0 ? 0 : error.byte - 1)) +
                      ": this is not JSON; it must be an object of names and values");
   } catch (const json::exception&) {
-    throw UsageError(at_line(name, line_of(text, from)) +
-                     ": a number is too large or a text is not UTF-8; see the allowed values");
+    throw UsageError(where() + ": a number is too large or a text is not UTF-8; see the allowed values");
   }
   return taker.finish(name);
 }

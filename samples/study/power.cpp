@@ -1,10 +1,10 @@
 #include "samples/study/power.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <numeric>
-#include <thread>
+
+#include "samples/study/parallel.h"
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
@@ -87,20 +87,11 @@ std::vector<PairedReaches> simulate_pool(
     std::span<const PeopleFamily* const> families, const PoolOptions& options,
     const std::function<void(std::uint64_t done, std::uint64_t total)>& progress) {
   std::vector<PairedReaches> pool(families.size() * options.people);
-  std::atomic<std::uint64_t> next = 0;
-  std::atomic<std::uint64_t> done = 0;
-  const auto work = [&](bool reports) {
-    for (std::uint64_t i = next++; i < pool.size(); i = next++) {
-      pool[i] =
-          simulate(*families[i / options.people], options, static_cast<std::uint32_t>(i % options.people));
-      ++done;
-      if (reports && progress) progress(done, pool.size());
-    }
+  const auto work = [&](std::uint64_t i) {
+    pool[i] =
+        simulate(*families[i / options.people], options, static_cast<std::uint32_t>(i % options.people));
   };
-  std::vector<std::jthread> others;
-  for (std::uint64_t i = 1; i < options.threads; ++i) others.emplace_back(work, false);
-  work(true);
-  others.clear();
+  for_each_part(pool.size(), options.threads, work, progress);
   return pool;
 }
 

@@ -1,7 +1,5 @@
 #include "samples/study/power_study.h"
 
-#include <sstream>
-
 #include <nlohmann/json.hpp>
 
 #include "samples/study/output.h"
@@ -38,23 +36,8 @@ Quantile median_error(const std::vector<PairedReaches>& pool, std::vector<double
 }
 
 std::string with_interval(const Quantile& quantile, int decimals) {
-  return fixed(quantile.value, decimals) + " (" + fixed(quantile.low, decimals) + " to " +
-         fixed(quantile.high, decimals) + ")";
-}
-
-// Lines of at most 100 characters, the first after "- ".
-std::string item(const std::string& words) {
-  std::string page;
-  std::string line = "-";
-  std::istringstream stream(words);
-  for (std::string word; stream >> word;) {
-    if (line.size() + 1 + word.size() > 100) {
-      page += line + '\n';
-      line = " ";
-    }
-    line += ' ' + word;
-  }
-  return page + line + '\n';
+  return fixed(quantile.value, decimals) + " (" + between(quantile.low, quantile.high, decimals, " to ") +
+         ")";
 }
 
 std::string power_line(const PowerRow& row, const std::string& effect, bool needed) {
@@ -134,7 +117,8 @@ std::string people_text(const PeopleNeeded& needed, const std::string& dash) {
 
 std::string power_text(const PowerStudy& study) {
   std::string page = "Simulated trials of simulated people; there was no human trial. Assumptions:\n\n";
-  for (const std::string& assumption : power_assumptions(study.options)) page += item(assumption);
+  for (const std::string& assumption : power_assumptions(study.options))
+    page += wrapped(assumption, 100, "- ", "  ");
   page +=
       "\nThe simulated people (95 % intervals of the pool):\n  reaches   mean error, median over people, "
       "deg: with, without   difference, deg: mean           SD\n";

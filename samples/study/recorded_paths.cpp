@@ -1,15 +1,12 @@
 #include "samples/study/recorded_paths.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/arguments.h"
-#include "samples/study/output.h"
+#include "samples/study/csv.h"
 #include "samples/study/participants.h"
 
 namespace hrt::study {
@@ -18,7 +15,6 @@ namespace {
 constexpr std::string_view recording_start = "# haptic retargeting recording, version ";
 constexpr std::string_view readable_version = "3";
 constexpr std::string_view config_start = "# config ";
-constexpr std::size_t longest_shown = 40;
 
 // Of a sample's flags: plugin/include/haptic_retargeting/reach.h.
 constexpr unsigned direction_flag = 1;
@@ -27,76 +23,41 @@ constexpr unsigned measured_plate_flag = 4;
 constexpr unsigned lifted_flag = 8;
 constexpr unsigned world_position_flag = 16;
 
-constexpr std::array column_names{"call",
-                                  "result",
-                                  "time_ns",
-                                  "sample_flags",
-                                  "sample_x_m",
-                                  "sample_y_m",
-                                  "sample_z_m",
-                                  "measured_plate_deg",
-                                  "real_direction_deg",
-                                  "virtual_direction_deg",
-                                  "real_distance_m",
-                                  "start_right_m",
-                                  "start_away_m",
-                                  "plate_orientation_deg"};
-enum Column {
-  call,
-  result,
-  time,
-  flags,
-  x,
-  y,
-  z,
-  measured,
-  real,
-  seen,
-  distance,
-  start_right,
-  start_away,
-  plate
-};
+constexpr const char* columns =
+    "call,result,time_ns,sample_flags,sample_x_m,sample_y_m,sample_z_m,measured_plate_deg,"
+    "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
+    "plate_orientation_deg";
 
 class Reader {
  public:
-  explicit Reader(const std::string& name) : name_(name) {}
+  Reader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
 
-  void read_line(std::string_view line) {
-    ++line_;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.starts_with(config_start)) return read_config(line.substr(config_start.size()));
-    if (line.empty() || line.front() == '#') return;
-    const std::vector<std::string_view> fields = split(line, ',');
-    if (fields_ == 0) return read_header(fields);
-    if (fields.size() != fields_)
-      throw wrong("columns", std::to_string(fields.size()),
-                  "as many as the header has, " + std::to_string(fields_));
-    read_row(fields);
-  }
-
-  RecordedPaths finish() {
+  RecordedPaths read() {
+    while (csv_.next()) {
+      if (csv_.line().starts_with(config_start))
+        read_config(csv_.line().substr(config_start.size()));
+      else if (csv_.line().starts_with('#'))
+        continue;
+      else if (csv_.has_header())
+        read_row();
+      else
+        csv_.take_header(columns, "the header of a recording");
+    }
     end_reach();
     return std::move(recorded_);
   }
 
  private:
-  UsageError wrong(const std::string& what, std::string_view text, const std::string& allowed) const {
-    std::string shown(text.substr(0, longest_shown));
-    if (text.size() > longest_shown) shown += "...";
-    return UsageError(not_allowed(name_ + ", line " + std::to_string(line_) + ", " + what, shown, allowed));
-  }
-
   void read_config(std::string_view text) {
     const auto config = nlohmann::json::parse(text, nullptr, false);
     const auto value = [&](const char* key, NumberRange range, double standard) {
       if (!config.contains(key)) return standard;
       const nlohmann::json& field = config[key];
       if (!field.is_number() || !range.contains(field.get<double>()))
-        throw wrong(std::string("config, ") + key, field.dump(), range.text());
+        throw csv_.wrong(std::string("config, ") + key, field.dump(), range.text());
       return field.get<double>();
     };
-    if (!config.is_object()) throw wrong("config", text, "a JSON object");
+    if (!config.is_object()) throw csv_.wrong("config", text, "a JSON object");
     const auto or_infinite = [](double limit) {
       return limit > 0.0 ? limit : std::numeric_limits<double>::infinity();
     };
@@ -108,61 +69,45 @@ class Reader {
     lift_height_m_ = value("lift_height_m", {0.0, 10.0}, 0.015);
   }
 
-  void read_header(const std::vector<std::string_view>& fields) {
-    for (std::size_t i = 0; i < column_names.size(); ++i) {
-      const auto found = std::find(fields.begin(), fields.end(), column_names[i]);
-      if (found == fields.end())
-        throw UsageError(name_ + ", line " + std::to_string(line_) + ", column " + column_names[i] +
-                         ": it is missing; the line must be the header of a recording");
-      places_[i] = static_cast<std::size_t>(found - fields.begin());
-    }
-    fields_ = fields.size();
+  double number_in(std::string_view column, const NumberRange& range) const {
+    return csv_.text(column).empty() ? 0.0 : csv_.number(column, range);  // recordings leave out zeros
   }
 
-  double number_in(const std::vector<std::string_view>& fields, Column column, NumberRange range) const {
-    const std::string_view text = fields[places_[column]];
-    if (text.empty()) return 0.0;  // as recordings leave out zeros
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !range.contains(value))
-      throw wrong(std::string("column ") + column_names[column], text, range.text());
-    return value;
-  }
-
-  void read_row(const std::vector<std::string_view>& fields) {
-    const std::string_view what = fields[places_[call]];
-    if (number_in(fields, result, {-1e9, 1e9}) != 0.0) return;  // a refused call
-    if (what == "begin") return begin(fields);
-    if (what == "update") return update(fields);
+  void read_row() {
+    csv_.take_row();
+    const std::string_view what = csv_.text("call");
+    if (number_in("result", {-1e9, 1e9}) != 0.0) return;  // a refused call
+    if (what == "begin") return begin();
+    if (what == "update") return update();
     if (what == "end" || what == "cancel") return end_reach();
     if (what == "retarget") why_ = "its targets moved";
   }
 
-  void begin(const std::vector<std::string_view>& fields) {
+  void begin() {
     end_reach();
     path_ = RecordedPath{.file = name_, .number = ++number_};
     path_->reach = {
-        .real_direction_deg = number_in(fields, real, direction_range),
-        .virtual_direction_deg = number_in(fields, seen, direction_range),
-        .plate_orientation_deg = number_in(fields, plate, plate_range),
-        .start = {number_in(fields, start_right, place_range), number_in(fields, start_away, place_range)},
-        .real_distance_m = number_in(fields, distance, place_range)};
+        .real_direction_deg = number_in("real_direction_deg", direction_range),
+        .virtual_direction_deg = number_in("virtual_direction_deg", direction_range),
+        .plate_orientation_deg = number_in("plate_orientation_deg", plate_range),
+        .start = {number_in("start_right_m", place_range), number_in("start_away_m", place_range)},
+        .real_distance_m = number_in("real_distance_m", place_range)};
     if (!is_valid(path_->reach, Participant{})) why_ = "its targets are not those of a reach";
     plate_.emplace(recorded_.plate, path_->reach.plate_orientation_deg);
     measured_ = 0;
   }
 
-  void update(const std::vector<std::string_view>& fields) {
+  void update() {
     if (!path_) return;
-    const double time_ns = number_in(fields, time, {-9e18, 9e18});
+    const double time_ns = number_in("time_ns", {-9e18, 9e18});
     const auto sample_flags =
-        static_cast<unsigned>(number_in(fields, flags, {.low = 0, .high = 1e9, .whole = true}));
+        static_cast<unsigned>(number_in("sample_flags", {.low = 0, .high = 1e9, .whole = true}));
     FingerSample sample{.time_ns = static_cast<std::int64_t>(time_ns)};
     if (!path_->samples.empty() && sample.time_ns < path_->samples.back().time_ns)
-      throw wrong("column time_ns", fields[places_[time]], "not before that of the row before");
-    const double right_m = number_in(fields, x, place_range);
-    const double height_m = number_in(fields, y, place_range);
-    const double towards_m = number_in(fields, z, place_range);
+      throw csv_.wrong("time_ns", "not before that of the row before");
+    const double right_m = number_in("sample_x_m", place_range);
+    const double height_m = number_in("sample_y_m", place_range);
+    const double towards_m = number_in("sample_z_m", place_range);
     if ((sample_flags & world_position_flag) != 0) why_ = "its positions are in the engine's world";
     if ((sample_flags & direction_flag) != 0) why_ = "it has directions and no positions";
     if ((sample_flags & lifted_flag) != 0) {
@@ -173,11 +118,11 @@ class Reader {
     }
     plate_->advance(sample.time_ns);
     if ((sample_flags & measured_plate_flag) != 0) {
-      plate_->report(number_in(fields, measured, plate_range));
+      plate_->report(number_in("measured_plate_deg", plate_range));
       ++measured_;
     }
     sample.plate_orientation_deg = plate_->orientation_deg();
-    plate_->command(number_in(fields, plate, plate_range));
+    plate_->command(number_in("plate_orientation_deg", plate_range));
     path_->samples.push_back(sample);
   }
 
@@ -202,9 +147,7 @@ class Reader {
   static constexpr NumberRange place_range{-10.0, 10.0};
 
   const std::string& name_;
-  std::size_t line_ = 0;
-  std::size_t fields_ = 0;
-  std::array<std::size_t, column_names.size()> places_{};
+  CsvReader csv_;
   double lift_height_m_ = 0.015;
   int number_ = 0;
   RecordedPaths recorded_;
@@ -248,13 +191,7 @@ RecordedPaths parse_recorded_paths(const std::string& name, std::string_view tex
   const std::string_view version = text.substr(recording_start.size(), 1);
   if (version != readable_version)
     throw UsageError(not_allowed(name + ", line 1, version", version, std::string(readable_version)));
-  Reader reader(name);
-  while (!text.empty()) {
-    const std::size_t end = std::min(text.find('\n'), text.size());
-    reader.read_line(text.substr(0, end));
-    text.remove_prefix(std::min(end + 1, text.size()));
-  }
-  return reader.finish();
+  return Reader(name, text).read();
 }
 
 }  // namespace hrt::study

@@ -21,8 +21,7 @@ namespace {
 constexpr std::size_t most_bytes = std::size_t{1} << 29;
 constexpr const char* open_loop_words =
     "Recorded paths in an open loop: the finger could not answer. A path, its end and its felt error are "
-    "those "
-    "of the plate that stood there, whatever our controller would have commanded.";
+    "those of the plate that stood there, whatever our controller would have commanded.";
 
 double last_bearing_deg(const RecordedPath& path) {
   PlatePoint last = path.reach.start;
@@ -135,12 +134,9 @@ std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vecto
           std::string(open_loop_words) +
           " Each file is taken as the reaches of one person, whom the controller does not know at first.") +
       "\nend: recorded bearing of the end less the real target's\nw_T, bias, habit: believed after the "
-      "reach, +- "
-      "standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our command less "
-      "where the "
-      "plate stood\nplate: measured, from recorded commands, or resting: calibration data, whose goal is "
-      "straight "
-      "ahead;\n  a real target " +
+      "reach, +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our "
+      "command less where the plate stood\nplate: measured, from recorded commands, or resting: calibration "
+      "data, whose goal is straight ahead;\n  a real target " +
       number(assumed_gap_deg) + " deg to its right is assumed\n\n" + left("file", 20) + right("reach", 6) +
       right("end, deg", 10) + right("w_T", 15) + right("bias, deg", 14) + right("habit, deg", 14) +
       right("felt, deg", 11) + right("turn, deg", 11) + "  plate      flags\n";

@@ -1,13 +1,12 @@
 #include "samples/study/robustness.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <thread>
 
 #include "core/interval.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
+#include "samples/study/parallel.h"
 
 namespace hrt::study {
 namespace {
@@ -134,23 +133,13 @@ std::vector<RobustnessRow> simulate_robustness(
     for (const double duration_s : options.durations_s)
       rows.push_back({.people = sort, .duration_s = duration_s, .cells = {}});
 
-  // A person is one thread's work, and has a place of their own: no result depends on the order.
   std::vector<PersonResults> reached(rows.size() * options.people);
-  std::atomic<std::uint64_t> next = 0;
-  std::atomic<std::uint64_t> done = 0;
-  const auto work = [&](bool reports) {
-    for (std::uint64_t i = next++; i < reached.size(); i = next++) {
-      const RobustnessRow& row = rows[i / options.people];
-      const auto index = static_cast<std::uint32_t>(i % options.people);
-      reached[i] = simulate(row.people.draw(row.duration_s, options.seed, index), options.seed, index);
-      ++done;
-      if (reports && progress) progress(done, reached.size());
-    }
+  const auto work = [&](std::uint64_t i) {
+    const RobustnessRow& row = rows[i / options.people];
+    const auto index = static_cast<std::uint32_t>(i % options.people);
+    reached[i] = simulate(row.people.draw(row.duration_s, options.seed, index), options.seed, index);
   };
-  std::vector<std::jthread> others;
-  for (std::uint64_t i = 1; i < options.threads; ++i) others.emplace_back(work, false);
-  work(true);
-  others.clear();
+  for_each_part(reached.size(), options.threads, work, progress);
 
   std::vector<ReachResult> results(options.people);
   for (std::size_t row = 0; row < rows.size(); ++row)

@@ -66,6 +66,9 @@ struct RobustnessCell {
   Share misfit;
   Share off_target;
   Share weight_covered;  ///< of those whose w_T was estimated
+
+  /// Of people who can hold the gap, or of those who cannot.
+  const ReachGroup& group(bool holds) const { return holds ? can_hold : cannot_hold; }
 };
 
 RobustnessCell summarise(std::span<const ReachResult> results);

@@ -76,16 +76,13 @@ std::string near_table(const RobustnessStudy& study) {
 // "0.42 (0.38-0.47)"; what too few values bound is left out.
 std::string with_interval(const Quantile& quantile, int decimals) {
   if (std::isnan(quantile.value)) return "-";
-  const auto bound = [&](double value) {
-    return std::isnan(value) ? std::string("?") : fixed(value, decimals);
-  };
-  return fixed(quantile.value, decimals) + " (" + bound(quantile.low) + "-" + bound(quantile.high) + ")";
+  return fixed(quantile.value, decimals) + " (" + between(quantile.low, quantile.high, decimals) + ")";
 }
 
 std::string with_interval(const Share& share) {
   if (share.of == 0) return "-";
   const PercentInterval interval = share.interval();
-  return fixed(share.percent(), 1) + " (" + fixed(interval.low, 1) + "-" + fixed(interval.high, 1) + ")";
+  return fixed(share.percent(), 1) + " (" + between(interval.low, interval.high, 1) + ")";
 }
 
 std::string flags_table(const Rows& all) {
@@ -124,11 +121,8 @@ std::string flags_table(const Rows& all) {
 std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   std::string page = people.name + ": " + people.says + '\n';
   for (const bool can_hold : {true, false}) {
-    const auto group = [&](const RobustnessRow& row, Leading leading) -> const ReachGroup& {
-      return can_hold ? row.cell(leading).can_hold : row.cell(leading).cannot_hold;
-    };
     const bool any = std::any_of(rows.begin(), rows.end(), [&](const RobustnessRow& row) {
-      return group(row, Leading::none).near.of > 0;
+      return row.cell(Leading::none).group(can_hold).near.of > 0;
     });
     if (!any) continue;
     page += std::string(can_hold ? "\nWho can hold the gap" : "\nWho cannot hold the gap") +
@@ -136,9 +130,9 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
             left("controller", 18) + right("near, %", 19) + right("miss: median, mm", 18) +
             right("95 %, mm", 18) + right("felt peak, deg", 18) + right("silent, %", 18) + '\n';
     for (const RobustnessRow& row : rows) {
-      if (group(row, Leading::none).near.of == 0) continue;
+      if (row.cell(Leading::none).group(can_hold).near.of == 0) continue;
       for (const Leading leading : leadings) {
-        const ReachGroup& of = group(row, leading);
+        const ReachGroup& of = row.cell(leading).group(can_hold);
         page += right(leading == Leading::none ? number(row.duration_s) : "", 4) + "  " +
                 left(leading_title(leading), 18) + right(with_interval(of.near), 19) +
                 right(with_interval(of.miss_median_mm, 1), 18) + right(with_interval(of.miss_95_mm, 1), 18) +
@@ -170,7 +164,7 @@ std::vector<std::pair<std::string, double>> numbers(const RobustnessCell& cell, 
                            {name + "_high" + unit, quantile.high}});
   };
   for (const bool can_hold : {true, false}) {
-    const ReachGroup& group = can_hold ? cell.can_hold : cell.cannot_hold;
+    const ReachGroup& group = cell.group(can_hold);
     const std::string whose = can_hold ? "" : "cannot_hold_";
     put_share(whose + "near", group.near);
     put_quantile(whose + "miss_median", "_mm", group.miss_median_mm);

@@ -5,8 +5,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/interval.h"
-
 namespace hrt::study {
 
 PercentInterval wilson_interval(double percent, double trials) {
@@ -16,6 +14,11 @@ PercentInterval wilson_interval(double percent, double trials) {
   const double centre = shrink * (p + z * z / (2.0 * trials));
   const double half = shrink * z * std::sqrt(p * (1.0 - p) / trials + z * z / (4.0 * trials * trials));
   return {100.0 * std::max(0.0, centre - half), 100.0 * std::min(1.0, centre + half)};
+}
+
+Interval in_thousandths(Interval interval) {
+  for (double* value : {&interval.value, &interval.lower, &interval.upper}) *value *= 1e3;
+  return interval;
 }
 
 void Share::count(bool hit) {

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/interval.h"
+
 namespace hrt::study {
 
 /// An interval of percentages.
@@ -15,6 +17,9 @@ struct PercentInterval {
 
 /// Wilson's 95 % interval for a proportion seen as `percent` of `trials` > 0 trials.
 PercentInterval wilson_interval(double percent, double trials);
+
+/// Of metres in millimetres, of seconds in milliseconds.
+Interval in_thousandths(Interval interval);
 
 /// A share, counted case by case.
 struct Share {

@@ -10,6 +10,7 @@
 
 #include "samples/study/arguments.h"
 #include "samples/study/output.h"
+#include "samples/whole_file.h"
 
 namespace hrt::study {
 namespace {

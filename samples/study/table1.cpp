@@ -21,10 +21,8 @@ constexpr double amplitudes_deg[] = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0};
 
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                     double virtual_direction_deg, std::uint64_t horizon) {
-  Condition condition = make_condition(default_values(), real_direction_deg, virtual_direction_deg);
-  condition.participant.motor_variance_deg2 = motor_variance_deg2;
-  condition.participant.tactile_weight = tactile_weight;
-  condition.controller.participant = condition.participant;
+  Condition condition =
+      make_condition(motor_variance_deg2, tactile_weight, real_direction_deg, virtual_direction_deg);
   condition.controller.mpc.horizon = static_cast<int>(horizon);
   return condition;
 }
@@ -102,6 +100,13 @@ void judge(CellGroup& group, const std::string& reason = {}) {
                                    : reason;
 }
 
+// "reproduced: 1.2 percentage points below", for a group that has been judged.
+std::string compared_words(const CellGroup& group, const CellGroup& other) {
+  const double gain_percent = group.mean_percent() - other.mean_percent();
+  return std::string(group.reproduced ? "reproduced" : "NOT reproduced") + ": " +
+         fixed(std::abs(gain_percent), 1) + " percentage points " + (gain_percent < 0.0 ? "below" : "above");
+}
+
 // The paper's 10 deg is the best amplitude if every other one is worse by more than chance.
 void judge_amplitudes(const std::vector<CellGroup*>& amplitudes) {
   const CellGroup& ten = **std::find_if(amplitudes.begin(), amplitudes.end(), [](const CellGroup* group) {
@@ -117,10 +122,8 @@ void judge_amplitudes(const std::vector<CellGroup*>& amplitudes) {
     const bool by_chance =
         squared_difference(group->mean_percent(), trials, ten.mean_percent(), trials) < significant;
     group->reproduced = gain_percent < 0.0 && !by_chance;
-    group->verdict = std::string(group->reproduced ? "reproduced" : "NOT reproduced") + ": " +
-                     fixed(std::abs(gain_percent), 1) + " percentage points " +
-                     (gain_percent < 0.0 ? "below" : "above") + " 10 deg" +
-                     (by_chance ? ", within chance" : "") + "; the paper calls 10 deg the best";
+    group->verdict = compared_words(*group, ten) + " 10 deg" + (by_chance ? ", within chance" : "") +
+                     "; the paper calls 10 deg the best";
   }
 }
 
@@ -143,13 +146,11 @@ void judge_claims(std::vector<CellGroup>& claims) {
       judge(claim);
       claim.verdict +=
           "; the paper's text calls 2 the standard deviation, the caption of its Fig. 7 the variance, which "
-          "is "
-          "what is simulated";
+          "is what is simulated";
     } else if (claim.name == "gap_12_within_5") {
       judge(claim,
             "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "
-            "within 5 deg; the "
-            "model agrees with the text");
+            "within 5 deg; the model agrees with the text");
     } else if (claim.name == "no_controller") {
       const BatchResult& result = claim.cells.front().result;
       const double final_deg = first.real_direction_deg + result.mean_miss_deg();
@@ -181,9 +182,7 @@ void judge_claims(std::vector<CellGroup>& claims) {
       // A longer window may gain imperceptibly, a shorter one must lose.
       const bool no_better = gain_percent < 1.0 || squared < significant;
       group->reproduced = horizon > 3 ? no_better : gain_percent < 0.0;
-      group->verdict = group->reproduced ? "reproduced" : "NOT reproduced";
-      group->verdict += ": " + fixed(std::abs(gain_percent), 1) + " percentage points " +
-                        (gain_percent < 0.0 ? "below" : "above") + " horizon 3";
+      group->verdict = compared_words(*group, three) + " horizon 3";
     }
   }
 }

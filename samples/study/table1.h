@@ -59,8 +59,7 @@ std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, st
 /// For whom chi-squared holds.
 inline constexpr const char* in_sample_words =
     "In-sample: the sensory variance (0.1 deg²), the bound on the plate (84.5 deg) and the number of steps "
-    "(30) "
-    "are not in the paper and were chosen to match these same cells, so p is too high.";
+    "(30) are not in the paper and were chosen to match these same cells, so p is too high.";
 
 /// Simulates all of it, with a progress bar.
 Table1 simulate_table1(const Table1Options& options);

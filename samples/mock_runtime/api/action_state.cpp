@@ -32,10 +32,9 @@ ActionState state_of(XrSession handle, const XrActionStateGetInfo* info, State* 
   const Action& action = attached_action(session, info->action, info->subactionPath);
   require(action.action_type == type, XR_ERROR_ACTION_TYPE_MISMATCH, "the action is of another type");
   if (!session.player) return session.input.state(action, info->subactionPath);
-  const RecordedState played = session.player->state(
-      action.full_name(),
-      info->subactionPath == XR_NULL_PATH ? "" : session.instance().paths.text(info->subactionPath));
-  return {played.active, played.changed, played.value, played.last_change};
+  return session.player->state(action.full_name(), info->subactionPath == XR_NULL_PATH
+                                                       ? ""
+                                                       : session.instance().paths.text(info->subactionPath));
 }
 
 template <typename State>
@@ -111,40 +110,34 @@ XrResult sync_actions(XrSession handle, const XrActionsSyncInfo* info) {
   return focused ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-XrResult get_action_state_boolean(XrSession handle, const XrActionStateGetInfo* info,
-                                  XrActionStateBoolean* out) {
+void get_action_state_boolean(XrSession handle, const XrActionStateGetInfo* info, XrActionStateBoolean* out) {
   const ActionState state =
       state_of(handle, info, out, XR_TYPE_ACTION_STATE_BOOLEAN, XR_ACTION_TYPE_BOOLEAN_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x > 0.0F ? XR_TRUE : XR_FALSE;
-  return XR_SUCCESS;
 }
 
-XrResult get_action_state_float(XrSession handle, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
+void get_action_state_float(XrSession handle, const XrActionStateGetInfo* info, XrActionStateFloat* out) {
   const ActionState state =
       state_of(handle, info, out, XR_TYPE_ACTION_STATE_FLOAT, XR_ACTION_TYPE_FLOAT_INPUT);
   copy_common(*out, state);
   out->currentState = state.value.x;
-  return XR_SUCCESS;
 }
 
-XrResult get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info,
-                                   XrActionStateVector2f* out) {
+void get_action_state_vector2f(XrSession handle, const XrActionStateGetInfo* info,
+                               XrActionStateVector2f* out) {
   const ActionState state =
       state_of(handle, info, out, XR_TYPE_ACTION_STATE_VECTOR2F, XR_ACTION_TYPE_VECTOR2F_INPUT);
   copy_common(*out, state);
   out->currentState = state.value;
-  return XR_SUCCESS;
 }
 
-XrResult get_action_state_pose(XrSession handle, const XrActionStateGetInfo* info, XrActionStatePose* out) {
+void get_action_state_pose(XrSession handle, const XrActionStateGetInfo* info, XrActionStatePose* out) {
   const ActionState state = state_of(handle, info, out, XR_TYPE_ACTION_STATE_POSE, XR_ACTION_TYPE_POSE_INPUT);
   out->isActive = state.active ? XR_TRUE : XR_FALSE;
-  return XR_SUCCESS;
 }
 
-XrResult get_current_interaction_profile(XrSession handle, XrPath top_level,
-                                         XrInteractionProfileState* state) {
+void get_current_interaction_profile(XrSession handle, XrPath top_level, XrInteractionProfileState* state) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(state, XR_TYPE_INTERACTION_PROFILE_STATE, "interactionProfile");
   const std::string& path = session.instance().paths.text(top_level);
@@ -153,24 +146,21 @@ XrResult get_current_interaction_profile(XrSession handle, XrPath top_level,
   if (session.player) {
     const std::string played = session.player->profile(path);
     state->interactionProfile = played.empty() ? XR_NULL_PATH : session.instance().paths.intern(played);
-    return XR_SUCCESS;
+    return;
   }
   state->interactionProfile = session.input.current_profile(path);
-  return XR_SUCCESS;
 }
 
-XrResult enumerate_bound_sources_for_action(XrSession handle,
-                                            const XrBoundSourcesForActionEnumerateInfo* info,
-                                            std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
+void enumerate_bound_sources_for_action(XrSession handle, const XrBoundSourcesForActionEnumerateInfo* info,
+                                        std::uint32_t capacity, std::uint32_t* count, XrPath* sources) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, "enumerateInfo");
   const Action& action = attached_action(session, info->action, XR_NULL_PATH);
   two_call(session.input.bound_sources(action), capacity, count, sources);
-  return XR_SUCCESS;
 }
 
-XrResult get_input_source_localized_name(XrSession handle, const XrInputSourceLocalizedNameGetInfo* info,
-                                         std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+void get_input_source_localized_name(XrSession handle, const XrInputSourceLocalizedNameGetInfo* info,
+                                     std::uint32_t capacity, std::uint32_t* count, char* buffer) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, "getInfo");
   constexpr XrInputSourceLocalizedNameFlags all = XR_INPUT_SOURCE_LOCALIZED_NAME_USER_PATH_BIT |
@@ -199,7 +189,6 @@ XrResult get_input_source_localized_name(XrSession handle, const XrInputSourceLo
     add(path.size() > top_level.size() ? std::string_view(path).substr(top_level.size() + 1) : "device");
   name.push_back('\0');
   two_call(name, capacity, count, buffer);
-  return XR_SUCCESS;
 }
 
 XrResult apply_haptic_feedback(XrSession handle, const XrHapticActionInfo* info,
@@ -220,7 +209,7 @@ XrResult stop_haptic_feedback(XrSession handle, const XrHapticActionInfo* info) 
   return session.state() == XR_SESSION_STATE_FOCUSED ? XR_SUCCESS : XR_SESSION_NOT_FOCUSED;
 }
 
-XrResult set_input_device_active(XrSession handle, XrPath profile, XrPath top_level, XrBool32 active) {
+void set_input_device_active(XrSession handle, XrPath profile, XrPath top_level, XrBool32 active) {
   auto& session = runtime().registry.get<Session>(handle);
   const auto* sources = find_profile(session.instance().paths.text(profile), session.instance().sources());
   require(sources != nullptr, XR_ERROR_PATH_UNSUPPORTED, "no such interaction profile");
@@ -231,36 +220,31 @@ XrResult set_input_device_active(XrSession handle, XrPath profile, XrPath top_le
           XR_ERROR_PATH_UNSUPPORTED, "the interaction profile has no such device");
   device.active = active != XR_FALSE;
   device.profile = profile;
-  return XR_SUCCESS;
 }
 
-XrResult set_input_device_state_bool(XrSession handle, XrPath top_level, XrPath source, XrBool32 state) {
+void set_input_device_state_bool(XrSession handle, XrPath top_level, XrPath source, XrBool32 state) {
   auto& session = runtime().registry.get<Session>(handle);
   Device& device = device_at(session, top_level);
   device.values[source_at(session, top_level, source, "", SourceKind::boolean)] =
       state != XR_FALSE ? 1.0F : 0.0F;
-  return XR_SUCCESS;
 }
 
-XrResult set_input_device_state_float(XrSession handle, XrPath top_level, XrPath source, float state) {
+void set_input_device_state_float(XrSession handle, XrPath top_level, XrPath source, float state) {
   auto& session = runtime().registry.get<Session>(handle);
   Device& device = device_at(session, top_level);
   device.values[source_at(session, top_level, source, "", SourceKind::scalar)] = state;
-  return XR_SUCCESS;
 }
 
-XrResult set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath source,
-                                         XrVector2f state) {
+void set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath source, XrVector2f state) {
   auto& session = runtime().registry.get<Session>(handle);
   Device& device = device_at(session, top_level);
   const std::string& text = source_at(session, top_level, source, "/x", SourceKind::scalar);
   device.values[text + "/x"] = state.x;
   device.values[text + "/y"] = state.y;
-  return XR_SUCCESS;
 }
 
-XrResult set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle,
-                                   XrPosef pose) {
+void set_input_device_location(XrSession handle, XrPath top_level, XrPath source, XrSpace space_handle,
+                               XrPosef pose) {
   auto& session = runtime().registry.get<Session>(handle);
   const auto& space = runtime().registry.get<Space>(space_handle);
   Device& device = device_at(session, top_level);
@@ -269,7 +253,6 @@ XrResult set_input_device_location(XrSession handle, XrPath top_level, XrPath so
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
   device.poses[text] = *in_world * in_space;
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

@@ -64,21 +64,19 @@ bool Action::has_subaction(XrPath path) const {
   return std::find(subactions.begin(), subactions.end(), path) != subactions.end();
 }
 
-XrResult create_action_set(XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* set) {
+void create_action_set(XrInstance handle, const XrActionSetCreateInfo* info, XrActionSet* set) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_ACTION_SET_CREATE_INFO, "createInfo");
   require_pointer(set, "actionSet");
   require_names<ActionSet>(instance, info->actionSetName, info->localizedActionSetName);
   *set = handle_of<XrActionSet>(runtime().registry.create<ActionSet>(&instance, *info));
-  return XR_SUCCESS;
 }
 
-XrResult destroy_action_set(XrActionSet handle) {
+void destroy_action_set(XrActionSet handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<ActionSet>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction* action) {
+void create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAction* action) {
   auto& set = runtime().registry.get<ActionSet>(handle);
   require_struct(info, XR_TYPE_ACTION_CREATE_INFO, "createInfo");
   require_pointer(action, "action");
@@ -97,16 +95,14 @@ XrResult create_action(XrActionSet handle, const XrActionCreateInfo* info, XrAct
   require_names<Action>(set, info->actionName, info->localizedActionName);
   require_subactions(static_cast<Instance&>(*set.parent()), *info);
   *action = handle_of<XrAction>(runtime().registry.create<Action>(&set, *info));
-  return XR_SUCCESS;
 }
 
-XrResult destroy_action(XrAction handle) {
+void destroy_action(XrAction handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<Action>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult suggest_interaction_profile_bindings(XrInstance handle,
-                                              const XrInteractionProfileSuggestedBinding* info) {
+void suggest_interaction_profile_bindings(XrInstance handle,
+                                          const XrInteractionProfileSuggestedBinding* info) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, "suggestedBindings");
   require(info->countSuggestedBindings > 0, XR_ERROR_VALIDATION_FAILURE, "no bindings are suggested");
@@ -125,10 +121,9 @@ XrResult suggest_interaction_profile_bindings(XrInstance handle,
     bindings.push_back({action.id(), binding.binding});
   }
   instance.suggestions[info->interactionProfile] = std::move(bindings);
-  return XR_SUCCESS;
 }
 
-XrResult attach_session_action_sets(XrSession handle, const XrSessionActionSetsAttachInfo* info) {
+void attach_session_action_sets(XrSession handle, const XrSessionActionSetsAttachInfo* info) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, "attachInfo");
   require(info->countActionSets > 0, XR_ERROR_VALIDATION_FAILURE, "no action sets are given");
@@ -139,7 +134,6 @@ XrResult attach_session_action_sets(XrSession handle, const XrSessionActionSetsA
   require(!session.input.is_attached(), XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
           "action sets are attached already");
   session.input.attach(sets, session.instance().suggestions);
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

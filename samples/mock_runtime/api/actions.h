@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/playback/recording.h"
 #include "samples/mock_runtime/world/pose_path.h"
 
 namespace hrt::mock {
@@ -58,14 +59,6 @@ struct Device {
   XrPath profile = XR_NULL_PATH;
   std::map<std::string, float> values;  ///< of boolean (0 or 1) and scalar sources
   std::map<std::string, Pose> poses;    ///< in the world
-};
-
-/// An action's state, for one subaction path or for all together (XR_NULL_PATH).
-struct ActionState {
-  bool active = false;
-  bool changed = false;
-  XrVector2f value{0.0F, 0.0F};  ///< y for vectors only
-  XrTime last_change = 0;
 };
 
 /// The input of a session.

@@ -52,12 +52,10 @@ void CallLog::append(CallRecord record) {
   if (records_.size() > remembered_calls) records_.pop_front();
 }
 
-XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
-                      XrCallRecordHRTX* records) {
+void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
+                  XrCallRecordHRTX* records) {
   runtime().registry.get_even_lost<Instance>(handle);
-  for (std::uint32_t i = 0; i < capacity && records != nullptr; ++i)
-    require_struct(&records[i], XR_TYPE_CALL_RECORD_HRTX, "records");
-  two_call(runtime().log.records(), capacity, count, records,
+  two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
            [](XrCallRecordHRTX& to, const CallRecord& from) {
              to.time = from.time;
              to.result = from.result;
@@ -66,7 +64,6 @@ XrResult get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* 
              to.thread = from.thread;
              std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
            });
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

@@ -3,7 +3,7 @@
 
 namespace hrt::mock {
 
-XrResult apply_script(XrInstance handle, const char* json) {
+void apply_script(XrInstance handle, const char* json) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_pointer(json, "json");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_CALL_ORDER_INVALID,
@@ -13,10 +13,9 @@ XrResult apply_script(XrInstance handle, const char* json) {
           "environment may have it");
   runtime().apply(json);
   instance.clock.set_kind(runtime().script.clock);
-  return XR_SUCCESS;
 }
 
-XrResult advance_time(XrInstance handle, XrDuration duration) {
+void advance_time(XrInstance handle, XrDuration duration) {
   constexpr XrDuration hour = 3'600'000'000'000;
   auto& instance = runtime().registry.get<Instance>(handle);
   require(duration >= 0 && duration <= hour, XR_ERROR_VALIDATION_FAILURE,
@@ -25,7 +24,6 @@ XrResult advance_time(XrInstance handle, XrDuration duration) {
           "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
   runtime().fire_due_events();
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

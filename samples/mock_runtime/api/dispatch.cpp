@@ -15,7 +15,7 @@ struct Row {
 };
 
 const Row table[] = {
-#define HRT_MOCK_ROW(name, implementation, extension)                                              \
+#define HRT_MOCK_ROW(name, implementation, extension, returned)                                    \
   {#name, reinterpret_cast<PFN_xrVoidFunction>(&Entry<FunctionId::name, &(implementation)>::call), \
    Extension::extension},
     HRT_MOCK_FUNCTIONS(HRT_MOCK_ROW)
@@ -30,7 +30,7 @@ bool needs_no_instance(const char* name) {
 
 }  // namespace
 
-XrResult get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunction* function) {
+void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunction* function) {
   require_pointer(function, "function");
   *function = nullptr;
   require_pointer(name, "name");
@@ -45,7 +45,7 @@ XrResult get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidF
       require(instance->enabled(row.extension), XR_ERROR_FUNCTION_UNSUPPORTED,
               "its extension or version is not enabled");
     *function = row.function;
-    return XR_SUCCESS;
+    return;
   }
   throw Error{XR_ERROR_FUNCTION_UNSUPPORTED, "no such function"};
 }

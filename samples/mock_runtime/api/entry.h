@@ -4,6 +4,7 @@
 #include <mutex>
 #include <new>
 #include <thread>
+#include <type_traits>
 
 #include "samples/mock_runtime/api/call_text.h"
 #include "samples/mock_runtime/api/runtime.h"
@@ -20,12 +21,12 @@ inline std::uint32_t thread_number(Runtime& the) {
 template <FunctionId id, auto implementation>
 struct Entry;
 
-template <FunctionId id, typename... Args, XrResult (*implementation)(Args...)>
+template <FunctionId id, typename Returned, typename... Args, Returned (*implementation)(Args...)>
 struct Entry<id, implementation> {
   static XRAPI_ATTR XrResult XRAPI_CALL call(Args... args) noexcept {
     Runtime& the = runtime();
     std::unique_lock lock(the.mutex);
-    CallRecord record{.function = name_of(id)};
+    CallRecord record{.function = name_of(id), .result = XR_SUCCESS};
     try {
       if (const auto fault = the.next_fault(id)) {
         if (fault->blocks) {
@@ -40,7 +41,10 @@ struct Entry<id, implementation> {
         if (fault->result) throw Error{*fault->result, "the script orders this error"};
       }
       the.fire_due_events();
-      record.result = implementation(args...);
+      if constexpr (std::is_void_v<Returned>)
+        implementation(args...);
+      else
+        record.result = implementation(args...);
     } catch (const Error& error) {
       record.result = error.result;
       record.why = error.why;

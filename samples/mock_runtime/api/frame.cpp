@@ -40,7 +40,7 @@ void require_layers(const XrFrameEndInfo& info, const Session& session) {
   }
 }
 
-XrResult play_frame(Session& session, XrFrameState& state) {
+void play_frame(Session& session, XrFrameState& state) {
   ++session.frame_number;
   const RecordedFrame frame = session.player->next_frame();
   session.fire_due_events();
@@ -48,12 +48,11 @@ XrResult play_frame(Session& session, XrFrameState& state) {
   state.predictedDisplayTime = frame.time;
   state.predictedDisplayPeriod = frame.period;
   state.shouldRender = frame.should_render ? XR_TRUE : XR_FALSE;
-  return XR_SUCCESS;
 }
 
 }  // namespace
 
-XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
+void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* state) {
   running_session(handle);
   if (info != nullptr) require_struct(info, XR_TYPE_FRAME_WAIT_INFO, "frameWaitInfo");
   require_struct(state, XR_TYPE_FRAME_STATE, "frameState");
@@ -82,7 +81,6 @@ XrResult wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState*
   state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
   state->predictedDisplayPeriod = frame_period;
   state->shouldRender = XR_FALSE;
-  return XR_SUCCESS;
 }
 
 XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
@@ -96,7 +94,7 @@ XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
   return discarded ? XR_FRAME_DISCARDED : XR_SUCCESS;
 }
 
-XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
+void end_frame(XrSession handle, const XrFrameEndInfo* info) {
   Session& session = running_session(handle);
   require_struct(info, XR_TYPE_FRAME_END_INFO, "frameEndInfo");
   require(session.frames.begun, XR_ERROR_CALL_ORDER_INVALID, "no xrBeginFrame goes with this xrEndFrame");
@@ -105,7 +103,6 @@ XrResult end_frame(XrSession handle, const XrFrameEndInfo* info) {
           XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is opaque");
   require_layers(*info, session);
   session.frames.begun = false;
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

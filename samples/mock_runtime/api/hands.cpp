@@ -75,9 +75,9 @@ HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fing
   return held;
 }
 
-// Joints that the recorded application was not given have no valid bit.
-void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
-                 XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
+// Joints that are not given have no valid bit.
+void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
+                  XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
   if (state != nullptr) {
     state->isActive = joints.active ? XR_TRUE : XR_FALSE;
     state->dataSource = static_cast<XrHandTrackingDataSourceEXT>(joints.source);
@@ -92,10 +92,55 @@ void play_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& location
   }
 }
 
+RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
+                                const XrHandJointsLocateInfoEXT& info) {
+  Session& session = tracker.session();
+  World& world = session.world();
+  const bool around_controller =
+      conforms(session.instance(), info.next) && holds_controller(session, tracker.hand);
+  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
+  // input focus."
+  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
+  const auto hand = world.hand(tracker.hand, info.time);
+  const auto base_in_world = base.in_world(info.time);
+  const auto source = world.hand_source(tracker.hand) == HandSource::controller
+                          ? XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT
+                          : XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
+  RecordedJoints given{focused && hand && base_in_world && tracker.takes(source), source, {}, {}};
+  if (!given.active) return given;
+  const Pose from_world = inverse(*base_in_world);
+  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers, around_controller);
+  // Where bending fingers alone would bring them.
+  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
+  const XrSpaceLocationFlags position_tracked =
+      base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
+  const Velocities kind = world.velocities();
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    given.locations.push_back({XR_SPACE_LOCATION_ORIENTATION_VALID_BIT |
+                                   XR_SPACE_LOCATION_POSITION_VALID_BIT |
+                                   XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
+                               to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)});
+    if (kind == Velocities::none) continue;
+    XrHandJointVelocityEXT& velocity = given.velocities.emplace_back();
+    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
+    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
+    if (kind == Velocities::zero) continue;
+    const Eigen::Vector3d linear =
+        hand->index_tip_velocity_m_per_s +
+        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m) +
+        (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
+    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
+    if (kind == Velocities::full)
+      velocity.angularVelocity =
+          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
+  }
+  return given;
+}
+
 }  // namespace
 
-XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
-                             XrHandTrackerEXT* tracker) {
+void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* info,
+                         XrHandTrackerEXT* tracker) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, "createInfo");
   require_pointer(tracker, "handTracker");
@@ -107,16 +152,14 @@ XrResult create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT*
   auto sources = requested_sources(session.instance(), info->next);
   *tracker = handle_of<XrHandTrackerEXT>(
       runtime().registry.create<HandTracker>(&session, info->hand, std::move(sources)));
-  return XR_SUCCESS;
 }
 
-XrResult destroy_hand_tracker(XrHandTrackerEXT handle) {
+void destroy_hand_tracker(XrHandTrackerEXT handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<HandTracker>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
-                            XrHandJointLocationsEXT* locations) {
+void locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT* info,
+                        XrHandJointLocationsEXT* locations) {
   auto& tracker = runtime().registry.get<HandTracker>(handle);
   require_struct(info, XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, "locateInfo");
   require_struct(locations, XR_TYPE_HAND_JOINT_LOCATIONS_EXT, "locations");
@@ -139,64 +182,9 @@ XrResult locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInf
   if (!session.instance().enabled(Extension::data_source)) state = nullptr;
   require(state == nullptr || tracker.sources, XR_ERROR_VALIDATION_FAILURE,
           "the tracker was created without XrHandTrackingDataSourceInfoEXT");
-  if (session.player) {
-    play_joints(session.player->joints(tracker.hand, base.name, info->time), *locations, velocities, state);
-    return XR_SUCCESS;
-  }
-  const bool around_controller =
-      conforms(session.instance(), info->next) && holds_controller(session, tracker.hand);
-
-  // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
-  // input focus."
-  const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
-  const auto hand = session.world().hand(tracker.hand, info->time);
-  const auto base_in_world = base.in_world(info->time);
-  const auto source = session.world().hand_source(tracker.hand) == HandSource::controller
-                          ? XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT
-                          : XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
-  const bool active = focused && hand && base_in_world && tracker.takes(source);
-  if (state != nullptr) {
-    state->isActive = active ? XR_TRUE : XR_FALSE;
-    state->dataSource = source;
-  }
-  locations->isActive = active ? XR_TRUE : XR_FALSE;
-  if (!active) {
-    for (std::uint32_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
-      locations->jointLocations[i] = {0, to_xr(Pose{}), 0.0F};
-      if (velocities != nullptr) velocities->jointVelocities[i] = {};
-    }
-    return XR_SUCCESS;
-  }
-
-  const Pose from_world = inverse(*base_in_world);
-  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers, around_controller);
-  // Where bending fingers alone would bring them.
-  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    const XrSpaceLocationFlags position_tracked =
-        base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
-    locations->jointLocations[i] = {
-        XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
-            XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | position_tracked,
-        to_xr(from_world * joints[i].pose), static_cast<float>(joints[i].radius_m)};
-    if (velocities == nullptr) continue;
-    const Velocities kind = session.world().velocities();
-    velocities->jointVelocities[i] = {};
-    if (kind == Velocities::none) continue;
-    XrHandJointVelocityEXT& velocity = velocities->jointVelocities[i];
-    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
-    if (kind != Velocities::linear) velocity.velocityFlags |= XR_SPACE_VELOCITY_ANGULAR_VALID_BIT;
-    if (kind == Velocities::zero) continue;
-    const Eigen::Vector3d linear =
-        hand->index_tip_velocity_m_per_s +
-        hand->angular_velocity_rad_per_s.cross(joints[i].pose.position_m - hand->index_tip_m) +
-        (soon[i].pose.position_m - joints[i].pose.position_m) / soon_s;
-    velocity.linearVelocity = to_xr(Eigen::Vector3d(from_world.orientation * linear));
-    if (kind == Velocities::full)
-      velocity.angularVelocity =
-          to_xr(Eigen::Vector3d(from_world.orientation * hand->angular_velocity_rad_per_s));
-  }
-  return XR_SUCCESS;
+  const RecordedJoints joints = session.player ? session.player->joints(tracker.hand, base.name, info->time)
+                                               : simulated_joints(tracker, base, *info);
+  write_joints(joints, *locations, velocities, state);
 }
 
 }  // namespace hrt::mock

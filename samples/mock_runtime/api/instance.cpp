@@ -40,28 +40,25 @@ void Instance::enable(const char* name) {
   throw Error{XR_ERROR_EXTENSION_NOT_PRESENT, name};
 }
 
-XrResult enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count,
-                                        XrApiLayerProperties* layers) {
+void enumerate_api_layer_properties(std::uint32_t capacity, std::uint32_t* count,
+                                    XrApiLayerProperties* layers) {
   two_call(std::array<XrApiLayerProperties, 0>{}, capacity, count, layers);
-  return XR_SUCCESS;
 }
 
-XrResult enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity,
-                                                 std::uint32_t* count, XrExtensionProperties* properties) {
+void enumerate_instance_extension_properties(const char* layer, std::uint32_t capacity, std::uint32_t* count,
+                                             XrExtensionProperties* properties) {
   require(layer == nullptr, XR_ERROR_API_LAYER_NOT_PRESENT, "the runtime has no API layers");
   std::vector<ExtensionInfo> present;
   for (std::size_t i = first_extension; i < extensions.size(); ++i)
     if (!runtime().script.hides(i)) present.push_back(extensions[i]);
-  for (std::uint32_t i = 0; i < capacity && properties != nullptr; ++i)
-    require_struct(&properties[i], XR_TYPE_EXTENSION_PROPERTIES, "properties");
-  two_call(present, capacity, count, properties, [](XrExtensionProperties& to, const ExtensionInfo& from) {
-    std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
-    to.extensionVersion = from.version;
-  });
-  return XR_SUCCESS;
+  two_call(present, capacity, count, properties, XR_TYPE_EXTENSION_PROPERTIES, "properties",
+           [](XrExtensionProperties& to, const ExtensionInfo& from) {
+             std::snprintf(to.extensionName, sizeof(to.extensionName), "%s", from.name);
+             to.extensionVersion = from.version;
+           });
 }
 
-XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
+void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   require_struct(info, XR_TYPE_INSTANCE_CREATE_INFO, "createInfo");
   require_pointer(handle, "instance");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
@@ -86,25 +83,22 @@ XrResult create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   runtime().instance = &instance;
   ++runtime().made.instance;
   *handle = handle_of<XrInstance>(instance);
-  return XR_SUCCESS;
 }
 
-XrResult destroy_instance(XrInstance handle) {
+void destroy_instance(XrInstance handle) {
   auto& instance = runtime().registry.get_even_lost<Instance>(handle);
   runtime().instance = nullptr;
   runtime().registry.destroy(instance);
   runtime().frame_begun.notify_all();
-  return XR_SUCCESS;
 }
 
-XrResult get_instance_properties(XrInstance handle, XrInstanceProperties* properties) {
+void get_instance_properties(XrInstance handle, XrInstanceProperties* properties) {
   runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
   properties->runtimeVersion = played != nullptr ? played->version : XR_MAKE_VERSION(0, 1, 0);
   std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "%s",
                 played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
-  return XR_SUCCESS;
 }
 
 XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
@@ -116,7 +110,7 @@ XrResult poll_event(XrInstance handle, XrEventDataBuffer* buffer) {
   return XR_SUCCESS;
 }
 
-XrResult result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
+void result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_RESULT_STRING_SIZE]) {
   runtime().registry.get<Instance>(handle);
   require_pointer(buffer, "buffer");
   const std::string name = result_name(value);
@@ -125,27 +119,25 @@ XrResult result_to_string(XrInstance handle, XrResult value, char buffer[XR_MAX_
   else
     std::snprintf(buffer, XR_MAX_RESULT_STRING_SIZE, "XR_UNKNOWN_%s_%d", value < 0 ? "FAILURE" : "SUCCESS",
                   value);
-  return XR_SUCCESS;
 }
 
-XrResult structure_type_to_string(XrInstance handle, XrStructureType value,
-                                  char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
+void structure_type_to_string(XrInstance handle, XrStructureType value,
+                              char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   runtime().registry.get<Instance>(handle);
   require_pointer(buffer, "buffer");
   switch (value) {
 #define HRT_MOCK_NAME(name, number)                                 \
   case name:                                                        \
     std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "%s", #name); \
-    return XR_SUCCESS;
+    return;
     XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
         default : break;
   }
   std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
-  return XR_SUCCESS;
 }
 
-XrResult convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
+void convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
   runtime().registry.get<Instance>(handle);
   require_pointer(from, "timespecTime");
   require_pointer(time, "time");
@@ -156,10 +148,9 @@ XrResult convert_timespec_time_to_time(XrInstance handle, const struct timespec*
   *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
   for (Session* session : runtime().registry.children<Session>(*runtime().instance))
     if (session->player) *time = session->player->next_converted().value_or(*time);
-  return XR_SUCCESS;
 }
 
-XrResult convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
+void convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
   runtime().registry.get<Instance>(handle);
   require_pointer(time, "timespecTime");
   require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
@@ -168,7 +159,6 @@ XrResult convert_time_to_timespec_time(XrInstance handle, XrTime from, struct ti
     if (session->player) clock_ns = session->player->clock_ns(from).value_or(from);
   time->tv_sec = clock_ns / 1'000'000'000;
   time->tv_nsec = clock_ns % 1'000'000'000;
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

@@ -32,14 +32,23 @@ constexpr std::string_view thumbrest = "thumbrest/touch";
 constexpr std::string_view proximity = "trigger/proximity thumb_resting_surfaces/proximity";
 constexpr std::string_view pico =
     "system/click menu/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value "
-    "thumbstick/x "
-    "thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
+    "thumbstick/x thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
 constexpr std::string_view pico_4 =
     "system/click squeeze/click squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
     "thumbstick/y thumbstick/click thumbstick/touch grip/pose aim/pose output/haptic";
 constexpr std::string_view microsoft_motion =
     "menu/click squeeze/click trigger/value thumbstick/x thumbstick/y thumbstick/click trackpad/x trackpad/y "
     "trackpad/click trackpad/touch grip/pose aim/pose output/haptic";
+
+// A controller of Oculus or Meta.
+std::vector<Part> touch(bool version_1_1, const std::vector<Part>& further) {
+  std::vector<Part> parts{{"left", face_buttons_left, version_1_1},
+                          {"right", face_buttons_right, version_1_1},
+                          {hands, oculus_touch, version_1_1},
+                          {hands, proximity, true}};
+  parts.insert(parts.end(), further.begin(), further.end());
+  return parts;
+}
 
 const std::vector<Profile>& profile_table() {
   static const std::vector<Profile> table{
@@ -50,31 +59,22 @@ const std::vector<Profile>& profile_table() {
       {"/interaction_profiles/htc/vive_controller",
        {{hands,
          "system/click squeeze/click menu/click trigger/click trigger/value trackpad/x trackpad/y "
-         "trackpad/click "
-         "trackpad/touch grip/pose aim/pose output/haptic"}}},
+         "trackpad/click trackpad/touch grip/pose aim/pose output/haptic"}}},
       {"/interaction_profiles/htc/vive_pro",
        {{"head", "system/click volume_up/click volume_down/click mute_mic/click"}}},
       {"/interaction_profiles/microsoft/motion_controller", {{hands, microsoft_motion}}},
       {"/interaction_profiles/microsoft/xbox_controller",
        {{"gamepad",
          "menu/click view/click a/click b/click x/click y/click dpad_down/click dpad_right/click "
-         "dpad_up/click "
-         "dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x thumbstick_left/y "
-         "thumbstick_left/click thumbstick_right/x thumbstick_right/y thumbstick_right/click "
-         "trigger_left/value "
-         "trigger_right/value output/haptic_left output/haptic_right output/haptic_left_trigger "
-         "output/haptic_right_trigger"}}},
+         "dpad_up/click dpad_left/click shoulder_left/click shoulder_right/click thumbstick_left/x "
+         "thumbstick_left/y thumbstick_left/click thumbstick_right/x thumbstick_right/y "
+         "thumbstick_right/click trigger_left/value trigger_right/value output/haptic_left "
+         "output/haptic_right output/haptic_left_trigger output/haptic_right_trigger"}}},
       {"/interaction_profiles/oculus/go_controller",
        {{hands,
          "system/click trigger/click back/click trackpad/x trackpad/y trackpad/click trackpad/touch "
-         "grip/pose "
-         "aim/pose"}}},
-      {"/interaction_profiles/oculus/touch_controller",
-       {{"left", face_buttons_left},
-        {"right", face_buttons_right},
-        {hands, oculus_touch},
-        {hands, thumbrest},
-        {hands, proximity, true}}},
+         "grip/pose aim/pose"}}},
+      {"/interaction_profiles/oculus/touch_controller", touch(false, {{hands, thumbrest}})},
       {"/interaction_profiles/valve/index_controller",
        {{hands,
          "system/click system/touch a/click a/touch b/click b/touch squeeze/value squeeze/force "
@@ -116,40 +116,18 @@ const std::vector<Profile>& profile_table() {
          "squeeze/click squeeze/touch squeeze/value trigger/click trigger/touch trigger/value thumbstick/x "
          "thumbstick/y thumbstick/click thumbstick/touch thumbrest/touch grip/pose aim/pose output/haptic",
          true}}},
-      {"/interaction_profiles/meta/touch_controller_rift_cv1",
-       {{"left", face_buttons_left, true},
-        {"right", face_buttons_right, true},
-        {hands, oculus_touch, true},
-        {hands, thumbrest, true},
-        {hands, proximity, true}}},
-      {"/interaction_profiles/meta/touch_controller_quest_1_rift_s",
-       {{"left", face_buttons_left, true},
-        {"right", face_buttons_right, true},
-        {hands, oculus_touch, true},
-        {hands, proximity, true}}},
-      {"/interaction_profiles/meta/touch_controller_quest_2",
-       {{"left", face_buttons_left, true},
-        {"right", face_buttons_right, true},
-        {hands, oculus_touch, true},
-        {hands, thumbrest, true},
-        {hands, proximity, true}}},
+      {"/interaction_profiles/meta/touch_controller_rift_cv1", touch(true, {{hands, thumbrest, true}})},
+      {"/interaction_profiles/meta/touch_controller_quest_1_rift_s", touch(true, {})},
+      {"/interaction_profiles/meta/touch_controller_quest_2", touch(true, {{hands, thumbrest, true}})},
       {"/interaction_profiles/meta/touch_plus_controller",
-       {{"left", face_buttons_left, true},
-        {"right", face_buttons_right, true},
-        {hands, oculus_touch, true},
-        {hands, thumbrest, true},
-        {hands, proximity, true},
-        {hands, "trigger/force trigger_slide/value trigger_curl/value", true}}},
+       touch(true, {{hands, thumbrest, true},
+                    {hands, "trigger/force trigger_slide/value trigger_curl/value", true}})},
       {"/interaction_profiles/meta/touch_pro_controller",
-       {{"left", face_buttons_left, true},
-        {"right", face_buttons_right, true},
-        {hands, oculus_touch, true},
-        {hands, thumbrest, true},
-        {hands, proximity, true},
-        {hands,
-         "stylus/force trigger_slide/value trigger_curl/value thumbrest/force output/haptic_thumb "
-         "output/haptic_trigger",
-         true}}},
+       touch(true, {{hands, thumbrest, true},
+                    {hands,
+                     "stylus/force trigger_slide/value trigger_curl/value thumbrest/force "
+                     "output/haptic_thumb output/haptic_trigger",
+                     true}})},
       {"/interaction_profiles/ml/ml2_controller",
        {{hands,
          "menu/click home/click trigger/click trigger/value trackpad/x trackpad/y trackpad/click "

@@ -43,21 +43,19 @@ const std::string& PathTable::text(XrPath path) const {
   return texts_[path - 1];
 }
 
-XrResult string_to_path(XrInstance handle, const char* text, XrPath* path) {
+void string_to_path(XrInstance handle, const char* text, XrPath* path) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_pointer(text, "pathString");
   require_pointer(path, "path");
   *path = instance.paths.intern(text);
-  return XR_SUCCESS;
 }
 
-XrResult path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count,
-                        char* buffer) {
+void path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count,
+                    char* buffer) {
   const auto& instance = runtime().registry.get<Instance>(handle);
   std::string text = instance.paths.text(path);
   text.push_back('\0');
   two_call(text, capacity, count, buffer);
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

@@ -16,9 +16,26 @@ void require_hand(XrHandEXT hand) {
   require(hand == XR_HAND_LEFT_EXT || hand == XR_HAND_RIGHT_EXT, XR_ERROR_VALIDATION_FAILURE, "no such hand");
 }
 
+// In what is played back or in the simulation.
+RecordedTruth truth_of(Session& session, XrHandEXT hand) {
+  if (session.player) {
+    const auto played = session.player->truth(hand);
+    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
+    return *played;
+  }
+  World& world = session.world();
+  const Reach* reach = world.reach(hand);
+  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
+  return {
+      {reach->true_direction_deg(), reach->perceived_direction_deg(), reach->peak_felt_error_deg(),
+       reach->outermost_direction_deg(1.0), reach->outermost_direction_deg(-1.0), reach->tactile_weight()},
+      to_xr(world.true_index_tip_m(hand)),
+      reach->done()};
+}
+
 }  // namespace
 
-XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
+void place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(placement, XR_TYPE_PLATE_PLACEMENT_HRTX, "placement");
   auto& space = runtime().registry.get<Space>(placement->space);
@@ -28,23 +45,20 @@ XrResult place_plate(XrSession handle, const XrPlatePlacementHRTX* placement) {
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");
   if (!session.player) session.world().place_plate(*in_world * pose, placement->radius);
-  return XR_SUCCESS;
 }
 
-XrResult set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t next_reach) {
+void set_simulation_seed(XrSession handle, std::uint64_t seed, std::uint32_t next_reach) {
   runtime().registry.get<Session>(handle).world().set_seed(seed, next_reach);
-  return XR_SUCCESS;
 }
 
-XrResult set_plate_orientation(XrSession handle, double orientation_deg) {
+void set_plate_orientation(XrSession handle, double orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
   require(std::abs(orientation_deg) <= 360.0, XR_ERROR_VALIDATION_FAILURE,
           "orientation must be within 360 degrees");
   if (!session.player) session.world().command_plate(orientation_deg);
-  return XR_SUCCESS;
 }
 
-XrResult get_plate_orientation(XrSession handle, XrTime time, double* orientation_deg) {
+void get_plate_orientation(XrSession handle, XrTime time, double* orientation_deg) {
   auto& session = runtime().registry.get<Session>(handle);
   require_pointer(orientation_deg, "orientation");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
@@ -52,60 +66,39 @@ XrResult get_plate_orientation(XrSession handle, XrTime time, double* orientatio
     *orientation_deg = session.player->plate_deg(time).value_or(0.0);
   else
     *orientation_deg = session.world().plate_orientation_deg(time);
-  return XR_SUCCESS;
 }
 
-XrResult instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction) {
+void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
   require_hand(instruction->hand);
-  const Eigen::Vector3d start_m(static_cast<double>(instruction->start.x),
-                                static_cast<double>(instruction->start.y),
-                                static_cast<double>(instruction->start.z));
+  const Eigen::Vector3d start_m = from_xr(instruction->start);
   require(start_m.allFinite() && start_m.norm() <= longest_m, XR_ERROR_VALIDATION_FAILURE,
           "start must be within 10 m of the plate");
   require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
           "goalDirection must be within 180 degrees");
   require_length(instruction->pathLength, "pathLength must be in (0, 10] m");
-  if (session.player) return XR_SUCCESS;  // what the person did then is played back
+  if (session.player) return;  // what the person did then is played back
   World& world = session.world();
   require(world.plate_is_placed(), XR_ERROR_CALL_ORDER_INVALID, "the plate has not been placed");
   world.instruct(instruction->hand,
                  {{start_m.x(), start_m.z()}, instruction->goalDirection, instruction->pathLength},
                  start_m.y(), session.instance().clock.now());
-  return XR_SUCCESS;
 }
 
-XrResult get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* truth) {
+void get_reach_truth(XrSession handle, XrHandEXT hand, XrReachTruthHRTX* truth) {
   auto& session = runtime().registry.get<Session>(handle);
   require_hand(hand);
   require_struct(truth, XR_TYPE_REACH_TRUTH_HRTX, "truth");
-  if (session.player) {
-    const auto played = session.player->truth(hand);
-    require(played.has_value(), XR_ERROR_CALL_ORDER_INVALID, "this hand was not instructed");
-    const auto& numbers = played->numbers;
-    truth->trueDirection = numbers[0];
-    truth->perceivedDirection = numbers[1];
-    truth->peakFeltError = numbers[2];
-    truth->leftmostDirection = numbers[3];
-    truth->rightmostDirection = numbers[4];
-    truth->tactileWeight = numbers[5];
-    truth->indexTip = played->index_tip;
-    truth->isDone = played->done ? XR_TRUE : XR_FALSE;
-    return XR_SUCCESS;
-  }
-  World& world = session.world();
-  const Reach* reach = world.reach(hand);
-  require(reach != nullptr, XR_ERROR_CALL_ORDER_INVALID, "this hand has not been instructed");
-  truth->trueDirection = reach->true_direction_deg();
-  truth->perceivedDirection = reach->perceived_direction_deg();
-  truth->indexTip = to_xr(world.true_index_tip_m(hand));
-  truth->peakFeltError = reach->peak_felt_error_deg();
-  truth->leftmostDirection = reach->outermost_direction_deg(1.0);
-  truth->rightmostDirection = reach->outermost_direction_deg(-1.0);
-  truth->tactileWeight = reach->tactile_weight();
-  truth->isDone = reach->done() ? XR_TRUE : XR_FALSE;
-  return XR_SUCCESS;
+  const RecordedTruth given = truth_of(session, hand);
+  truth->trueDirection = given.numbers[0];
+  truth->perceivedDirection = given.numbers[1];
+  truth->peakFeltError = given.numbers[2];
+  truth->leftmostDirection = given.numbers[3];
+  truth->rightmostDirection = given.numbers[4];
+  truth->tactileWeight = given.numbers[5];
+  truth->indexTip = given.index_tip;
+  truth->isDone = given.done ? XR_TRUE : XR_FALSE;
 }
 
 }  // namespace hrt::mock

@@ -145,7 +145,7 @@ void Session::happen(const Recenter& recenter) {
   }
 }
 
-XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session_handle) {
+void create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSession* session_handle) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_SESSION_CREATE_INFO, "createInfo");
   require_pointer(session_handle, "session");
@@ -163,10 +163,9 @@ XrResult create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSe
   }
   session.fire_due_events();
   *session_handle = handle_of<XrSession>(session);
-  return XR_SUCCESS;
 }
 
-XrResult destroy_session(XrSession handle) {
+void destroy_session(XrSession handle) {
   auto& session = runtime().registry.get_even_lost<Session>(handle);
   // No event may name a session that no longer exists. Events that name one have it behind `next`.
   std::erase_if(session.instance().events, [&](const XrEventDataBuffer& event) {
@@ -175,10 +174,9 @@ XrResult destroy_session(XrSession handle) {
   });
   runtime().registry.destroy(session);
   runtime().frame_begun.notify_all();
-  return XR_SUCCESS;
 }
 
-XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
+void begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_SESSION_BEGIN_INFO, "beginInfo");
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
@@ -190,24 +188,22 @@ XrResult begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
-  if (session.player && session.player->follow(StateCall::begin)) return XR_SUCCESS;
+  if (session.player && session.player->follow(StateCall::begin)) return;
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
   // "The runtime must queue this event upon a successful call to xrBeginSession".
   session.report_presence();
-  return XR_SUCCESS;
 }
 
-XrResult request_exit_session(XrSession handle) {
+void request_exit_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   session.exit_requested = true;
-  if (session.player && session.player->follow(StateCall::exit)) return XR_SUCCESS;
+  if (session.player && session.player->follow(StateCall::exit)) return;
   session.go_to(XR_SESSION_STATE_STOPPING);
-  return XR_SUCCESS;
 }
 
-XrResult end_session(XrSession handle) {
+void end_session(XrSession handle) {
   auto& session = runtime().registry.get<Session>(handle);
   require(session.running, XR_ERROR_SESSION_NOT_RUNNING, "the session does not run");
   require(session.state() == XR_SESSION_STATE_STOPPING, XR_ERROR_SESSION_NOT_STOPPING,
@@ -218,7 +214,6 @@ XrResult end_session(XrSession handle) {
     session.enter(session.exit_requested ? XR_SESSION_STATE_EXITING : XR_SESSION_STATE_READY);
   }
   runtime().frame_begun.notify_all();
-  return XR_SUCCESS;
 }
 
 }  // namespace hrt::mock

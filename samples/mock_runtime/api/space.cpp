@@ -16,20 +16,6 @@ constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
     XR_SPACE_LOCATION_ORIENTATION_TRACKED_BIT | XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 
-XrResult play_views(Player& player, const Space& space, const XrViewLocateInfo& info, XrViewState& state,
-                    std::uint32_t capacity, std::uint32_t* count, XrView* views) {
-  // The count alone is no sample.
-  const RecordedViews played = capacity > 0 ? player.views(space.name, info.displayTime) : RecordedViews{};
-  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views,
-           [&](XrView& view, std::size_t eye) {
-             const bool given = eye < played.views.size();
-             view.pose = given ? played.views[eye].pose : to_xr(Pose{});
-             view.fov = given ? played.views[eye].fov : field_of_view;
-           });
-  state.viewStateFlags = played.flags;
-  return XR_SUCCESS;
-}
-
 std::vector<XrReferenceSpaceType> reference_spaces(const Session& session) {
   if (session.player && session.player->spaces()) return *session.player->spaces();
   std::vector types{XR_REFERENCE_SPACE_TYPE_VIEW, XR_REFERENCE_SPACE_TYPE_LOCAL};
@@ -45,35 +31,53 @@ void require_reference_space(const Session& session, XrReferenceSpaceType type) 
           "reference spaces are VIEW, LOCAL, STAGE and, of OpenXR 1.1 or XR_EXT_local_floor, LOCAL_FLOOR");
 }
 
-// A location of a recording, as far as it is asked for.
-template <typename Location, typename Velocity>
-void play_location(const RecordedLocation& recorded, Location& location, Velocity* velocity) {
-  location.locationFlags = recorded.flags;
-  location.pose = recorded.pose;
-  if (velocity == nullptr) return;
-  velocity->velocityFlags = recorded.velocity_flags;
-  velocity->linearVelocity = recorded.linear;
-  velocity->angularVelocity = recorded.angular;
-}
-
 XrSpaceLocationFlags flags_of(const Space& space, const Space& base) {
   const bool seen = space.stands_in_room() == base.stands_in_room() || base.can_see_room();
   return seen ? all_location_flags : all_location_flags & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
 }
 
-template <typename Location>
-void write_location(const std::optional<Motion>& motion, XrSpaceLocationFlags flags, Location& location) {
-  location.locationFlags = motion ? flags : 0;
-  location.pose = to_xr(motion ? motion->pose : Pose{});
+// Where a space is, in what is played back or in the simulation.
+RecordedLocation location_of(const Space& space, const Space& base, XrTime time) {
+  if (auto& player = space.session().player) return player->location(space.name, base.name, time);
+  RecordedLocation location{};
+  location.pose = to_xr(Pose{});
+  const auto motion = locate(space, base, time);
+  if (!motion) return location;
+  return {flags_of(space, base), to_xr(motion->pose),
+          XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT,
+          to_xr(motion->velocity_m_per_s), to_xr(motion->angular_velocity_rad_per_s)};
 }
-template <typename Velocity>
-void write_velocity(const std::optional<Motion>& motion, Velocity& velocity) {
-  velocity.velocityFlags = motion ? XR_SPACE_VELOCITY_LINEAR_VALID_BIT | XR_SPACE_VELOCITY_ANGULAR_VALID_BIT
-                                  : XrSpaceVelocityFlags{0};
-  velocity.linearVelocity = velocity.angularVelocity = {0.0F, 0.0F, 0.0F};
-  if (!motion) return;
-  velocity.linearVelocity = to_xr(motion->velocity_m_per_s);
-  velocity.angularVelocity = to_xr(motion->angular_velocity_rad_per_s);
+
+// As far as it is asked for.
+template <typename Location, typename Velocity>
+void write_location(const RecordedLocation& from, Location& location, Velocity* velocity) {
+  location.locationFlags = from.flags;
+  location.pose = from.pose;
+  if (velocity == nullptr) return;
+  velocity->velocityFlags = from.velocity_flags;
+  velocity->linearVelocity = from.linear;
+  velocity->angularVelocity = from.angular;
+}
+
+// The two views, in what is played back or in the simulation.
+RecordedViews views_of(const Space& space, XrTime time) {
+  Session& session = space.session();
+  if (session.player) return session.player->views(space.name, time);
+  const auto in_world = space.in_world(time);
+  const Pose head = session.world().head(time).pose;
+  RecordedViews result{};
+  for (const double right_m : {-half_eye_distance_m, half_eye_distance_m}) {
+    const Pose eye = head * Pose{.position_m = {right_m, 0.0, 0.0}};
+    XrView view{XR_TYPE_VIEW};
+    view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
+    view.fov = field_of_view;
+    result.views.push_back(view);
+  }
+  if (!in_world) return result;
+  result.flags = XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
+                 XR_VIEW_STATE_ORIENTATION_TRACKED_BIT;
+  if (!space.stands_in_room() || space.can_see_room()) result.flags |= XR_VIEW_STATE_POSITION_TRACKED_BIT;
+  return result;
 }
 
 }  // namespace
@@ -109,13 +113,12 @@ std::optional<Motion> locate(const Space& space, const Space& base, XrTime time)
   return relative(*of, *in);
 }
 
-XrResult enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
-                                    XrReferenceSpaceType* types) {
+void enumerate_reference_spaces(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                XrReferenceSpaceType* types) {
   two_call(reference_spaces(runtime().registry.get<Session>(handle)), capacity, count, types);
-  return XR_SUCCESS;
 }
 
-XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
+void create_reference_space(XrSession handle, const XrReferenceSpaceCreateInfo* info, XrSpace* space) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_REFERENCE_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
@@ -124,10 +127,9 @@ XrResult create_reference_space(XrSession handle, const XrReferenceSpaceCreateIn
   const SpaceName name{info->referenceSpaceType, {}, {}, info->poseInReferenceSpace};
   *space = handle_of<XrSpace>(
       runtime().registry.create<Space>(&session, Space::Origin(info->referenceSpaceType), name, pose));
-  return XR_SUCCESS;
 }
 
-XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
+void create_action_space(XrSession handle, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_ACTION_SPACE_CREATE_INFO, "createInfo");
   require_pointer(space, "space");
@@ -143,7 +145,6 @@ XrResult create_action_space(XrSession handle, const XrActionSpaceCreateInfo* in
   const Pose pose = checked_pose(info->poseInActionSpace);
   const Space::ActionOrigin origin{action.id(), info->subactionPath};
   *space = handle_of<XrSpace>(runtime().registry.create<Space>(&session, Space::Origin(origin), name, pose));
-  return XR_SUCCESS;
 }
 
 XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType type, XrExtent2Df* bounds) {
@@ -159,7 +160,7 @@ XrResult get_reference_space_bounds_rect(XrSession handle, XrReferenceSpaceType 
   return bounded ? XR_SUCCESS : XR_SPACE_BOUNDS_UNAVAILABLE;
 }
 
-XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* location) {
+void locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceLocation* location) {
   auto& space = runtime().registry.get<Space>(handle);
   auto& base = runtime().registry.get<Space>(base_handle);
   require_struct(location, XR_TYPE_SPACE_LOCATION, "location");
@@ -167,17 +168,10 @@ XrResult locate_space(XrSpace handle, XrSpace base_handle, XrTime time, XrSpaceL
           "the spaces are of different sessions");
   require(time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   auto* velocity = chained<XrSpaceVelocity>(location->next, XR_TYPE_SPACE_VELOCITY);
-  if (auto& player = space.session().player) {
-    play_location(player->location(space.name, base.name, time), *location, velocity);
-    return XR_SUCCESS;
-  }
-  const auto located = locate(space, base, time);
-  write_location(located, flags_of(space, base), *location);
-  if (velocity != nullptr) write_velocity(located, *velocity);
-  return XR_SUCCESS;
+  write_location(location_of(space, base, time), *location, velocity);
 }
 
-XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
+void locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_SPACES_LOCATE_INFO, "locateInfo");
   require_struct(locations, XR_TYPE_SPACE_LOCATIONS, "spaceLocations");
@@ -201,30 +195,17 @@ XrResult locate_spaces(XrSession handle, const XrSpacesLocateInfo* info, XrSpace
   require(info->time > 0, XR_ERROR_TIME_INVALID, "times are positive");
   std::vector<const Space*> spaces;
   for (std::uint32_t i = 0; i < info->spaceCount; ++i) spaces.push_back(&of_session(info->spaces[i]));
-  for (std::uint32_t i = 0; i < info->spaceCount; ++i) {
-    if (session.player) {
-      play_location(session.player->location(spaces[i]->name, base.name, info->time), locations->locations[i],
-                    velocities == nullptr ? nullptr : &velocities->velocities[i]);
-      continue;
-    }
-    const auto located = locate(*spaces[i], base, info->time);
-    write_location(located, flags_of(*spaces[i], base), locations->locations[i]);
-    if (velocities != nullptr) write_velocity(located, velocities->velocities[i]);
-  }
-  return XR_SUCCESS;
+  for (std::uint32_t i = 0; i < info->spaceCount; ++i)
+    write_location(location_of(*spaces[i], base, info->time), locations->locations[i],
+                   velocities == nullptr ? nullptr : &velocities->velocities[i]);
 }
 
-XrResult locate_spaces_khr(XrSession handle, const XrSpacesLocateInfo* info, XrSpaceLocations* locations) {
-  return locate_spaces(handle, info, locations);
-}
-
-XrResult destroy_space(XrSpace handle) {
+void destroy_space(XrSpace handle) {
   runtime().registry.destroy(runtime().registry.get_even_lost<Space>(handle));
-  return XR_SUCCESS;
 }
 
-XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state,
-                      std::uint32_t capacity, std::uint32_t* count, XrView* views) {
+void locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewState* state, std::uint32_t capacity,
+                  std::uint32_t* count, XrView* views) {
   auto& session = runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_VIEW_LOCATE_INFO, "viewLocateInfo");
   require_struct(state, XR_TYPE_VIEW_STATE, "viewState");
@@ -234,22 +215,16 @@ XrResult locate_views(XrSession handle, const XrViewLocateInfo* info, XrViewStat
   require(info->displayTime > 0, XR_ERROR_TIME_INVALID, "times are positive");
   for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
     require_struct(&views[i], XR_TYPE_VIEW, "views");
-  if (session.player) return play_views(*session.player, space, *info, *state, capacity, count, views);
-  const auto in_world = space.in_world(info->displayTime);
-  const Pose head = session.world().head(info->displayTime).pose;
-  two_call(std::array{-half_eye_distance_m, half_eye_distance_m}, capacity, count, views,
-           [&](XrView& view, double right_m) {
-             const Pose eye = head * Pose{.position_m = {right_m, 0.0, 0.0}};
-             view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
-             view.fov = field_of_view;
+  // The count alone is no sample of a recording.
+  const bool counts = session.player && capacity == 0;
+  const RecordedViews given = counts ? RecordedViews{} : views_of(space, info->displayTime);
+  two_call(std::array{std::size_t{0}, std::size_t{1}}, capacity, count, views,
+           [&](XrView& view, std::size_t eye) {
+             const bool has_eye = eye < given.views.size();
+             view.pose = has_eye ? given.views[eye].pose : to_xr(Pose{});
+             view.fov = has_eye ? given.views[eye].fov : field_of_view;
            });
-  state->viewStateFlags =
-      !in_world ? 0
-                : XR_VIEW_STATE_ORIENTATION_VALID_BIT | XR_VIEW_STATE_POSITION_VALID_BIT |
-                      XR_VIEW_STATE_ORIENTATION_TRACKED_BIT |
-                      (space.stands_in_room() && !space.can_see_room() ? XrViewStateFlags{0}
-                                                                       : XR_VIEW_STATE_POSITION_TRACKED_BIT);
-  return XR_SUCCESS;
+  state->viewStateFlags = given.flags;
 }
 
 }  // namespace hrt::mock

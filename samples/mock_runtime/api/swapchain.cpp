@@ -13,37 +13,36 @@ namespace {
 
 }  // namespace
 
-XrResult enumerate_swapchain_formats(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
-                                     std::int64_t* formats) {
+void enumerate_swapchain_formats(XrSession handle, std::uint32_t capacity, std::uint32_t* count,
+                                 std::int64_t* formats) {
   runtime().registry.get<Session>(handle);
   two_call(std::array<std::int64_t, 0>{}, capacity, count, formats);
-  return XR_SUCCESS;
 }
 
-XrResult create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
+void create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwapchain* swapchain) {
   runtime().registry.get<Session>(handle);
   require_struct(info, XR_TYPE_SWAPCHAIN_CREATE_INFO, "createInfo");
   require_pointer(swapchain, "swapchain");
   throw Error{XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, "a headless session has no swapchain formats"};
 }
 
-XrResult destroy_swapchain(XrSwapchain) {
+void destroy_swapchain(XrSwapchain) {
   refuse();
 }
 
-XrResult enumerate_swapchain_images(XrSwapchain, std::uint32_t, std::uint32_t*, XrSwapchainImageBaseHeader*) {
+void enumerate_swapchain_images(XrSwapchain, std::uint32_t, std::uint32_t*, XrSwapchainImageBaseHeader*) {
   refuse();
 }
 
-XrResult acquire_swapchain_image(XrSwapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t*) {
+void acquire_swapchain_image(XrSwapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t*) {
   refuse();
 }
 
-XrResult wait_swapchain_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
+void wait_swapchain_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
   refuse();
 }
 
-XrResult release_swapchain_image(XrSwapchain, const XrSwapchainImageReleaseInfo*) {
+void release_swapchain_image(XrSwapchain, const XrSwapchainImageReleaseInfo*) {
   refuse();
 }
 

@@ -16,17 +16,16 @@ void require_view_configuration(XrViewConfigurationType type) {
           "the only view configuration is primary stereo");
 }
 
-XrResult get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system) {
+void get_system(XrInstance handle, const XrSystemGetInfo* info, XrSystemId* system) {
   runtime().registry.get<Instance>(handle);
   require_struct(info, XR_TYPE_SYSTEM_GET_INFO, "getInfo");
   require_pointer(system, "systemId");
   require(info->formFactor == XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY, XR_ERROR_FORM_FACTOR_UNSUPPORTED,
           "the only form factor is a head-mounted display");
   *system = the_system;
-  return XR_SUCCESS;
 }
 
-XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemProperties* properties) {
+void get_system_properties(XrInstance handle, XrSystemId system, XrSystemProperties* properties) {
   auto& instance = runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_SYSTEM_PROPERTIES, "properties");
   require_system(system);
@@ -45,52 +44,46 @@ XrResult get_system_properties(XrInstance handle, XrSystemId system, XrSystemPro
           properties->next, XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT);
       presence != nullptr && instance.enabled(Extension::user_presence))
     presence->supportsUserPresence = XR_TRUE;
-  return XR_SUCCESS;
 }
 
-XrResult enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
-                                           std::uint32_t capacity, std::uint32_t* count,
-                                           XrEnvironmentBlendMode* modes) {
+void enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+                                       std::uint32_t capacity, std::uint32_t* count,
+                                       XrEnvironmentBlendMode* modes) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
   two_call(std::array{XR_ENVIRONMENT_BLEND_MODE_OPAQUE}, capacity, count, modes);
-  return XR_SUCCESS;
 }
 
-XrResult enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity,
-                                       std::uint32_t* count, XrViewConfigurationType* types) {
+void enumerate_view_configurations(XrInstance handle, XrSystemId system, std::uint32_t capacity,
+                                   std::uint32_t* count, XrViewConfigurationType* types) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   two_call(std::array{XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO}, capacity, count, types);
-  return XR_SUCCESS;
 }
 
-XrResult get_view_configuration_properties(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
-                                           XrViewConfigurationProperties* properties) {
+void get_view_configuration_properties(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+                                       XrViewConfigurationProperties* properties) {
   runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_VIEW_CONFIGURATION_PROPERTIES, "configurationProperties");
   require_system(system);
   require_view_configuration(type);
   properties->viewConfigurationType = type;
   properties->fovMutable = XR_FALSE;
-  return XR_SUCCESS;
 }
 
-XrResult enumerate_view_configuration_views(XrInstance handle, XrSystemId system,
-                                            XrViewConfigurationType type, std::uint32_t capacity,
-                                            std::uint32_t* count, XrViewConfigurationView* views) {
+void enumerate_view_configuration_views(XrInstance handle, XrSystemId system, XrViewConfigurationType type,
+                                        std::uint32_t capacity, std::uint32_t* count,
+                                        XrViewConfigurationView* views) {
   runtime().registry.get<Instance>(handle);
   require_system(system);
   require_view_configuration(type);
-  for (std::uint32_t i = 0; i < capacity && views != nullptr; ++i)
-    require_struct(&views[i], XR_TYPE_VIEW_CONFIGURATION_VIEW, "views");
-  two_call(std::array{0, 1}, capacity, count, views, [](XrViewConfigurationView& view, int) {
-    view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
-    view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
-    view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
-  });
-  return XR_SUCCESS;
+  two_call(std::array{0, 1}, capacity, count, views, XR_TYPE_VIEW_CONFIGURATION_VIEW, "views",
+           [](XrViewConfigurationView& view, int) {
+             view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
+             view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
+             view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
+           });
 }
 
 }  // namespace hrt::mock

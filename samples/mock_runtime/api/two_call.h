@@ -24,6 +24,14 @@ void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count
   for (const auto& value : source) copy(elements[i++], value);
 }
 
+/// The same for structures, whose type the application sets.
+template <typename Source, typename Struct, typename Copy>
+void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Struct* structs,
+              XrStructureType type, const char* name, Copy copy) {
+  for (std::uint32_t i = 0; i < capacity && structs != nullptr; ++i) require_struct(&structs[i], type, name);
+  two_call(source, capacity, count, structs, copy);
+}
+
 template <typename Source, typename Element>
 void two_call(const Source& source, std::uint32_t capacity, std::uint32_t* count, Element* elements) {
   two_call(source, capacity, count, elements, [](Element& to, const auto& from) { to = from; });

@@ -86,7 +86,7 @@ std::uint64_t Capture::session_of_call() {
 void Capture::called(const char* function, std::uint64_t session, XrResult result) {
   const std::uint64_t call = ++calls_[{session, function}];
   if (XR_SUCCEEDED(result) || is_mistake(result)) return;
-  note(Record("failed").add(session).add(function).add(call).add(static_cast<int>(result)));
+  note(Record("failed").add(session).add(function).add(call).add(result));
 }
 
 void Capture::system_properties(XrResult, XrInstance, XrSystemId, const XrSystemProperties* properties) {
@@ -110,7 +110,7 @@ void Capture::session_created(XrResult, XrInstance, const XrSessionCreateInfo*, 
   if (XR_FAILED(next.xrEnumerateReferenceSpaces(*session, count, &count, types.data()))) return;
   Record record = of_session("spaces");
   record.open();
-  for (const XrReferenceSpaceType type : types) record.add(static_cast<int>(type));
+  for (const XrReferenceSpaceType type : types) record.add(type);
   note(record.close());
 }
 
@@ -138,12 +138,12 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
   switch (static_cast<int>(buffer->type)) {
     case XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED: {
       const auto& event = reinterpret_cast<const XrEventDataSessionStateChanged&>(*buffer);
-      record.add("state").add(static_cast<int>(event.state)).add(event.time);
+      record.add("state").add(event.state).add(event.time);
       break;
     }
     case XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING: {
       const auto& event = reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(*buffer);
-      record.add("space_change").add(static_cast<int>(event.referenceSpaceType)).add(event.changeTime);
+      record.add("space_change").add(event.referenceSpaceType).add(event.changeTime);
       record.add(event.poseValid == XR_TRUE).open().add(event.poseInPreviousSpace).close();
       break;
     }
@@ -160,7 +160,7 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
       record.add("events_lost").add(as.operator()<XrEventDataEventsLost>().lostEventCount);
       break;
     default:
-      record.add("other").add(static_cast<int>(buffer->type));
+      record.add("other").add(buffer->type);
   }
   note(record);
 }
@@ -200,11 +200,9 @@ void Capture::define_space(XrSpace handle, const Record& description) {
 
 void Capture::reference_space(XrResult, XrSession, const XrReferenceSpaceCreateInfo* info,
                               const XrSpace* space) {
-  define_space(*space, Record("reference_space")
-                           .add(static_cast<int>(info->referenceSpaceType))
-                           .open()
-                           .add(info->poseInReferenceSpace)
-                           .close());
+  define_space(
+      *space,
+      Record("reference_space").add(info->referenceSpaceType).open().add(info->poseInReferenceSpace).close());
 }
 
 void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* info, const XrSpace* space) {
@@ -217,11 +215,7 @@ void Capture::action_space(XrResult, XrSession, const XrActionSpaceCreateInfo* i
 }
 
 void Capture::bounds(XrResult result, XrSession, XrReferenceSpaceType type, const XrExtent2Df* extent) {
-  note(of_session("bounds")
-           .add(static_cast<int>(type))
-           .add(result == XR_SUCCESS)
-           .add(extent->width)
-           .add(extent->height));
+  note(of_session("bounds").add(type).add(result == XR_SUCCESS).add(extent->width).add(extent->height));
 }
 
 void Capture::note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
@@ -290,7 +284,7 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
   const auto hand = trackers_.find(tracker);
   if (in == spaces_.end() || hand == trackers_.end()) return;
   Record record = of_session("joints");
-  record.add(info->time).add(static_cast<int>(hand->second)).add(in->second);
+  record.add(info->time).add(hand->second).add(in->second);
   const bool active = locations->isActive == XR_TRUE;
   const auto* source = chained<const XrHandTrackingDataSourceStateEXT>(
       static_cast<const void*>(locations->next), XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT);
@@ -339,40 +333,33 @@ void Capture::synced(XrResult result, XrSession, const XrActionsSyncInfo*) {
   note(of_session("synced").add(present_).add(result == XR_SUCCESS));
 }
 
-void Capture::note_state(const XrActionStateGetInfo& info, bool active, bool changed, XrTime last_change,
-                         float x, float y) {
-  note(of_session("action")
-           .add(present_)
-           .add(actions_[info.action])
-           .add(path_text(info.subactionPath))
-           .add(active)
-           .add(changed)
-           .add(last_change)
-           .add(x)
-           .add(y));
+template <typename State>
+void Capture::note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value) {
+  Record record = of_session("action");
+  record.add(present_).add(actions_[info.action]).add(path_text(info.subactionPath));
+  record.add(state.isActive == XR_TRUE).add(state.changedSinceLastSync == XR_TRUE).add(state.lastChangeTime);
+  note(record.add(value.x).add(value.y));
 }
 
 void Capture::boolean_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                             const XrActionStateBoolean* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F);
+  note_state(*info, *state, {state->currentState == XR_TRUE ? 1.0F : 0.0F, 0.0F});
 }
 
 void Capture::float_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                           const XrActionStateFloat* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState, 0.0F);
+  note_state(*info, *state, {state->currentState, 0.0F});
 }
 
 void Capture::vector_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                            const XrActionStateVector2f* state) {
-  note_state(*info, state->isActive == XR_TRUE, state->changedSinceLastSync == XR_TRUE, state->lastChangeTime,
-             state->currentState.x, state->currentState.y);
+  note_state(*info, *state, state->currentState);
 }
 
 void Capture::pose_state(XrResult, XrSession, const XrActionStateGetInfo* info,
                          const XrActionStatePose* state) {
-  note_state(*info, state->isActive == XR_TRUE, false, 0, 0.0F, 0.0F);
+  const XrActionStateFloat without_value{.isActive = state->isActive};
+  note_state(*info, without_value, {0.0F, 0.0F});
 }
 
 void Capture::profile(XrResult, XrSession, XrPath top_level, const XrInteractionProfileState* state) {
@@ -390,7 +377,7 @@ void Capture::plate_orientation(XrResult, XrSession, XrTime time, const double* 
 
 void Capture::reach_truth(XrResult, XrSession, XrHandEXT hand, const XrReachTruthHRTX* truth) {
   Record record = of_session("truth");
-  record.add(present_).add(static_cast<int>(hand)).open();
+  record.add(present_).add(hand).open();
   for (const double value : {truth->trueDirection, truth->perceivedDirection, truth->peakFeltError,
                              truth->leftmostDirection, truth->rightmostDirection, truth->tactileWeight})
     record.add(value);

@@ -85,8 +85,8 @@ class Capture {
   void define_space(XrSpace handle, const Record& description);
   void note_location(XrSpace space, XrSpace base, XrTime time, const XrSpaceLocation& location,
                      const XrSpaceVelocity* velocity);
-  void note_state(const XrActionStateGetInfo& info, bool active, bool changed, XrTime last_change, float x,
-                  float y);
+  template <typename State>
+  void note_state(const XrActionStateGetInfo& info, const State& state, XrVector2f value);
   const std::string& path_text(XrPath path);
 
   std::string path_;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace hrt::capture {
 
@@ -16,6 +17,9 @@ namespace hrt::capture {
 std::string text_of(float value);
 std::string text_of(double value);
 
+template <typename T>
+concept Enumeration = std::is_enum_v<T>;
+
 class Record {
  public:
   explicit Record(std::string_view kind);
@@ -23,6 +27,7 @@ class Record {
   Record& add(std::string_view value);
   Record& add(const char* value) { return add(std::string_view(value)); }
   Record& add(bool value) { return put(value ? "true" : "false"); }
+  Record& add(Enumeration auto value) { return add(static_cast<int>(value)); }
   Record& add(std::integral auto value) { return put(std::to_string(value)); }
   Record& add(std::floating_point auto value) { return put(text_of(value)); }
   Record& add(const XrVector3f& vector);

@@ -42,17 +42,7 @@ bool same(const XrPosef& a, const XrPosef& b) {
 }
 
 Pose pose_of(const XrPosef& pose) {
-  const XrQuaternionf& q = pose.orientation;
-  Eigen::Quaterniond orientation(static_cast<double>(q.w), static_cast<double>(q.x), static_cast<double>(q.y),
-                                 static_cast<double>(q.z));
-  if (orientation.norm() > 0.0) orientation.normalize();
-  return {orientation,
-          Eigen::Vector3d(static_cast<double>(pose.position.x), static_cast<double>(pose.position.y),
-                          static_cast<double>(pose.position.z))};
-}
-
-Eigen::Vector3d vector_of(const XrVector3f& v) {
-  return {static_cast<double>(v.x), static_cast<double>(v.y), static_cast<double>(v.z)};
+  return {from_xr(pose.orientation).normalized(), from_xr(pose.position)};
 }
 
 // From the base in which something was recorded to the one in which it is wanted, both of one origin.
@@ -65,7 +55,7 @@ XrPosef moved(const Pose& by, const XrPosef& pose) {
 }
 
 XrVector3f turned(const Pose& by, const XrVector3f& vector) {
-  return to_xr(Eigen::Vector3d(by.orientation * vector_of(vector)));
+  return to_xr(Eigen::Vector3d(by.orientation * from_xr(vector)));
 }
 
 // Of the streams that fit, the one that has the nearest sample; of equally near ones, one that was recorded
@@ -246,7 +236,7 @@ RecordedLocation Player::location(const SpaceName& space, const SpaceName& base,
   const Pose by = between_bases(spaces[found->first.second], base);
   const Pose offset = inverse(pose_of(spaces[found->first.first].pose)) * pose_of(space.pose);
   const Motion motion =
-      Motion{pose_of(location.pose), vector_of(location.linear), vector_of(location.angular)} * offset;
+      Motion{pose_of(location.pose), from_xr(location.linear), from_xr(location.angular)} * offset;
   location.pose = to_xr(by * motion.pose);
   location.linear = to_xr(Eigen::Vector3d(by.orientation * motion.velocity_m_per_s));
   location.angular = to_xr(Eigen::Vector3d(by.orientation * motion.angular_velocity_rad_per_s));
@@ -270,8 +260,8 @@ bool Player::synced(bool otherwise) {
   return session_.synced.empty() ? otherwise : read(session_.synced, present_);
 }
 
-RecordedState Player::state(const std::string& action, const std::string& subaction) {
-  return read_of(session_.states, std::pair(action, subaction), present_).value_or(RecordedState{});
+ActionState Player::state(const std::string& action, const std::string& subaction) {
+  return read_of(session_.states, std::pair(action, subaction), present_).value_or(ActionState{});
 }
 
 std::string Player::profile(const std::string& top_level) {

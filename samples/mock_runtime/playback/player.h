@@ -41,7 +41,7 @@ class Player {
   RecordedViews views(const SpaceName& base, XrTime time);
   /// These, at the present.
   bool synced(bool otherwise);
-  RecordedState state(const std::string& action, const std::string& subaction);
+  ActionState state(const std::string& action, const std::string& subaction);
   std::string profile(const std::string& top_level);
   std::optional<double> plate_deg(XrTime time);
   std::optional<RecordedTruth> truth(XrHandEXT hand);

@@ -185,8 +185,8 @@ RecordedTruth read_truth(Fields& fields) {
   return truth;
 }
 
-RecordedState read_state(Fields& fields) {
-  RecordedState state{};
+ActionState read_state(Fields& fields) {
+  ActionState state{};
   state.active = fields.boolean();
   state.changed = fields.boolean();
   state.last_change = fields.whole<XrTime>();

@@ -75,11 +75,12 @@ struct RecordedViews {
   XrViewStateFlags flags;
   std::vector<XrView> views;
 };
-struct RecordedState {
+/// Of an action, for one subaction path or for all together.
+struct ActionState {
   bool active;
-  bool changed;
+  bool changed;  ///< by the last sync
   XrTime last_change;
-  XrVector2f value;
+  XrVector2f value;  ///< y for vectors only
 };
 struct RecordedFrame {
   XrTime time;
@@ -113,8 +114,8 @@ struct RecordedSession {
   std::map<std::pair<std::size_t, std::size_t>, Stream<RecordedLocation>> locations;  ///< space, base
   std::map<std::size_t, Stream<RecordedViews>> views;                                 ///< base
   Stream<bool> synced;
-  std::map<std::pair<std::string, std::string>, Stream<RecordedState>> states;  ///< action, subaction path
-  std::map<std::string, Stream<std::string>> profiles;                          ///< by top level user path
+  std::map<std::pair<std::string, std::string>, Stream<ActionState>> states;  ///< action, subaction path
+  std::map<std::string, Stream<std::string>> profiles;                        ///< by top level user path
   Stream<double> plate_deg;
   std::map<int, Stream<RecordedTruth>> truths;  ///< by hand
 };
@@ -136,7 +137,6 @@ struct Recording {
 
  private:
   RecordedSession& session(std::uint64_t number, const std::string& where);
-  void add_event(class Fields& fields);
   std::size_t records_ = 0;
 };
 

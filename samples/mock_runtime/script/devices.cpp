@@ -29,9 +29,8 @@ PlateDynamics read_servo(Members& members) {
 namespace {
 
 Keyframe read_keyframe(Members& members, const Eigen::Quaterniond& orientation) {
-  const std::vector<double> position = members.numbers("position_m", 3, -100.0, 100.0);
-  Keyframe keyframe{members.nanoseconds("time_ms", 0.0),
-                    {orientation, {position[0], position[1], position[2]}}};
+  const Eigen::Vector3d position_m = members.vector("position_m", 100.0);
+  Keyframe keyframe{members.nanoseconds("time_ms", 0.0), {orientation, position_m}};
   if (members.has("orientation")) {
     const std::vector<double> q = members.numbers("orientation", 4, -1.0, 1.0);
     keyframe.pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
@@ -78,11 +77,8 @@ void read_hand(Members& members, HandSettings& hand) {
     hand.source = members.choice<HandSource>(
         "data_source", {{"unobstructed", HandSource::unobstructed}, {"controller", HandSource::controller}});
   members.object("slides", [&](Members& slides) {
-    const std::vector<double> start_m = slides.numbers("start_m", 3, -10.0, 10.0);
-    hand.slides = {{start_m[0], start_m[1], start_m[2]},
-                   slides.number("direction_deg", 0.0, -180.0, 180.0),
-                   slides.number("length_m", 0.1, 0.001, 10.0),
-                   slides.nanoseconds("rest_ms", 500.0)};
+    hand.slides = {slides.vector("start_m", 10.0), slides.number("direction_deg", 0.0, -180.0, 180.0),
+                   slides.number("length_m", 0.1, 0.001, 10.0), slides.nanoseconds("rest_ms", 500.0)};
   });
   read_path(members, resting_hand_orientation(), hand.path, [&](Members& point) {
     const Fingers before = hand.fingers.empty() ? Fingers{} : hand.fingers.back().fingers;

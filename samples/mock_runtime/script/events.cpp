@@ -18,10 +18,7 @@ Recenter read_recenter(Members& members) {
     recenter.space = members.choice<XrReferenceSpaceType>(
         "space", {{"LOCAL", XR_REFERENCE_SPACE_TYPE_LOCAL}, {"STAGE", XR_REFERENCE_SPACE_TYPE_STAGE}});
   recenter.delay_ns = members.nanoseconds("delay_ms", 0.0);
-  if (members.has("position_m")) {
-    const std::vector<double> position = members.numbers("position_m", 3, -100.0, 100.0);
-    recenter.pose.position_m = {position[0], position[1], position[2]};
-  }
+  if (members.has("position_m")) recenter.pose.position_m = members.vector("position_m", 100.0);
   recenter.pose.orientation = turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY());
   recenter.pose_valid = members.boolean("pose_valid", true);
   return recenter;
@@ -103,10 +100,7 @@ ScriptEvent read_event(Members& members) {
     }
     hand->hand =
         members.choice<XrHandEXT>("hand", {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}});
-    if (hand->fault == HandFault::jump) {
-      const std::vector<double> by = members.numbers("by_mm", 3, -1e5, 1e5);
-      hand->jump_m = Eigen::Vector3d(by[0], by[1], by[2]) * 1e-3;
-    }
+    if (hand->fault == HandFault::jump) hand->jump_m = members.vector("by_mm", 1e5) * 1e-3;
   }
   return event;
 }

@@ -6,7 +6,7 @@ namespace hrt::mock {
 namespace {
 
 constexpr std::array names{
-#define HRT_MOCK_NAME(name, implementation, extension) #name,
+#define HRT_MOCK_NAME(name, implementation, extension, returned) #name,
     HRT_MOCK_FUNCTIONS(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
 };

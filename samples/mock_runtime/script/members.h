@@ -2,6 +2,7 @@
 // values.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -92,6 +93,11 @@ class Members {
     for (const Json& element : value) result.push_back(checked_number(element, where(key), least, most));
     return result;
   }
+  Eigen::Vector3d vector(const std::string& key, double most) {
+    const std::vector<double> xyz = numbers(key, 3, -most, most);
+    return {xyz[0], xyz[1], xyz[2]};
+  }
+
   // A number, or two between which it is drawn; `scale` converts to the unit of `range`.
   bool range(const std::string& key, Range& range, double least, double most, double scale = 1.0) {
     if (!has(key)) return false;

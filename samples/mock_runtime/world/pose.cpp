@@ -13,11 +13,8 @@ Eigen::Quaterniond turn(double angle_deg, const Eigen::Vector3d& axis) {
 }
 
 Pose checked_pose(const XrPosef& pose) {
-  const Eigen::Quaterniond orientation(
-      static_cast<double>(pose.orientation.w), static_cast<double>(pose.orientation.x),
-      static_cast<double>(pose.orientation.y), static_cast<double>(pose.orientation.z));
-  const Eigen::Vector3d position_m(static_cast<double>(pose.position.x), static_cast<double>(pose.position.y),
-                                   static_cast<double>(pose.position.z));
+  const Eigen::Quaterniond orientation = from_xr(pose.orientation);
+  const Eigen::Vector3d position_m = from_xr(pose.position);
   require(position_m.allFinite(), XR_ERROR_POSE_INVALID, "a position is not finite");
   require(std::abs(orientation.norm() - 1.0) <= 0.01, XR_ERROR_POSE_INVALID,
           "a quaternion is not of unit length");
@@ -31,6 +28,14 @@ XrPosef to_xr(const Pose& pose) {
 
 XrVector3f to_xr(const Eigen::Vector3d& vector) {
   return {static_cast<float>(vector.x()), static_cast<float>(vector.y()), static_cast<float>(vector.z())};
+}
+
+Eigen::Quaterniond from_xr(const XrQuaternionf& q) {
+  return Eigen::Quaternionf(q.w, q.x, q.y, q.z).cast<double>();
+}
+
+Eigen::Vector3d from_xr(const XrVector3f& v) {
+  return Eigen::Vector3f(v.x, v.y, v.z).cast<double>();
 }
 
 }  // namespace hrt::mock

@@ -34,5 +34,7 @@ Pose checked_pose(const XrPosef& pose);
 
 XrPosef to_xr(const Pose& pose);
 XrVector3f to_xr(const Eigen::Vector3d& vector);
+Eigen::Quaterniond from_xr(const XrQuaternionf& quaternion);
+Eigen::Vector3d from_xr(const XrVector3f& vector);
 
 }  // namespace hrt::mock

@@ -1,10 +1,9 @@
 #include "samples/plate/tool/measure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "samples/format.h"
 #include "samples/plate/driver/plate_failure.h"
 
 namespace hrt::plate {
@@ -59,10 +58,8 @@ double settle_at(Device& device, double orientation_deg) {
       ++count;
     }
     if (device.now() > give_up) {
-      std::array<char, 96> text{};
-      std::snprintf(text.data(), text.size(), "does not come to rest at %.1f deg; it is at %.1f deg",
-                    orientation_deg, place_deg);
-      throw PlateFailure(Fault::device, text.data());
+      throw PlateFailure(Fault::device, format("does not come to rest at %.1f deg; it is at %.1f deg",
+                                               orientation_deg, place_deg));
     }
   }
   return sum_deg / count;

@@ -1,24 +1,16 @@
 #include "samples/plate/tool/report.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "samples/format.h"
+#include "samples/whole_file.h"
+
 namespace hrt::plate {
 namespace {
-
-template <class... Values>
-std::string format(const char* pattern, Values... values) {
-  std::array<char, 256> text{};
-  std::snprintf(text.data(), text.size(), pattern, values...);
-  return text.data();
-}
 
 double milliseconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double, std::milli>(time).count();
@@ -119,18 +111,8 @@ std::string svg_of(const Measurements& found) {
 }
 
 void write_file(const std::filesystem::path& file, const std::string& content) {
-  const std::filesystem::path part = file.string() + ".part";
-  std::ofstream out(part, std::ios::binary);
-  out << content << std::flush;
-  const bool whole = static_cast<bool>(out);
-  const std::string reason = std::strerror(errno);
-  out.close();
-  std::error_code error;
-  if (whole) std::filesystem::rename(part, file, error);
-  if (whole && !error) return;
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw std::runtime_error("cannot write " + file.string() + ": " + (whole ? error.message() : reason));
+  if (const int error = write_whole_file(file, content); error != 0)
+    throw std::runtime_error("cannot write " + file.string() + ": " + std::strerror(error));
 }
 
 }  // namespace hrt::plate

@@ -1,9 +1,6 @@
 #include "samples/plate/tool/trim.h"
 
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
+#include "samples/format.h"
 
 namespace hrt::plate {
 namespace {
@@ -13,18 +10,9 @@ using namespace std::chrono_literals;
 constexpr double most_offset_deg = 30.0;
 constexpr auto settle_time = 1000ms;
 
-std::optional<double> offset_of(const std::string& entry) {
-  double offset_deg = 0.0;
-  const char* first = entry.data() + (entry[0] == '+' ? 1 : 0);
-  const auto [end, error] = std::from_chars(first, entry.data() + entry.size(), offset_deg);
-  const bool whole = error == std::errc() && end == entry.data() + entry.size();
-  return whole && std::abs(offset_deg) <= most_offset_deg ? std::optional(offset_deg) : std::nullopt;
-}
-
-std::string described(double moved_deg) {
-  std::array<char, 64> text{};
-  std::snprintf(text.data(), text.size(), "0 has moved by %+.2f deg", moved_deg);
-  return text.data();
+std::optional<double> offset_of(std::string_view entry) {
+  if (entry.starts_with('+')) entry.remove_prefix(1);
+  return number_in(entry, -most_offset_deg, most_offset_deg);
 }
 
 }  // namespace
@@ -52,7 +40,7 @@ bool trim(Device& device, const std::function<Entry()>& read,
       continue;
     }
     device.set_zero(device.zero_deg() - *offset_deg);
-    say(described(device.zero_deg() - before_deg));
+    say(format("0 has moved by %+.2f deg", device.zero_deg() - before_deg));
   }
   device.keep_zero();
   return true;

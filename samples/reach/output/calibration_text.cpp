@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 
 namespace hrt::reach {
 namespace {

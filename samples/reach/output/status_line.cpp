@@ -5,7 +5,7 @@
 
 #include <cstdio>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/text.h"
 
 namespace hrt::reach {

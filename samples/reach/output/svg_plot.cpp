@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/text.h"
 
 namespace hrt::reach {
@@ -18,6 +18,11 @@ constexpr double pi = std::numbers::pi;
 
 std::string text_at(double x, double y, const std::string& attributes, const std::string& text) {
   return format("<text x=\"%.1f\" y=\"%.1f\" ", x, y) + attributes + ">" + escaped(text) + "</text>\n";
+}
+
+std::string line(double x1, double y1, double x2, double y2, const char* kind) {
+  return format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"%s\"/>\n", x1, y1, x2, y2,
+                kind);
 }
 
 // Where plate coordinates are in a panel: x to the right, z (towards the user) down.
@@ -108,9 +113,8 @@ std::string draw(const Panel& panel, const PlottedReach& reach, const TargetSet&
                         std::round(pair.real_direction_deg * 10.0) / 10.0 + 0.0, pair.virtual_direction_deg,
                         reach.result.miss_m * 1e3));
   out += circle(panel, {0.0, 0.0, 0.0}, targets.plate_radius_m, "class=\"plate\"");
-  out +=
-      format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"midline\"/>\n",
-             panel.x(start_m[0]), panel.y(start_m[2]), panel.x(start_m[0]), panel.y(-targets.plate_radius_m));
+  out += line(panel.x(start_m[0]), panel.y(start_m[2]), panel.x(start_m[0]), panel.y(-targets.plate_radius_m),
+              "midline");
   if (!reach.result.moments.empty()) {
     out += ridges_along(panel, reach.result.moments);
     out += felt_path(panel, reach.result.moments);
@@ -134,16 +138,13 @@ std::string draw(const Panel& panel, const PlottedReach& reach, const TargetSet&
 
 std::string legend(double y, double width, double scale_bar_px) {
   std::string out;
-  out += format("<line x1=\"16\" y1=\"%.1f\" x2=\"44\" y2=\"%.1f\" class=\"true\"/>\n", y - 4.0, y - 4.0);
+  out += line(16.0, y - 4.0, 44.0, y - 4.0, "true");
   out += text_at(50, y, "", "true path");
-  out += format("<line x1=\"126\" y1=\"%.1f\" x2=\"154\" y2=\"%.1f\" class=\"felt\"/>\n", y - 4.0, y - 4.0);
+  out += line(126.0, y - 4.0, 154.0, y - 4.0, "felt");
   out += text_at(160, y, "", "felt path");
-  for (int i = 0; i < 5; ++i)
-    out += format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"ridges\"/>\n",
-                  15.0 + 5.0 * i, y + 25.0, 25.0 + 5.0 * i, y + 15.0);
+  for (int i = 0; i < 5; ++i) out += line(15.0 + 5.0 * i, y + 25.0, 25.0 + 5.0 * i, y + 15.0, "ridges");
   out += text_at(50, y + 24.0, "", "ridges under the finger");
-  out += format("<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" class=\"bar\"/>\n",
-                width - 60.0 - scale_bar_px, y - 4.0, width - 60.0, y - 4.0);
+  out += line(width - 60.0 - scale_bar_px, y - 4.0, width - 60.0, y - 4.0, "bar");
   out += text_at(width - 54.0, y, "", "20 mm");
   return out;
 }

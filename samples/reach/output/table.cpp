@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/text.h"
 
 namespace hrt::reach {

@@ -1,12 +1,11 @@
 #include "samples/reach/person/prompt.h"
 
-#include <charconv>
 #include <iostream>
 #include <regex>
 #include <thread>
 #include <utility>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 #include "samples/reach/interrupt.h"
 
 namespace hrt::reach {
@@ -23,20 +22,11 @@ std::string spoken(const std::string& text) {
   return std::regex_replace(text, unit, "$1 millimetres");
 }
 
-std::optional<double> number_in(const std::string& text, double low, double high) {
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= low && value <= high))
-    return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 const char* const keys_in_words =
     "Keys: r repeats the instruction, w says where the finger is, n goes to the next target, b back to the "
-    "last one, "
-    "q stops, h lists the keys.";
+    "last one, q stops, h lists the keys.";
 
 Prompt::Prompt(const std::string& speak_with, std::function<void()> before_print)
     : before_print_(std::move(before_print)) {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/reach/format.h"
+#include "samples/format.h"
 
 namespace hrt::reach {
 namespace {

@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
 
 namespace hrt::reach {

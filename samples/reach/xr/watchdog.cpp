@@ -11,8 +11,8 @@
 #include <thread>
 #include <utility>
 
+#include "samples/format.h"
 #include "samples/reach/exit_code.h"
-#include "samples/reach/format.h"
 #include "samples/reach/interrupt.h"
 #include "samples/reach/person/keyboard.h"
 

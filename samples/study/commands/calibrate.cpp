@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -12,9 +11,9 @@
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/figures/retest.h"
 #include "samples/study/figures/workshop.h"
+#include "samples/study/input.h"
 #include "samples/study/output.h"
 #include "samples/study/participants.h"
 
@@ -63,38 +62,16 @@ bool is_name(const std::string& text) {
          std::all_of(text.begin(), text.end(), [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-std::string read_data(const std::string& path) {
-  const auto refuse = [&](const std::string& why) {
-    return UsageError(not_allowed("FILE", path, "a file that can be read (" + why + ")"));
-  };
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) throw refuse("this is a folder");
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refuse(std::generic_category().message(errno));
-  std::string text;
-  std::vector<char> block(1 << 20);
-  do {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most_bytes) throw refuse("this one is larger than 512 MiB");
-  } while (file);
-  if (file.bad()) throw refuse("reading fails");
-  return text;
-}
-
 // The picture, in the format that its name ends with.
 std::string draw(const Figure& figure, const std::string& path) {
   const std::string ending = path.ends_with(".png") ? "png" : "svg";
   const fs::path parent = fs::absolute(path).parent_path();
-  const Workshop workshop("--plot", parent.string());
-  run_gnuplot(drawing(figure, ending), workshop.folder());
-  return workshop.read(figure.name + '.' + ending);
+  return Workshop("--plot", parent.string()).draw(figure, ending);
 }
 
 CalibrationReport calibrated(const std::string& data, const CalibrationConfig& config) {
   CalibrationReport report{.name = data, .config = config};
-  const auto trials = parse_calibration_csv(data, read_data(data));
+  const auto trials = parse_calibration_csv(data, read_input("FILE", data, most_bytes));
   report.trials = trials.size();
   const auto result = calibrate(trials, config);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))

@@ -1,17 +1,16 @@
 // hrt-study coverage: how often the calibration's intervals hold the truth.
 #include "samples/study/coverage.h"
 
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <string>
-#include <thread>
 
 #include <nlohmann/json.hpp>
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/output.h"
+#include "samples/study/parallel.h"
 #include "samples/study/statistics.h"
 #include "samples/text.h"
 
@@ -34,42 +33,14 @@ struct Row {
   Coverage coverage;
 };
 
-// Each person has a place of their own: no result depends on the order.
 Coverage simulate(const CoverageKind& kind, const Options& options) {
   std::vector<CoveragePerson> people(options.people);
-  std::atomic<std::uint64_t> next{0};
-  const auto work = [&] {
-    for (std::uint64_t i = next++; i < people.size(); i = next++)
-      people[i] = coverage_person(kind, options.session, static_cast<std::uint32_t>(i));
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::uint64_t i = 1; i < options.threads; ++i) others.emplace_back(work);
-    work();
-  }
+  for_each_part(people.size(), options.threads, [&](std::uint64_t i) {
+    people[i] = coverage_person(kind, options.session, static_cast<std::uint32_t>(i));
+  });
   Coverage coverage;
   for (const CoveragePerson& person : people) coverage.add(person);
   return coverage;
-}
-
-double percent(std::uint64_t of, std::uint64_t all) {
-  return all > 0 ? 100.0 * static_cast<double>(of) / static_cast<double>(all) : std::nan("");
-}
-
-std::string cell(double value, int decimals, std::size_t width) {
-  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
-}
-
-// Of those that are known, and Wilson's 95 % interval of it.
-std::string covered(const Coverage::Of& of) {
-  const double share = percent(of.covered, of.known);
-  if (std::isnan(share)) return cell(share, 0, 5) + std::string(9, ' ');
-  const PercentInterval range = wilson_interval(share, static_cast<double>(of.known));
-  return cell(share, 0, 5) + left(" (" + fixed(range.low, 0) + "-" + fixed(range.high, 0) + ")", 9);
-}
-
-double mean(double sum, std::uint64_t of) {
-  return of > 0 ? sum / static_cast<double>(of) : std::nan("");
 }
 
 std::string text(const Options& options, const std::vector<Row>& rows) {
@@ -91,10 +62,10 @@ std::string text(const Options& options, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     page += left(row.kind->name, 14);
     for (int i = 0; i < quantities; ++i) {
-      const Coverage::Of& of = row.coverage.of[static_cast<std::size_t>(i)];
+      const Tally& tally = row.coverage.of[static_cast<std::size_t>(i)];
       const int decimals = i == weight ? 4 : 2;
-      page += cell(percent(of.known, row.coverage.people), 0, 7) + covered(of) +
-              cell(mean(of.error, of.known), decimals, 8) + cell(mean(of.width, of.known), decimals, 7);
+      page += cell(tally.known.percent(), 0, 7) + tally.covered_text(5) +
+              cell(tally.mean_error(), decimals, 8) + cell(tally.mean_width(), decimals, 7);
     }
     page += '\n';
   }
@@ -103,9 +74,8 @@ std::string text(const Options& options, const std::vector<Row>& rows) {
       "people\n";
   for (const Row& row : rows) {
     const Coverage& of = row.coverage;
-    page += left(row.kind->name, 14) + cell(percent(of.angle, of.people), 0, 6) +
-            cell(percent(of.order, of.people), 0, 6) + cell(percent(of.path, of.people), 0, 6) +
-            cell(percent(of.refused, of.people), 0, 6) + "   " + row.kind->says + '\n';
+    page += left(row.kind->name, 14) + cell(of.angle.percent(), 0, 6) + cell(of.order.percent(), 0, 6) +
+            cell(of.path.percent(), 0, 6) + cell(of.refused.percent(), 0, 6) + "   " + row.kind->says + '\n';
   }
   return page;
 }
@@ -117,15 +87,16 @@ std::string json(const Options& options, const std::vector<Row>& rows) {
                               {"duration_s", options.session.duration_s},
                               {"planned", options.session.planned}};
   for (const Row& row : rows) {
-    nlohmann::ordered_json entry{{"kind", row.kind->name},          {"description", row.kind->says},
-                                 {"refused", row.coverage.refused}, {"angle", row.coverage.angle},
-                                 {"order", row.coverage.order},     {"path", row.coverage.path}};
+    const Coverage& coverage = row.coverage;
+    nlohmann::ordered_json entry{{"kind", row.kind->name},           {"description", row.kind->says},
+                                 {"refused", coverage.refused.hits}, {"angle", coverage.angle.hits},
+                                 {"order", coverage.order.hits},     {"path", coverage.path.hits}};
     for (std::size_t i = 0; i < quantities; ++i) {
-      const Coverage::Of& of = row.coverage.of[i];
-      entry["values"][quantity_name[i]] = {{"known", of.known},
-                                           {"covered", of.covered},
-                                           {"mean_error", mean(of.error, of.known)},
-                                           {"mean_width", mean(of.width, of.known)}};
+      const Tally& tally = coverage.of[i];
+      entry["values"][quantity_name[i]] = {{"known", tally.known.hits},
+                                           {"covered", tally.covered.hits},
+                                           {"mean_error", tally.mean_error()},
+                                           {"mean_width", tally.mean_width()}};
     }
     page["rows"].push_back(entry);
   }

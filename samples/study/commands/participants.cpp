@@ -32,8 +32,7 @@ void check_size(const Options& options) {
   if (rows > most_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
                                  "few enough for " + fixed(most_rows, 0) +
-                                     " rows with these angles, rate and "
-                                     "times; this makes " +
+                                     " rows with these angles, rate and times; this makes " +
                                      fixed(rows, 0)));
 }
 

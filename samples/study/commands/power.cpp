@@ -4,7 +4,6 @@
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/figures/power_page.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/output.h"
@@ -30,22 +29,14 @@ std::string formatted(const Options& options, const PowerStudy& study) {
 
 // Pictures, page and numbers, all or none.
 void make_folder(const Options& options) {
-  const Workshop workshop("--out", options.out);
-  run_gnuplot("", workshop.folder());  // missing: said before the work, not after it
+  Workshop workshop("--out", options.out);
   const PowerStudy study = simulate_power(options.power);
-  const std::vector<Figure> figures = power_figures(study);
-  std::string script;
-  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
-  run_gnuplot(script, workshop.folder());
-  std::vector<std::string> drawings;
-  for (const Figure& figure : figures) drawings.push_back(workshop.read(figure.name + ".svg"));
-
-  replace_file(workshop.folder() / "power.csv", power_csv(study));
-  replace_file(workshop.folder() / "power.json", power_json(study));
-  replace_file(workshop.folder() / "power.html", power_page(study, figures, drawings));
-  for (const Figure& figure : figures)
-    for (const char* ending : {".svg", ".png"}) workshop.publish(figure.name + ending);
-  for (const char* name : {"power.csv", "power.json", "power.html"}) workshop.publish(name);
+  std::vector<Figure> figures = power_figures(study);
+  workshop.draw(figures);
+  workshop.write("power.csv", power_csv(study));
+  workshop.write("power.json", power_json(study));
+  workshop.write("power.html", power_page(study, figures));
+  workshop.publish();
   Output("--out", "")
       .write(formatted(options, study) + (options.format == "text"
                                               ? "\nWrote " + std::to_string(2 * figures.size()) +

@@ -4,7 +4,6 @@
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/figures/page.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/output.h"
@@ -20,9 +19,7 @@ struct Options {
 };
 
 void run(const Options& options) {
-  const Workshop workshop("--out", options.out);
-  run_gnuplot("", workshop.folder());  // missing: said before the work, not after it
-
+  Workshop workshop("--out", options.out);
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
   figures.push_back(table1_figure(table));
@@ -30,17 +27,10 @@ void run(const Options& options) {
   figures.push_back(frontier_figure({.trials = std::max<std::uint64_t>(1, options.table.trials / 2),
                                      .seed = options.table.seed,
                                      .threads = options.table.threads}));
-  std::string script;
-  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
-  run_gnuplot(script, workshop.folder());
-
-  std::vector<std::string> drawings;
-  for (const Figure& figure : figures) drawings.push_back(workshop.read(figure.name + ".svg"));
+  workshop.draw(figures);
   const std::string page = "report.html";
-  replace_file(workshop.folder() / page, html_page(table, figures, drawings));
-  for (const Figure& figure : figures)
-    for (const char* ending : {".svg", ".png"}) workshop.publish(figure.name + ending);
-  workshop.publish(page);
+  workshop.write(page, html_page(table, figures));
+  workshop.publish();
   Output("--out", "")
       .write("Wrote " + std::to_string(2 * figures.size()) + " pictures and the page " +
              (fs::path(options.out) / page).string() + "\n");

@@ -9,7 +9,6 @@
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/figures/robustness_page.h"
 #include "samples/study/figures/workshop.h"
 #include "samples/study/output.h"
@@ -55,23 +54,15 @@ void simulate(RobustnessStudy& study) {
 
 // Pictures, page and numbers, all or none.
 void make_folder(const Options& options, RobustnessStudy& study) {
-  const Workshop workshop("--out", options.out);
-  run_gnuplot("", workshop.folder());  // missing: said before the work, not after it
+  Workshop workshop("--out", options.out);
   simulate(study);
-  const std::vector<Figure> figures = robustness_figures(study);
-  std::string script;
-  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
-  run_gnuplot(script, workshop.folder());
-  std::vector<std::string> drawings;
-  for (const Figure& figure : figures) drawings.push_back(workshop.read(figure.name + ".svg"));
-
+  std::vector<Figure> figures = robustness_figures(study);
+  workshop.draw(figures);
   const std::string page = "robustness.html";
-  replace_file(workshop.folder() / "robustness.csv", robustness_csv(study));
-  replace_file(workshop.folder() / "robustness.json", robustness_json(study));
-  replace_file(workshop.folder() / page, robustness_page(study, figures, drawings));
-  for (const Figure& figure : figures)
-    for (const char* ending : {".svg", ".png"}) workshop.publish(figure.name + ending);
-  for (const char* name : {"robustness.csv", "robustness.json", "robustness.html"}) workshop.publish(name);
+  workshop.write("robustness.csv", robustness_csv(study));
+  workshop.write("robustness.json", robustness_json(study));
+  workshop.write(page, robustness_page(study, figures));
+  workshop.publish();
   Output("--out", "")
       .write(formatted(options.format, study) +
              (options.format == "text" ? "\nWrote " + std::to_string(2 * figures.size()) +

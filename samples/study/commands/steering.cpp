@@ -1,12 +1,9 @@
 // hrt-study steering: how well rate and delay of a person's steering are found, and whether knowing them
 // helps the controller.
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "core/calibration.h"
@@ -15,7 +12,9 @@
 #include "core/simulation/person_trial.h"
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
+#include "samples/study/coverage.h"
 #include "samples/study/output.h"
+#include "samples/study/parallel.h"
 #include "samples/study/statistics.h"
 #include "samples/text.h"
 
@@ -44,18 +43,7 @@ constexpr const char* other_kinds[] = {"steps", "heavy-arm", "crossings"};
 constexpr const char* reach_kinds[] = {"linear", "sine-45", "bias-3", "habit-5", "noise-100"};
 constexpr double durations_s[] = {0.8, 1.0, 1.5};
 
-void for_each(std::uint64_t count, std::uint64_t threads, const std::function<void(std::uint32_t)>& work) {
-  std::atomic<std::uint64_t> next{0};
-  const auto run = [&] {
-    for (std::uint64_t i = next++; i < count; i = next++) work(static_cast<std::uint32_t>(i));
-  };
-  std::vector<std::jthread> others;
-  for (std::uint64_t i = 1; i < threads; ++i) others.emplace_back(run);
-  run();
-}
-
 struct Found {
-  bool calibrated = false;
   Person person;
   SteeringFit steering;
 };
@@ -74,35 +62,35 @@ Found calibrate_person(const PeopleFamily& family, const Options& options, std::
   }
   const auto result = calibrate(trials, {.variances = false});
   const auto* calibration = std::get_if<Calibration>(&result);
-  if (!calibration) return {.calibrated = false, .person = condition.person, .steering = {}};
-  return {.calibrated = true, .person = condition.person, .steering = calibration->steering};
+  return {.person = condition.person, .steering = calibration ? calibration->steering : SteeringFit{}};
 }
 
-std::string cell(double value, int decimals, std::size_t width) {
-  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
+// The columns of one number; of people without a truth, known and width alone.
+std::string text_of(const Tally& tally, bool has_truth) {
+  return cell(tally.known.percent(), 0, 7) +
+         (has_truth ? tally.covered_text(7) + cell(tally.mean_error(), 1, 7)
+                    : right("-", 7) + right("-", 16)) +
+         cell(tally.mean_width(), 1, 8);
 }
 
-// One number of many people.
-struct Tally {
-  Share known;
-  Share covered;  // of the known
-  double error = 0.0, width = 0.0;
+// Rate, in 1/s with its error in %, and delay, in ms, of people of one kind.
+struct SteeringTally {
+  Tally rate;
+  Tally delay;
+  Share unlike;
 
-  void add(const Interval& found, double truth, double scale, bool relative) {
-    known.count(found.known);
-    if (!found.known) return;
-    covered.count(found.lower <= truth && truth <= found.upper);
-    error += relative ? 100.0 * (found.value / truth - 1.0) : scale * (found.value - truth);
-    width += scale * (found.upper - found.lower);
+  void add(const Found& found) {
+    const SteeringFit& steering = found.steering;
+    const double rate_per_s = found.person.gain_per_s;
+    const double delay_ms = 1e3 * found.person.delay_s;
+    const Interval found_ms = in_thousandths(steering.delay_s);
+    rate.add(steering.rate_per_s, rate_per_s, 100.0 * (steering.rate_per_s.value / rate_per_s - 1.0));
+    delay.add(found_ms, delay_ms, found_ms.value - delay_ms);
+    unlike.count(steering.law_p < least_fit_p);
   }
-  std::string text(bool has_truth) const {
-    const auto n = static_cast<double>(known.hits);
-    std::string text = cell(known.percent(), 0, 7);
-    if (!has_truth) return text + right("-", 7) + std::string(9, ' ') + right("-", 7) + cell(width / n, 1, 8);
-    const PercentInterval range = covered.interval();
-    text += cell(covered.percent(), 0, 7) +
-            left(covered.of > 0 ? " (" + fixed(range.low, 0) + "-" + fixed(range.high, 0) + ")" : "", 9);
-    return text + cell(error / n, 1, 7) + cell(width / n, 1, 8);
+  std::string line(const std::string& name, bool has_truth) const {
+    return left(name, 14) + text_of(rate, has_truth) + text_of(delay, has_truth) +
+           cell(unlike.percent(), 0, 8) + "\n";
   }
 };
 
@@ -115,44 +103,30 @@ std::string coverage_text(const Options& options, Progress* progress, std::uint6
       " deg to one\nside and the other, after 22 over a plate at rest. There was no human trial. " +
       std::to_string(options.people) +
       " people a kind.\nknown: % of people; cover: % of those whose 95 % interval holds the truth, and the "
-      "95 "
-      "% interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people whose "
-      "paths no law of steering "
-      "fits.\n\n" +
+      "95 % interval of that\nshare; error and width: means, the rate's error in %; unlike: % of people "
+      "whose paths no law of steering fits.\n\n" +
       left("", 14) + left("rate, 1/s", 38) + "delay, ms\n" + left("", 14) +
       "  known  cover           error   width  known  cover           error   width  unlike\n";
-  Tally rates;
-  Tally delays;
-  Share all_unlike;
+  SteeringTally all_of_law;
   const auto add_row = [&](const char* kind, bool has_truth) {
     std::vector<Found> found(options.people);
-    for_each(options.people, options.threads,
-             [&](std::uint32_t i) { found[i] = calibrate_person(*people_family(kind), options, i); });
-    Tally rate;
-    Tally delay;
-    Share unlike;
+    for_each_part(options.people, options.threads, [&](std::uint64_t i) {
+      found[i] = calibrate_person(*people_family(kind), options, static_cast<std::uint32_t>(i));
+    });
+    SteeringTally of_kind;
     for (const Found& one : found) {
-      const SteeringFit& s = one.steering;
-      unlike.count(s.law_p < least_fit_p);
-      rate.add(s.rate_per_s, one.person.gain_per_s, 1.0, true);
-      delay.add(s.delay_s, one.person.delay_s, 1e3, false);
-      if (!has_truth) continue;
-      rates.add(s.rate_per_s, one.person.gain_per_s, 1.0, true);
-      delays.add(s.delay_s, one.person.delay_s, 1e3, false);
-      all_unlike.count(s.law_p < least_fit_p);
+      of_kind.add(one);
+      if (has_truth) all_of_law.add(one);
     }
-    page +=
-        left(kind, 14) + rate.text(has_truth) + delay.text(has_truth) + cell(unlike.percent(), 0, 8) + "\n";
+    page += of_kind.line(kind, has_truth);
     progress->update(++*done, all);
   };
   for (const char* kind : law_kinds) add_row(kind, true);
-  page += left("all of these", 14) + rates.text(true) + delays.text(true) + cell(all_unlike.percent(), 0, 8) +
-          "\n";
+  page += all_of_law.line("all of these", true);
   for (const char* kind : other_kinds) add_row(kind, false);
   return page +
          "\nThe last rows have no rate and delay of this law: steps of 100 ms, an arm that lags, ridges felt "
-         "as "
-         "they are\ncrossed. What is found of them is the law's nearest.\n";
+         "as they are\ncrossed. What is found of them is the law's nearest.\n";
 }
 
 // What the controller is given of the steering.
@@ -197,13 +171,14 @@ std::string control_text(const Options& options, Progress* progress, std::uint64
     std::string text = left(name, 20);
     for (const Share& share : shares)
       text += cell(share.percent(), 1, 6) +
-              left(" (" + fixed(share.interval().low, 0) + "-" + fixed(share.interval().high, 0) + ")", 11);
+              left(" (" + between(share.interval().low, share.interval().high, 0) + ")", 11);
     return text + "\n";
   };
   for (const char* kind : reach_kinds)
     for (const double duration_s : durations_s) {
       std::vector<std::array<int, std::size(all_given)>> near(options.reach_people);
-      for_each(options.reach_people, options.threads, [&](std::uint32_t i) {
+      for_each_part(options.reach_people, options.threads, [&](std::uint64_t part) {
+        const auto i = static_cast<std::uint32_t>(part);
         const PersonCondition condition = draw_person(*people_family(kind), duration_s, options.seed, i);
         const bool holds = can_hold(condition);
         for (std::size_t g = 0; g < std::size(all_given); ++g)

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
@@ -16,15 +15,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text(const PercentInterval& interval) {
-  return fixed(interval.low, 1) + " - " + fixed(interval.high, 1);
-}
-
 // "     93.0    89.5 - 95.4     92.8"
 std::string columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
                     double percent) {
   return right(paper_percent ? fixed(*paper_percent, 1) : "", 9) +
-         right(interval ? text(*interval) : "", 15) + right(fixed(percent, 1), 9);
+         right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) +
+         right(fixed(percent, 1), 9);
 }
 
 std::string yes_or_no(bool yes) {
@@ -71,21 +67,6 @@ std::string fit_text(const Table1& table) {
   return page + "79 % of 50 trials is no whole number; it is taken as the paper prints it.\n\n";
 }
 
-// `words` broken into lines of at most 100 characters, each after four spaces.
-std::string indented(const std::string& words) {
-  std::string page;
-  std::string line = "   ";
-  std::istringstream stream(words);
-  for (std::string word; stream >> word;) {
-    if (line.size() + 1 + word.size() > 100) {
-      page += line + '\n';
-      line = "   ";
-    }
-    line += ' ' + word;
-  }
-  return page + line + '\n';
-}
-
 std::string claims_text(const Table1& table) {
   std::string page =
       left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
@@ -98,7 +79,7 @@ std::string claims_text(const Table1& table) {
       page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " +
               fixed(highest->result.hit_percent(), 1) + " of the six pairs";
     }
-    page += '\n' + indented(claim.verdict);
+    page += '\n' + wrapped(claim.verdict, 100, "    ", "    ");
   }
   return page;
 }

@@ -17,37 +17,8 @@ namespace {
 // The slides' own colours: used, outlying, along the ridges.
 constexpr const char* verdict_name[] = {"used", "outlying", "along_ridges"};
 
-struct Quantity {
-  const char* name;  // in JSON
-  const char* words;
-  Interval interval;
-  int decimals;
-  bool withheld = false;  // whatever the slides are
-};
-
-Interval in_mm(Interval metres) {
-  for (double* value : {&metres.value, &metres.lower, &metres.upper}) *value *= 1e3;
-  return metres;
-}
-
-std::array<Quantity, 11> quantities(const Calibration& calibration) {
-  return {
-      {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
-       {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
-       {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
-       {"largest_gap_deg", "largest gap, °", calibration.largest_gap_deg, 1},
-       {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
-       {"person_curve", "curve b of it", calibration.curve, 3},
-       {"motor_variance_deg2", "motor variance σ_u², (°)²", calibration.motor_variance_deg2, 3, true},
-       {"sensory_variance_deg2", "sensory variance σ_h², (°)²", calibration.sensory_variance_deg2, 3, true},
-       {"tracker_noise_mm", "tracker noise, white, mm", in_mm(calibration.noise.white_m), 3},
-       {"correlated_noise_mm", "tracker noise, correlated, mm", in_mm(calibration.noise.correlated_m), 3},
-       {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}}};
-}
-
 std::string interval_text(const Quantity& quantity) {
-  return fixed(quantity.interval.lower, quantity.decimals) + " to " +
-         fixed(quantity.interval.upper, quantity.decimals);
+  return between(quantity.interval.lower, quantity.interval.upper, quantity.decimals, " to ");
 }
 
 std::string row(const std::string& name, const std::string& value, const std::string& rest) {
@@ -96,32 +67,42 @@ std::string fit_text(const Calibration& calibration) {
   return text;
 }
 
-Interval in_ms(Interval seconds) {
-  for (double* value : {&seconds.value, &seconds.lower, &seconds.upper}) *value *= 1e3;
-  return seconds;
-}
-
-std::array<Quantity, 2> steering_quantities(const SteeringFit& steering) {
-  return {{{"steering_rate_per_s", "steering, rate k, 1/s", steering.rate_per_s, 1},
-           {"steering_delay_ms", "steering, delay, ms", in_ms(steering.delay_s), 0}}};
-}
-
 constexpr const char* law_name[steering_laws] = {"delayed", "predicted", "place"};
 
-std::string steering_text(const SteeringFit& steering) {
-  std::string text;
-  for (const Quantity& quantity : steering_quantities(steering))
-    text +=
-        quantity.interval.known
-            ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals), interval_text(quantity))
-            : row(quantity.words, "not determined",
-                  steering.slides < least_turning_slides
-                      ? "too few slides over a turning plate"
-                      : "best fit " + fixed(quantity.interval.value, quantity.decimals));
-  return text;
+// The value with its interval, or why it has none.
+std::string quantity_row(const Quantity& quantity, const std::string& why_not) {
+  const Interval& interval = quantity.interval;
+  return interval.known
+             ? row(quantity.words, fixed(interval.value, quantity.decimals), interval_text(quantity))
+             : row(quantity.words, "not determined", why_not);
+}
+
+std::string best_fit(const Quantity& quantity) {
+  return "best fit " + fixed(quantity.interval.value, quantity.decimals);
 }
 
 }  // namespace
+
+std::vector<Quantity> quantities(const Calibration& calibration) {
+  return {
+      {"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
+      {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
+      {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
+      {"largest_gap_deg", "largest gap, °", calibration.largest_gap_deg, 1},
+      {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
+      {"person_curve", "curve b of it", calibration.curve, 3},
+      {"motor_variance_deg2", "motor variance σ_u², (°)²", calibration.motor_variance_deg2, 3, true},
+      {"sensory_variance_deg2", "sensory variance σ_h², (°)²", calibration.sensory_variance_deg2, 3, true},
+      {"tracker_noise_mm", "tracker noise, white, mm", in_thousandths(calibration.noise.white_m), 3},
+      {"correlated_noise_mm", "tracker noise, correlated, mm", in_thousandths(calibration.noise.correlated_m),
+       3},
+      {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
+}
+
+std::vector<Quantity> steering_quantities(const SteeringFit& steering) {
+  return {{"steering_rate_per_s", "steering, rate k, 1/s", steering.rate_per_s, 1},
+          {"steering_delay_ms", "steering, delay, ms", in_thousandths(steering.delay_s), 0}};
+}
 
 std::string calibration_text(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
@@ -129,19 +110,17 @@ std::string calibration_text(const CalibrationReport& report) {
                      std::to_string(calibration.count(SlideVerdict::used)) + " of " +
                      std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
-  for (const Quantity& quantity : quantities(calibration)) {
-    if (quantity.withheld) {
-      text += row(quantity.words, "withheld",
-                  "slides do not show it; the paper's person would have " +
-                      fixed(quantity.interval.value, quantity.decimals));
-      continue;
-    }
-    text += quantity.interval.known ? row(quantity.words, fixed(quantity.interval.value, quantity.decimals),
-                                          interval_text(quantity))
-                                    : row(quantity.words, "not determined",
-                                          "best fit " + fixed(quantity.interval.value, quantity.decimals));
-  }
-  if (calibration.steering.slides > 0) text += steering_text(calibration.steering);
+  for (const Quantity& quantity : quantities(calibration))
+    text += quantity.withheld ? row(quantity.words, "withheld",
+                                    "slides do not show it; the paper's person would have " +
+                                        fixed(quantity.interval.value, quantity.decimals))
+                              : quantity_row(quantity, best_fit(quantity));
+  const SteeringFit& steering = calibration.steering;
+  if (steering.slides > 0)
+    for (const Quantity& quantity : steering_quantities(steering))
+      text += quantity_row(quantity, steering.slides < least_turning_slides
+                                         ? "too few slides over a turning plate"
+                                         : best_fit(quantity));
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
@@ -287,8 +266,7 @@ Figure calibration_figure(const CalibrationReport& report) {
   };
   figure.script +=
       "EOD\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "
-      "graph "
-      "0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
+      "graph 0.05\nset lmargin 10\nset rmargin 3\nset multiplot\n"
       "set origin 0,0.66\nset size 1,0.34\nset title \"Illusion: " +
       family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" +
       interval_text(all[0]) + "), largest gap " + fixed(all[3].interval.value, 1) + "° (" +
@@ -297,8 +275,7 @@ Figure calibration_figure(const CalibrationReport& report) {
       "[-80:80]\nset xtics 15\n"
       "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"
       "plot $band using 1:3:4 with filledcurves fc rgb '#c6dbef' title '95 %', $band using 1:2 with lines lw "
-      "2 lc "
-      "rgb '#08306b' title 'curve'\n"
+      "2 lc rgb '#08306b' title 'curve'\n"
       "set key top right\nset origin 0,0.33\nset size 1,0.33\nset title \"Directions of " +
       std::to_string(calibration.slides.size()) + " slides\\n" +
       with_minus_signs("bias " + fixed(all[1].interval.value, 2) + "° (" + interval_text(all[1]) +

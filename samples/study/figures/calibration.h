@@ -17,6 +17,18 @@ struct CalibrationReport {
   Calibration calibration;
 };
 
+/// A value of a calibration, with how it is written.
+struct Quantity {
+  const char* name;   ///< in JSON
+  const char* words;  ///< with unit
+  Interval interval;
+  int decimals;
+  bool withheld = false;  ///< whatever the slides are
+};
+
+std::vector<Quantity> quantities(const Calibration& calibration);
+std::vector<Quantity> steering_quantities(const SteeringFit& steering);
+
 std::string calibration_text(const CalibrationReport& report);
 nlohmann::ordered_json calibration_json(const CalibrationReport& report);
 

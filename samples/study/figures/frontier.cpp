@@ -24,10 +24,7 @@ constexpr double tactile_weights[] = {0.15, 0.10};
 constexpr double actual_weights[] = {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 20.0};
 
 Condition condition(double motor_variance_deg2, double tactile_weight, double actual_weight) {
-  Condition condition = make_condition(default_values(), -5.0, 5.0);
-  condition.participant.motor_variance_deg2 = motor_variance_deg2;
-  condition.participant.tactile_weight = tactile_weight;
-  condition.controller.participant = condition.participant;
+  Condition condition = make_condition(motor_variance_deg2, tactile_weight, -5.0, 5.0);
   condition.controller.mpc.actual_weight = actual_weight;
   condition.steps = steps_to_rest;
   return condition;

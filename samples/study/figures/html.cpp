@@ -39,14 +39,9 @@ summary { cursor: pointer; }
 }
 )";
 
-void replace_all(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-}
-
 // The <svg> element alone; its ids are made unique, since gnuplot repeats them in every file.
-std::string inlined(const std::string& file, const Figure& figure) {
-  std::string svg = file.substr(std::min(file.find("<svg"), file.size()));
+std::string inlined(const Figure& figure) {
+  std::string svg = figure.svg.substr(std::min(figure.svg.find("<svg"), figure.svg.size()));
   const std::string prefix = figure.name + '-';
   for (const char* quote : {"'", "\""}) {
     replace_all(svg, std::string(" id=") + quote, std::string(" id=") + quote + prefix);
@@ -58,6 +53,11 @@ std::string inlined(const std::string& file, const Figure& figure) {
 }
 
 }  // namespace
+
+void replace_all(std::string& text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+}
 
 std::string folded(const std::string& words, const std::string& html) {
   return "<details><summary>" + escaped(words) + "</summary>\n" + html + "</details>\n";
@@ -85,9 +85,9 @@ std::string table_cells(std::initializer_list<std::string> values) {
   return row;
 }
 
-std::string figure_element(const Figure& figure, const std::string& drawing) {
+std::string figure_element(const Figure& figure) {
   return "<figure role=\"img\" aria-label=\"" + escaped(figure.title) +
-         "\" style=\"max-width: " + std::to_string(figure.width_px) + "px\">\n" + inlined(drawing, figure) +
+         "\" style=\"max-width: " + std::to_string(figure.width_px) + "px\">\n" + inlined(figure) +
          "<figcaption><b>" + escaped(figure.title) + ".</b> " + escaped(figure.caption) +
          " Simulation.</figcaption>\n</figure>\n";
 }

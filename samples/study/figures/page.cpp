@@ -7,14 +7,10 @@
 namespace hrt::study {
 namespace {
 
-std::string interval_text(const PercentInterval& interval) {
-  return fixed(interval.low, 1) + " – " + fixed(interval.high, 1);
-}
-
 // A row a pair, a column a condition: the paper's percentage with its interval, and the model's.
 std::string table_rows(const Table1& table) {
   const auto cell = [](double paper, const PercentInterval& interval, double model, bool agrees) {
-    return "<td>" + fixed(paper, 0) + " <small>" + fixed(interval.low, 0) + "–" + fixed(interval.high, 0) +
+    return "<td>" + fixed(paper, 0) + " <small>" + between(interval.low, interval.high, 0, "–") +
            "</small> <b>" + fixed(model, 1) + "</b>" + (agrees ? "" : " ✗") + "</td>";
   };
   std::string rows;
@@ -50,9 +46,10 @@ std::string table_head(const Table1& table) {
 
 // The verdict in a row of its own: pages are read on phones too.
 std::string claim_rows(const CellGroup& claim) {
+  const std::optional<PercentInterval> interval = claim.paper_interval();
   return "<tr class=\"head\">" +
          table_cells({with_symbols(claim.title), claim.paper_percent ? fixed(*claim.paper_percent, 1) : "",
-                      claim.paper_percent ? interval_text(*claim.paper_interval()) : "",
+                      interval ? between(interval->low, interval->high, 1, " – ") : "",
                       fixed(claim.mean_percent(), 1)}) +
          "</tr>\n<tr><td colspan=\"4\" class=\"words\">" + escaped(with_symbols(claim.verdict)) +
          "</td></tr>\n";
@@ -60,8 +57,7 @@ std::string claim_rows(const CellGroup& claim) {
 
 }  // namespace
 
-std::string html_page(const Table1& table, const std::vector<Figure>& figures,
-                      const std::vector<std::string>& drawings) {
+std::string html_page(const Table1& table, const std::vector<Figure>& figures) {
   std::string page = page_start("Haptic retargeting by touch: the paper and the model");
   page +=
       "<p>A ridged plate turns under the fingertip. Touch reports motion perpendicular to the ridges, "
@@ -80,7 +76,7 @@ std::string html_page(const Table1& table, const std::vector<Figure>& figures,
       "<th>paper, %</th><th>interval</th><th>model, %</th></tr>\n";
   for (const CellGroup& claim : table.claims) page += claim_rows(claim);
   page += "</table>\n<h2>Figures</h2>\n";
-  for (std::size_t i = 0; i < figures.size(); ++i) page += figure_element(figures[i], drawings[i]);
+  for (const Figure& figure : figures) page += figure_element(figure);
   return page + "</body>\n</html>\n";
 }
 

@@ -10,7 +10,6 @@
 namespace hrt::study {
 
 /// `drawings`: gnuplot's SVG of each figure.
-std::string html_page(const Table1& table, const std::vector<Figure>& figures,
-                      const std::vector<std::string>& drawings);
+std::string html_page(const Table1& table, const std::vector<Figure>& figures);
 
 }  // namespace hrt::study

@@ -141,11 +141,8 @@ double enlargement(const LateralRange& range) {
 }
 
 Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
-  Condition condition =
-      make_condition(default_values(), paper.real_direction_deg, paper.virtual_direction_deg);
-  condition.participant.motor_variance_deg2 = paper.motor_variance_deg2;
-  condition.participant.tactile_weight = paper.tactile_weight;
-  condition.controller.participant = condition.participant;
+  Condition condition = make_condition(paper.motor_variance_deg2, paper.tactile_weight,
+                                       paper.real_direction_deg, paper.virtual_direction_deg);
   if (paper.is_plate_fixed) condition.controller.mode = ControlMode::fixed_plate;
 
   std::vector<Path> true_paths;

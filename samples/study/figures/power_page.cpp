@@ -49,9 +49,8 @@ Figure figure_of(const PowerStudy& study, std::uint64_t reaches) {
       "the bearing error'\nset grid y back lt 1 lw 0.6 lc rgb '#dddddd'\nset logscale x\nset xtics (" +
       ticks + ")\nset bmargin 8\nset xrange [" + number(0.85 * study.options.people.front()) + ':' +
       number(1.18 * study.options.people.back()) +
-      "]\nset xlabel 'people'\nset yrange "
-      "[-2:102]\nset ytics 20\nset ylabel 'trials that find the effect, %'\nplot 80 with lines dt 3 lw 1.5 "
-      "lc rgb '#555555' notitle" +
+      "]\nset xlabel 'people'\nset yrange [-2:102]\nset ytics 20\nset ylabel 'trials that find the effect, "
+      "%'\nplot 80 with lines dt 3 lw 1.5 lc rgb '#555555' notitle" +
       plots + "\n";
   return figure;
 }
@@ -76,8 +75,7 @@ std::vector<Figure> power_figures(const PowerStudy& study) {
   return figures;
 }
 
-std::string power_page(const PowerStudy& study, const std::vector<Figure>& figures,
-                       const std::vector<std::string>& drawings) {
+std::string power_page(const PowerStudy& study, const std::vector<Figure>& figures) {
   std::string page = page_start("Haptic retargeting by touch: people for a first trial") +
                      "<p>What these numbers take for granted:</p>\n<ul>\n";
   for (const std::string& assumption : power_assumptions(study.options))
@@ -86,13 +84,13 @@ std::string power_page(const PowerStudy& study, const std::vector<Figure>& figur
       "</ul>\n<h2>People for a given effect</h2>\n<p>In brackets: 95 % interval over the simulated "
       "people.</p>\n" +
       table(study);
-  for (std::size_t i = 0; i < figures.size(); ++i) page += figure_element(figures[i], drawings[i]);
+  for (const Figure& figure : figures) page += figure_element(figure);
   page +=
       "<h2>The simulated people</h2>\n<p>A person's mean error, and by how much the controller lessens "
       "it.</p>\n<div class=\"wide\"><table class=\"small\">\n<tr><th>reaches</th><th>with, median, °</th>"
       "<th>without, median, °</th><th>difference, mean, °</th><th>difference, SD, °</th></tr>\n";
   const auto words = [](const Quantile& quantile) {
-    return fixed(quantile.value, 2) + " (" + fixed(quantile.low, 2) + "–" + fixed(quantile.high, 2) + ")";
+    return fixed(quantile.value, 2) + " (" + between(quantile.low, quantile.high, 2, "–") + ")";
   };
   for (const PoolSpread& pool : study.pool)
     page += "<tr>" +

@@ -13,7 +13,6 @@ namespace hrt::study {
 std::vector<Figure> power_figures(const PowerStudy& study);
 
 /// `drawings`: gnuplot's SVG of each figure.
-std::string power_page(const PowerStudy& study, const std::vector<Figure>& figures,
-                       const std::vector<std::string>& drawings);
+std::string power_page(const PowerStudy& study, const std::vector<Figure>& figures);
 
 }  // namespace hrt::study

@@ -11,10 +11,10 @@
 namespace hrt::study {
 namespace {
 
-// Of metres in millimetres, of seconds in milliseconds.
-Interval in_thousandths(Interval interval) {
-  for (double* value : {&interval.value, &interval.lower, &interval.upper}) *value *= 1e3;
-  return interval;
+Quantity quantity_of(const Calibration& calibration, std::string_view name) {
+  std::vector<Quantity> all = quantities(calibration);
+  for (const Quantity& quantity : steering_quantities(calibration.steering)) all.push_back(quantity);
+  return *std::find_if(all.begin(), all.end(), [&](const Quantity& each) { return each.name == name; });
 }
 
 std::string conclusion(const RetestReport& report) {
@@ -22,7 +22,8 @@ std::string conclusion(const RetestReport& report) {
   std::size_t known = 0;
   for (const ComparedValue& value : report.values) {
     known += value.difference.difference.known ? 1 : 0;
-    if (value.difference.differs) differing += (differing.empty() ? "" : "; ") + std::string(value.words);
+    if (value.difference.differs)
+      differing += (differing.empty() ? "" : "; ") + std::string(value.quantity.words);
   }
   if (known == 0) return "No value is known from both calibrations: nothing can be compared";
   if (differing.empty())
@@ -53,30 +54,18 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
   RetestReport report{std::move(first), std::move(second), {}};
   const Calibration& a = report.first.calibration;
   const Calibration& b = report.second.calibration;
-  struct Repeated {
-    ComparedValue names;
-    RepeatedValue value;
-  };
-  std::vector<Repeated> repeated{
-      {{"tactile_weight", "tactile weight w_T at 60°", 3, {}}, {a.tactile_weight, b.tactile_weight}},
-      {{"largest_gap_deg", "largest gap, °", 1, {}}, {a.largest_gap_deg, b.largest_gap_deg}},
-      {{"bias_deg", "bias, °", 2, {}}, {a.bias_deg, b.bias_deg}},
-      {{"habit_deg", "habit of curving, °", 2, {}}, {a.habit_deg, b.habit_deg}},
-      {{"tracker_noise_mm", "tracker noise, white, mm", 3, {}},
-       {in_thousandths(a.noise.white_m), in_thousandths(b.noise.white_m)}}};
-  if (a.steering.slides > 0 && b.steering.slides > 0) {
-    repeated.push_back({{"steering_rate_per_s", "steering, rate k, 1/s", 1, {}},
-                        {a.steering.rate_per_s, b.steering.rate_per_s}});
-    repeated.push_back({{"steering_delay_ms", "steering, delay, ms", 0, {}},
-                        {in_thousandths(a.steering.delay_s), in_thousandths(b.steering.delay_s)}});
-  }
+  std::vector<const char*> names{"tactile_weight", "largest_gap_deg", "bias_deg", "habit_deg",
+                                 "tracker_noise_mm"};
+  if (a.steering.slides > 0 && b.steering.slides > 0)
+    names.insert(names.end(), {"steering_rate_per_s", "steering_delay_ms"});
   std::vector<RepeatedValue> values;
-  for (const Repeated& one : repeated) values.push_back(one.value);
-  const std::vector<RetestDifference> differences = compare(values);
-  for (std::size_t i = 0; i < repeated.size(); ++i) {
-    report.values.push_back(repeated[i].names);
-    report.values.back().difference = differences[i];
+  for (const char* const name : names) {
+    const Quantity first_value = quantity_of(a, name);
+    report.values.push_back({first_value, {}});
+    values.push_back({first_value.interval, quantity_of(b, name).interval});
   }
+  const std::vector<RetestDifference> differences = compare(values);
+  for (std::size_t i = 0; i < values.size(); ++i) report.values[i].difference = differences[i];
   return report;
 }
 
@@ -85,12 +74,12 @@ std::string retest_text(const RetestReport& report) {
                      left("", 36) + right("difference", 15) + "   95 % interval\n";
   for (const ComparedValue& value : report.values) {
     const Interval& difference = value.difference.difference;
-    text += "  " + left(value.words, 36);
-    text += difference.known ? right(fixed(difference.value, value.decimals), 15) + "   " +
-                                   fixed(difference.lower, value.decimals) + " to " +
-                                   fixed(difference.upper, value.decimals) +
-                                   (value.difference.differs ? ", differs" : "") + '\n'
-                             : right("not determined", 15) + '\n';
+    text += "  " + left(value.quantity.words, 36);
+    text += difference.known
+                ? right(fixed(difference.value, value.quantity.decimals), 15) + "   " +
+                      between(difference.lower, difference.upper, value.quantity.decimals, " to ") +
+                      (value.difference.differs ? ", differs" : "") + '\n'
+                : right("not determined", 15) + '\n';
   }
   return text + conclusion(report) +
          ". With all values together, 5 % of pairs of an unchanged person would show a difference.\n";
@@ -102,11 +91,12 @@ nlohmann::ordered_json retest_json(const RetestReport& report) {
   for (const ComparedValue& value : report.values) {
     const RetestDifference& difference = value.difference;
     differs = differs || difference.differs;
-    page["values"][value.name] = {{"difference", difference.difference.value},
-                                  {"interval", {difference.difference.lower, difference.difference.upper}},
-                                  {"known", difference.difference.known},
-                                  {"p", difference.p},
-                                  {"differs", difference.differs}};
+    page["values"][value.quantity.name] = {
+        {"difference", difference.difference.value},
+        {"interval", {difference.difference.lower, difference.difference.upper}},
+        {"known", difference.difference.known},
+        {"p", difference.p},
+        {"differs", difference.differs}};
   }
   page["differs"] = differs;
   return page;
@@ -131,13 +121,14 @@ Figure retest_figure(const RetestReport& report) {
     const ComparedValue& value = report.values[i];
     const Interval& difference = value.difference.difference;
     const std::string row = std::to_string(report.values.size() - i);
-    names += (i == 0 ? "" : ", ") + ("'" + std::string(value.words) + "' " + row);
+    names += (i == 0 ? "" : ", ") + ("'" + std::string(value.quantity.words) + "' " + row);
     if (difference.known)
-      figure.script += number(relative(difference)) + ' ' + row + " \"" +
-                       with_minus_signs(fixed(difference.value, value.decimals) + " (" +
-                                        fixed(difference.lower, value.decimals) + " to " +
-                                        fixed(difference.upper, value.decimals) + ")") +
-                       "\"\n";
+      figure.script +=
+          number(relative(difference)) + ' ' + row + " \"" +
+          with_minus_signs(fixed(difference.value, value.quantity.decimals) + " (" +
+                           between(difference.lower, difference.upper, value.quantity.decimals, " to ") +
+                           ")") +
+          "\"\n";
     else
       figure.script += "0 " + row + " \"not determined\"\n";
   }
@@ -146,8 +137,7 @@ Figure retest_figure(const RetestReport& report) {
       "set title 'Illusion, test and retest' font ',12'\nset key top left\nset xrange [-80:80]\nset xtics "
       "15\n"
       "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\nset style fill transparent "
-      "solid 0.5 "
-      "noborder\n"
+      "solid 0.5 noborder\n"
       "plot $test using 1:3:4 with filledcurves fc rgb '#c6dbef' title 'test, 95 %', "
       "$retest using 1:3:4 with filledcurves fc rgb '#fdd0a2' title 'retest, 95 %', "
       "$test using 1:2 with lines lw 2 lc rgb '#08306b' notitle, "
@@ -157,8 +147,7 @@ Figure retest_figure(const RetestReport& report) {
       "\" font ',11'\nunset key\nset lmargin 28\nset rmargin 4\nset xrange [-4:4]\nset xtics 1\nset yrange "
       "[0.4:" +
       std::to_string(report.values.size()) + ".8]\nset ytics (" + names +
-      ")\nset xlabel 'difference over half its 95 % interval'\nunset "
-      "ylabel\n"
+      ")\nset xlabel 'difference over half its 95 % interval'\nunset ylabel\n"
       "set arrow from -1,graph 0 to -1,graph 1 nohead dt 2 lc rgb '#555555'\n"
       "set arrow from 1,graph 0 to 1,graph 1 nohead dt 2 lc rgb '#555555'\n"
       "plot $values using (strcol(3) eq 'not determined'?NaN:$1<-3.8?-3.8:($1>3.8?3.8:$1)):2 with points pt "

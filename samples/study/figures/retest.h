@@ -11,9 +11,7 @@
 namespace hrt::study {
 
 struct ComparedValue {
-  const char* name;   ///< in JSON
-  const char* words;  ///< with unit
-  int decimals;
+  Quantity quantity;  ///< of the first calibration
   RetestDifference difference;
 };
 

@@ -62,8 +62,7 @@ Figure duration_figure(double duration_s, Rows rows) {
 // "98.5 (97.1–99.2)"; what too few values bound is "?".
 std::string with_interval(double value, double low, double high) {
   if (std::isnan(value)) return "";
-  const auto bound = [](double end) { return std::isnan(end) ? std::string("?") : fixed(end, 1); };
-  return "<b>" + fixed(value, 1) + "</b> <small>" + bound(low) + "–" + bound(high) + "</small>";
+  return "<b>" + fixed(value, 1) + "</b> <small>" + between(low, high, 1, "–") + "</small>";
 }
 
 std::string cell(const std::string& html) {
@@ -83,18 +82,14 @@ constexpr int columns = 8;
 
 // A sort of people, whether they can hold the gap or not, under each controller.
 std::string group_rows(const RobustnessRow& row, bool can_hold) {
-  const auto of = [&](Leading leading) -> const ReachGroup& {
-    const RobustnessCell& cell = row.cell(leading);
-    return can_hold ? cell.can_hold : cell.cannot_hold;
-  };
-  const std::uint64_t people = of(Leading::none).near.of;
+  const std::uint64_t people = row.cell(Leading::none).group(can_hold).near.of;
   if (people == 0) return "";
   std::string html = "<tr class=\"head\"><td colspan=\"" + std::to_string(columns) + "\"><b>" +
                      escaped(label(row.people)) + "</b>: " + escaped(row.people.says) + "; " +
                      std::to_string(people) + (can_hold ? " can hold the gap" : " cannot hold the gap") +
                      "</td></tr>\n";
   for (const Leading leading : leadings) {
-    const ReachGroup& group = of(leading);
+    const ReachGroup& group = row.cell(leading).group(can_hold);
     const bool flags = leading != Leading::none;
     html += leading == leadings.back() ? "<tr class=\"last\">" : "<tr>";
     html += "<td>" + escaped(leading_title(leading)) + "</td>" + cell(group.near) +
@@ -119,10 +114,7 @@ std::string table(Rows rows) {
 // For a page, where w_T has its subscript.
 std::string prose(const std::string& text) {
   std::string html = escaped(text);
-  const std::string plain = "w_T";
-  const std::string set = "w<sub>T</sub>";
-  for (std::size_t at = html.find(plain); at != std::string::npos; at = html.find(plain, at + set.size()))
-    html.replace(at, plain.size(), set);
+  replace_all(html, "w_T", "w<sub>T</sub>");
   return html;
 }
 
@@ -143,25 +135,22 @@ std::vector<Figure> robustness_figures(const RobustnessStudy& study) {
   return figures;
 }
 
-std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures,
-                            const std::vector<std::string>& drawings) {
+std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures) {
   std::string page = page_start("Haptic retargeting by touch: people as they are");
   page +=
       "<p>" + prose(condition_words(study)) +
-      " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with "
-      "the paper's controller, which assumes w<sub>T</sub> = 0.15; five times with ours, which does not know "
-      "the "
+      " Each family differs in one thing. Each person reaches without a controller, the plate at 0; with the "
+      "paper's controller, which assumes w<sub>T</sub> = 0.15; five times with ours, which does not know the "
       "person at first and carries what it learns; and once with ours informed of the person's "
       "traits.</p>\n<p>Whether a person can hold the gap does not depend on the controller: their largest "
-      "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges "
-      "within 60° of the motion. The felt error is the largest difference between the direction that the "
-      "person feels and the virtual target's; 4.5° is noticed in vision, no threshold is published for "
+      "felt shift, with the plate within 75° of the motion, exceeds it. Human data cover ridges within 60° "
+      "of the motion. The felt error is the largest difference between the direction that the person feels "
+      "and the virtual target's; 4.5° is noticed in vision, no threshold is published for "
       "touch.</p>\n<p>Unreachable: reported so by then. A silent miss ends off target without a flag; a "
       "false alarm ends on target and is flagged unreachable or off target. In brackets: 95 % intervals, "
-      "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound "
-      "it.</p>\n";
+      "Wilson's for shares, between two of the reaches for quantiles; ?: too few reaches bound it.</p>\n";
   for (std::size_t i = 0; i < figures.size(); ++i)
-    page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i], drawings[i]) +
+    page += "<h2>" + escaped(figures[i].title) + "</h2>\n" + figure_element(figures[i]) +
             folded("The numbers (open them to print them; all are in robustness.csv)",
                    table(at_duration(study.rows, study.options.durations_s[i])));
   return page + "</body>\n</html>\n";

@@ -17,7 +17,6 @@ std::string condition_words(const RobustnessStudy& study);
 std::vector<Figure> robustness_figures(const RobustnessStudy& study);
 
 /// `drawings`: gnuplot's SVG of each figure.
-std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures,
-                            const std::vector<std::string>& drawings);
+std::string robustness_page(const RobustnessStudy& study, const std::vector<Figure>& figures);
 
 }  // namespace hrt::study

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "samples/study/arguments.h"
+#include "samples/study/figures/gnuplot.h"
 #include "samples/study/output.h"
 
 namespace hrt::study {
@@ -13,6 +14,7 @@ namespace fs = std::filesystem;
 
 Workshop::Workshop(const std::string& argument, const std::string& out)
     : out_(out), was_made_(!fs::exists(out)) {
+  run_gnuplot("", ".");  // missing: said before the work, not after it
   std::error_code error;
   fs::create_directories(out_, error);
   folder_ = out_ / (".hrt-study." + std::to_string(getpid()) + ".tmp");
@@ -27,14 +29,35 @@ Workshop::~Workshop() {
   if (was_made_) fs::remove(out_, ignored);  // only if it is empty
 }
 
-std::string Workshop::read(const std::string& name) const {
-  std::string text = read_file(folder_ / name);
-  if (text.empty()) throw std::runtime_error("gnuplot did not write " + name);
-  return text;
+std::string Workshop::draw(const Figure& figure, const std::string& ending) {
+  run_gnuplot(drawing(figure, ending), folder_);
+  return drawn(figure.name + '.' + ending);
 }
 
-void Workshop::publish(const std::string& name) const {
-  fs::rename(folder_ / name, out_ / name);
+void Workshop::draw(std::vector<Figure>& figures) {
+  std::string script;
+  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
+  run_gnuplot(script, folder_);
+  for (Figure& figure : figures) {
+    figure.svg = drawn(figure.name + ".svg");
+    drawn(figure.name + ".png");
+  }
+}
+
+void Workshop::write(const std::string& name, std::string_view content) {
+  replace_file(folder_ / name, content);
+  files_.push_back(name);
+}
+
+void Workshop::publish() const {
+  for (const std::string& name : files_) fs::rename(folder_ / name, out_ / name);
+}
+
+std::string Workshop::drawn(const std::string& name) {
+  std::string content = read_file(folder_ / name);
+  if (content.empty()) throw std::runtime_error("gnuplot did not write " + name);
+  files_.push_back(name);
+  return content;
 }
 
 }  // namespace hrt::study

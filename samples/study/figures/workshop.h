@@ -3,30 +3,40 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
+
+#include "samples/study/figures/figures.h"
 
 namespace hrt::study {
 
-/// Collects the files of one result until all are made.
+/// Draws figures, and collects the files of one result until all are made.
 class Workshop {
  public:
-  /// Makes `out` if it is missing. Throws UsageError naming `argument` if it can't be written.
+  /// Makes `out` if it is missing. Throws UsageError naming `argument` if it can't be written, and
+  /// std::runtime_error if gnuplot is missing.
   Workshop(const std::string& argument, const std::string& out);
   ~Workshop();
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// Where to make them; removed by the destructor.
-  const std::filesystem::path& folder() const { return folder_; }
+  /// Draws the figure; returns the content of its file, which ends with `ending`, "svg" or "png".
+  std::string draw(const Figure& figure, const std::string& ending);
 
-  /// The content of the file `name`. Throws std::runtime_error if there is none.
-  std::string read(const std::string& name) const;
+  /// Draws all as .svg, which they keep, and as .png.
+  void draw(std::vector<Figure>& figures);
 
-  /// Moves `name` to `out`.
-  void publish(const std::string& name) const;
+  void write(const std::string& name, std::string_view content);
+
+  /// Moves the files to `out`.
+  void publish() const;
 
  private:
+  std::string drawn(const std::string& name);
+
   std::filesystem::path out_;
-  std::filesystem::path folder_;
+  std::filesystem::path folder_;  // removed by the destructor
+  std::vector<std::string> files_;
   bool was_made_;
 };
 

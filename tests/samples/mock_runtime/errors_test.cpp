@@ -153,7 +153,7 @@ class MockErrors : public MockNegotiation {
 
   // Calls every function with this handle and zeros; with null handles if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension) call_zeros(#name, get<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, get<PFN_##name>(#name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }

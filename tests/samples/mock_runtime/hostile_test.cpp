@@ -42,7 +42,7 @@ class MockHostile : public MockNegotiation {
   // Calls `each(name, function)` for every function that takes a handle first.
   template <typename Each>
   void for_each_function(Each each) {
-#define HRT_TEST_FUNCTION(name, implementation, extension) \
+#define HRT_TEST_FUNCTION(name, implementation, extension, returned) \
   if (Extension::extension != Extension::timespec) visit<PFN_##name>(#name, each);
     HRT_MOCK_FUNCTIONS(HRT_TEST_FUNCTION)
 #undef HRT_TEST_FUNCTION

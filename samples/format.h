@@ -1,0 +1,29 @@
+// Numbers as text, by printf, and back.
+#pragma once
+
+#include <charconv>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace hrt {
+
+/// printf into a string, cut after 511 bytes.
+template <class... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[512];
+  std::snprintf(text, sizeof text, pattern, values...);
+  return text;
+}
+
+/// The number that is all of `text`, in any locale; nothing unless it is in [low, high].
+inline std::optional<double> number_in(std::string_view text, double low, double high) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const bool is_number = error == std::errc() && end == text.data() + text.size();
+  return is_number && value >= low && value <= high ? std::optional(value) : std::nullopt;
+}
+
+}  // namespace hrt
