@@ -72,7 +72,9 @@ void Retargeter::begin(const Reach& reach) {
 }
 
 void Retargeter::begin_here(const Reach& reach) {
-  begin(reach, so_far());
+  std::optional<ReachSoFar> awaiting = so_far();
+  if (awaiting) awaiting->samples = awaiting->dropped_samples = 0;
+  begin(reach, awaiting);
 }
 
 void Retargeter::begin(const Reach& reach, const std::optional<ReachSoFar>& so_far) {

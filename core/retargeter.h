@@ -47,8 +47,8 @@ class Retargeter {
   /// Starts a reach anew. Requires is_valid(reach, config.participant).
   void begin(const Reach& reach);
 
-  /// The reach starts elsewhere, where the finger is seen for the first time: anew, but plate and samples run
-  /// on. Requires begin(), is_valid(reach, config.participant).
+  /// The reach starts elsewhere, where the finger is seen for the first time: anew, but the plate runs on.
+  /// Requires begin(), is_valid(reach, config.participant).
   void begin_here(const Reach& reach);
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must

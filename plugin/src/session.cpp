@@ -129,6 +129,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
   reach_ = reach;
   registration_poor_ = is_registration_poor(config_, reach_);
   awaits_finger_ = false;
+  started_ = true;
   return HRT_OK;
 }
 
@@ -155,6 +156,7 @@ hrt_result Session::cancel() {
 }
 
 hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
+  started_ = false;
   HRT_RETURN_IF_FAILED(check_reach());
   HRT_RETURN_IF_FAILED(check_sample(sample));
   if (sampled_ && sample.time_ns < last_time_ns_)

@@ -36,8 +36,10 @@ class Session {
   bool has_failed() const { return failed_; }
   /// A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
   bool has_doubted_registration() const { return registration_doubted_; }
-  /// What the last begin() or retarget() made of its targets.
+  /// What the last begin() or retarget() made of its targets, or the update() that started.
   const Reach& reach() const { return reach_; }
+  /// reach() if it has started in the last update(), where the finger was first seen.
+  std::optional<Reach> started() const { return started_ ? std::optional(reach_) : std::nullopt; }
 
   Targets targets;
 
@@ -56,6 +58,7 @@ class Session {
   Reach reach_{};
   bool reaching_ = false;
   bool awaits_finger_ = false;         // the reach starts where the finger is first seen
+  bool started_ = false;               // there, in the last update
   bool sampled_ = false;               // the reach has had a sample
   bool registration_poor_ = false;     // as far as it can be known before a sample
   bool registration_flagged_ = false;  // by any command of the reach

@@ -86,19 +86,25 @@ class Reader {
   void begin() {
     end_reach();
     path_ = RecordedPath{.file = name_, .number = ++number_};
-    path_->reach = {
-        .real_direction_deg = number_in("real_direction_deg", direction_range),
-        .virtual_direction_deg = number_in("virtual_direction_deg", direction_range),
-        .plate_orientation_deg = number_in("plate_orientation_deg", plate_range),
-        .start = {number_in("start_right_m", place_range), number_in("start_away_m", place_range)},
-        .real_distance_m = number_in("real_distance_m", place_range)};
-    if (!is_valid(path_->reach, Participant{})) why_ = "its targets are not those of a reach";
+    aim();
+    path_->reach.plate_orientation_deg = number_in("plate_orientation_deg", plate_range);
     plate_.emplace(recorded_.plate, path_->reach.plate_orientation_deg);
     measured_ = 0;
   }
 
+  // Of a row that begins a reach, or in which one starts where the finger is seen.
+  void aim() {
+    Reach& reach = path_->reach;
+    reach.real_direction_deg = number_in("real_direction_deg", direction_range);
+    reach.virtual_direction_deg = number_in("virtual_direction_deg", direction_range);
+    reach.start = {number_in("start_right_m", place_range), number_in("start_away_m", place_range)};
+    reach.real_distance_m = number_in("real_distance_m", place_range);
+    if (!is_valid(reach, Participant{})) why_ = "its targets are not those of a reach";
+  }
+
   void update() {
     if (!path_) return;
+    if (!csv_.text("real_distance_m").empty()) aim();
     const double time_ns = number_in("time_ns", {-9e18, 9e18});
     const auto sample_flags =
         static_cast<unsigned>(number_in("sample_flags", {.low = 0, .high = 1e9, .whole = true}));

@@ -69,7 +69,7 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 #if defined(HRT_MEASURES_MEMORY)
 
 // In bytes, on 64-bit machines.
-constexpr std::size_t most_of_session = 19'000;
+constexpr std::size_t most_of_session = 14'000;
 constexpr std::size_t most_of_target = 300;
 constexpr std::size_t most_of_recording = 7'100'000;
 constexpr std::size_t most_real_time_stack = 32'000;

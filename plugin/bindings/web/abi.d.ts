@@ -119,7 +119,7 @@ export declare const HRT_SAMPLE_PLATE_POSE = 32;
 /** hrt_command::flags. */
 /** no new decision: the former command is repeated */
 export declare const HRT_COMMAND_HELD = 1;
-/** the last step had no sample and was predicted */
+/** no sample in the last step; under ARRIVAL, none now */
 export declare const HRT_COMMAND_PREDICTED = 2;
 /** the plate's bound or a stop limits the command */
 export declare const HRT_COMMAND_SATURATED = 4;
@@ -531,16 +531,16 @@ export interface hrt_reach_summary {
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   samples: bigint;
   dropped_samples: bigint;
-  /** Model steps with samples, and predicted steps without. */
+  /** Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion was seen count as predicted. */
   steps: bigint;
   predicted_steps: bigint;
-  /** Steps with samples in which the plate's bound or a stop, or its speed, limited the command. */
+  /** Steps with samples in which the plate's bound or a stop, or its speed, limited the command; its speed under FIXED_DIRECTION alone. */
   saturated_steps: bigint;
   rate_limited_steps: bigint;
   /** Direction of the finger in the last step, and that direction minus the real target's. */
   final_direction_deg: number;
   final_miss_deg: number;
-  /** Direction that the user felt in the last step, and that direction minus the virtual target's and hrt_session_config::bias_deg. */
+  /** Direction that the user felt in the last step, and that direction minus the virtual target's and the user's bias as it was known before the reach. */
   perceived_direction_deg: number;
   perceived_error_deg: number;
   /** Distance along the plate from the last position to the real target; from the start without positions. */
@@ -548,7 +548,7 @@ export interface hrt_reach_summary {
   /** Tactile weight and deviation at the end; see hrt_command. */
   tactile_weight: number;
   tactile_weight_sd: number;
-  /** Standard deviation of white noise in each tracked coordinate, learnt or configured. */
+  /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under ARRIVAL of all noise. */
   tracker_noise_m: number;
   /** Motor variance: the configured one, corrected by this reach. Since version 0.2. */
   motor_variance_deg2: number;

@@ -17,7 +17,7 @@ extern "C" {
 /** The reach starts where the finger is first seen, instead of at hrt_session_config::start_position_m:
  *  directions and distances are measured from there. The plate stands ready for the configured start until
  *  then, and samples before it are not counted. In a reach of directions alone this has no effect. Since
- * version 0.3. */
+ *  version 0.3. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. hrt_reach_config_default() fills every field. */
@@ -72,14 +72,14 @@ typedef struct hrt_sample {
 
 /** hrt_command::flags. */
 #define HRT_COMMAND_HELD UINT32_C(1)         /**< no new decision: the former command is repeated */
-#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< the last step had no sample and was predicted */
+#define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no sample in the last step; under ARRIVAL, none now */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command */
 #define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see authority.h */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE, are not to
- * be trusted. */
+ *  be trusted. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
 /** The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real target. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
@@ -91,7 +91,7 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or worse than the configuration allows, or there is none:
  *  max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it
- * at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
+ *  at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 
 /** Command for the plate, and its reasons. Set `struct_size` before the call. */
@@ -144,17 +144,19 @@ typedef struct hrt_reach_summary {
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
   int64_t dropped_samples;
-  /** Model steps with samples, and predicted steps without. */
+  /** Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion was
+   *  seen count as predicted. */
   int64_t steps;
   int64_t predicted_steps;
-  /** Steps with samples in which the plate's bound or a stop, or its speed, limited the command. */
+  /** Steps with samples in which the plate's bound or a stop, or its speed, limited the command; its speed
+   *  under FIXED_DIRECTION alone. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
   /** Direction of the finger in the last step, and that direction minus the real target's. */
   double final_direction_deg;
   double final_miss_deg;
-  /** Direction that the user felt in the last step, and that direction minus the virtual target's and
-   *  hrt_session_config::bias_deg. */
+  /** Direction that the user felt in the last step, and that direction minus the virtual target's and the
+   *  user's bias as it was known before the reach. */
   double perceived_direction_deg;
   double perceived_error_deg;
   /** Distance along the plate from the last position to the real target; from the start without positions. */
@@ -162,7 +164,8 @@ typedef struct hrt_reach_summary {
   /** Tactile weight and deviation at the end; see hrt_command. */
   double tactile_weight;
   double tactile_weight_sd;
-  /** Standard deviation of white noise in each tracked coordinate, learnt or configured. */
+  /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
+   *  ARRIVAL of all noise. */
   double tracker_noise_m;
   /** Motor variance: the configured one, corrected by this reach. Since version 0.2. */
   double motor_variance_deg2;
@@ -208,9 +211,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session,
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the
  *  command once in a step period, a position at every sample: each one refines the estimate. Under
  *  GUIDANCE_ARRIVAL the samples before the motion matter: they give the start, and the tracker's noise. Steps
- *  without samples are predicted, at most 64 in a call. Errors: WRONG_STATE without a reach,
- *  OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER finds it within 1 mm of the
- *  finger or the pair 90 degrees apart; TIME_REVERSED. [real-time] */
+ *  without samples are predicted, under FIXED_DIRECTION at most 64 in a call. Errors: WRONG_STATE without a
+ * reach, OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER finds it within 1 mm of
+ * the finger or the pair 90 degrees apart; TIME_REVERSED. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 

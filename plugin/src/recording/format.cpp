@@ -124,8 +124,13 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   Row row(out);
   row.put("update").put(result);
   put_sample(updated.sample, row);
-  row.skip(begin_columns + refused_columns + reach_columns);
+  row.skip(begin_columns + refused_columns);
   if (result != HRT_OK) return;
+  if (updated.reach) {
+    put(*updated.reach, row);
+  } else {
+    row.skip(reach_columns);
+  }
   const hrt_command& command = updated.command;
   row.put(command.flags).put(command.step);
   for (double hrt_command::*number : command_numbers) row.put(command.*number);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -50,7 +51,8 @@ struct ReachCancelled {};
 
 struct Updated {
   hrt_sample sample;
-  hrt_command command;  ///< only if the call succeeded
+  hrt_command command;         ///< only if the call succeeded
+  std::optional<Reach> reach;  ///< of the call in which a reach that awaited the finger has started there
 };
 
 struct ReachEnded {

@@ -120,7 +120,7 @@ hrt_result RecordedSession::cancel() {
 
 hrt_result RecordedSession::update(const hrt_sample& sample, hrt_command* command) {
   const hrt_result result = session_.update(sample, command);
-  record([&] { return Record{result, Updated{sample, *command}}; });
+  record([&] { return Record{result, Updated{sample, *command, session_.started()}}; });
   return result;
 }
 

@@ -204,6 +204,7 @@ class Replay {
   }
   void call_again(Updated& call, hrt_result* result) {
     *result = session_->update(call.sample, &call.command);
+    call.reach = session_->started();
     if (*result == HRT_OK) add(call.command, hash_);
   }
   void call_again(Retargeted& call, hrt_result* result) {

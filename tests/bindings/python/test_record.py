@@ -121,6 +121,21 @@ def test_recording_may_end_before_the_reach(session: hrt.Session, tmp_path: Path
     assert len(hrt.read_recording(tmp_path / "part.csv").reaches[0].samples) == 100
 
 
+def test_a_reach_that_starts_at_the_finger_is_read_from_there(
+        session: hrt.Session, straight: np.ndarray, tmp_path: Path) -> None:
+    straight["flags"][:5] = 0
+    with session.recording(tmp_path / "started.csv"):
+        with session.reach(session.target("cylinder"), session.target("cup"), start_at_finger=True) as reach:
+            reach.run(straight)
+    (read,) = hrt.read_recording(tmp_path / "started.csv").reaches
+    start_m = straight["finger_position_m"][5]
+    assert read.start_position_m == pytest.approx(start_m)
+    # The target of a direction is 10 cm from the configured start, 5 cm towards the user.
+    away_m = 0.1 * np.cos(np.radians(5)) - (0.05 - start_m[2])
+    assert read.real_direction_deg == pytest.approx(-np.degrees(np.arctan2(0.1 * np.sin(np.radians(5)), away_m)), abs=0.2)
+    assert hrt.replay(tmp_path / "started.csv").first_different_line == 0
+
+
 def test_what_is_no_file_is_refused(session: hrt.Session) -> None:
     with pytest.raises(hrt.Error, match="/dev/full: not a regular file") as caught:
         with session.recording("/dev/full"):

@@ -61,6 +61,20 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
   }
   stop();
   const std::string text = read(path());
+  // The first update of each reach says where it starts: at the finger, 4 cm towards the user.
+  std::size_t starts = 0;
+  for (std::size_t at = text.find("\nupdate,0,"); at != std::string::npos;
+       at = text.find("\nupdate,0,", at + 1)) {
+    std::istringstream row(text.substr(at + 1, text.find('\n', at + 1) - at - 1));
+    std::vector<std::string> cells;
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    constexpr std::size_t real_distance_column = 24, start_away_column = 26;
+    EXPECT_EQ(cells[real_distance_column].empty(), cells[2] != "0") << cells[2];
+    if (cells[2] != "0") continue;
+    ++starts;
+    EXPECT_NEAR(std::stod(cells[start_away_column]), -0.04, 1e-12);
+  }
+  EXPECT_EQ(starts, 4u);
   const hrt_replay_report report = replay(text);
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.rows, rows);

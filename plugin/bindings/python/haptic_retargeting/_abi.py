@@ -256,7 +256,7 @@ class CommandFlag(Flags):
     """Command.flags.
 
     HELD: no new decision: the former command is repeated
-    PREDICTED: the last step had no sample and was predicted
+    PREDICTED: no sample in the last step; under ARRIVAL, none now
     SATURATED: the plate's bound or a stop limits the command
     RATE_LIMITED: the plate's speed limits the command
     UNREACHABLE: the plate cannot sustain the gap: see authority.h
@@ -858,22 +858,24 @@ class ReachSummary(Struct):
         finger ended, FAULT. Named `reserved` before version 0.3.
     samples: Samples, and those of them that were dropouts or rejected as outliers.
     dropped_samples
-    steps: Model steps with samples, and predicted steps without.
+    steps: Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion
+        was seen count as predicted.
     predicted_steps
     saturated_steps: Steps with samples in which the plate's bound or a stop, or its speed, limited the
-        command.
+        command; its speed under FIXED_DIRECTION alone.
     rate_limited_steps
     final_direction_deg: Direction of the finger in the last step, and that direction minus the real
         target's.
     final_miss_deg
     perceived_direction_deg: Direction that the user felt in the last step, and that direction minus the
-        virtual target's and SessionConfig.bias_deg.
+        virtual target's and the user's bias as it was known before the reach.
     perceived_error_deg
     distance_to_target_m: Distance along the plate from the last position to the real target; from the start
         without positions.
     tactile_weight: Tactile weight and deviation at the end; see Command.
     tactile_weight_sd
-    tracker_noise_m: Standard deviation of white noise in each tracked coordinate, learnt or configured.
+    tracker_noise_m: Standard deviation of noise in each tracked coordinate, learnt or configured: of white
+        noise, and under ARRIVAL of all noise.
     motor_variance_deg2: Motor variance: the configured one, corrected by this reach. Since version 0.2.
     motor_variance_sd_deg2: Standard deviation of motor_variance_deg2; close to the configured one if the
         reach had too little data; 0: taken as known. Since version 0.2.

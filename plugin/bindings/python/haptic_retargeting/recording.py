@@ -76,11 +76,13 @@ class _Rows:
         commands["step"] = self._column("step", -1)
         for name in _COMMAND_COLUMNS:
             commands[name] = self._column(name, np.nan)
+        # A reach that starts where the finger is first seen is aimed there.
+        aimed = next((row for row in self.updates if row.get("real_distance_m") is not None), self.begin)
         start = np.array(self.config.start_position_m)
-        start[0], start[2] = self.begin["start_right_m"], -self.begin["start_away_m"]
+        start[0], start[2] = aimed["start_right_m"], -aimed["start_away_m"]
         return ReachRecord(
-            config=self.config, real_direction_deg=self.begin["real_direction_deg"],
-            virtual_direction_deg=self.begin["virtual_direction_deg"], real_distance_m=self.begin["real_distance_m"],
+            config=self.config, real_direction_deg=aimed["real_direction_deg"],
+            virtual_direction_deg=aimed["virtual_direction_deg"], real_distance_m=aimed["real_distance_m"],
             start_position_m=start, samples=samples, commands=commands,
             results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
 

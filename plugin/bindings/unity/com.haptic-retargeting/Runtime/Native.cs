@@ -225,7 +225,7 @@ namespace Hrt
         None = 0,
         /// <summary>no new decision: the former command is repeated</summary>
         Held = 1,
-        /// <summary>the last step had no sample and was predicted</summary>
+        /// <summary>no sample in the last step; under ARRIVAL, none now</summary>
         Predicted = 2,
         /// <summary>the plate's bound or a stop limits the command</summary>
         Saturated = 4,
@@ -759,11 +759,12 @@ namespace Hrt
         /// <summary>Samples, and those of them that were dropouts or rejected as outliers.</summary>
         public long samples;
         public long droppedSamples;
-        /// <summary>Model steps with samples, and predicted steps without.</summary>
+        /// <summary>Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the
+        /// motion was seen count as predicted.</summary>
         public long steps;
         public long predictedSteps;
         /// <summary>Steps with samples in which the plate's bound or a stop, or its speed, limited the
-        /// command.</summary>
+        /// command; its speed under FIXED_DIRECTION alone.</summary>
         public long saturatedSteps;
         public long rateLimitedSteps;
         /// <summary>Direction of the finger in the last step, and that direction minus the real
@@ -771,7 +772,7 @@ namespace Hrt
         public double finalDirectionDeg;
         public double finalMissDeg;
         /// <summary>Direction that the user felt in the last step, and that direction minus the virtual
-        /// target's and SessionConfig.biasDeg.</summary>
+        /// target's and the user's bias as it was known before the reach.</summary>
         public double perceivedDirectionDeg;
         public double perceivedErrorDeg;
         /// <summary>Distance along the plate from the last position to the real target; from the start
@@ -780,8 +781,8 @@ namespace Hrt
         /// <summary>Tactile weight and deviation at the end; see Command.</summary>
         public double tactileWeight;
         public double tactileWeightSd;
-        /// <summary>Standard deviation of white noise in each tracked coordinate, learnt or
-        /// configured.</summary>
+        /// <summary>Standard deviation of noise in each tracked coordinate, learnt or configured: of white
+        /// noise, and under ARRIVAL of all noise.</summary>
         public double trackerNoiseM;
         /// <summary>Motor variance: the configured one, corrected by this reach. Since version 0.2.</summary>
         public double motorVarianceDeg2;

@@ -76,7 +76,7 @@ enum class EHapticCommandFlags : int32
 	None = 0 UMETA(Hidden),
 	/** no new decision: the former command is repeated. */
 	Held = 1,
-	/** the last step had no sample and was predicted. */
+	/** no sample in the last step; under ARRIVAL, none now. */
 	Predicted = 2,
 	/** the plate's bound or a stop limits the command. */
 	Saturated = 4,
@@ -507,19 +507,23 @@ struct FHapticSummary
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 DroppedSamples = 0;
 
-	/** Model steps with samples, and predicted steps without. */
+	/** Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion was seen
+	 *  count as predicted. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 Steps = 0;
 
-	/** Model steps with samples, and predicted steps without. */
+	/** Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion was seen
+	 *  count as predicted. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 PredictedSteps = 0;
 
-	/** Steps with samples in which the plate's bound or a stop, or its speed, limited the command. */
+	/** Steps with samples in which the plate's bound or a stop, or its speed, limited the command; its speed under
+	 *  FixedDirection alone. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 SaturatedSteps = 0;
 
-	/** Steps with samples in which the plate's bound or a stop, or its speed, limited the command. */
+	/** Steps with samples in which the plate's bound or a stop, or its speed, limited the command; its speed under
+	 *  FixedDirection alone. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	int64 RateLimitedSteps = 0;
 
@@ -531,11 +535,13 @@ struct FHapticSummary
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double FinalMissYaw = 0.0;
 
-	/** Direction that the user felt in the last step, and that direction minus the virtual target's and BiasYaw. */
+	/** Direction that the user felt in the last step, and that direction minus the virtual target's and the user's
+	 *  bias as it was known before the reach. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double PerceivedYaw = 0.0;
 
-	/** Direction that the user felt in the last step, and that direction minus the virtual target's and BiasYaw. */
+	/** Direction that the user felt in the last step, and that direction minus the virtual target's and the user's
+	 *  bias as it was known before the reach. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double PerceivedErrorYaw = 0.0;
 
@@ -552,7 +558,8 @@ struct FHapticSummary
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double TactileWeightSd = 0.0;
 
-	/** Standard deviation of white noise in each tracked coordinate, learnt or configured. In cm. */
+	/** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
+	 *  ARRIVAL of all noise. In cm. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double TrackerNoise = 0.0;
 
