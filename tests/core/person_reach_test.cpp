@@ -8,8 +8,8 @@
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
-#include "core/simulation/person_trial.h"
 #include "core/simulation/person.h"
+#include "core/simulation/person_trial.h"
 #include "tests/core/heap_guard.h"
 
 namespace hrt {

@@ -17,10 +17,7 @@ bool plans_fail = false;
 ReachPlan plan_reach(const ReachControlConfig&, const PersonFilter&, double, const ReachAim&,
                      const PlateOutlook&) {
   const double value = plans_fail ? std::numeric_limits<double>::quiet_NaN() : 20.0;
-  return {.plate_deg = value,
-          .felt_error_deg = value,
-          .miss_mm = value,
-          .at_bound = false};
+  return {.plate_deg = value, .felt_error_deg = value, .miss_mm = value, .at_bound = false};
 }
 
 double ready_orientation_deg(const ReachControlConfig&, const PersonFilter&, const ReachAim&) {
