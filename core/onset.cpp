@@ -24,8 +24,8 @@ bool Onset::observe(std::int64_t time_ns, const PlatePoint& position, double noi
   const double travel_m = distance_m(place_, position);
   if (travel_m < std::max(noise_m, 0.5 * least_travel_m)) rest_ns_ = time_ns;
   ++samples_;
-  // Where a mean decides, the rest's place need not be kept from single positions: with fewer of them it would
-  // stay at a first one that is off.
+  // Where a mean decides, the rest's place need not be kept from single positions: with fewer of them it
+  // would stay at a first one that is off.
   if (travel_m < std::max((averaged_ ? 3.0 : 2.0) * noise_m, 0.5 * least_travel_m)) {
     ++rested_;
     place_.right_m += (position.right_m - place_.right_m) / rested_;
