@@ -102,7 +102,7 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   }
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
-    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), longest_gap_s - unseen_s_);
+    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(longest_gap_s - unseen_s_, 0.0));
     estimator_.move(passed_s);
     unseen_s_ += passed_s;
     now_ns_ = until_ns;
