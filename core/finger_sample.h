@@ -26,4 +26,7 @@ struct FingerSample {
   std::optional<double> plate_orientation_deg;
 };
 
+/// Longest prediction without a sample: after it the place is unknown anyway.
+inline constexpr double max_gap_s = 2.0;
+
 }  // namespace hrt

@@ -7,6 +7,9 @@
 
 namespace hrt {
 
+/// The standard deviation of normal values over the median of their absolute values: 1 / 0.6745.
+inline constexpr double mad_to_deviation = 1.4826;
+
 /// Of an even number of values the upper one in the middle; 0 of none.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0.0;

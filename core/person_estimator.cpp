@@ -6,6 +6,7 @@
 
 #include "core/arrival.h"
 #include "core/exponential.h"
+#include "core/finger_sample.h"
 
 namespace hrt {
 namespace {
@@ -13,8 +14,6 @@ namespace {
 // Positions that come faster than this are averaged.
 constexpr double least_spacing_s = 0.004;
 constexpr double longest_step_s = 0.012;
-// Prediction is capped: after this the place is unknown anyway.
-constexpr double longest_gap_s = 2.0;
 // A sample further off than five standard deviations is left out; after this many in a row, the finger is
 // there.
 constexpr double gate = 25.0;
@@ -271,7 +270,7 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
     carry_to(answered.time_s, plate);
     filter_.retarget(answered.virtual_direction_deg, answered.longer_mm, true);
   }
-  const double left_s = std::min(time_s - filter_s_, longest_gap_s);
+  const double left_s = std::min(time_s - filter_s_, max_gap_s);
   if (left_s <= 0.0) return;
   if (motion_ == FingerMotion::paused) {
     filter_.rest(left_s);

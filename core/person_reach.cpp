@@ -33,11 +33,11 @@ PlaceMm to_mm(const PlatePoint& point) {
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = config.person;
   if (reach.duration_s <= 0.0) return belief;
-  using T = PersonTrait;
-  belief.mean(T::log_rate) = -logarithm(reach.duration_s);
-  belief.covariance.row(T::log_rate).setZero();
-  belief.covariance.col(T::log_rate).setZero();
-  belief.covariance(T::log_rate, T::log_rate) = given_duration_log_sd * given_duration_log_sd;
+  using Trait = PersonTrait;
+  belief.mean(Trait::log_rate) = -logarithm(reach.duration_s);
+  belief.covariance.row(Trait::log_rate).setZero();
+  belief.covariance.col(Trait::log_rate).setZero();
+  belief.covariance(Trait::log_rate, Trait::log_rate) = given_duration_log_sd * given_duration_log_sd;
   return belief;
 }
 

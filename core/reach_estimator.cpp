@@ -8,8 +8,6 @@
 namespace hrt {
 namespace {
 
-// Prediction is capped: after 2 s without a sample the position is unknown anyway.
-constexpr double longest_gap_s = 2.0;
 // A finger slower than this rests.
 constexpr double rest_speed_m_s = 0.004;
 
@@ -102,7 +100,7 @@ void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
   }
   const auto move_to = [&](std::int64_t until_ns) {
     plate.advance(until_ns);
-    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(longest_gap_s - unseen_s_, 0.0));
+    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
     estimator_.move(passed_s);
     unseen_s_ += passed_s;
     now_ns_ = until_ns;

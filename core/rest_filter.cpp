@@ -10,7 +10,7 @@ namespace hrt {
 namespace {
 
 // In two coordinates.
-constexpr double outlying = 4.0;
+constexpr double max_deviations = 4.0;
 
 // One coordinate's filter for the noise, and the same filter for a constant of 1: the rest's place is their
 // weighted regression.
@@ -115,7 +115,7 @@ std::vector<Rest> inliers(const std::vector<Rest>& rests, const RestNoiseShape& 
       for (std::size_t a = 0; a < 2; ++a) away_m[a] -= place.products[a] / place.weight;
       const RestFilter::Innovation seen = filter.predict(kept[first + i], away_m);
       const double squares_m2 = seen.place_m[0] * seen.place_m[0] + seen.place_m[1] * seen.place_m[1];
-      if (squares_m2 > outlying * outlying * seen.variance * variance_m2) continue;
+      if (squares_m2 > max_deviations * max_deviations * seen.variance * variance_m2) continue;
       filter.take(seen);
       inlying.push_back({inlying.empty() ? 0.0 : since_s, rest[i].place_m});
       since_s = 0.0;

@@ -8,7 +8,7 @@
 namespace hrt {
 namespace {
 
-constexpr std::size_t least_samples = 8;
+constexpr std::size_t min_onset_samples = 8;
 
 // The standard deviation of a coordinate.
 double learn_noise_m(std::span<const TimedPoint> samples) {
@@ -20,7 +20,7 @@ double learn_noise_m(std::span<const TimedPoint> samples) {
 }  // namespace
 
 std::optional<SlideOnset> find_onset(std::span<const TimedPoint> samples) {
-  if (samples.size() < least_samples) return std::nullopt;
+  if (samples.size() < min_onset_samples) return std::nullopt;
   Onset onset;
   const double noise_m = learn_noise_m(samples);
   const bool moves = std::any_of(samples.begin(), samples.end(), [&](const TimedPoint& sample) {

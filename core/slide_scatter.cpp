@@ -15,7 +15,6 @@ constexpr int passes = 12;
 // Of a normal slide, squared and over all parts: far beyond what chi-squared with four degrees exceeds once
 // in 100000 slides (28.5), since the first part of a path has heavier tails.
 constexpr double most_distance = 40.0;
-constexpr double mad_to_deviation = 1.4826;
 // A slide's direction is never more certain than this.
 constexpr double least_deviation_deg = 0.02;
 constexpr double rank_threshold = 1e-12;

@@ -21,7 +21,6 @@ constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.7
 constexpr double most_gap_s = 5.0;
 constexpr int median_reach = 5;
 constexpr double most_deviations = 6.0;
-constexpr double mad_to_deviation = 1.4826;
 
 // A position relative to where the finger rested: along the goal, and to its left.
 struct Place {

@@ -17,7 +17,7 @@ struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
   /// Of a plate that turns: where it stood when each sample was made, finite, continuous. Empty: it rested.
-  std::vector<double> plate_deg = {};
+  std::vector<double> plate_deg;
 };
 
 /// The parts of a path lie between its start and four windows over the share of the path along the goal.

@@ -123,9 +123,9 @@ Vector clamped(Vector person) {
 }
 
 // The slides over a turning plate, and what the slides over a plate at rest say of the person.
-class Fit {
+class SteeringFitter {
  public:
-  Fit(std::span<const TurningSlide> slides, const CurveFit& person, const RestNoise& noise);
+  SteeringFitter(std::span<const TurningSlide> slides, const CurveFit& person, const RestNoise& noise);
 
   LawFit fit(SteeringLaw law) const;
   double law_p(const Vector& person, SteeringLaw law) const;
@@ -153,7 +153,8 @@ class Fit {
   std::vector<Observed> observed_;
 };
 
-Fit::Fit(std::span<const TurningSlide> slides, const CurveFit& person, const RestNoise& noise)
+SteeringFitter::SteeringFitter(std::span<const TurningSlide> slides, const CurveFit& person,
+                               const RestNoise& noise)
     : curve_(person.person.curve) {
   const FitValue weight =
       fit_value(person, [](const SlidingPersonModel& p) { return curve_weight(p.curve); });
@@ -172,7 +173,7 @@ Fit::Fit(std::span<const TurningSlide> slides, const CurveFit& person, const Res
   for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
 }
 
-LawFit Fit::fit(SteeringLaw law) const {
+LawFit SteeringFitter::fit(SteeringLaw law) const {
   const LeastSquares problem{.residuals = [&](const Vector& person) { return residuals(person, law); },
                              .derivatives = [&](const Vector& person) { return derivatives(person, law); },
                              .clamped = clamped,
@@ -194,7 +195,8 @@ LawFit Fit::fit(SteeringLaw law) const {
   return best;
 }
 
-Eigen::MatrixXd Fit::jacobian(const Observed& observed, const Vector& person, SteeringLaw law) const {
+Eigen::MatrixXd SteeringFitter::jacobian(const Observed& observed, const Vector& person,
+                                         SteeringLaw law) const {
   Eigen::MatrixXd columns(observed.left_m.size(), static_cast<Eigen::Index>(steering_parameters));
   for (int i = 0; i < steering_parameters; ++i) {
     Vector above = person;
@@ -211,7 +213,7 @@ Eigen::MatrixXd Fit::jacobian(const Observed& observed, const Vector& person, St
 
 // The mean over all slides of the residuals in parts of the path, mirrored for plates that begin on the other
 // side, is 0 if the law holds: Hotelling's test, with the scatter of the slides themselves.
-double Fit::law_p(const Vector& person, SteeringLaw law) const {
+double SteeringFitter::law_p(const Vector& person, SteeringLaw law) const {
   const auto slides = static_cast<Eigen::Index>(observed_.size());
   const Eigen::Index parts = std::min<Eigen::Index>(most_tested_parts, slides / 3);
   Eigen::MatrixXd means = Eigen::MatrixXd::Zero(slides, parts);
@@ -268,7 +270,7 @@ SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& p
                          const RestNoise& noise) {
   SteeringFit steering;
   steering.slides = static_cast<int>(slides.size());
-  const Fit fit(slides, person, noise);
+  const SteeringFitter fit(slides, person, noise);
   std::array<LawFit, steering_laws> fits;
   double least = std::numeric_limits<double>::infinity();
   for (int law = 0; law < steering_laws; ++law) {

@@ -24,7 +24,7 @@ constexpr double most_memory_samples = 400.0;
 constexpr double apart_s = 0.05;
 constexpr double clearly_worse = 100.0;
 constexpr double least_duration_s = 2.0;
-constexpr int least_samples = 50;
+constexpr int min_pairs = 50;
 constexpr double least_radius_m = 0.02;
 constexpr double most_residual_share = 0.1;
 constexpr double most_width_s = 0.04;
@@ -167,7 +167,7 @@ bool is_ambiguous(const std::vector<Tried>& tried, double best_s, const Circle& 
 
 TrackerLatency fit_tracker_latency(Samples samples) {
   TrackerLatency result;
-  if (samples.size() < least_samples || samples.back().time_s - samples.front().time_s < least_duration_s)
+  if (samples.size() < min_pairs || samples.back().time_s - samples.front().time_s < least_duration_s)
     return result;
   double best_s = least_latency_s;
   std::optional<Circle> best;
@@ -189,7 +189,7 @@ TrackerLatency fit_tracker_latency(Samples samples) {
     try_out(about_s - step_s);
     try_out(about_s + step_s);
   }
-  if (!best || best->count < least_samples) return result;
+  if (!best || best->count < min_pairs) return result;
   const std::optional<double> half_s = half_interval_s(samples, best_s, *best);
   if (!half_s) return result;
   result.latency_s = best_s;

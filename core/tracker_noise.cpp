@@ -15,7 +15,7 @@ namespace hrt {
 namespace {
 
 // Of two coordinates; a smaller number determines nothing.
-constexpr std::size_t least_samples = 60;
+constexpr std::size_t min_noise_samples = 60;
 constexpr double longest_correlation_s = 2.0;
 constexpr double shortest_correlation_s = 0.01;
 // An interval from 0 says something if it ends below this share of all noise.
@@ -251,13 +251,13 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   RestNoise unknown{{0.0, 0.0, 0.0, false},
                     {0.0, 0.0, 0.0, false},
                     {shortest_correlation_s, shortest_correlation_s, longest_correlation_s, false}};
-  if (count() < least_samples || !searchable) return unknown;
+  if (count() < min_noise_samples || !searchable) return unknown;
 
   Surface surface = search(kept, whole);
   for (int round = 0; round < 2; ++round) {
     const std::size_t before = count();
     kept = inliers(kept, surface.best_point().shape(), surface.best_point().variance_m2());
-    if (count() < least_samples) return unknown;
+    if (count() < min_noise_samples) return unknown;
     if (count() == before) break;
     surface = search(kept, whole);
   }

@@ -196,8 +196,7 @@ class Reader {
     std::vector<bool> is_reached(parent_of_.size(), false);
     for (std::size_t next = 0; next < reached.size(); ++next) {
       is_reached[reached[next]] = true;
-      const std::vector<std::size_t>& children = gltf_.nodes[reached[next]].children;
-      reached.insert(reached.end(), children.begin(), children.end());
+      for (const std::size_t child : gltf_.nodes[reached[next]].children) reached.push_back(child);
     }
     const auto missed = std::find(is_reached.begin(), is_reached.end(), false);
     if (missed != is_reached.end()) {

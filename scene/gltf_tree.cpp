@@ -50,9 +50,8 @@ class Walk {
   };
 
   void push_reversed(const std::vector<std::size_t>& nodes, const Transform& parent, int depth) {
-    std::transform(nodes.rbegin(), nodes.rend(), std::back_inserter(pending_), [&](std::size_t node) {
-      return Pending{node, depth, parent};
-    });
+    std::transform(nodes.rbegin(), nodes.rend(), std::back_inserter(pending_),
+                   [&](std::size_t node) { return Pending{node, depth, parent}; });
   }
 
   void visit(const Pending& pending) {

@@ -42,9 +42,9 @@ struct Property {
   JsonValue value;
 };
 
-class Reader {
+class PropertyReader {
  public:
-  Reader(std::vector<Property> properties, const std::string& where)
+  PropertyReader(std::vector<Property> properties, const std::string& where)
       : properties_(std::move(properties)), where_(where) {}
 
   HapticProperties read() {
@@ -133,13 +133,13 @@ HapticProperties haptic_properties(JsonValue extras, const std::string& where) {
     }
   }
   const JsonValue nested = extras.find(nested_key);
-  if (!nested.exists()) return Reader(std::move(flat), where).read();
+  if (!nested.exists()) return PropertyReader(std::move(flat), where).read();
   if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
   if (!nested.is_object() || nested.size() == 0) refuse(where, "extras.haptic is not an object with a role");
   std::vector<Property> properties;
   for (const JsonValue member : nested)
     properties.push_back({std::string(member.key()), "extras.haptic." + shown(member.key()), member});
-  return Reader(std::move(properties), where).read();
+  return PropertyReader(std::move(properties), where).read();
 }
 
 }  // namespace hrt

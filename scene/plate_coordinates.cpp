@@ -5,12 +5,12 @@
 namespace hrt {
 namespace {
 
-constexpr double largest_coordinate_m = 1e6;
+constexpr double max_node_coordinate_m = 1e6;
 
 // False for NaN too.
 bool in_range(Vec3 v) {
-  return std::abs(v.x) < largest_coordinate_m && std::abs(v.y) < largest_coordinate_m &&
-         std::abs(v.z) < largest_coordinate_m;
+  return std::abs(v.x) < max_node_coordinate_m && std::abs(v.y) < max_node_coordinate_m &&
+         std::abs(v.z) < max_node_coordinate_m;
 }
 
 double squared_norm(Quaternion q) {

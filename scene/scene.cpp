@@ -12,7 +12,7 @@ namespace {
 
 // Between a plate's +Y and -Z, as a cosine: the rounding of single-precision files.
 constexpr double largest_shear = 1e-4;
-constexpr double largest_coordinate_m = 1000.0;  // as of a session
+constexpr double max_plate_coordinate_m = 1000.0;  // as of a session
 
 class SceneBuilder {
  public:
@@ -43,7 +43,7 @@ class SceneBuilder {
 
   void check_position(const HapticNode& node, Vec3 p, const char* whence) const {
     for (const double coordinate_m : {p.x, p.y, p.z})
-      if (!(std::abs(coordinate_m) < largest_coordinate_m))
+      if (!(std::abs(coordinate_m) < max_plate_coordinate_m))
         refuse(where(node), "it is further than 1000 m from {}", whence);
   }
 

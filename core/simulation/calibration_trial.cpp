@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint32_t tracking_stream = 16;
 constexpr std::uint32_t steering_stream = 17;
 constexpr double start_deviation_deg = 2.0;
-constexpr double tail_s = 0.1;  // tracked at rest after the motion
+constexpr double slide_tail_s = 0.1;  // tracked at rest after the motion
 
 // Whether a plate that turns within a slide is on its other side when the finger is at `share` of the way.
 bool is_across(double share) {
@@ -82,7 +82,7 @@ CalibrationTrial slide_of(const PersonCondition& condition, double plate_orienta
     }
     if (now_s > rest_s && !finger.done()) finger.advance(plate.orientation_deg());
     if (finger.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s) break;
+    if (ended_s >= 0.0 && now_s > ended_s + slide_tail_s + condition.tracker.latency_s) break;
     tracker.look(now_s, finger.position());
     while (const auto sample = tracker.arrived(now_ns)) {
       if (sample->observation != Observation::position) continue;

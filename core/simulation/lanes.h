@@ -62,25 +62,17 @@ struct PairLanes {
   static Words as_words(Reals x) { return reinterpret_cast<Words>(x); }
   static Words less_equal(Reals a, Reals b) { return reinterpret_cast<Words>(a <= b); }
 #if defined(__SSE2__)
-  static Reals square_root(Reals x) {
-    return _mm_sqrt_pd(x);
-  }
-  static Reals larger(Reals a, Reals b) {
-    return _mm_max_pd(a, b);
-  }
+  static Reals square_root(Reals x) { return _mm_sqrt_pd(x); }
+  static Reals larger(Reals a, Reals b) { return _mm_max_pd(a, b); }
   static Words multiply_low(Words a, Words b) {
     return reinterpret_cast<Words>(_mm_mul_epu32(reinterpret_cast<__m128i>(a), reinterpret_cast<__m128i>(b)));
   }
 #else
-  static Reals square_root(Reals x) {
-    return Reals{std::sqrt(x[0]), std::sqrt(x[1])};
-  }
+  static Reals square_root(Reals x) { return Reals{std::sqrt(x[0]), std::sqrt(x[1])}; }
   static Reals larger(Reals a, Reals b) {
     return Reals{a[0] > b[0] ? a[0] : b[0], a[1] > b[1] ? a[1] : b[1]};
   }
-  static Words multiply_low(Words a, Words b) {
-    return (a & 0xffffffffu) * (b & 0xffffffffu);
-  }
+  static Words multiply_low(Words a, Words b) { return (a & 0xffffffffu) * (b & 0xffffffffu); }
 #endif
 };
 

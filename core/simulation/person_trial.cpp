@@ -10,7 +10,7 @@ namespace hrt {
 namespace {
 
 constexpr std::int64_t tick_ns = 1'000'000;
-constexpr double tail_s = 0.3;  // tracked at rest after the motion
+constexpr double reach_tail_s = 0.3;  // tracked at rest after the motion
 
 PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
                              std::uint32_t index, std::uint32_t reach_number) {
@@ -52,7 +52,8 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (controller) controller->retarget(real_place, virtual_now);
     }
     if (person.done() && ended_s < 0.0) ended_s = now_s;
-    if (ended_s >= 0.0 && now_s > ended_s + tail_s + condition.tracker.latency_s + condition.tracker.late_s)
+    if (ended_s >= 0.0 &&
+        now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
       break;
     tracker.look(now_s, person.position());
     while (const auto sample = tracker.arrived(now_ns)) {

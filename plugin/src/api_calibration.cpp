@@ -132,8 +132,8 @@ hrt_result check_calibration_result(const hrt_calibration_result& result) {
 // A value that can be compared, what its difference is called, and its flag.
 struct ComparedValue {
   const char* name;
-  hrt_interval hrt_calibration_result::*value;
-  hrt_interval hrt_calibration_comparison::*difference;
+  hrt_interval hrt_calibration_result::* value;
+  hrt_interval hrt_calibration_comparison::* difference;
   std::uint32_t flag;
 };
 using R = hrt_calibration_result;

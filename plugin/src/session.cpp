@@ -16,7 +16,7 @@ namespace {
 template <class Struct, std::size_t count>
 bool make_finite(Struct& values, const std::array<double Struct::*, count>& fields) {
   bool finite = true;
-  for (double Struct::*field : fields) {
+  for (double Struct::* field : fields) {
     if (std::isfinite(values.*field)) continue;
     values.*field = 0.0;
     finite = false;

@@ -15,11 +15,11 @@ namespace hrt::plugin {
 /// A field that is a number with a range.
 struct NumberField {
   const char* name;
-  double hrt_session_config::*value;
+  double hrt_session_config::* value;
   double low;
   double high;
-  bool of_participant;                             ///< part of a profile
-  double hrt_session_config::*known_by = nullptr;  ///< in the profile only if this is above 0
+  bool of_participant;                              ///< part of a profile
+  double hrt_session_config::* known_by = nullptr;  ///< in the profile only if this is above 0
 };
 std::span<const NumberField> number_fields();
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
 constexpr int most_attempts = 3;
-constexpr XrDuration rest_ns = 700'000'000;
+constexpr XrDuration mark_rest_ns = 700'000'000;
 // A finger counts once it has moved by more since it was asked for, as it may rest elsewhere until then.
 constexpr double least_moved_m = 0.015;
 // Of a resting finger: root mean square distance from its mean, and from the first half of the time to the
@@ -41,7 +41,7 @@ class RestDetector {
     if (!asked_at_) asked_at_ = tip.position_m;
     moved_ = moved_ || distance_m(tip.position_m, *asked_at_) > least_moved_m;
     seen_.push_back({time, tip.position_m});
-    const XrTime since = time - rest_ns;
+    const XrTime since = time - mark_rest_ns;
     if (seen_.front().time > since) return std::nullopt;
     while (seen_.size() > 1 && seen_[1].time <= since) seen_.pop_front();
     if (!moved_ || seen_.size() < 4) return std::nullopt;

@@ -24,7 +24,7 @@ PowerRow power_row(const PowerOptions& options, const std::vector<double>& diffe
   return row;
 }
 
-Quantile median_error(const std::vector<PairedReaches>& pool, std::vector<double> PairedReaches::*errors,
+Quantile median_error(const std::vector<PairedReaches>& pool, std::vector<double> PairedReaches::* errors,
                       std::uint64_t reaches) {
   std::vector<double> means;
   for (const PairedReaches& person : pool) {

@@ -167,8 +167,7 @@ std::string replay_csv(const std::vector<ReplayedPath>& paths) {
   page += ",unreachable,misfit,off_target\n";
   for (const ReplayedPath& replayed : paths) {
     std::string file = file_name(replayed);
-    std::replace_if(
-        file.begin(), file.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
+    std::replace_if(file.begin(), file.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
     page += file + ',' + std::to_string(replayed.path.number) + ',' +
             source_name(replayed.path.plate_source) + (replayed.learnt ? ",1" : ",0");
     for (const auto& [name, value] : numbers(replayed))

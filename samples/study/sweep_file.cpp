@@ -63,8 +63,8 @@ SweepFile::SweepFile(const std::string& argument, const std::string& path, const
   file_ = open(partial_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (file_ < 0)
     throw UsageError(not_allowed(argument, path, "a file that can be written with .partial added"));
-  struct stat opened {};
-  struct stat named {};
+  struct stat opened{};
+  struct stat named{};
   // Another process may have given the file its final name since it was opened here.
   const bool is_ours = flock(file_, LOCK_EX | LOCK_NB) == 0 && fstat(file_, &opened) == 0 &&
                        stat(partial_.c_str(), &named) == 0 && opened.st_ino == named.st_ino;

@@ -116,7 +116,7 @@ class GeneralSolver {
       states_.emplace_back();
       alglib::minqpstate& state = states_.back();
       alglib::minqpcreate(n, state);
-      alglib::minqpsetquadraticterm(state, hessian);
+      alglib::minqpsetquadraticterm(state, hessian, true);
       if (has_rate_bound)
         alglib::minqpsetalgobleic(state, 0.0, 0.0, 1e-8, 0);
       else

@@ -21,7 +21,7 @@ long double least_nonnegative_residual(const LongMatrix& columns, const LongVect
     if (n == 0 || descent.maxCoeff(&entering) <= tolerance) break;
     positive.push_back(entering);
     while (!positive.empty()) {
-      const LongMatrix chosen = columns(Eigen::all, positive);
+      const LongMatrix chosen = columns(Eigen::seqN(0, columns.rows()), positive);
       const LongVector solution = chosen.colPivHouseholderQr().solve(-target);
       long double step = 1.0L;
       for (Eigen::Index i = 0; i < solution.size(); ++i) {
@@ -124,7 +124,7 @@ LongVector dense_optimum(const DenseProblem& problem, const LongVector& start) {
     LongMatrix basis = LongMatrix::Identity(n, n);
     Eigen::HouseholderQR<LongMatrix> factors;
     if (m > 0) {
-      factors.compute(problem.rows(held, Eigen::all).transpose());
+      factors.compute(problem.rows(held, Eigen::seqN(0, n)).transpose());
       basis = factors.householderQ();
     }
     const LongMatrix null_space = basis.rightCols(n - m);
@@ -163,7 +163,8 @@ KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
     if (room[i] < 1e-10L) active.push_back(i);
   const LongVector gradient = problem.hessian * plate + problem.gradient;
   return {
-      .stationarity = least_nonnegative_residual(problem.rows(active, Eigen::all).transpose(), gradient),
+      .stationarity = least_nonnegative_residual(
+          problem.rows(active, Eigen::seqN(0, plate.size())).transpose(), gradient),
       .violation_deg = std::max(0.0L, -room.minCoeff()),
   };
 }

@@ -15,7 +15,7 @@ namespace {
 using C = hrt_session_config;
 
 struct Range {
-  double C::*field;
+  double C::* field;
   double low;
   double high;
 };

@@ -80,7 +80,7 @@ TEST(Session, ManyFitAndOneMoreIsRefused) {
 TEST(SessionConfig, EveryFieldIsChecked) {
   struct Case {
     const char* field;
-    double hrt_session_config::*value;
+    double hrt_session_config::* value;
     double below, above;
   };
   const Case cases[] = {

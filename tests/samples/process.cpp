@@ -7,6 +7,7 @@
 #include <chrono>
 #include <csignal>
 #include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -80,6 +81,14 @@ Outcome Process::wait() const {
 std::string read_file(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string validation_findings(const std::string& file) {
+  std::istringstream report(read_file(file));
+  std::string findings;
+  for (std::string line; std::getline(report, line);)
+    if (line.find("[VALID_DEBUG ") == std::string::npos) findings += line + '\n';
+  return findings;
 }
 
 }  // namespace hrt

@@ -49,4 +49,7 @@ class Process {
 /// The whole file; empty if there is none.
 std::string read_file(const std::string& file);
 
+/// What Khronos' core validation layer reported, without what newer ones say of their own start and end.
+std::string validation_findings(const std::string& file);
+
 }  // namespace hrt

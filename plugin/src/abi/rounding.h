@@ -27,15 +27,11 @@ class NearestRounding {
 #if defined(__SSE2__)  // the mode of what computes here; fegetround() would ask the other unit
   using Mode = unsigned;
   static constexpr Mode nearest = _MM_ROUND_NEAREST;
-  static Mode get() {
-    return _mm_getcsr() & _MM_ROUND_MASK;
-  }
+  static Mode get() { return _mm_getcsr() & _MM_ROUND_MASK; }
 #else
   using Mode = int;
   static constexpr Mode nearest = FE_TONEAREST;
-  static Mode get() {
-    return std::fegetround();
-  }
+  static Mode get() { return std::fegetround(); }
 #endif
   static void set(Mode mode);
 

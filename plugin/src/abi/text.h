@@ -40,7 +40,8 @@ class Text {
 
   /// The shortest text that reads back as the same number; NaN, Inf and -Inf.
   template <class Number>
-  requires std::is_arithmetic_v<Number> Text& operator<<(Number number) {
+    requires std::is_arithmetic_v<Number>
+  Text& operator<<(Number number) {
     if constexpr (std::is_floating_point_v<Number>) {
       if (std::isnan(number)) return *this << std::string_view("NaN");
       if (std::isinf(number)) return *this << std::string_view(number > 0 ? "Inf" : "-Inf");

@@ -9,7 +9,7 @@ using R = hrt_calibration_result;
 
 struct IntervalName {
   const char* name;
-  hrt_interval R::*interval;
+  hrt_interval R::* interval;
 };
 constexpr IntervalName intervals[] = {
     {"tactile_weight", &R::tactile_weight},

@@ -133,7 +133,7 @@ void write(const Updated& updated, hrt_result result, RecordText& out) {
   }
   const hrt_command& command = updated.command;
   row.put(command.flags).put(command.step);
-  for (double hrt_command::*number : command_numbers) row.put(command.*number);
+  for (double hrt_command::* number : command_numbers) row.put(command.*number);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {

@@ -21,7 +21,7 @@ void add(const hrt_command& command, Hash& hash) {
   hash.add(std::uint64_t{command.flags});
   hash.add(static_cast<std::uint64_t>(command.step));
   // As hrt_replay_report::hash says: without bearing_error_sd_deg.
-  for (double hrt_command::*number : std::span(command_numbers).first(11))
+  for (double hrt_command::* number : std::span(command_numbers).first(11))
     hash.add(std::bit_cast<std::uint64_t>(command.*number));
 }
 

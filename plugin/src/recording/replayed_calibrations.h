@@ -28,7 +28,7 @@ class ReplayedCalibrations {
   /// Makes the call again, and puts what came out of it in place of what was recorded. Fails if the
   /// calibration is not there.
   template <class Call>
-  requires requires(StreamedCalibration& calibration, Call& call) { call_again(calibration, call); }
+    requires requires(StreamedCalibration& calibration, Call& call) { call_again(calibration, call); }
   hrt_result rerun(Call& call, hrt_result* result) {
     StreamedCalibration* calibration = nullptr;
     HRT_RETURN_IF_FAILED(find(call.number, &calibration));

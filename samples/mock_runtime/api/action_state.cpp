@@ -65,8 +65,8 @@ Device& device_at(Session& session, XrPath top_level) {
 }
 
 // The path of a source of this kind on the device.
-const std::string& source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix,
-                             SourceKind kind) {
+std::string source_at(Session& session, XrPath top_level, XrPath path, const std::string& suffix,
+                      SourceKind kind) {
   const std::string& text = session.instance().paths.text(path);
   const Source* source = find_source(text + suffix);
   require(source != nullptr && source->kind == kind &&
@@ -238,7 +238,7 @@ void set_input_device_state_float(XrSession handle, XrPath top_level, XrPath sou
 void set_input_device_state_vector2f(XrSession handle, XrPath top_level, XrPath source, XrVector2f state) {
   auto& session = runtime().registry.get<Session>(handle);
   Device& device = device_at(session, top_level);
-  const std::string& text = source_at(session, top_level, source, "/x", SourceKind::scalar);
+  const std::string text = source_at(session, top_level, source, "/x", SourceKind::scalar);
   device.values[text + "/x"] = state.x;
   device.values[text + "/y"] = state.y;
 }
@@ -248,7 +248,7 @@ void set_input_device_location(XrSession handle, XrPath top_level, XrPath source
   auto& session = runtime().registry.get<Session>(handle);
   const auto& space = runtime().registry.get<Space>(space_handle);
   Device& device = device_at(session, top_level);
-  const std::string& text = source_at(session, top_level, source, "", SourceKind::pose);
+  const std::string text = source_at(session, top_level, source, "", SourceKind::pose);
   const Pose in_space = checked_pose(pose);
   const auto in_world = space.in_world(session.instance().clock.now());
   require(in_world.has_value(), XR_ERROR_VALIDATION_FAILURE, "the space is not tracked now");

@@ -36,13 +36,9 @@ HRT_MOCK_SHOWN_STRUCTS(HRT_MOCK_DECLARE)
 #undef HRT_MOCK_DECLARE
 
 template <typename T>
-concept Shown = requires(std::string& out, const T& value) {
-  put(out, value);
-};
+concept Shown = requires(std::string& out, const T& value) { put(out, value); };
 template <typename T>
-concept Complete = requires {
-  sizeof(T);
-};
+concept Complete = requires { sizeof(T); };
 
 /// A number, a handle, a text or a structure; "..." for anything else. `followed` is whether a pointer may
 /// be.

@@ -14,7 +14,7 @@ struct Row {
   Extension extension;
 };
 
-const Row table[] = {
+const Row function_table[] = {
 #define HRT_MOCK_ROW(name, implementation, extension, returned)                                    \
   {#name, reinterpret_cast<PFN_xrVoidFunction>(&Entry<FunctionId::name, &(implementation)>::call), \
    Extension::extension},
@@ -39,7 +39,7 @@ void get_instance_proc_addr(XrInstance handle, const char* name, PFN_xrVoidFunct
     instance = &runtime().registry.get_even_lost<Instance>(handle);
   else
     require(needs_no_instance(name), XR_ERROR_HANDLE_INVALID, "this function needs an instance");
-  for (const Row& row : table) {
+  for (const Row& row : function_table) {
     if (std::strcmp(row.name, name) != 0) continue;
     if (row.extension != Extension::core)
       require(instance->enabled(row.extension), XR_ERROR_FUNCTION_UNSUPPORTED,

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 #include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/api/two_call.h"
@@ -125,11 +126,14 @@ void structure_type_to_string(XrInstance handle, XrStructureType value,
                               char buffer[XR_MAX_STRUCTURE_NAME_SIZE]) {
   runtime().registry.get<Instance>(handle);
   require_pointer(buffer, "buffer");
+  // Newer headers have names that are longer than what there is room for.
+  const auto write = [&](std::string_view name) {
+    buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0';
+  };
   switch (value) {
-#define HRT_MOCK_NAME(name, number)                                 \
-  case name:                                                        \
-    std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "%s", #name); \
-    return;
+#define HRT_MOCK_NAME(name, number) \
+  case name:                        \
+    return write(#name);
     XR_LIST_ENUM_XrStructureType(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
         default : break;

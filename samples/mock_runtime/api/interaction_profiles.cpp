@@ -183,7 +183,7 @@ ProfileSources make_profiles(bool version_1_1, bool palm_pose) {
   return made;
 }
 
-const ProfileSources& profiles_of(const SourceSet& set) {
+const ProfileSources& profiles_of(SourceSet set) {
   static const std::array all{make_profiles(false, false), make_profiles(false, true),
                               make_profiles(true, false), make_profiles(true, true)};
   return all[(set.version_1_1 ? 2U : 0U) + (set.palm_pose ? 1U : 0U)];

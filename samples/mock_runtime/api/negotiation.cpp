@@ -1,5 +1,6 @@
 #include "samples/mock_runtime/api/negotiation.h"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 
@@ -35,11 +36,11 @@ XrResult negotiate(const NegotiateLoaderInfo* loader, NegotiateRuntimeRequest* r
     return XR_ERROR_INITIALIZATION_FAILED;
   if (loader->min_interface_version > interface_version || loader->max_interface_version < interface_version)
     return XR_ERROR_INITIALIZATION_FAILED;
-  if (loader->min_api_version > runtime_api_version || loader->max_api_version < runtime_api_version)
+  if (loader->min_api_version > max_api_version || loader->max_api_version < min_api_version)
     return XR_ERROR_INITIALIZATION_FAILED;
   load_script();
   request->runtime_interface_version = interface_version;
-  request->runtime_api_version = runtime_api_version;
+  request->runtime_api_version = std::min(max_api_version, loader->max_api_version);
   request->get_instance_proc_addr = &Entry<FunctionId::xrGetInstanceProcAddr, &get_instance_proc_addr>::call;
   return XR_SUCCESS;
 }

@@ -16,7 +16,9 @@ inline constexpr std::uint32_t runtime_request_type = 3;    // XR_LOADER_INTERFA
 inline constexpr std::uint32_t interface_version =
     1;  // XR_CURRENT_LOADER_RUNTIME_VERSION, ..._API_LAYER_VERSION
 inline constexpr std::uint32_t struct_version = 1;  // of every structure
-inline constexpr XrVersion runtime_api_version = XR_CURRENT_API_VERSION;
+/// Of OpenXR itself, whatever the headers that this is built with.
+inline constexpr XrVersion min_api_version = XR_MAKE_VERSION(1, 0, 0);
+inline constexpr XrVersion max_api_version = XR_MAKE_VERSION(1, 1, 47);
 
 struct NegotiateLoaderInfo {
   std::uint32_t struct_type;

@@ -7,7 +7,7 @@
 namespace hrt::mock {
 namespace {
 
-[[noreturn]] void refuse() {
+[[noreturn]] void refuse_swapchain() {
   throw Error{XR_ERROR_HANDLE_INVALID, "a headless session has no swapchains"};
 }
 
@@ -27,23 +27,23 @@ void create_swapchain(XrSession handle, const XrSwapchainCreateInfo* info, XrSwa
 }
 
 void destroy_swapchain(XrSwapchain) {
-  refuse();
+  refuse_swapchain();
 }
 
 void enumerate_swapchain_images(XrSwapchain, std::uint32_t, std::uint32_t*, XrSwapchainImageBaseHeader*) {
-  refuse();
+  refuse_swapchain();
 }
 
 void acquire_swapchain_image(XrSwapchain, const XrSwapchainImageAcquireInfo*, std::uint32_t*) {
-  refuse();
+  refuse_swapchain();
 }
 
 void wait_swapchain_image(XrSwapchain, const XrSwapchainImageWaitInfo*) {
-  refuse();
+  refuse_swapchain();
 }
 
 void release_swapchain_image(XrSwapchain, const XrSwapchainImageReleaseInfo*) {
-  refuse();
+  refuse_swapchain();
 }
 
 }  // namespace hrt::mock

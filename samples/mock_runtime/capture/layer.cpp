@@ -140,7 +140,7 @@ xrNegotiateLoaderApiLayerInterface(const hrt::mock::NegotiateLoaderInfo* loader,
       loader->min_interface_version > interface_version || loader->max_interface_version < interface_version)
     return XR_ERROR_INITIALIZATION_FAILED;
   request->layer_interface_version = interface_version;
-  request->layer_api_version = runtime_api_version;
+  request->layer_api_version = max_api_version;
   request->get_instance_proc_addr = &hrt::capture::get_instance_proc_addr;
   request->create_api_layer_instance = &hrt::capture::create_instance;
   return XR_SUCCESS;

@@ -5,7 +5,7 @@
 namespace hrt::mock {
 namespace {
 
-constexpr std::array names{
+constexpr std::array function_names{
 #define HRT_MOCK_NAME(name, implementation, extension, returned) #name,
     HRT_MOCK_FUNCTIONS(HRT_MOCK_NAME)
 #undef HRT_MOCK_NAME
@@ -24,13 +24,13 @@ std::optional<CallFault> Faults::next(FunctionId function, const Scope& now) {
 }
 
 const char* name_of(FunctionId function) {
-  return names[static_cast<std::size_t>(function)];
+  return function_names[static_cast<std::size_t>(function)];
 }
 
 std::optional<FunctionId> find_function(std::string_view name) {
-  const auto found = std::find(names.begin(), names.end(), name);
-  if (found == names.end()) return std::nullopt;
-  return static_cast<FunctionId>(found - names.begin());
+  const auto found = std::find(function_names.begin(), function_names.end(), name);
+  if (found == function_names.end()) return std::nullopt;
+  return static_cast<FunctionId>(found - function_names.begin());
 }
 
 }  // namespace hrt::mock

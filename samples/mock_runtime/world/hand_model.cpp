@@ -74,8 +74,8 @@ HandJoints right_hand(const Fingers& fingers) {
     else
       forward = at(joint + 1) - at(joint);
     // The thumb's nail looks up and to the side.
-    const bool thumb = joint >= XR_HAND_JOINT_THUMB_METACARPAL_EXT && joint <= XR_HAND_JOINT_THUMB_TIP_EXT;
-    const Eigen::Vector3d right = thumb ? Eigen::Vector3d(0.8, 0.6, 0.0) : Eigen::Vector3d::UnitX();
+    const bool of_thumb = joint >= XR_HAND_JOINT_THUMB_METACARPAL_EXT && joint <= XR_HAND_JOINT_THUMB_TIP_EXT;
+    const Eigen::Vector3d right = of_thumb ? Eigen::Vector3d(0.8, 0.6, 0.0) : Eigen::Vector3d::UnitX();
     joints[static_cast<std::size_t>(joint)] = {{axes(forward, right), at(joint)},
                                                rest[static_cast<std::size_t>(joint)].radius_m};
   }

@@ -162,8 +162,8 @@ Examples:
   for (const auto& [name, field] : {std::pair{"plate", &conditions.plate}, {"tracker", &conditions.tracker}})
     add_value(command, std::string("--") + name, "1 to 63 printable ASCII characters", "",
               std::string("With which ") + name + ", for --profile, as the host names it there.",
-              [field = field](const std::string& text) {
-                *field = text;
+              [to = field](const std::string& text) {
+                *to = text;
                 return is_name(text);
               });
   add_out(command, &options->out);

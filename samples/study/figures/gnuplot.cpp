@@ -27,7 +27,7 @@ File anonymous_file() {
 }
 
 std::string in_one_line(std::FILE* file) {
-  std::rewind(file);
+  std::fseek(file, 0, SEEK_SET);
   std::string text;
   char buffer[4096];
   for (std::size_t size = 0; (size = std::fread(buffer, 1, sizeof buffer, file)) > 0;)
@@ -54,7 +54,7 @@ void run_gnuplot(const std::string& script, const std::filesystem::path& folder)
   if (std::fwrite(script.data(), 1, script.size(), input.get()) != script.size() ||
       std::fflush(input.get()) != 0)
     throw std::runtime_error(std::string("cannot write a temporary file: ") + std::strerror(errno));
-  std::rewind(input.get());
+  std::fseek(input.get(), 0, SEEK_SET);
 
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);

@@ -45,7 +45,7 @@ Point ahead(Point from, double direction_deg, double distance_mm) {
 }
 
 // Equal distances along the direction of each step.
-Path path(const std::vector<TrialStep>& steps, double TrialStep::*direction_deg) {
+Path path(const std::vector<TrialStep>& steps, double TrialStep::* direction_deg) {
   Path path{{0.0, 0.0}};
   for (const TrialStep& step : steps)
     path.push_back(

@@ -49,7 +49,7 @@ def test_help_has_units_ranges_and_defaults() -> None:
     assert "OUT_OF_RANGE: A value is outside" in (hrt.ErrorCode.__doc__ or "")
     missing = [f"{struct.__name__}.{name}" for struct in vars(_abi).values()
                if isinstance(struct, type) and issubclass(struct, _abi.Struct) and struct is not _abi.Struct
-               for name in struct.names() if not re.search(rf"^    {name}\b", struct.__doc__ or "", re.M)]
+               for name in struct.names() if not re.search(rf"^ *{name}\b", struct.__doc__ or "", re.M)]
     assert not missing
 
 

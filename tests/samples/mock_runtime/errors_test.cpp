@@ -118,9 +118,7 @@ class MockErrors : public MockNegotiation {
                                   XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
     ASSERT_XR(XR_SUCCESS, CALL(xrBeginSession, session, &info));
   }
-  void destroy_session() {
-    EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session));
-  }
+  void destroy_session() { EXPECT_XR(XR_SUCCESS, CALL(xrDestroySession, session)); }
 
   XrSpace space(XrReferenceSpaceType type) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, identity_pose};
@@ -163,24 +161,12 @@ class MockErrors : public MockNegotiation {
     if (!null && destroys) return;
     note(name, function(null ? First{} : handle(First{}), Rest{}...));
   }
-  XrInstance handle(XrInstance) const {
-    return instance;
-  }
-  XrSession handle(XrSession) const {
-    return session;
-  }
-  XrSpace handle(XrSpace) const {
-    return local;
-  }
-  XrActionSet handle(XrActionSet) const {
-    return set;
-  }
-  XrAction handle(XrAction) const {
-    return action;
-  }
-  XrHandTrackerEXT handle(XrHandTrackerEXT) const {
-    return tracker;
-  }
+  XrInstance handle(XrInstance) const { return instance; }
+  XrSession handle(XrSession) const { return session; }
+  XrSpace handle(XrSpace) const { return local; }
+  XrActionSet handle(XrActionSet) const { return set; }
+  XrAction handle(XrAction) const { return action; }
+  XrHandTrackerEXT handle(XrHandTrackerEXT) const { return tracker; }
   template <typename Other>
   Other handle(Other none) const {
     return none;

@@ -11,9 +11,7 @@ namespace hrt::mock {
 namespace {
 
 template <typename T>
-concept has_size = requires {
-  sizeof(T);
-};
+concept has_size = requires { sizeof(T); };
 
 class MockHostile : public MockNegotiation {
  protected:

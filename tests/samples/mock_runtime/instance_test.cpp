@@ -15,8 +15,11 @@ using MockInstance = MockRuntime;
 TEST_F(MockNegotiation, AnswersALoaderOfItsVersion) {
   ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
   EXPECT_EQ(request.runtime_interface_version, 1U);
-  EXPECT_EQ(request.runtime_api_version, XR_CURRENT_API_VERSION);
+  EXPECT_EQ(request.runtime_api_version, XR_MAKE_VERSION(1, 1, 47));
   EXPECT_NE(request.get_instance_proc_addr, nullptr);
+  loader.max_api_version = XR_MAKE_VERSION(1, 0, 99);
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  EXPECT_EQ(request.runtime_api_version, XR_MAKE_VERSION(1, 0, 99));
 }
 
 // "If the loader [and] runtime can't agree [...] XR_ERROR_INITIALIZATION_FAILED": wrong structures and
@@ -35,8 +38,8 @@ TEST_F(MockNegotiation, RefusesWrongStructuresAndVersions) {
   expect_refused([](auto& info, auto&) { ++info.struct_version; });
   expect_refused([](auto& info, auto&) { --info.struct_size; });
   expect_refused([](auto& info, auto&) { info.min_interface_version = info.max_interface_version = 2; });
-  expect_refused([](auto& info, auto&) { info.min_api_version = XR_MAKE_VERSION(1, 1, 0); });
-  expect_refused([](auto& info, auto&) { info.max_api_version = XR_MAKE_VERSION(1, 0, 0); });
+  expect_refused([](auto& info, auto&) { info.min_api_version = XR_MAKE_VERSION(1, 2, 0); });
+  expect_refused([](auto& info, auto&) { info.max_api_version = XR_MAKE_VERSION(0, 9, 0); });
   expect_refused([](auto&, auto& wanted) { wanted.struct_type = loader_info_type; });
   expect_refused([](auto&, auto& wanted) { ++wanted.struct_version; });
   expect_refused([](auto&, auto& wanted) { wanted.struct_size = 0; });

@@ -449,10 +449,10 @@ XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction
 
 }  // namespace
 
-extern "C" __attribute__((visibility("default"))) XrResult xrNegotiateLoaderRuntimeInterface(
-    const LoaderInfo*, RuntimeRequest* request) {
+extern "C" __attribute__((visibility("default"))) XrResult
+xrNegotiateLoaderRuntimeInterface(const LoaderInfo*, RuntimeRequest* request) {
   request->interface_version = 1;
-  request->api_version = XR_CURRENT_API_VERSION;
+  request->api_version = XR_MAKE_VERSION(1, 0, 20);
   request->get_instance_proc_addr = &get_instance_proc_addr;
   return XR_SUCCESS;
 }

@@ -37,7 +37,7 @@ std::string result_name(XrResult result) {
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   XrInstanceCreateInfo info{XR_TYPE_INSTANCE_CREATE_INFO};
   std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "mock runtime tests");
-  info.applicationInfo.apiVersion = XR_CURRENT_API_VERSION;
+  info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 0, 20);
   info.enabledExtensionCount = static_cast<std::uint32_t>(extensions.size());
   info.enabledExtensionNames = extensions.data();
   return info;
@@ -144,6 +144,9 @@ XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT hand) {
 
 MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
   Hand hand;
+  // Newer validation layers refuse outputs whose flags are zero before the call.
+  for (XrHandJointVelocityEXT& velocity : hand.velocities)
+    velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
                                       hand.velocities.data()};
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,

@@ -24,7 +24,7 @@ class MockValidation : public MockRuntime {
       unsetenv(name);
   }
 
-  std::string messages() const { return read_file(folder / "report.txt"); }
+  std::string messages() const { return validation_findings(folder / "report.txt"); }
 
   void use_actions() {
     XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO};

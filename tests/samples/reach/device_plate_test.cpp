@@ -102,7 +102,9 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   ASSERT_EQ(tcsetattr(line, TCSANOW, &odd), 0);
   close(line);
   const termios before = settings();
-  { DevicePlate plate("serial:" + device.device()); }
+  {
+    DevicePlate plate("serial:" + device.device());
+  }
   const termios after = settings();
   EXPECT_EQ(after.c_lflag, before.c_lflag);
   EXPECT_EQ(after.c_iflag, before.c_iflag);

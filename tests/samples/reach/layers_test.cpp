@@ -16,6 +16,7 @@ Outcome run_with(const std::string& layer, const std::string& variable, const st
   environment["XR_ENABLE_API_LAYERS"] = "XR_APILAYER_LUNARG_" + layer;
   environment["XR_" + variable + "_EXPORT_TYPE"] = "text";
   environment["XR_" + variable + "_FILE_NAME"] = report;
+  environment["ASAN_OPTIONS"] = "detect_leaks=0";  // Debian 13's layers leak
   arguments.insert(arguments.begin(), desk);
   return run_program(arguments, environment);
 }
@@ -39,7 +40,7 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
     const Outcome outcome = run_with("core_validation", "CORE_VALIDATION", report, script, arguments);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
     EXPECT_NE(outcome.err.find("Core Validation output type"), std::string::npos) << "the layer is not there";
-    EXPECT_EQ(read_file(report), "") << script;
+    EXPECT_EQ(validation_findings(report), "") << script;
     std::vector<std::string> without_layer = arguments;
     without_layer.insert(without_layer.begin(), desk);
     EXPECT_EQ(outcome.out, run_scripted(script, without_layer).out) << script;

@@ -5,6 +5,7 @@
 """
 
 import math
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +16,7 @@ TRUTH = {"tactile_weight": 0.11, "bias_deg": 2.0, "motor_variance_deg2": 0.5, "s
 RATE_HZ, REST_S, SLIDE_S, SPEED_M_S, STEP_S = 90, 0.5, 3.0, 0.1 / 3, 0.1
 
 
-def slide(plate_deg: float, random: np.random.Generator) -> "np.ndarray[tuple[int], np.dtype[np.void]]":
+def slide(plate_deg: float, random: np.random.Generator) -> "np.ndarray[Any, np.dtype[np.void]]":
     """Half a second at rest, then ten centimetres towards a target straight ahead."""
     directions, finger_deg, variance = [], 0.0, 0.0
     for _ in range(round(SLIDE_S / STEP_S)):

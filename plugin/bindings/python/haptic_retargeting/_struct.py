@@ -50,7 +50,7 @@ class Flags(IntFlag):
 
 
 if TYPE_CHECKING:
-    _Base = ctypes._CData  # a Structure has any attribute, as type checkers see it
+    _Base = ctypes._SimpleCData[Any]  # a Structure has any attribute, as type checkers see it
     FunctionPointer = ctypes._FuncPointer
 else:
     _Base = ctypes.Structure

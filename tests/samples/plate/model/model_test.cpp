@@ -81,14 +81,14 @@ TEST(PlateModel, NothingNeedsSupport) {
 }
 
 TEST(PlateModel, PlateIs150Across) {
-  const std::vector<Triangle>& plate = installed("plate");
+  const std::vector<Triangle> plate = installed("plate");
   expect_near(crossings(plate, {0.0, off, -4.0 + off}, 0), {-75.0, 75.0});
   expect_near(heights("plate", 1.0 + off, off), {-8.0, 0.0});
 }
 
 // At orientation 0 the ridges run left to right, 1 mm wide and high, every 10 mm.
 TEST(PlateModel, RidgesAreOneByOneEveryTen) {
-  const std::vector<Triangle>& plate = installed("plate");
+  const std::vector<Triangle> plate = installed("plate");
   std::vector<double> sides;
   for (int i = -7; i < 7; ++i) sides.insert(sides.end(), {10.0 * i + 4.5, 10.0 * i + 5.5});
   expect_near(crossings(plate, {1.0 + off, 0.0, 0.5 + off}, 1), sides);
