@@ -86,7 +86,8 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   bool speak = false;
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
-  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
+  app.add_option("--plugin", options.plugin,
+                 "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
   app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
   app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
       ->check(CLI::Range(1, 1'000'000));
