@@ -53,6 +53,13 @@ install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT develop
 install(FILES scene/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME scene.md COMPONENT development)
 hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/README.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 
+if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
+  install(TARGETS hrt-reach hrt-study hrt-plate RUNTIME COMPONENT tools EXCLUDE_FROM_ALL)
+  install(FILES samples/scenes/desk.gltf samples/scenes/table1.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/haptic-retargeting/scenes
+          COMPONENT tools EXCLUDE_FROM_ALL)
+  install(TARGETS hrtx_mock_runtime hrtx_capture LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+endif()
+
 if(NOT PROJECT_IS_TOP_LEVEL)
   return()
 endif()
@@ -63,19 +70,10 @@ set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 if(WIN32)
   set(CPACK_GENERATOR ZIP)
-else()
-  set(CPACK_GENERATOR DEB TGZ)
+else()  # for any Linux; Debian has packages of its own (plugin/packaging)
+  set(CPACK_GENERATOR TGZ)
 endif()
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL runtime development)
 set(CPACK_ARCHIVE_COMPONENT_INSTALL OFF)  # one archive holds both
-set(CPACK_DEB_COMPONENT_INSTALL ON)
-set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION libs)
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libhaptic-retargeting${PROJECT_VERSION_MAJOR})
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS "libc6 (>= 2.31), libgcc-s1")
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libhaptic-retargeting-dev)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libhaptic-retargeting${PROJECT_VERSION_MAJOR} (= ${PROJECT_VERSION})")
 include(CPack)

@@ -98,16 +98,21 @@ function(hrt_make_loadable name map)
   elseif(CMAKE_SYSTEM_NAME STREQUAL "Linux")
     # A dlopened library's thread-local variables are otherwise allocated when a thread first touches them.
     target_compile_options(${name} PRIVATE -ftls-model=initial-exec)
-    target_link_options(${name} PRIVATE LINKER:--version-script=${map}
-      # The host may bring another C++ runtime; ours is inside, and hidden.
-      -static-libstdc++ LINKER:--gc-sections)
+    target_link_options(${name} PRIVATE LINKER:--version-script=${map})
     set_target_properties(${name} PROPERTIES LINK_DEPENDS ${map})
-    if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
-      target_link_options(${name} PRIVATE LINKER:-z,defs)
-      target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
-      target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0
-                          LINKER:--pop-state)
-    endif()
+    hrt_bring_runtime(${name})
+  endif()
+endfunction()
+
+# hrt_bring_runtime(name): on Linux, the C++ runtime inside, and glibc 2.31 at most.
+function(hrt_bring_runtime name)
+  # The host may bring another C++ runtime; ours is inside, and hidden.
+  target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections)
+  if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
+    target_link_options(${name} PRIVATE LINKER:-z,defs)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
+    target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0
+                        LINKER:--pop-state)
   endif()
 endfunction()
 

@@ -65,10 +65,12 @@ std::optional<PlateChoice> parse_plate(const std::string& text) {
   return std::nullopt;
 }
 
+// Beside the program, as in the build, or where the system keeps its libraries.
 std::filesystem::path default_plugin() {
   std::error_code error;
   const auto program = std::filesystem::read_symlink("/proc/self/exe", error);
-  return program.parent_path().parent_path() / "lib" / "libhaptic_retargeting.so";
+  auto beside = program.parent_path().parent_path() / "lib" / "libhaptic_retargeting.so";
+  return std::filesystem::exists(beside, error) ? beside : std::filesystem::path(HRT_REACH_SONAME);
 }
 
 }  // namespace
@@ -84,7 +86,8 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   bool speak = false;
 
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
-  app.add_option("--plugin", options.plugin, "Library to open [../lib/libhaptic_retargeting.so]");
+  app.add_option("--plugin", options.plugin,
+                 "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
   app.add_option("--target", options.targets, "Reach for this virtual target; may be given again [all]");
   app.add_option("--repeat", options.repeat, "Number of rounds through the targets [1]")
       ->check(CLI::Range(1, 1'000'000));

@@ -30,4 +30,4 @@ server.on("error", (error) => {
   console.error(`serve.mjs: port ${port}: ${error.message}`);
   process.exit(1);
 });
-server.listen(Number(port), "127.0.0.1", () => console.log(`http://127.0.0.1:${server.address().port}/`));
+server.listen(Number(port), "127.0.0.1", () => console.log(`Open http://127.0.0.1:${server.address().port}/ (Ctrl-C stops)`));

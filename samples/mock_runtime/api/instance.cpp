@@ -1,5 +1,6 @@
 #include "samples/mock_runtime/api/instance.h"
 
+#include <haptic_retargeting/base.h>
 #include <openxr/openxr_reflection.h>
 
 #include <cstdio>
@@ -97,7 +98,9 @@ void get_instance_properties(XrInstance handle, XrInstanceProperties* properties
   runtime().registry.get<Instance>(handle);
   require_struct(properties, XR_TYPE_INSTANCE_PROPERTIES, "instanceProperties");
   const Recording* played = runtime().script.playback.get();
-  properties->runtimeVersion = played != nullptr ? played->version : XR_MAKE_VERSION(0, 1, 0);
+  properties->runtimeVersion = played != nullptr
+                                   ? played->version
+                                   : XR_MAKE_VERSION(HRT_VERSION_MAJOR, HRT_VERSION_MINOR, HRT_VERSION_PATCH);
   std::snprintf(properties->runtimeName, sizeof(properties->runtimeName), "%s",
                 played != nullptr ? played->runtime.c_str() : "HRTX mock runtime");
 }

@@ -18,7 +18,7 @@ before(async () => {
   await mkdir(screenshots, { recursive: true });
   server = spawn(process.execPath, [join(sources, "serve.mjs"), pageFolder, "0"], { stdio: ["ignore", "pipe", "inherit"] });
   address = await new Promise((ready, failed) => {
-    server.stdout.once("data", (line) => ready(String(line).trim()));
+    server.stdout.once("data", (line) => ready(/http\S+/.exec(String(line))[0]));
     server.once("exit", (code) => failed(new Error(`serve.mjs ended with ${code}`)));
   });
   browser = await launch();
