@@ -1,6 +1,6 @@
 # What we are built on, each found once; packages by name: cmake/install_packages.
 
-# No version in the call: Eigen 5's package refuses whoever asks for 3.4, which it is compatible with.
+# No version in the call: Eigen 5's package refuses a request for 3.4, with which it is compatible.
 find_package(Eigen3 REQUIRED NO_MODULE)
 if(Eigen3_VERSION VERSION_LESS 3.4)
   message(FATAL_ERROR "Eigen ${Eigen3_VERSION} is too old: 3.4 or later is needed")
