@@ -15,9 +15,9 @@ struct CallRecord {
   XrTime time;
   const char* function;
   XrResult result;
-  std::string why;             ///< of a refusal; empty if there was none
-  std::string arguments;  ///< "(0x4852545800000002, 5)"
-  std::uint32_t thread = 0;    ///< by order of first call, from 1
+  std::string why;           ///< of a refusal; empty if there was none
+  std::string arguments;     ///< "(0x4852545800000002, 5)"
+  std::uint32_t thread = 0;  ///< by order of first call, from 1
 };
 
 class CallLog {

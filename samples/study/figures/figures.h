@@ -16,7 +16,7 @@ struct Figure {
   int width_px;
   int height_px;
   std::string script;  ///< without terminal and output
-  std::string svg;   ///< gnuplot's file, once it is drawn
+  std::string svg;     ///< gnuplot's file, once it is drawn
 };
 
 struct FigureOptions {
