@@ -1,8 +1,8 @@
 // Parameters carried from one reach to the next of the same person.
 #pragma once
 
-#include "core/estimator.h"
-#include "core/person_belief.h"
+#include "core/paper/estimator.h"
+#include "core/person/person_belief.h"
 #include "core/retargeter.h"
 
 namespace hrt {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

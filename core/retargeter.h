@@ -6,8 +6,8 @@
 #include <optional>
 #include <variant>
 
-#include "core/paper_reach.h"
-#include "core/person_reach.h"
+#include "core/paper/paper_reach.h"
+#include "core/person/person_reach.h"
 
 namespace hrt {
 

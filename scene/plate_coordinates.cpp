@@ -1,6 +1,6 @@
 #include "scene/plate_coordinates.h"
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 
 namespace hrt {
 namespace {

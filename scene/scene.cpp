@@ -3,7 +3,7 @@
 #include <cmath>
 #include <map>
 
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 #include "scene/gltf_tree.h"
 #include "scene/refuse.h"
 

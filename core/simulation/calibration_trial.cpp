@@ -1,6 +1,6 @@
 #include "core/simulation/calibration_trial.h"
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 
 #include <cmath>
 

@@ -1,8 +1,8 @@
 // Simulated slides over a plate that stands still, or turns within the slide, as a calibration records them.
 #pragma once
 
-#include "core/calibration.h"
-#include "core/perception.h"
+#include "core/calibrate/calibration.h"
+#include "core/paper/perception.h"
 #include "core/simulation/people.h"
 #include "core/simulation/trial.h"
 

@@ -1,4 +1,4 @@
-// The optimum of core/mpc.h as a function of where the finger moves. Without a rate bound the only state of
+// The optimum of core/paper/mpc.h as a function of where the finger moves. Without a rate bound the only state of
 // the problem is p, the finger's offset from the virtual direction, and the gains of a step are the same in
 // every trial. So the plate offset t(p) of one step is a fixed function, continuous and linear in pieces,
 // that a batch can tabulate once and then evaluate in place of a solver.
@@ -20,7 +20,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mpc.h"
+#include "core/paper/mpc.h"
 
 namespace hrt {
 

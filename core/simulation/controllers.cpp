@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/exponential.h"
+#include "core/math/exponential.h"
 
 namespace hrt {
 

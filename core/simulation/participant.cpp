@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/perception.h"
-#include "core/plate_limits.h"
+#include "core/paper/perception.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 

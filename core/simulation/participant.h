@@ -1,7 +1,7 @@
 // A simulated person, who follows paper section II-A to the letter.
 #pragma once
 
-#include "core/participant.h"
+#include "core/paper/participant.h"
 
 namespace hrt {
 

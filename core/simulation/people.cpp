@@ -4,8 +4,8 @@
 #include <cmath>
 #include <cstring>
 
-#include "core/exponential.h"
-#include "core/trigonometry.h"
+#include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

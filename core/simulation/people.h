@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 #include "core/simulation/person.h"
 #include "core/simulation/tracker.h"
 

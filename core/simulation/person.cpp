@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/arrival.h"
-#include "core/exponential.h"
-#include "core/perception.h"
-#include "core/trigonometry.h"
+#include "core/person/arrival.h"
+#include "core/math/exponential.h"
+#include "core/paper/perception.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {

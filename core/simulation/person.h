@@ -8,7 +8,7 @@
 
 #include <array>
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 #include "core/simulation/random.h"
 
 namespace hrt {

@@ -1,6 +1,6 @@
 #include "core/simulation/sliding_finger.h"
 
-#include "core/arrival.h"
+#include "core/person/arrival.h"
 
 namespace hrt {
 

@@ -1,7 +1,7 @@
 // A finger that slides along a path of given length and time, wherever the person steers it.
 #pragma once
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 
 namespace hrt {
 

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "core/exponential.h"
-#include "core/trigonometry.h"
+#include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/plate_limits.h"
+#include "core/plate/plate_limits.h"
 #include "core/simulation/control_law.h"
 #include "core/simulation/lanes.h"
 #include "core/simulation/random_lanes.h"

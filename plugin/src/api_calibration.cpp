@@ -6,11 +6,11 @@
 #include <utility>
 #include <vector>
 
-#include "core/calibrated_person.h"
+#include "core/person/calibrated_person.h"
 #include "core/learning.h"
-#include "core/retest.h"
-#include "core/steering_fit.h"
-#include "core/tracker_noise.h"
+#include "core/calibrate/retest.h"
+#include "core/calibrate/steering_fit.h"
+#include "core/tracker/tracker_noise.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/sessions.h"

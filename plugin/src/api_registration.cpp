@@ -6,11 +6,11 @@
 #include <iterator>
 #include <vector>
 
-#include "core/frame_error.h"
-#include "core/linear_algebra.h"
-#include "core/registration.h"
-#include "core/time.h"
-#include "core/tracker_latency.h"
+#include "core/plate/frame_error.h"
+#include "core/math/linear_algebra.h"
+#include "core/plate/registration.h"
+#include "core/math/time.h"
+#include "core/tracker/tracker_latency.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 #include "plugin/src/session_config.h"

@@ -1,7 +1,7 @@
 // Samples of the finger as they cross the boundary: checked, and taken to the plate.
 #pragma once
 
-#include "core/finger_sample.h"
+#include "core/reach/finger_sample.h"
 #include "haptic_retargeting/reach.h"
 
 namespace hrt::plugin {

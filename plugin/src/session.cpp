@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/frame_error.h"
-#include "core/time.h"
-#include "core/trigonometry.h"
+#include "core/plate/frame_error.h"
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 #include "plugin/src/reach_numbers.h"

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <limits>
 
-#include "core/exponential.h"
+#include "core/math/exponential.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/triangle.h"
 

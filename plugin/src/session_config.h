@@ -3,9 +3,9 @@
 
 #include <span>
 
-#include "core/frame_error.h"
+#include "core/plate/frame_error.h"
 #include "core/learning.h"
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 #include "core/retargeter.h"
 #include "haptic_retargeting/session.h"
 #include "scene/plate_coordinates.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/slide_plan.h"
-#include "core/trigonometry.h"
+#include "core/calibrate/slide_plan.h"
+#include "core/math/trigonometry.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/finger_sample.h"
 

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 #include "haptic_retargeting/calibration.h"
 
 namespace hrt::plugin {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 #include "haptic_retargeting/target.h"
 #include "scene/plate_coordinates.h"
 

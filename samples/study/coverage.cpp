@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/simulation/calibration_trial.h"
-#include "core/slide_plan.h"
-#include "core/trigonometry.h"
+#include "core/calibrate/slide_plan.h"
+#include "core/math/trigonometry.h"
 #include "samples/study/output.h"
 #include "samples/text.h"
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 #include "core/simulation/people.h"
 #include "samples/study/statistics.h"
 

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "core/authority.h"
+#include "core/paper/authority.h"
 #include "samples/study/output.h"
 #include "samples/study/statistics.h"
 

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 #include "core/simulation/calibration_trial.h"
 
 namespace hrt::study {

@@ -6,9 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/finger_sample.h"
-#include "core/plate_model.h"
-#include "core/reach.h"
+#include "core/reach/finger_sample.h"
+#include "core/plate/plate_model.h"
+#include "core/reach/reach.h"
 
 namespace hrt::study {
 

@@ -9,7 +9,7 @@
 
 #include "core/learning.h"
 #include "core/simulation/controllers.h"
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 #include "samples/study/arguments.h"
 #include "samples/study/input.h"
 #include "samples/study/output.h"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/interval.h"
+#include "core/math/interval.h"
 
 namespace hrt::study {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/authority.h"
+#include "core/paper/authority.h"
 #include "samples/study/output.h"
 #include "samples/study/paper.h"
 #include "samples/study/parameters.h"

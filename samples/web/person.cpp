@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person.h"
 

@@ -15,11 +15,11 @@
 #include <string>
 #include <vector>
 
-#include "core/mpc.h"
-#include "core/perception.h"
+#include "core/paper/mpc.h"
+#include "core/paper/perception.h"
 #include "core/simulation/random.h"
-#include "tests/core/mpc_random_problem.h"
-#include "tests/core/mpc_reference.h"
+#include "tests/core/paper/mpc_random_problem.h"
+#include "tests/core/paper/mpc_reference.h"
 
 namespace hrt {
 namespace {

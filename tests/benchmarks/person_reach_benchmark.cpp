@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "core/person_reach.h"
+#include "core/person/person_reach.h"
 #include "core/simulation/people.h"
 
 namespace hrt {

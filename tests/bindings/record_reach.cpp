@@ -9,8 +9,8 @@
 #include <fstream>
 #include <ios>
 
-#include "core/plate_frame.h"
-#include "core/plate_model.h"
+#include "core/plate/plate_frame.h"
+#include "core/plate/plate_model.h"
 #include "core/simulation/person.h"
 #include "haptic_retargeting/haptic_retargeting.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/frame_error.h"
+#include "core/plate/frame_error.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"

@@ -1,5 +1,5 @@
 // Calibration through the C ABI: slides streamed in, a user's parameters out and into the session.
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 
 #include <cmath>
 #include <cstring>

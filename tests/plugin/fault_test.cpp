@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/reach_control.h"
+#include "core/person/reach_control.h"
 #include "fixture.h"
 
 namespace hrt {

@@ -5,7 +5,7 @@
 
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 #include "fixture.h"
 
 namespace hrt::test {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 #include "core/simulation/people.h"
 #include "tests/plugin/fixture.h"
 

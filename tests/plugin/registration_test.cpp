@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/frame_error.h"
+#include "core/plate/frame_error.h"
 #include "core/simulation/random.h"
 #include "fixture.h"
 

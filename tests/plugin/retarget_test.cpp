@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 #include "core/simulation/person.h"
 #include "fixture.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/plate_frame.h"
+#include "core/plate/plate_frame.h"
 #include "tests/scene/scene_document.h"
 
 namespace hrt {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt::mock {
 namespace {

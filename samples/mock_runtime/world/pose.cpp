@@ -1,6 +1,6 @@
 #include "samples/mock_runtime/world/pose.h"
 
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 #include "samples/mock_runtime/error.h"
 
 namespace hrt::mock {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 #include "core/simulation/person.h"
 #include "samples/mock_runtime/world/people.h"
 

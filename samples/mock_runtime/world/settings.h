@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/plate_model.h"
+#include "core/plate/plate_model.h"
 #include "samples/mock_runtime/world/hand_model.h"
 #include "samples/mock_runtime/world/people.h"
 #include "samples/mock_runtime/world/pose_path.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/simulation/random.h"
-#include "core/trigonometry.h"
+#include "core/math/trigonometry.h"
 
 namespace hrt::mock {
 namespace {

@@ -1,5 +1,5 @@
 // hrt-study authority: the gaps that the plate can sustain, over the tactile weight.
-#include "core/authority.h"
+#include "core/paper/authority.h"
 
 #include <cmath>
 

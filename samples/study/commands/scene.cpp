@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/authority.h"
-#include "core/trigonometry.h"
+#include "core/paper/authority.h"
+#include "core/math/trigonometry.h"
 #include "samples/study/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/output.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 #include "core/simulation/calibration_trial.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"

@@ -1,7 +1,7 @@
 // The map of gaps that can be held.
 #include <cmath>
 
-#include "core/authority.h"
+#include "core/paper/authority.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/output.h"
 

@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/calibrated_person.h"
+#include "core/person/calibrated_person.h"
 #include "core/learning.h"
 #include "samples/study/output.h"
 #include "samples/text.h"

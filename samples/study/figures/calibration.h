@@ -5,7 +5,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "core/calibration.h"
+#include "core/calibrate/calibration.h"
 #include "samples/study/figures/figures.h"
 
 namespace hrt::study {

@@ -7,8 +7,8 @@
 // That curve is the limit: a bound on the plate cannot improve on it.
 #include <cmath>
 
-#include "core/calibration.h"
-#include "core/perception.h"
+#include "core/calibrate/calibration.h"
+#include "core/paper/perception.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/output.h"
 #include "samples/study/parameters.h"

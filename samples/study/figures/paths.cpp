@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/authority.h"
-#include "core/trigonometry.h"
+#include "core/paper/authority.h"
+#include "core/math/trigonometry.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/output.h"
 #include "samples/study/paper.h"

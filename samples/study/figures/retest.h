@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/retest.h"
+#include "core/calibrate/retest.h"
 #include "samples/study/figures/calibration.h"
 
 namespace hrt::study {

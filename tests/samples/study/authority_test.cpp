@@ -1,4 +1,4 @@
-#include "core/authority.h"
+#include "core/paper/authority.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <thread>
 
-#include "core/authority.h"
+#include "core/paper/authority.h"
 #include "core/simulation/batch.h"
 #include "tests/samples/study/process.h"
 

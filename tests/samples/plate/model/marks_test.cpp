@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "core/registration.h"
+#include "core/plate/registration.h"
 #include "plate_model.h"
 
 namespace hrt {

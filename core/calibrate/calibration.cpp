@@ -1,0 +1,266 @@
+#include "core/calibrate/calibration.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "core/paper/estimator.h"
+#include "core/math/time.h"
+#include "core/calibrate/variance_fit.h"
+
+namespace hrt {
+namespace {
+
+constexpr double least_plate_span_deg = 40.0;
+constexpr int least_plate_angles = 3;
+// The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
+constexpr double least_offset_deg = 60.0;
+// An interval that is wider says nothing of a person.
+constexpr double most_weight_width = 0.1;
+constexpr double most_angle_width_deg = 10.0;
+constexpr int band_steps = 15;  // to either side, of 5 degrees
+// A slow start is no noise of a finger at rest.
+constexpr std::int64_t before_onset_ns = 50'000'000;
+
+std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials,
+                                        const CalibrationConfig& config) {
+  if (!std::isfinite(config.goal_direction_deg))
+    return CalibrationRefusal{"the goal direction is not a finite number"};
+  if (config.step_period_ns < 1'000'000 || config.step_period_ns > 10'000'000'000) {
+    return CalibrationRefusal{"the step period is out of range; allowed: 1 ms to 10 s"};
+  }
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const std::string name = "trial " + std::to_string(i + 1);
+    if (!std::isfinite(trials[i].plate_orientation_deg)) {
+      return CalibrationRefusal{name + ": the plate orientation is not a finite number"};
+    }
+    const auto& samples = trials[i].samples;
+    if (!trials[i].plate_deg.empty() && trials[i].plate_deg.size() != samples.size())
+      return CalibrationRefusal{name + ": not every sample has the plate's orientation"};
+    for (const double plate_deg : trials[i].plate_deg)
+      if (!std::isfinite(plate_deg)) return CalibrationRefusal{name + ": a plate orientation is not finite"};
+    for (std::size_t k = 0; k < samples.size(); ++k) {
+      if (!std::isfinite(samples[k].position.right_m) || !std::isfinite(samples[k].position.away_m)) {
+        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) +
+                                  ": the position is not finite"};
+      }
+      if (k > 0 && samples[k].time_ns <= samples[k - 1].time_ns) {
+        return CalibrationRefusal{name + ", sample " + std::to_string(k + 1) + ": time does not increase"};
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+std::string three_digits(double value) {
+  std::string text = std::to_string(value);
+  return text.substr(0, text.find('.') + 4);
+}
+
+// The controller's curve from the fit of its own family: exact for no other, but the nearest of its kind. Its
+// covariance holds whatever the family is.
+void describe_controllers_curve(const PersonFit& person, Calibration* calibration) {
+  const auto own = std::find_if(person.families.begin(), person.families.end(), [](const FamilyFit& family) {
+    return family.fit.person.curve.family == CurveFamily::cubic;
+  });
+  const CurveFit& fit = own != person.families.end() ? own->fit : person.best();
+  const auto interval = [](const FitValue& value) {
+    return Interval{value.value, value.value - normal_975 * value.deviation,
+                    value.value + normal_975 * value.deviation, true};
+  };
+  const FitValue slope = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first; });
+  calibration->slope = interval(slope);
+  if (fit.person.curve.family != CurveFamily::cubic) {
+    calibration->curve = {0.0, -0.1, 0.5, false};
+    return;
+  }
+  const FitValue curve = fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.second; });
+  const FitValue sum =
+      fit_value(fit, [](const SlidingPersonModel& p) { return p.curve.first + p.curve.second; });
+  calibration->curve = interval(curve);
+  const double product = slope.deviation * curve.deviation;
+  if (product > 0.0)
+    calibration->slope_curve_correlation =
+        std::clamp((sum.deviation * sum.deviation - slope.deviation * slope.deviation -
+                    curve.deviation * curve.deviation) /
+                       (2.0 * product),
+                   -1.0, 1.0);
+}
+
+CurvePeak weaker_peak(const IllusionCurve& curve) {
+  const CurvePeak left = curve_peak(curve, 1.0);
+  const CurvePeak right = curve_peak(curve, -1.0);
+  return left.shift_deg < right.shift_deg ? left : right;
+}
+
+Calibration described(const PersonFit& person) {
+  Calibration calibration;
+  calibration.lack_of_fit = person.lack_of_fit;
+  calibration.illusion = person.best().person.curve;
+  for (const FamilyFit& family : person.families)
+    calibration.families.push_back(
+        {family.fit.person.curve.family, family.probability, curve_weight(family.fit.person.curve)});
+  calibration.tactile_weight = person.value([](const auto& p) { return curve_weight(p.curve); });
+  calibration.bias_deg = person.value([](const auto& p) { return p.bias_deg; });
+  calibration.habit_deg = person.value([](const auto& p) { return p.habit_deg; });
+  calibration.largest_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
+  calibration.peak_offset_deg = weaker_peak(calibration.illusion).offset_deg;
+  describe_controllers_curve(person, &calibration);
+  for (int step = -band_steps; step <= band_steps; ++step) {
+    const double offset_deg = curve_bound_deg * step / band_steps;
+    calibration.band.push_back(
+        {offset_deg, person.value([&](const auto& p) { return curve_shift_deg(p.curve, offset_deg); })});
+  }
+
+  const bool fits = calibration.fits();
+  const bool reaches = std::min(person.largest_left_deg, person.largest_right_deg) >= least_offset_deg;
+  const bool curved = calibration.families.size() > 1;
+  const auto is_within = [](const Interval& interval, double width) {
+    return interval.upper - interval.lower <= width;
+  };
+  calibration.tactile_weight.known = fits && is_within(calibration.tactile_weight, most_weight_width);
+  calibration.slope.known = fits;
+  calibration.bias_deg.known = fits && is_within(calibration.bias_deg, most_angle_width_deg);
+  calibration.habit_deg.known = fits && is_within(calibration.habit_deg, most_angle_width_deg);
+  calibration.curve.known = fits && curved;
+  calibration.largest_gap_deg.known =
+      fits && curved && reaches && is_within(calibration.largest_gap_deg, most_angle_width_deg);
+  return calibration;
+}
+
+}  // namespace
+
+bool Calibration::fits() const {
+  return std::min({lack_of_fit.angle_p, lack_of_fit.order_p, lack_of_fit.path_p}) >= least_fit_p;
+}
+
+std::size_t Calibration::count(SlideVerdict verdict) const {
+  return static_cast<std::size_t>(std::count_if(
+      slides.begin(), slides.end(), [&](const CalibratedSlide& s) { return s.verdict == verdict; }));
+}
+
+std::vector<std::string> Calibration::advice() const {
+  std::vector<std::string> sentences;
+  if (lack_of_fit.angle_p < least_fit_p)
+    sentences.emplace_back(
+        "no family of curves fits the directions over the plate's angle: check the plate's "
+        "angles and the target's direction, then add slides at the angles that are off");
+  if (lack_of_fit.order_p < least_fit_p)
+    sentences.emplace_back(
+        "the person changed from the first slide to the last: let them practise, or rest, and "
+        "repeat the calibration");
+  if (lack_of_fit.path_p < least_fit_p)
+    sentences.emplace_back(
+        "the paths bend in a way that neither a habit nor the steering law explains: ask for "
+        "one even motion, slower and longer, and repeat the calibration");
+  if (families.size() == 1)
+    sentences.emplace_back("the illusion was taken for linear: a curve takes slides at " +
+                           std::to_string(least_curve_angles) + " plate angles or more");
+  else if (fits() && !largest_gap_deg.known)
+    sentences.emplace_back(
+        "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
+        "both sides");
+  if (steering.slides > 0 && steering.slides < least_turning_slides)
+    sentences.emplace_back("the steering takes " + std::to_string(least_turning_slides) +
+                           " slides within which the plate turns");
+  else if (steering.law_p < least_fit_p)
+    sentences.emplace_back(
+        "the paths over a turning plate are unlike every law of steering that is known here: let the person "
+        "practise, and repeat these slides");
+  else if (fits() && steering.slides > 0 && !(steering.rate_per_s.known && steering.delay_s.known))
+    sentences.emplace_back(
+        "the steering is not determined: add slides within which the plate turns farther, to and fro");
+  if (5 * count(SlideVerdict::outlying) > slides.size())
+    sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
+  return sentences;
+}
+
+std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
+                                                        const CalibrationConfig& config) {
+  if (auto refusal = check(trials, config)) return *refusal;
+  std::vector<SlideTrack> tracks;
+  std::vector<TurningSlide> turning;
+  std::vector<double> order;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const auto track = track_slide(trials[i], config.goal_direction_deg);
+    if (!track) continue;
+    if (auto slide = turning_slide(trials[i], *track, config.goal_direction_deg)) {
+      turning.push_back(std::move(*slide));
+      continue;
+    }
+    tracks.push_back(*track);
+    order.push_back(static_cast<double>(i));
+  }
+  if (tracks.size() < least_trials) {
+    return CalibrationRefusal{std::to_string(tracks.size()) + " of " + std::to_string(trials.size()) +
+                              " trials have a slide of at least 30 mm over a plate at rest; at least " +
+                              std::to_string(least_trials) + " are needed"};
+  }
+  const std::vector<SlideVerdict> verdicts = slide_verdicts(tracks);
+  std::vector<SlideTrack> counting;
+  for (std::size_t i = 0; i < tracks.size(); ++i)
+    if (verdicts[i] == SlideVerdict::used) counting.push_back(tracks[i]);
+  if (counting.size() < least_trials)
+    return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(tracks.size()) +
+                              " slides are not along the ridges; at least " + std::to_string(least_trials) +
+                              " are needed: bring the plate nearer to the goal"};
+  const int angles = different_angles(counting);
+  const auto [low, high] =
+      std::minmax_element(counting.begin(), counting.end(),
+                          [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
+  if (angles < least_plate_angles || high->plate_deg - low->plate_deg < least_plate_span_deg) {
+    return CalibrationRefusal{
+        "the plate stood at " + std::to_string(angles) +
+        " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
+  }
+
+  const PersonFit person = fit_person(tracks, order);
+  if (person.used.size() < 8)
+    return CalibrationRefusal{std::to_string(person.used.size()) + " of " + std::to_string(tracks.size()) +
+                              " slides are like one another; at least 8 are needed: check the tracker"};
+  Calibration calibration = described(person);
+  const Interval& w = calibration.tactile_weight;
+  if (!(w.lower > Estimator::least_tactile_weight && w.upper < Estimator::most_tactile_weight)) {
+    return CalibrationRefusal{
+        "w_T is " + three_digits(w.value) + " with a 95 % interval of " + three_digits(w.lower) + " to " +
+        three_digits(w.upper) +
+        "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges"};
+  }
+  std::vector<const CalibrationTrial*> used;
+  std::vector<std::vector<TimedPoint>> rests;
+  for (std::size_t i = 0; i < tracks.size(); ++i) {
+    const auto trial = static_cast<std::size_t>(order[i]);
+    calibration.slides.push_back({.trial = trial,
+                                  .plate_deg = tracks[i].plate_deg,
+                                  .parts_deg = tracks[i].direction_deg,
+                                  .fitted_deg = predicted_directions(tracks[i], person.best().person),
+                                  .verdict = person.verdicts[i]});
+    if (person.verdicts[i] != SlideVerdict::used) continue;
+    used.push_back(&trials[trial]);
+    const std::vector<TimedPoint>& samples = trials[trial].samples;
+    rests.emplace_back(samples.begin(),
+                       std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& p) {
+                         return p.time_ns >= tracks[i].onset_ns ||
+                                elapsed_ns(p.time_ns, tracks[i].onset_ns) < before_onset_ns;
+                       }));
+    calibration.largest_plate_deg = std::max(calibration.largest_plate_deg, std::abs(tracks[i].plate_deg));
+  }
+  calibration.noise = fit_rest_noise(rests);
+  calibration.steering.slides = static_cast<int>(turning.size());
+  if (calibration.steering.slides >= least_turning_slides) {
+    calibration.steering = fit_steering(turning, person.best(), calibration.noise);
+    for (Interval* interval : {&calibration.steering.rate_per_s, &calibration.steering.delay_s})
+      interval->known = interval->known && calibration.fits() && calibration.steering.law_p >= least_fit_p;
+  }
+  if (config.variances) {
+    const Variances variances =
+        fit_variances(used, config.goal_direction_deg + calibration.bias_deg.value, w.value,
+                      calibration.noise.white_m.value, config.step_period_ns);
+    calibration.motor_variance_deg2 = variances.motor_deg2;
+    calibration.sensory_variance_deg2 = variances.sensory_deg2;
+  }
+  return calibration;
+}
+
+}  // namespace hrt

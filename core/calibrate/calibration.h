@@ -1,0 +1,93 @@
+// Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
+// plate that stands still (paper section V, "calibration"; the method is ours, derived in core/README.md),
+// and whether that account fits the slides at all. Slides within which the plate turns show the steering.
+//
+// Off-line work: it allocates and takes as long as it needs. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/calibrate/person_fit.h"
+#include "core/calibrate/slide_track.h"
+#include "core/calibrate/steering_fit.h"
+#include "core/tracker/tracker_noise.h"
+
+namespace hrt {
+
+struct CalibrationConfig {
+  double goal_direction_deg = 0.0;  ///< direction of the target that the participant goes for, finite
+  std::int64_t step_period_ns = 100'000'000;  ///< of the paper's model, 1 ms to 10 s
+  bool variances = true;  ///< whether to look for sigma_u^2 and sigma_h^2, which takes most of the time
+};
+
+/// One slide of the data.
+struct CalibratedSlide {
+  std::size_t trial;          ///< its place in the data, from 0
+  double plate_deg;           ///< of the ridge normal, relative to the goal direction
+  SlideDirections parts_deg;  ///< directions of its parts, relative to the goal direction
+  SlideDirections fitted_deg;
+  SlideVerdict verdict;
+};
+
+/// A point of the illusion's curve with the ends of its 95 % interval.
+struct CurvePoint {
+  double offset_deg;
+  Interval shift_deg;
+};
+
+/// How a family of curves fares.
+struct FamilyScore {
+  CurveFamily family;
+  double probability;
+  double weight;
+};
+
+/// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
+struct Calibration {
+  Interval tactile_weight;   ///< felt shift over offset at 60 degrees, mean of both sides
+  Interval bias_deg;         ///< goal at the middle of the path less target direction, left positive
+  Interval habit_deg;        ///< how far the goal turns over the path, halved
+  Interval largest_gap_deg;  ///< largest felt shift within 75 degrees, on the weaker side
+  double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it
+  Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
+  Interval curve;                            ///< b of it
+  double slope_curve_correlation = 0.0;
+  Interval motor_variance_deg2{0.5, 0.05, 5.0, false};    ///< sigma_u^2; never known
+  Interval sensory_variance_deg2{0.1, 0.01, 3.0, false};  ///< sigma_h^2; never known
+  RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
+
+  SteeringFit steering;  ///< known with slides over a turning plate only
+
+  IllusionCurve illusion;             ///< of the likeliest family
+  std::vector<FamilyScore> families;  ///< compared, the likeliest first; linear alone with few angles
+  std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
+  LackOfFit lack_of_fit;
+  std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
+  double largest_plate_deg = 0.0;       ///< of the slides used; published human data cover 60
+
+  /// No pattern is left in the residuals.
+  bool fits() const;
+  std::size_t count(SlideVerdict verdict) const;
+  /// What to do next, a sentence each: empty if all is well.
+  std::vector<std::string> advice() const;
+};
+
+/// Why there is no calibration: one sentence with the mistake and the requirement.
+struct CalibrationRefusal {
+  std::string reason;
+};
+
+/// Needs at least `least_trials` slides of at least 30 mm that count, at three plate angles or more that span
+/// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `least_curve_angles`; with
+/// fewer the illusion is taken for linear. The steering takes `least_turning_slides` slides more, within
+/// which the plate turns; they count for nothing else. Refuses a w_T whose interval is not within the usable
+/// range (0.02, 0.48).
+std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
+                                                        const CalibrationConfig& config = {});
+
+inline constexpr int least_trials = 10;
+
+}  // namespace hrt

@@ -1,0 +1,119 @@
+#include "core/calibrate/person_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/math/distributions.h"
+#include "core/math/exponential.h"
+#include "core/math/median.h"
+
+namespace hrt {
+namespace {
+
+constexpr double near_angle_deg = 4.0;
+constexpr std::size_t enough_slides = 10;
+constexpr int enough_angles = 5;
+
+// The x with P(mixture <= x) = `share`.
+double mixture_quantile(const std::vector<FitValue>& values, const std::vector<FamilyFit>& families,
+                        double share) {
+  double low = values.front().value;
+  double high = low;
+  for (const FitValue& value : values) {
+    low = std::min(low, value.value - 8.0 * value.deviation);
+    high = std::max(high, value.value + 8.0 * value.deviation);
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    double below = 0.0;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const double off = middle - values[k].value;
+      const double cdf = values[k].deviation > 0.0 ? normal_cdf(off / values[k].deviation) : (off >= 0.0);
+      below += families[k].probability * cdf;
+    }
+    (below < share ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+Interval PersonFit::value(const std::function<double(const SlidingPersonModel&)>& number) const {
+  std::vector<FitValue> values;
+  for (const FamilyFit& family : families) {
+    FitValue value = fit_value(family.fit, number);
+    const double degrees =
+        static_cast<double>(used.size()) - static_cast<double>(family.fit.covariance.rows());
+    value.deviation *= student_975(degrees) / normal_975;
+    values.push_back(value);
+  }
+  return {mixture_quantile(values, families, 0.5), mixture_quantile(values, families, 0.025),
+          mixture_quantile(values, families, 0.975), true};
+}
+
+std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
+  std::vector<double> offsets;
+  for (const SlideTrack& slide : slides) {
+    // The median over the slides at about this angle: one that is off does not decide.
+    std::vector<double> directions;
+    for (const SlideTrack& other : slides)
+      if (std::abs(other.plate_deg - slide.plate_deg) <= near_angle_deg)
+        directions.push_back(settled_direction_deg(other.direction_deg));
+    offsets.push_back(std::abs(slide.plate_deg - median(std::move(directions))));
+  }
+  std::vector<SlideTrack> within;
+  for (std::size_t i = 0; i < slides.size(); ++i)
+    if (offsets[i] <= most_offset_deg) within.push_back(slides[i]);
+  const bool enough = within.size() >= enough_slides && different_angles(within) >= enough_angles;
+  const double most_deg = enough ? most_offset_deg : most_needed_offset_deg;
+  std::vector<SlideVerdict> verdicts;
+  for (const double offset_deg : offsets)
+    verdicts.push_back(offset_deg > most_deg ? SlideVerdict::along_ridges : SlideVerdict::used);
+  return verdicts;
+}
+
+PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double> order) {
+  PersonFit person;
+  person.verdicts = slide_verdicts(slides);
+  std::vector<std::size_t> counting;
+  std::vector<SlideTrack> tracks;
+  for (std::size_t i = 0; i < slides.size(); ++i) {
+    if (person.verdicts[i] != SlideVerdict::used) continue;
+    counting.push_back(i);
+    tracks.push_back(slides[i]);
+  }
+  person.scatter = slide_scatter(tracks);
+  std::vector<SlideTrack> fitted;
+  std::vector<double> fitted_order;
+  for (std::size_t i = 0; i < counting.size(); ++i) {
+    if (person.scatter.outlying[i]) {
+      person.verdicts[counting[i]] = SlideVerdict::outlying;
+      continue;
+    }
+    person.used.push_back(counting[i]);
+    fitted.push_back(tracks[i]);
+    fitted_order.push_back(order[counting[i]]);
+    const double offset_deg = tracks[i].plate_deg - settled_direction_deg(tracks[i].direction_deg);
+    person.largest_left_deg = std::max(person.largest_left_deg, offset_deg);
+    person.largest_right_deg = std::max(person.largest_right_deg, -offset_deg);
+  }
+
+  const int compared = different_angles(fitted) >= least_curve_angles ? curve_families : 1;
+  for (int i = 0; i < compared; ++i)
+    person.families.push_back(
+        {fit_curve(static_cast<CurveFamily>(i), fitted, person.scatter.covariance), 0.0});
+  // Not std::stable_sort, which takes memory and does without if there is none.
+  std::sort(person.families.begin(), person.families.end(), [](const FamilyFit& a, const FamilyFit& b) {
+    return std::pair(a.fit.bic, a.fit.person.curve.family) < std::pair(b.fit.bic, b.fit.person.curve.family);
+  });
+  double sum = 0.0;
+  for (FamilyFit& family : person.families)
+    sum += family.probability = exponential(-0.5 * (family.fit.bic - person.best().bic));
+  for (FamilyFit& family : person.families) family.probability /= sum;
+  person.lack_of_fit =
+      lack_of_fit(person.best(), fitted, fitted_order, person.scatter.covariance, polynomial_degree(fitted));
+  return person;
+}
+
+}  // namespace hrt

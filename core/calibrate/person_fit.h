@@ -1,0 +1,52 @@
+// Who made these slides: all families of illusion curves fitted to them and compared.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/math/interval.h"
+#include "core/calibrate/lack_of_fit.h"
+
+namespace hrt {
+
+enum class SlideVerdict {
+  used,
+  outlying,      ///< its path is not like those of the other slides
+  along_ridges,  ///< the person came to move within 5 to 12 degrees of along the ridges, where the illusion
+                 ///< flips
+};
+
+struct FamilyFit {
+  CurveFit fit;
+  double probability;  ///< of this family among those compared, by BIC
+};
+
+struct PersonFit {
+  std::vector<SlideVerdict> verdicts;  ///< one a slide
+  std::vector<std::size_t> used;       ///< which slides are fitted
+  SlideScatter scatter;                ///< of those, and of the outliers among them
+  std::vector<FamilyFit> families;     ///< the likeliest first; linear alone with few angles
+  LackOfFit lack_of_fit;               ///< of the likeliest
+  double largest_left_deg = 0.0;       ///< settled offset from motion to ridge normal, over the slides used
+  double largest_right_deg = 0.0;
+
+  const CurveFit& best() const { return families.front().fit; }
+  /// A number's median over the families' estimates, and the 95 % interval of their mixture.
+  Interval value(const std::function<double(const SlidingPersonModel&)>& number) const;
+};
+
+/// A curve, not a line, takes at least this many different plate angles.
+inline constexpr int least_curve_angles = 7;
+/// Beyond this offset from motion to ridge normal a slide does not count: a person who overshoots crosses 90.
+/// If that leaves fewer than 10 slides or 5 angles, the second limit holds.
+inline constexpr double most_offset_deg = 78.0;
+inline constexpr double most_needed_offset_deg = 85.0;
+
+/// Slides that count for `track`: the settled motion stays away from the ridges' own direction.
+std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
+
+/// At least 8 slides that count. `order`: as in lack_of_fit().
+PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double> order);
+
+}  // namespace hrt

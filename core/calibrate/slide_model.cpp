@@ -1,0 +1,80 @@
+#include "core/calibrate/slide_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/exponential.h"
+#include "core/person/steering_delay.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+// The tangent within most_direction_deg, by its continued fraction; to 1e-5.
+double tangent(double angle_deg) {
+  const double x = rad_per_deg * angle_deg;
+  const double xx = x * x;
+  return x / (1.0 - xx / (3.0 - xx / (5.0 - xx / (7.0 - xx / 9.0))));
+}
+
+// The share of the path at a step between steps.
+double share_at(const SlideTrack& track, double step) {
+  const auto last = static_cast<double>(track.steps.size() - 1);
+  const double place = std::clamp(step, 0.0, last);
+  const auto below = static_cast<std::size_t>(place);
+  const auto above = std::min(below + 1, track.steps.size() - 1);
+  const double rest = place - static_cast<double>(below);
+  return (1.0 - rest) * track.steps[below].share + rest * track.steps[above].share;
+}
+
+}  // namespace
+
+SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person) {
+  SteeringDelay steering(std::clamp(person.delay_s / track.step_s, 0.0, SteeringDelay::longest_steps));
+  const double gain = std::min(exponential(person.log_gain) * track.step_s, 1.0);
+  const double least_advance_m = SteeringDelay::least_felt_speed_m_s * track.step_s;
+  SlideDirections left_m = SlideDirections::Zero();
+  double direction_deg = person.start_deg + person.start_share * settled_direction_deg(track.direction_deg);
+  double here_m = 0.0;
+  const double goal_delay = person.goal_delay_s / track.step_s;
+  for (std::size_t i = 0; i < track.steps.size(); ++i) {
+    const SlideTrack::Step& step = track.steps[i];
+    const double across_m = step.advance_m * tangent(direction_deg);
+    if (step.samples > 0.0) left_m(step.window) += step.samples * (here_m + 0.5 * across_m);
+    here_m += across_m;
+    if (step.advance_m < least_advance_m) {
+      steering.rest();
+      continue;
+    }
+    const double felt_deg = direction_deg + curve_shift_deg(person.curve, track.plate_deg - direction_deg);
+    const double goal_deg =
+        person.bias_deg +
+        person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
+    if (const auto answer = steering.feel(felt_deg))
+      direction_deg = std::clamp(direction_deg - gain * answer->share * (answer->felt_deg - goal_deg),
+                                 -most_direction_deg, most_direction_deg);
+  }
+  left_m = left_m.cwiseQuotient(track.window_samples);
+  SlideDirections directions;
+  for (int part = 0; part < slide_parts; ++part)
+    directions(part) = atan2_deg(left_m(part) - (part > 0 ? left_m(part - 1) : 0.0), track.advance_m(part));
+  return directions;
+}
+
+double settled_model_deg(const SlidingPersonModel& person, double plate_deg) {
+  // Between the goal and the motion along the ridges, what is felt passes the goal at most once.
+  const auto felt_error_deg = [&](double direction_deg) {
+    return direction_deg + curve_shift_deg(person.curve, plate_deg - direction_deg) - person.bias_deg;
+  };
+  double goal_deg = person.bias_deg;
+  double along_deg = plate_deg + (plate_deg > goal_deg ? -89.99 : 89.99);
+  const bool rises = felt_error_deg(goal_deg) > 0.0;
+  if ((felt_error_deg(along_deg) > 0.0) == rises) return along_deg;
+  for (int i = 0; i < 40; ++i) {
+    const double middle_deg = 0.5 * (goal_deg + along_deg);
+    ((felt_error_deg(middle_deg) > 0.0) == rises ? goal_deg : along_deg) = middle_deg;
+  }
+  return 0.5 * (goal_deg + along_deg);
+}
+
+}  // namespace hrt

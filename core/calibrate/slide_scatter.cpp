@@ -1,0 +1,130 @@
+#include "core/calibrate/slide_scatter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/linear_algebra.h"
+#include "core/math/median.h"
+
+namespace hrt {
+namespace {
+
+constexpr int most_degree = 5;
+constexpr double same_angle_deg = 3.0;
+constexpr int passes = 12;
+// Of a normal slide, squared and over all parts: far beyond what chi-squared with four degrees exceeds once
+// in 100000 slides (28.5), since the first part of a path has heavier tails.
+constexpr double most_distance = 40.0;
+// A slide's direction is never more certain than this.
+constexpr double least_deviation_deg = 0.02;
+constexpr double rank_threshold = 1e-12;
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
+
+// Polynomials of all parts by weighted least squares; the residuals.
+Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const Rows& weights) {
+  Rows residuals(directions.rows(), slide_parts);
+  for (int part = 0; part < slide_parts; ++part) {
+    const Eigen::VectorXd root = weights.col(part).cwiseSqrt();
+    const LinearFit fit =
+        linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)), rank_threshold);
+    residuals.col(part) = directions.col(part) - product(design, fit.coefficients);
+  }
+  return residuals;
+}
+
+// The covariance of the kept rows. With few slides, what parts have in common is uncertain and is taken for
+// less than it seems.
+PartsMatrix covariance_of(const Rows& residuals, const std::vector<bool>& outlying, int degree) {
+  PartsMatrix sum = PartsMatrix::Zero();
+  double kept = 0.0;
+  for (Eigen::Index i = 0; i < residuals.rows(); ++i) {
+    if (outlying[static_cast<std::size_t>(i)]) continue;
+    sum += residuals.row(i).transpose() * residuals.row(i);
+    kept += 1.0;
+  }
+  const double degrees = std::max(kept - degree - 1.0, 1.0);
+  PartsMatrix covariance = sum / degrees;
+  const double apart = std::min(1.0, 2.0 / degrees);
+  const PartsMatrix alone = covariance.diagonal().asDiagonal();
+  covariance = (1.0 - apart) * covariance + apart * alone;
+  covariance.diagonal().array() += least_deviation_deg * least_deviation_deg;
+  return covariance;
+}
+
+}  // namespace
+
+int different_angles(std::span<const SlideTrack> slides) {
+  std::vector<double> angles;
+  for (const SlideTrack& slide : slides) angles.push_back(slide.plate_deg);
+  std::sort(angles.begin(), angles.end());
+  int different = 0;
+  double last_deg = 0.0;
+  for (const double angle : angles) {
+    if (different > 0 && angle - last_deg < same_angle_deg) continue;
+    ++different;
+    last_deg = angle;
+  }
+  return different;
+}
+
+int polynomial_degree(std::span<const SlideTrack> slides) {
+  const int by_slides = static_cast<int>(slides.size()) / 4 - 1;
+  return std::clamp(std::min(different_angles(slides) - 2, by_slides), 1, most_degree);
+}
+
+Eigen::VectorXd plate_powers(double plate_deg, int degree) {
+  Eigen::VectorXd powers(degree + 1);
+  powers(0) = 1.0;
+  for (int i = 1; i <= degree; ++i) powers(i) = powers(i - 1) * plate_deg / curve_bound_deg;
+  return powers;
+}
+
+SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
+  const auto count = static_cast<Eigen::Index>(slides.size());
+  SlideScatter scatter;
+  scatter.degree = polynomial_degree(slides);
+  Eigen::MatrixXd design(count, scatter.degree + 1);
+  Rows directions(count, slide_parts);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const SlideTrack& slide = slides[static_cast<std::size_t>(i)];
+    design.row(i) = plate_powers(slide.plate_deg, scatter.degree).transpose();
+    directions.row(i) = slide.direction_deg.transpose();
+  }
+
+  // Least absolute deviations, by least squares with the inverse deviations as weights: no share of outliers
+  // below a half carries them away.
+  Rows weights = Rows::Ones(count, slide_parts);
+  Rows residuals = residuals_of(design, directions, weights);
+  for (int pass = 0; pass < passes; ++pass) {
+    weights = residuals.cwiseAbs().cwiseMax(0.05).cwiseInverse();
+    residuals = residuals_of(design, directions, weights);
+  }
+  PartsMatrix covariance = PartsMatrix::Zero();
+  for (int part = 0; part < slide_parts; ++part) {
+    const Eigen::VectorXd sizes = residuals.col(part).cwiseAbs();
+    const double deviation =
+        std::max(mad_to_deviation * median({sizes.begin(), sizes.end()}) *
+                     std::sqrt(static_cast<double>(count) / static_cast<double>(count - scatter.degree - 1)),
+                 least_deviation_deg);
+    covariance(part, part) = deviation * deviation;
+  }
+
+  // Parts lie about 0 together, so their covariance decides in the end what is an outlier.
+  scatter.outlying.assign(slides.size(), false);
+  for (int pass = 0; pass < 4; ++pass) {
+    const PartsMatrix weight = inverse(covariance);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const SlideDirections off = residuals.row(i).transpose();
+      scatter.outlying[static_cast<std::size_t>(i)] = off.dot(weight * off) > most_distance;
+    }
+    for (Eigen::Index i = 0; i < count; ++i)
+      weights.row(i).setConstant(scatter.outlying[static_cast<std::size_t>(i)] ? 1e-9 : 1.0);
+    residuals = residuals_of(design, directions, weights);
+    covariance = covariance_of(residuals, scatter.outlying, scatter.degree);
+  }
+  scatter.covariance = covariance;
+  return scatter;
+}
+
+}  // namespace hrt

@@ -1,0 +1,59 @@
+// One slide over a plate at rest, reduced to what a fit of the person needs: its pace, and the directions of
+// four parts of its path.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/plate/plate_frame.h"
+
+namespace hrt {
+
+/// One slide towards the target with the plate at rest. Positions from before the motion show the
+/// tracker's noise.
+struct CalibrationTrial {
+  double plate_orientation_deg = 0.0;  ///< finite
+  std::vector<TimedPoint> samples;     ///< times increase; positions finite
+  /// Of a plate that turns: where it stood when each sample was made, finite, continuous. Empty: it rested.
+  std::vector<double> plate_deg;
+};
+
+/// The parts of a path lie between its start and four windows over the share of the path along the goal.
+inline constexpr int slide_parts = 4;
+using SlideDirections = Eigen::Matrix<double, slide_parts, 1>;
+
+/// Angles are relative to the goal direction.
+struct SlideTrack {
+  double plate_deg = 0.0;                                   ///< of the ridge normal, within 90 of the goal
+  SlideDirections direction_deg = SlideDirections::Zero();  ///< of each part's chord
+
+  /// The pace, at steps of `step_s` from the onset.
+  struct Step {
+    double advance_m;      ///< along the goal in this step
+    double share;          ///< of the path, at the step's middle
+    int window = -1;       ///< in which the step lies, -1: none
+    double samples = 0.0;  ///< positions that were seen in it and count to the window
+    double seen = 0.0;     ///< positions that were seen in it
+    double left_m = 0.0;   ///< their mean, to the left of the line from the start to the goal
+  };
+  std::int64_t onset_ns = 0;  ///< the finger rested until then
+  double step_s = 0.01;
+  std::vector<Step> steps;
+  SlideDirections advance_m = SlideDirections::Zero();  ///< of each part's chord, along the goal
+  SlideDirections window_samples = SlideDirections::Zero();
+};
+
+/// The direction of the second half of a path.
+inline double settled_direction_deg(const SlideDirections& directions) {
+  return 0.5 * (directions(2) + directions(3));
+}
+
+inline constexpr double least_slide_m = 0.03;
+
+/// None without a motion of `least_slide_m` towards the goal that was seen in all of its parts. Positions
+/// that the tracker made up are left out.
+std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
+
+}  // namespace hrt

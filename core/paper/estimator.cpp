@@ -1,0 +1,193 @@
+#include "core/paper/estimator.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+// People speed up and slow down within about half a second by some tens of mm/s: a random walk of the
+// speed with this density covers a minimum-jerk slide of 100 mm in 2 to 4 s.
+constexpr double speed_density_mm2_s3 = 300.0;
+// Before anything is seen: a slow slide, along the mid-line or so.
+constexpr double initial_speed_mm_s = 30.0;
+constexpr double initial_speed_sd_mm_s = 30.0;
+constexpr double initial_direction_sd_deg = 4.0;
+// w_T drifts by about this in a model step: a tenth of its prior over a reach.
+constexpr double weight_drift_sd = 0.001;
+// The direction of an exact sample.
+constexpr double exact_direction_variance_deg2 = 1e-12;
+// Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
+constexpr double initial_noise_mm2 = 0.3 * 0.3;
+constexpr double least_noise_mm2 = 0.01 * 0.01;
+// Positions beyond five standard deviations are left out.
+constexpr double outlier_innovation = 25.0;
+
+double seconds(std::int64_t from_ns, std::int64_t to_ns) {
+  return static_cast<double>(elapsed_ns(from_ns, to_ns)) * 1e-9;
+}
+
+}  // namespace
+
+bool is_valid(const EstimatorConfig& config) {
+  return config.tactile_weight_sd > 0.0 && config.tactile_weight_sd < 0.5 &&
+         config.motor_variance_sd_deg2 > 0.0 && config.motor_variance_sd_deg2 <= 10.0 &&
+         config.tracker_noise_m >= 0.0 && config.tracker_noise_m <= 0.1 && config.correlated_noise_m >= 0.0 &&
+         config.correlated_noise_m <= 0.1 && config.correlation_s >= 0.01 && config.correlation_s <= 2.0;
+}
+
+Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+                     const PlatePoint& start)
+    : config_(config),
+      goal_direction_deg_(goal_direction_deg),
+      motor_variance_deg2_(participant.motor_variance_deg2),
+      motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
+  const double noise_mm = config.tracker_noise_m * mm_per_m;
+  noise_variance_mm2_ = noise_mm > 0.0 ? noise_mm * noise_mm : initial_noise_mm2;
+  state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,
+      participant.tactile_weight;
+  covariance_.setZero();
+  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+  covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
+  covariance_(direction, direction) = initial_direction_sd_deg * initial_direction_sd_deg;
+  if (config.adapt) covariance_(weight, weight) = config.tactile_weight_sd * config.tactile_weight_sd;
+}
+
+void Estimator::rest_at(const PlatePoint& place) {
+  state_(right) = place.right_m * mm_per_m;
+  state_(away) = place.away_m * mm_per_m;
+  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+}
+
+void Estimator::move(double elapsed_s) {
+  const double sine = sin_deg(state_(direction));
+  const double cosine = cos_deg(state_(direction));
+  const double travel_mm = state_(speed) * elapsed_s;
+  // Left is positive for directions, right for positions.
+  state_(right) -= travel_mm * sine;
+  state_(away) += travel_mm * cosine;
+
+  const auto carry = [this](Index to, double by_speed, double by_direction) {
+    covariance_.row(to) += by_speed * covariance_.row(speed) + by_direction * covariance_.row(direction);
+    covariance_.col(to) += by_speed * covariance_.col(speed) + by_direction * covariance_.col(direction);
+  };
+  carry(right, -elapsed_s * sine, -travel_mm * cosine * rad_per_deg);
+  carry(away, elapsed_s * cosine, -travel_mm * sine * rad_per_deg);
+  covariance_(speed, speed) += speed_density_mm2_s3 * elapsed_s;
+}
+
+void Estimator::end_step(double plate_orientation_deg, double gain, double step_variance_deg2) {
+  learn_motor_variance();
+  const ParticipantInput input{.tactile_weight = state_(weight),
+                               .gain = gain,
+                               .goal_direction_deg = 0.0,
+                               .plate_orientation_deg = plate_orientation_deg - goal_direction_deg_,
+                               .finger_direction_deg = state_(direction) - goal_direction_deg_};
+  state_(direction) += participant_step(input).motor_command_deg;
+  const auto [by_direction, by_weight] = participant_slopes(input);
+  covariance_.row(direction) =
+      by_direction * covariance_.row(direction) + by_weight * covariance_.row(weight);
+  covariance_.col(direction) =
+      by_direction * covariance_.col(direction) + by_weight * covariance_.col(weight);
+  covariance_(direction, direction) += step_variance_deg2;
+  if (config_.adapt) covariance_(weight, weight) += weight_drift_sd * weight_drift_sd;
+  step_direction_deg_ = state_(direction);
+  step_variance_deg2_ = covariance_(direction, direction);
+}
+
+// The samples of a step amount to one measurement of its direction. By how much they moved it (delta) and
+// narrowed it (from V by D) gives the derivative of their log-likelihood by V, and so by sigma_u^2, which V
+// contains: (delta^2 - D) / 2 V^2, with the information D^2 / 2 V^4.
+void Estimator::learn_motor_variance() {
+  if (step_variance_deg2_ <= 0.0) return;
+  const double delta = state_(direction) - step_direction_deg_;
+  const double narrowed = step_variance_deg2_ - covariance_(direction, direction);
+  const double square = step_variance_deg2_ * step_variance_deg2_;
+  motor_variance_score_ += 0.5 * (delta * delta - narrowed) / square;
+  motor_variance_information_ += 0.5 * narrowed * narrowed / (square * square);
+}
+
+void Estimator::observe_direction(double direction_deg) {
+  correct(direction, direction_deg - state_(direction), exact_direction_variance_deg2);
+  state_(direction) = direction_deg;
+}
+
+bool Estimator::observe_position(const PlatePoint& position) {
+  const double right_innovation_mm = position.right_m * mm_per_m - state_(right);
+  const double away_innovation_mm = position.away_m * mm_per_m - state_(away);
+  const double a = covariance_(right, right) + noise_variance_mm2_;
+  const double b = covariance_(right, away);
+  const double c = covariance_(away, away) + noise_variance_mm2_;
+  innovation_determinant_mm4_ = a * c - b * b;
+  normalised_innovation_ =
+      (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
+       a * away_innovation_mm * away_innovation_mm) /
+      innovation_determinant_mm4_;
+  if (normalised_innovation_ > outlier_innovation && ++outliers_ <= most_outliers) return false;
+  if (outliers_ > most_outliers) {
+    // The tracker has jumped, or the finger has been moved: the believed place is void.
+    covariance_.row(right).setZero();
+    covariance_.col(right).setZero();
+    covariance_.row(away).setZero();
+    covariance_.col(away).setZero();
+    covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+    state_(right) = position.right_m * mm_per_m;
+    state_(away) = position.away_m * mm_per_m;
+    outliers_ = 0;
+    return true;
+  }
+  outliers_ = 0;
+  correct(right, right_innovation_mm, noise_variance_mm2_);
+  correct(away, position.away_m * mm_per_m - state_(away), noise_variance_mm2_);
+  return true;
+}
+
+void Estimator::learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) {
+  if (config_.tracker_noise_m > 0.0 || (last_ && time_ns <= last_->time_ns)) return;
+  if (last_but_one_) {
+    const double share =
+        seconds(last_but_one_->time_ns, last_->time_ns) / seconds(last_but_one_->time_ns, time_ns);
+    const auto departure_mm2 = [&](double first_m, double middle_m, double last_m) {
+      const double departure_mm = mm_per_m * (middle_m - ((1.0 - share) * first_m + share * last_m));
+      return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
+    };
+    const double seen_mm2 =
+        0.5 * (departure_mm2(last_but_one_->position.right_m, last_->position.right_m, position.right_m) +
+               departure_mm2(last_but_one_->position.away_m, last_->position.away_m, position.away_m));
+    noise_weight_ += 1.0;
+    // A jump is no noise: it counts for nine times the variance at most.
+    noise_variance_mm2_ +=
+        (std::min(seen_mm2, 9.0 * noise_variance_mm2_) - noise_variance_mm2_) / noise_weight_;
+    noise_variance_mm2_ = std::max(noise_variance_mm2_, least_noise_mm2);
+  }
+  last_but_one_ = last_;
+  last_ = {time_ns, position};
+}
+
+// One scalar measurement of one component.
+void Estimator::correct(Index measured, double innovation, double noise_variance) {
+  const State column = covariance_.col(measured);
+  const State gain = column / (column(measured) + noise_variance);
+  state_ += gain * innovation;
+  covariance_ -= gain * column.transpose();
+  state_(weight) = std::clamp(state_(weight), least_tactile_weight, most_tactile_weight);
+  state_(speed) = std::max(state_(speed), 0.0);
+}
+
+FingerEstimate Estimator::estimate() const {
+  return {.position = {state_(right) / mm_per_m, state_(away) / mm_per_m},
+          .speed_m_s = state_(speed) / mm_per_m,
+          .direction_deg = state_(direction),
+          .tactile_weight = state_(weight),
+          .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
+          .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m,
+          .motor_variance_deg2 =
+              std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
+                         least_motor_variance_deg2, most_motor_variance_deg2),
+          .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};
+}
+
+}  // namespace hrt

@@ -1,0 +1,130 @@
+// The state of this finger and this participant: tracked samples in, motion and w_T out.
+//
+// An extended Kalman filter whose process is the participant of paper section II-A (core/README.md has the
+// equations): position on the plate, speed, direction of motion and w_T, with their covariance. Directions
+// are taken as exact, the paper's way; positions carry the tracker's noise, which is learnt on the way.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "core/paper/participant.h"
+#include "core/plate/plate_frame.h"
+
+namespace hrt {
+
+/// Assumptions before the first sample.
+struct EstimatorConfig {
+  /// Learn w_T; if not, participant.tactile_weight is taken as the truth.
+  bool adapt = false;
+  /// Standard deviation of w_T about participant.tactile_weight before a reach, in (0, 0.5).
+  double tactile_weight_sd = 0.05;
+  /// Standard deviation of sigma_u^2 about participant.motor_variance_deg2 before a reach, in (0, 10].
+  double motor_variance_sd_deg2 = 0.5;
+  /// White noise of a tracked coordinate, metres in [0, 0.1]; 0: learn it from the samples.
+  double tracker_noise_m = 0.0;
+  /// For the controller for people: noise that decays to 1/e in `correlation_s`, beside the white one. Metres
+  /// in [0, 0.1]; 0: nothing is known of it, and tracker_noise_m is all noise, of either kind.
+  double correlated_noise_m = 0.0;
+  /// 0.01 to 2.
+  double correlation_s = 0.1;
+};
+
+/// True if every field is in its range.
+bool is_valid(const EstimatorConfig& config);
+
+/// The present estimate. Standard deviations are the filter's own.
+struct FingerEstimate {
+  PlatePoint position;
+  double speed_m_s = 0.0;
+  double direction_deg = 0.0;
+  double tactile_weight = 0.0;
+  double tactile_weight_sd = 0.0;
+  double tracker_noise_m = 0.0;
+  /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
+  /// if the reach cannot determine them.
+  double motor_variance_deg2 = 0.0;
+  double motor_variance_sd_deg2 = 0.0;
+};
+
+/// One reach. No heap, no lock, no exception. One thread at a time.
+class Estimator {
+ public:
+  /// About to move from rest at `start` along the mid-line, to go for `goal_direction_deg`. Requires
+  /// valid arguments.
+  Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+            const PlatePoint& start);
+
+  /// The finger has not moved yet, and rests at `place` after all.
+  void rest_at(const PlatePoint& place);
+
+  /// The participant goes for another direction from now on.
+  void turn_to(double goal_direction_deg) { goal_direction_deg_ = goal_direction_deg; }
+
+  /// The finger moves on for `elapsed_s` >= 0 within a model step.
+  void move(double elapsed_s);
+
+  /// A model step ends: the participant feels the plate at `plate_orientation_deg`, relative to the goal
+  /// within 90 degrees, and steers. `gain` and the variance of what the step adds to the direction are
+  /// the perception filter's.
+  void end_step(double plate_orientation_deg, double gain, double step_variance_deg2);
+
+  /// Takes a direction as exact.
+  void observe_direction(double direction_deg);
+
+  /// Takes a position in. False if it lies so far off that it is
+  /// left out (five standard deviations; at most `most_outliers` samples in a row).
+  bool observe_position(const PlatePoint& position);
+
+  /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
+  /// slow motion cancels, white noise stays. To be called with every position, also of a finger at rest.
+  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position);
+
+  FingerEstimate estimate() const;
+
+  /// Normalised innovation squared of the last position, chi-squared with 2 degrees of freedom if the
+  /// filter's assumptions hold.
+  double normalised_innovation() const { return normalised_innovation_; }
+
+  /// Determinant of that innovation's covariance, mm^4.
+  double innovation_determinant_mm4() const { return innovation_determinant_mm4_; }
+
+  static constexpr int most_outliers = 5;
+  /// sigma_u^2 as learnt is kept in this range.
+  static constexpr double least_motor_variance_deg2 = 0.05;
+  static constexpr double most_motor_variance_deg2 = 5.0;
+  /// w_T is kept in this range.
+  static constexpr double least_tactile_weight = 0.02;
+  static constexpr double most_tactile_weight = 0.48;
+
+ private:
+  enum Index { right, away, speed, direction, weight, size };  // mm, mm, mm/s, degrees, 1
+  using State = Eigen::Matrix<double, size, 1>;
+  using Covariance = Eigen::Matrix<double, size, size>;
+
+  void learn_motor_variance();
+  void correct(Index measured, double innovation, double noise_variance);
+
+  EstimatorConfig config_;
+  double goal_direction_deg_;
+  State state_;
+  Covariance covariance_;
+  double normalised_innovation_ = 0.0;
+  double innovation_determinant_mm4_ = 0.0;
+  int outliers_ = 0;
+
+  // At the beginning of the current step, to see how far its samples correct it.
+  double step_direction_deg_ = 0.0;
+  double step_variance_deg2_ = 0.0;  // 0 before the first step has ended
+  double motor_variance_deg2_;       // as assumed
+  double motor_variance_score_ = 0.0;
+  double motor_variance_information_;
+
+  std::optional<TimedPoint> last_;
+  std::optional<TimedPoint> last_but_one_;
+  double noise_variance_mm2_;
+  double noise_weight_ = 1.0;  // samples that noise_variance_mm2_ stands for
+};
+
+}  // namespace hrt

@@ -1,0 +1,128 @@
+#include "core/paper/mpc.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/paper/participant.h"
+
+namespace hrt {
+namespace {
+
+ActiveBound active_bound(const WorkingSet& set, int i) {
+  if (set.pin[i]) return set.pin[i] > 0 ? ActiveBound::upper : ActiveBound::lower;
+  if (set.link[i]) return set.link[i] > 0 ? ActiveBound::rate_up : ActiveBound::rate_down;
+  return ActiveBound::none;
+}
+
+// Whether the plate would turn faster than it can; its turns while it is not felt are left open.
+bool breaks_rate_bound(const WindowProblem& window, const WindowSolution& solution) {
+  const double slack_deg = tolerance_deg(window);
+  double last_deg = window.last_plate_deg;
+  double room_deg = window.rate_deg;
+  bool breaks = false;
+  for (int i = 0; i < window.horizon; ++i) {
+    const double k = window.gains[i];
+    if (k < smallest_gain) {
+      room_deg += window.rate_deg;
+      continue;
+    }
+    breaks |= (std::abs(solution.plate_deg[i] - last_deg) - room_deg) * k > slack_deg;
+    last_deg = solution.plate_deg[i];
+    room_deg = window.rate_deg;
+  }
+  return breaks;
+}
+
+}  // namespace
+
+bool is_valid(const MpcConfig& config) {
+  return config.horizon >= 1 && config.horizon <= max_horizon && std::isfinite(config.perceived_weight) &&
+         config.perceived_weight > 0.0 && std::isfinite(config.actual_weight) &&
+         config.actual_weight >= 0.0 && config.plate_bound_deg > 0.0 && config.plate_bound_deg <= 90.0 &&
+         config.plate_rate_bound_deg > 0.0;
+}
+
+Mpc::Mpc(const MpcConfig& config)
+    : config_(config), plate_bound_solver_(config.horizon, config.perceived_weight, config.actual_weight) {}
+
+Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
+  const double w = problem.tactile_weight;
+  const double bound_deg = config_.plate_bound_deg;
+  const double rate_deg = config_.plate_rate_bound_deg;
+  const bool has_rate_bound = std::isfinite(rate_deg);
+  double last_plate_deg = has_rate_bound ? problem.plate_offset_deg : 0.0;
+  double finger_deg = problem.finger_offset_deg;
+  int i = 0;
+  Command command{};
+  const auto take = [&](double plate_deg, ActiveBound active, bool optimal) {
+    if (i == 0) command = {plate_deg, active, optimal};
+    if (plan) plan->plate_offset_deg[i] = plate_deg, plan->active[i] = active;
+    last_plate_deg = plate_deg;
+    ++i;
+  };
+
+  // Out of the bound, and too far to come back in one step: full speed towards it.
+  while (has_rate_bound && i < config_.horizon && std::abs(last_plate_deg) > bound_deg + rate_deg) {
+    const bool above = last_plate_deg > 0.0;
+    const double plate_deg = last_plate_deg + (above ? -rate_deg : rate_deg);
+    finger_deg += participant_step({.tactile_weight = w,
+                                    .gain = problem.gains[i],
+                                    .goal_direction_deg = 0.0,
+                                    .plate_orientation_deg = ridge_normal_deg(plate_deg, 0.0),
+                                    .finger_direction_deg = finger_deg})
+                      .motor_command_deg;
+    take(plate_deg, above ? ActiveBound::rate_down : ActiveBound::rate_up, true);
+  }
+  if (i == config_.horizon) return command;
+
+  const int forced = i;
+  const WindowProblem window{
+      .horizon = config_.horizon - forced,
+      .perceived_weight = config_.perceived_weight,
+      .actual_weight = config_.actual_weight,
+      .miss_deg = finger_deg - problem.real_offset_deg,
+      .real_offset_deg = problem.real_offset_deg,
+      .proprioceptive_weight = 1.0 - w,
+      .bound_deg = w * bound_deg,
+      .rate_deg = w * rate_deg,
+      .last_plate_deg = w * last_plate_deg,
+      .gains = problem.gains + forced,
+  };
+  WindowSolution solution;
+  const WorkingSet* held = &plate_bound_solver_.solve(window, has_rate_bound || plan, solution);
+  if (!solution.optimal || (has_rate_bound && breaks_rate_bound(window, solution))) {
+    solve_active_set(window, working_set_, solution);
+    held = &working_set_;
+  }
+  if (!has_rate_bound && !plan && window.gains[0] >= smallest_gain && solution.optimal) {
+    const std::int8_t pin = held->pin[0];
+    const double plate_deg = pin != 0 ? pin * bound_deg : solution.plate_deg[0] * (1.0 / w);
+    return {std::clamp(plate_deg, -bound_deg, bound_deg), active_bound(*held, 0), true};
+  }
+  do {
+    const int step = i - forced;
+    // Where the plate is not felt it turns to where it next is, or stays.
+    int felt = step;
+    while (felt < window.horizon && window.gains[felt] < smallest_gain)
+      felt = has_rate_bound ? felt + 1 : window.horizon;
+    ActiveBound active = felt == step ? active_bound(*held, step) : ActiveBound::none;
+    double wanted_deg = felt < window.horizon ? solution.plate_deg[felt] * (1.0 / w) : last_plate_deg;
+    if (active == ActiveBound::upper || active == ActiveBound::lower)
+      wanted_deg = held->pin[step] * bound_deg;
+    if (active == ActiveBound::rate_up) wanted_deg = last_plate_deg + rate_deg;
+    if (active == ActiveBound::rate_down) wanted_deg = last_plate_deg - rate_deg;
+    // Rounding, or a path that is not optimal, must not carry the plate past a bound.
+    const double low_deg = last_plate_deg - rate_deg;
+    const double high_deg = last_plate_deg + rate_deg;
+    const double plate_deg = std::clamp(std::clamp(wanted_deg, low_deg, high_deg), -bound_deg, bound_deg);
+    if (plate_deg != wanted_deg && (active != ActiveBound::none || !solution.optimal))
+      active = plate_deg == bound_deg    ? ActiveBound::upper
+               : plate_deg == -bound_deg ? ActiveBound::lower
+               : plate_deg < wanted_deg  ? ActiveBound::rate_up
+                                         : ActiveBound::rate_down;
+    take(plate_deg, active, solution.optimal);
+  } while (plan && i < config_.horizon);
+  return command;
+}
+
+}  // namespace hrt

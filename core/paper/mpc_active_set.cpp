@@ -1,0 +1,358 @@
+#include "core/paper/mpc_active_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hrt {
+namespace {
+
+// The constraint multipliers, with the sign of the bound they belong to: >= 0 at an upper bound, <= 0 at
+// a lower one, 0 where none is held. Stationarity at step i reads
+//     gradient_i + pin_i + link_i - link_i+1 = 0.
+struct Multipliers {
+  std::array<double, max_horizon> pin{};
+  std::array<double, max_horizon> link{};
+};
+
+// A constraint that may be held: step i's pin or link at the bound of `sign`.
+struct Constraint {
+  bool is_link;
+  int i;
+  std::int8_t sign;  // 0: no constraint
+};
+
+// The work after which the solver gives up, in steps of passes over the window: 40 passes over the longest,
+// and in effect no limit to a window of 20.
+constexpr int max_steps_swept = 40 * max_horizon;
+
+class DualActiveSet {
+ public:
+  DualActiveSet(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution);
+
+  void run();
+
+ private:
+  // Optimum under the constraints held, as if all others did not exist: plate_deg_ and target_.
+  void solve_held();
+  void resolve_fixed();
+  void sweep_backwards();
+  void sweep_forwards();
+  void find_multipliers();
+
+  bool make_dual_feasible();
+  Constraint most_violated() const;
+  bool add(Constraint constraint);
+  bool depends_on_held(Constraint constraint) const;
+  void push_to_ground(int i, double flow);
+  std::int8_t& held(const Constraint& c) { return (c.is_link ? set_.link : set_.pin)[c.i]; }
+  static double& value(Multipliers& multipliers, const Constraint& c) {
+    return (c.is_link ? multipliers.link : multipliers.pin)[c.i];
+  }
+
+  const WindowProblem& problem_;
+  WorkingSet& window_set_;
+  WindowSolution& solution_;
+  double multiplier_tolerance_;
+  double plate_tolerance_deg_;
+  int sweeps_left_;
+
+  // The steps at which the plate is felt. One that is not only adds to what the plate may turn until the
+  // next, and to the weight of the miss that it leaves as it is.
+  int steps_ = 0;
+  double last_miss_weight_;  // of the miss after the last of them
+  double last_miss_deg_;
+  std::array<int, max_horizon> index_;  // in the window
+  std::array<double, max_horizon> gain_;
+  std::array<double, max_horizon> rate_deg_;
+  std::array<double, max_horizon> miss_weight_;
+  WorkingSet set_;
+
+  std::array<bool, max_horizon> fixed_;       // u_i is determined by the constraints held alone
+  std::array<double, max_horizon> law_gain_;  // u_i = law_gain x_i + law_constant where it is chosen freely
+  std::array<double, max_horizon> law_constant_;
+  std::array<double, max_horizon> plate_deg_;
+  std::array<double, max_horizon> error_deg_;
+  std::array<double, max_horizon> miss_deg_;
+  std::array<double, max_horizon> gradient_;  // half the derivative of the cost by u_i
+  Multipliers current_;
+  Multipliers target_;
+};
+
+DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution)
+    : problem_(problem),
+      window_set_(working_set),
+      solution_(solution),
+      multiplier_tolerance_((problem.perceived_weight + problem.actual_weight) * tolerance_deg(problem)),
+      plate_tolerance_deg_(tolerance_deg(problem)) {
+  double rate_deg = 0.0;
+  double miss_weight = 0.0;
+  double last_deg = problem.last_plate_deg;
+  for (int i = 0; i < problem.horizon; ++i) {
+    rate_deg += problem.rate_deg;
+    miss_weight += problem.actual_weight;
+    if (problem.gains[i] < smallest_gain) continue;
+    index_[steps_] = i;
+    gain_[steps_] = problem.gains[i];
+    rate_deg_[steps_] = rate_deg;
+    miss_weight_[steps_] = miss_weight;
+    // The bounds that hold the given path, clamped step after step.
+    const double u = solution.plate_deg[i];
+    const double high_deg = std::min(problem.bound_deg, last_deg + rate_deg);
+    const double low_deg = std::max(-problem.bound_deg, last_deg - rate_deg);
+    if (u >= high_deg) (high_deg == problem.bound_deg ? set_.pin : set_.link)[steps_] = 1;
+    if (u <= low_deg) (low_deg == -problem.bound_deg ? set_.pin : set_.link)[steps_] = -1;
+    last_deg = std::clamp(u, low_deg, high_deg);
+    ++steps_;
+    rate_deg = miss_weight = 0.0;
+  }
+  last_miss_weight_ = miss_weight;
+  sweeps_left_ = max_steps_swept / std::max(steps_, 1);
+}
+
+void DualActiveSet::run() {
+  solution_.optimal = make_dual_feasible();
+  while (solution_.optimal) {
+    const Constraint violated = most_violated();
+    if (violated.sign == 0) break;
+    solution_.optimal = add(violated);
+  }
+  window_set_ = {};
+  for (int i = problem_.horizon - 1, step = steps_ - 1; i >= 0; --i) {
+    if (step >= 0 && i == index_[step]) {
+      window_set_.pin[i] = set_.pin[step];
+      window_set_.link[i] = set_.link[step];
+      --step;
+    }
+    solution_.plate_deg[i] =
+        steps_ == 0 ? problem_.last_plate_deg : plate_deg_[std::min(step + 1, steps_ - 1)];
+  }
+}
+
+void DualActiveSet::resolve_fixed() {
+  const int n = steps_;
+  auto& u = plate_deg_;
+  for (int i = 0; i < n; ++i) {
+    fixed_[i] = true;
+    if (set_.pin[i])
+      u[i] = set_.pin[i] * problem_.bound_deg;
+    else if (set_.link[i] && i == 0)
+      u[i] = problem_.last_plate_deg + set_.link[i] * rate_deg_[i];
+    else if (set_.link[i] && fixed_[i - 1])
+      u[i] = u[i - 1] + set_.link[i] * rate_deg_[i];
+    else
+      fixed_[i] = false;
+  }
+  for (int i = n - 1; i > 0; --i) {
+    if (!fixed_[i] || !set_.link[i] || fixed_[i - 1]) continue;
+    u[i - 1] = u[i] - set_.link[i] * rate_deg_[i];
+    fixed_[i - 1] = true;
+  }
+}
+
+// The cost to go from x_i is s x^2 + 2 r x plus a constant. Within a run of linked steps that no pin
+// fixes, it depends on the run's free level z too: s x^2 + 2 m x z + v z^2 + 2 r x + 2 f z.
+void DualActiveSet::sweep_backwards() {
+  const int n = steps_;
+  const double q_perceived = problem_.perceived_weight;
+  const double pw = problem_.proprioceptive_weight;
+  double s = last_miss_weight_, r = 0.0;
+  double m = 0.0, v = 0.0, f = 0.0;
+  double level_deg = 0.0;  // u_i - z
+  for (int i = n - 1; i >= 0; --i) {
+    const double k = gain_[i];
+    const double q_actual = miss_weight_[i];
+    const double a = k * pw;  // e = a x + k u + a p_R
+    const bool leads = !set_.link[i];
+    const bool followed = i + 1 < n && set_.link[i + 1];
+    if (!fixed_[i] && leads && !followed) {
+      const double inverse = 1.0 / (q_perceived + s);
+      law_gain_[i] = s * inverse / k - pw;
+      law_constant_[i] = r * inverse / k - pw * problem_.real_offset_deg;
+      r *= q_perceived * inverse;
+      s = q_actual + q_perceived * inverse * s;
+      continue;
+    }
+    const double u = fixed_[i] ? plate_deg_[i] : level_deg;
+    const double d = k * u + a * problem_.real_offset_deg;  // e without x and z
+    if (!fixed_[i]) {
+      f = q_perceived * k * d - k * (r - s * d) + f - m * d;
+      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
+      v = q_perceived * k * k + k * k * s - 2.0 * k * m + v;
+      m = q_perceived * a * k + (1.0 - a) * (m - k * s);
+      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
+      level_deg -= set_.link[i] * rate_deg_[i];
+      if (!leads) continue;
+      law_gain_[i] = -m / v;
+      law_constant_[i] = level_deg - f / v;
+      s -= m * m / v;
+      r -= m * f / v;
+      m = v = f = level_deg = 0.0;
+    } else {
+      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
+      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
+    }
+  }
+}
+
+void DualActiveSet::sweep_forwards() {
+  double x = problem_.miss_deg;
+  auto& u = plate_deg_;
+  for (int i = 0; i < steps_; ++i) {
+    if (!fixed_[i])
+      u[i] = set_.link[i] ? u[i - 1] + set_.link[i] * rate_deg_[i] : law_gain_[i] * x + law_constant_[i];
+    const double e = gain_[i] * (u[i] + problem_.proprioceptive_weight * (x + problem_.real_offset_deg));
+    error_deg_[i] = e;
+    miss_deg_[i] = x;
+    x -= e;
+  }
+  last_miss_deg_ = x;
+}
+
+// The gradient by the adjoint recursion, then the multipliers that balance it. A run of linked steps is a
+// chain along which link multipliers flow; what is left of the chain's total goes to ground at its pin or
+// at u_k-1. A run without either is free, and its gradients sum to 0 at the optimum.
+void DualActiveSet::find_multipliers() {
+  const int n = steps_;
+  double slope = last_miss_weight_ * last_miss_deg_;  // half the derivative of the cost to go by x_i+1
+  for (int i = n - 1; i >= 0; --i) {
+    const double k = gain_[i];
+    const double a = k * problem_.proprioceptive_weight;
+    const double weighted_error = problem_.perceived_weight * error_deg_[i];
+    gradient_[i] = k * (weighted_error - slope);
+    slope = miss_weight_[i] * miss_deg_[i] + a * weighted_error + (1.0 - a) * slope;
+  }
+  for (int first = 0, end; first < n; first = end) {
+    double total = gradient_[first];
+    for (end = first + 1; end < n && set_.link[end]; ++end) total += gradient_[end];
+    double flow = set_.link[first] ? -total : 0.0;
+    for (int i = first; i < end; ++i) {
+      target_.link[i] = flow;
+      target_.pin[i] = set_.pin[i] ? -total : 0.0;
+      flow += gradient_[i] + target_.pin[i];
+    }
+  }
+}
+
+void DualActiveSet::solve_held() {
+  --sweeps_left_;
+  resolve_fixed();
+  sweep_backwards();
+  sweep_forwards();
+  find_multipliers();
+}
+
+// Lets go of every constraint that pulls the wrong way until none does. False if out of sweeps.
+bool DualActiveSet::make_dual_feasible() {
+  bool dropped = true;
+  while (dropped && sweeps_left_ > 0) {
+    solve_held();
+    dropped = false;
+    for (int i = 0; i < steps_; ++i) {
+      const double slack = multiplier_tolerance_ * gain_[i];
+      if (set_.pin[i] * target_.pin[i] < -slack) set_.pin[i] = 0, dropped = true;
+      if (set_.link[i] * target_.link[i] < -slack) set_.link[i] = 0, dropped = true;
+    }
+  }
+  current_ = target_;
+  return !dropped;
+}
+
+Constraint DualActiveSet::most_violated() const {
+  Constraint most{false, 0, 0};
+  double largest_deg = plate_tolerance_deg_;
+  const auto consider = [&](double excess_deg, bool is_link, int i, double sign) {
+    const double effect_deg = excess_deg * gain_[i];
+    if (effect_deg <= largest_deg) return;
+    largest_deg = effect_deg;
+    most = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
+  };
+  double last_deg = problem_.last_plate_deg;
+  for (int i = 0; i < steps_; ++i) {
+    const double u = plate_deg_[i];
+    if (!set_.pin[i]) consider(std::abs(u) - problem_.bound_deg, false, i, u);
+    if (!set_.link[i]) consider(std::abs(u - last_deg) - rate_deg_[i], true, i, u - last_deg);
+    last_deg = u;
+  }
+  return most;
+}
+
+// Whether the constraints held already determine the value that `constraint` would set.
+bool DualActiveSet::depends_on_held(Constraint constraint) const {
+  if (!fixed_[constraint.i]) return false;
+  return !constraint.is_link || constraint.i == 0 || fixed_[constraint.i - 1];
+}
+
+// Adds to target_ the balance of a multiplier `flow` that enters at step i of a fixed run.
+void DualActiveSet::push_to_ground(int i, double flow) {
+  int pinned = i;
+  while (!set_.pin[pinned] && pinned + 1 < steps_ && set_.link[pinned + 1]) ++pinned;
+  if (set_.pin[pinned]) {
+    for (int j = i + 1; j <= pinned; ++j) target_.link[j] += flow;
+    target_.pin[pinned] -= flow;
+    return;
+  }
+  for (int j = i; j >= 0; --j) {
+    if (set_.pin[j]) {
+      target_.pin[j] -= flow;
+      return;
+    }
+    target_.link[j] -= flow;
+  }
+}
+
+// Moves along the dual to where `constraint` holds as well, letting go of those that come to pull the
+// wrong way. False if out of sweeps.
+bool DualActiveSet::add(Constraint constraint) {
+  while (sweeps_left_ > 0) {
+    resolve_fixed();
+    const bool dependent = depends_on_held(constraint);
+    if (dependent) {
+      // The plate cannot move. Only the multipliers do, by a circulation, until one of them is gone.
+      --sweeps_left_;
+      target_ = current_;
+      value(target_, constraint) += constraint.sign;
+      push_to_ground(constraint.i, constraint.sign);
+      if (constraint.is_link && constraint.i > 0) push_to_ground(constraint.i - 1, -constraint.sign);
+    } else {
+      held(constraint) = constraint.sign;
+      solve_held();
+      held(constraint) = 0;
+    }
+    // The first multiplier to vanish on the way from current_ to target_, and beyond if dependent.
+    double step = dependent ? std::numeric_limits<double>::infinity() : 1.0;
+    Constraint blocking{false, 0, 0};
+    const auto consider = [&](const Constraint& c) {
+      if (c.sign == 0) return;
+      const double from = c.sign * value(current_, c);
+      const double to = c.sign * value(target_, c);
+      if (to >= from || (!dependent && to >= -multiplier_tolerance_ * gain_[c.i])) return;
+      const double at = std::max(0.0, from) / (from - to);
+      if (at < step) step = at, blocking = c;
+    };
+    for (int i = 0; i < steps_; ++i) {
+      consider({false, i, set_.pin[i]});
+      consider({true, i, set_.link[i]});
+    }
+    if (blocking.sign == 0) {
+      held(constraint) = constraint.sign;
+      current_ = target_;
+      return !dependent;
+    }
+    for (int i = 0; i < steps_; ++i) {
+      current_.pin[i] += step * (target_.pin[i] - current_.pin[i]);
+      current_.link[i] += step * (target_.link[i] - current_.link[i]);
+    }
+    held(blocking) = 0;
+    value(current_, blocking) = 0.0;
+  }
+  return false;
+}
+
+}  // namespace
+
+void solve_active_set(const WindowProblem& problem, WorkingSet& working_set, WindowSolution& solution) {
+  DualActiveSet(problem, working_set, solution).run();
+}
+
+}  // namespace hrt

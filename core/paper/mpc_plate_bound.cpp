@@ -1,0 +1,158 @@
+#include "core/paper/mpc_plate_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+namespace hrt {
+namespace {
+
+// Sweeps that a problem may take. Those of a closed loop take one or two.
+constexpr int max_sweeps = 8;
+
+// A constant, so that the sweep over the usual window is unrolled.
+constexpr std::integral_constant<int, 3> papers_horizon;
+
+}  // namespace
+
+PlateBoundSolver::PlateBoundSolver(int horizon, double perceived_weight, double actual_weight) {
+  for (int left = 1; left <= horizon; ++left) {
+    const double s = free_cost_[left - 1];
+    const double inverse = 1.0 / (perceived_weight + s);
+    free_gain_[left] = s * inverse;
+    free_cost_[left] = actual_weight + perceived_weight * inverse * s;
+  }
+}
+
+const WorkingSet& PlateBoundSolver::solve(const WindowProblem& problem, bool whole_window,
+                                          WindowSolution& solution) {
+  const int horizon = problem.horizon;
+  Sweeps sweeps;
+  if (held_steps_ > horizon) {
+    working_set_ = {};
+    held_steps_ = 0;
+  }
+  int from = held_steps_ - 1;
+  if (from >= 0) sweeps.after[from] = free_cost_to_go(horizon - held_steps_);
+  for (int sweep = 0; sweep < max_sweeps; ++sweep) {
+    sweep_backwards(problem, from, sweeps);
+    const int held_steps = held_steps_;
+    from = horizon == papers_horizon ? sweep_forwards(problem, papers_horizon, sweeps)
+                                     : sweep_forwards(problem, horizon, sweeps);
+    if (from <= 0) {
+      if (held_steps == 0) sweeps.after[0] = free_cost_to_go(horizon - 1);
+      if (whole_window) write_window(problem, sweeps, solution);
+      // With a rate bound the bits are those of the active-set solver, which finds what rate bounds hold.
+      if (!whole_window || std::isinf(problem.rate_deg))
+        solution.plate_deg[0] = first_plate_deg(problem, sweeps);
+      solution.optimal = true;
+      return working_set_;
+    }
+    if (from >= held_steps) sweeps.after[from] = free_cost_to_go(horizon - 1 - from);
+  }
+  solution.plate_deg.fill(0.0);
+  solution.optimal = false;
+  return working_set_;
+}
+
+// The costs to go after steps `from` (given), from - 1, .. 0 under the bounds assumed active.
+void PlateBoundSolver::sweep_backwards(const WindowProblem& problem, int from, Sweeps& sweeps) const {
+  const double q_perceived = problem.perceived_weight;
+  const double q_actual = problem.actual_weight;
+  if (from < 1) return;
+  auto [s, r] = sweeps.after[from];
+  for (int i = from; i > 0; --i) {
+    if (working_set_.pin[i] == 0) {
+      const double inverse = 1.0 / (q_perceived + s);
+      r *= q_perceived * inverse;
+      s = q_actual + q_perceived * inverse * s;
+    } else {
+      const double a = problem.gains[i] * problem.proprioceptive_weight;  // e = a x + d
+      const double d =
+          problem.gains[i] * (working_set_.pin[i] * problem.bound_deg) + a * problem.real_offset_deg;
+      r = q_perceived * a * d + (1.0 - a) * (r - s * d);
+      s = q_actual + q_perceived * a * a + (1.0 - a) * (1.0 - a) * s;
+    }
+    sweeps.after[i - 1] = {s, r};
+  }
+}
+
+// Clamps each step's optimum under those costs to go to the bound. Returns the last step that is clamped
+// against the assumption, or free against it, or -1: the costs to go after that step are right. A difference
+// of rounding keeps the assumption, because bounds that are just touched would cycle.
+template <class Horizon>
+int PlateBoundSolver::sweep_forwards(const WindowProblem& problem, Horizon horizon, Sweeps& sweeps) {
+  const double q_perceived = problem.perceived_weight;
+  const double pw = problem.proprioceptive_weight;
+  const double felt_at_real_deg = pw * problem.real_offset_deg;
+  const double bound_deg = problem.bound_deg;
+  const double slack_deg =
+      2e-15 * (std::abs(problem.miss_deg) + std::abs(problem.real_offset_deg) + bound_deg);
+  const int held_steps = std::exchange(held_steps_, 0);
+  int last_changed = -1;
+  double x = problem.miss_deg;
+  for (int i = 0; i < horizon; ++i) {
+    const double k = problem.gains[i];
+    const double a = k * pw;
+    sweeps.miss_deg[i] = x;
+    std::int8_t& pin = working_set_.pin[i];
+    double e;
+    if (i >= held_steps) {
+      e = free_gain_[horizon - i] * x;
+    } else {
+      const auto& [s, r] = sweeps.after[i];
+      const double total = q_perceived + s;
+      if (pin != 0) {
+        const double d = k * (felt_at_real_deg + pin * bound_deg);
+        if (pin * (s * x + r - total * (a * x + d)) >= -slack_deg * k * total) [[likely]] {
+          held_steps_ = i + 1;
+          x = (1.0 - a) * x - d;
+          continue;
+        }
+        pin = 0;
+        last_changed = i;
+      }
+      e = (s * x + r) * (1.0 / total);  // the division does not wait for x
+    }
+    const double without_plate = a * x + k * felt_at_real_deg;  // e if u = 0
+    if (std::abs(e - without_plate) > k * (bound_deg + slack_deg)) {
+      pin = e > without_plate ? 1 : -1;
+      e = without_plate + pin * k * bound_deg;
+      last_changed = i;
+      held_steps_ = i + 1;
+    }
+    x -= e;
+  }
+  return last_changed;
+}
+
+double PlateBoundSolver::first_plate_deg(const WindowProblem& problem, const Sweeps& sweeps) const {
+  if (working_set_.pin[0]) return working_set_.pin[0] * problem.bound_deg;
+  if (problem.gains[0] == 0.0) return 0.0;
+  const auto [s, r] = sweeps.after[0];
+  const double inverse = 1.0 / ((problem.perceived_weight + s) * problem.gains[0]);
+  return (s * inverse - problem.proprioceptive_weight) * problem.miss_deg +
+         (r * inverse - problem.proprioceptive_weight * problem.real_offset_deg);
+}
+
+void PlateBoundSolver::write_window(const WindowProblem& problem, const Sweeps& sweeps,
+                                    WindowSolution& solution) const {
+  const double pw = problem.proprioceptive_weight;
+  const double felt_at_real_deg = pw * problem.real_offset_deg;
+  for (int i = 0; i < held_steps_; ++i) {
+    const double k = std::max(problem.gains[i], smallest_gain);
+    const auto [s, r] = sweeps.after[i];
+    const double inverse = 1.0 / (problem.perceived_weight + s);
+    solution.plate_deg[i] = working_set_.pin[i] ? working_set_.pin[i] * problem.bound_deg
+                                                : (s * inverse / k - pw) * sweeps.miss_deg[i] +
+                                                      (r * inverse / k - felt_at_real_deg);
+  }
+  for (int i = held_steps_; i < problem.horizon; ++i) {
+    const double k = std::max(problem.gains[i], smallest_gain);
+    solution.plate_deg[i] =
+        (free_gain_[problem.horizon - i] / k - pw) * sweeps.miss_deg[i] - felt_at_real_deg;
+  }
+}
+
+}  // namespace hrt

@@ -1,0 +1,181 @@
+#include "core/paper/paper_reach.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/paper/authority.h"
+
+namespace hrt {
+namespace {
+
+PlateLimits limits_of(const PaperReachConfig& config, bool plans_turns, double real_deg, double goal_deg,
+                      double stands_deg) {
+  const double bound_deg = config.mpc.plate_bound_deg;
+  // A fixed plate has its orientation from the start: nothing is left to limit.
+  if (config.fixed_plate_orientation_deg) return {{}, goal_deg, bound_deg, goal_deg, goal_deg};
+  if (!plans_turns) return {config.plate.stops, goal_deg};
+  const double holding_deg =
+      steering_authority(real_deg, goal_deg, config.participant.tactile_weight, bound_deg)
+          .plate_orientation_deg;
+  return {config.plate.stops, goal_deg, bound_deg, holding_deg, stands_deg};
+}
+
+bool is_saturated(ActiveBound active) {
+  return active == ActiveBound::lower || active == ActiveBound::upper;
+}
+
+bool is_rate_limited(ActiveBound active) {
+  return active == ActiveBound::rate_down || active == ActiveBound::rate_up;
+}
+
+}  // namespace
+
+PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
+                       const std::optional<ReachSoFar>& so_far)
+    : config_(config),
+      reach_(reach),
+      goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
+      target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
+      estimator_(config.estimator, config.participant, goal_deg_, reach.start, config.step_period_ns,
+                 config.mpc.horizon + max_lead),
+      control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
+      plate_(so_far ? so_far->plate
+                    : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
+      limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_,
+                        plate_.orientation_deg())),
+      decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(so_far)},
+      finger_{.direction_deg = 0.0,
+              .perceived_direction_deg = 0.0,
+              .tactile_weight = config.participant.tactile_weight,
+              .tactile_weight_sd = estimator_.estimate().tactile_weight_sd},
+      command_(publish({}, true)) {
+  plate_.command(decision_.plate.orientation_deg);
+  if (!so_far) return;
+  samples_before_ = so_far->samples;
+  dropped_before_ = so_far->dropped_samples;
+}
+
+PlateOrientation PaperReach::initial_plate(const std::optional<ReachSoFar>& so_far) const {
+  const double stands_deg = plate_.orientation_deg();
+  if (!config_.fixed_plate_orientation_deg)
+    return {so_far ? so_far->commanded_deg : stands_deg, ActiveBound::none};
+  return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, stands_deg, config_.plate.stops),
+          ActiveBound::none};
+}
+
+PlateCommand PaperReach::update(const FingerSample& sample) {
+  const ReachState state = estimator_.observe(sample, plate_);
+  const bool decides = state.observed == Observation::position ||
+                       (state.observed == Observation::direction && state.step != decision_.step);
+  if (decides) {
+    const Aim aimed = aim(state);
+    const PlateOrientation planned = plan(state, aimed);
+    const PlateOrientation limited = limits_.limit(planned, plate_.orientation_deg());
+    plate_.command(limited.orientation_deg);
+    decide({state.step, aimed, limited});
+  }
+  if (decides || state.predicted) finger_ = finger(state, plate_.orientation_at_deg(state.step_end_ns));
+  return command_ = publish(state, !decides);
+}
+
+void PaperReach::retarget(const PlatePoint& real, const Reach& now) {
+  const double goal_deg = goal_direction_deg(config_.participant, now.virtual_direction_deg);
+  limits_.turn_goal(goal_deg - goal_deg_);
+  reach_ = now;
+  goal_deg_ = goal_deg;
+  target_ = real;
+  estimator_.turn_to(goal_deg);
+  control_ = PaperControl(config_.mpc, config_.plate, config_.step_period_ns, goal_deg);
+}
+
+PlateCommand PaperReach::step(double finger_direction_deg) {
+  const ReachState state = estimator_.step(finger_direction_deg, plate_);
+  const Aim aimed = aim(state);
+  const PlateOrientation planned = plan(state, aimed);
+  const PlateOrientation limited = limits_.at_stops(planned);
+  plate_.put(limited.orientation_deg);
+  decide({state.step, aimed, limited});
+  finger_ = finger(state, limited.orientation_deg);
+  return command_ = publish(state, false);
+}
+
+ReachSummary PaperReach::summary() const {
+  const SampleCounts counts = estimator_.counts();
+  return {.steps = counts.steps,
+          .predicted_steps = counts.predicted_steps,
+          .saturated_steps = saturated_steps_ + is_saturated(decision_.plate.active),
+          .rate_limited_steps = rate_limited_steps_ + is_rate_limited(decision_.plate.active),
+          .samples = samples_before_ + counts.samples,
+          .dropped_samples = dropped_before_ + counts.dropped_samples,
+          .final_direction_deg = finger_.direction_deg,
+          .final_miss_deg = finger_.direction_deg - reach_.real_direction_deg,
+          .perceived_direction_deg = finger_.perceived_direction_deg,
+          .perceived_error_deg = finger_.perceived_direction_deg - goal_deg_,
+          .distance_to_target_m = distance_to_go_m(),
+          .unreachable = decision_.aim.unreachable,
+          .estimate = estimator_.estimate()};
+}
+
+ReachSoFar PaperReach::so_far() const {
+  const SampleCounts counts = estimator_.counts();
+  return {plate_, decision_.plate.orientation_deg, samples_before_ + counts.samples,
+          dropped_before_ + counts.dropped_samples};
+}
+
+// Aiming beyond the direction that can be held adds felt error and brings the finger no nearer.
+PaperReach::Aim PaperReach::aim(const ReachState& state) const {
+  const double bound_deg = config_.mpc.plate_bound_deg;
+  const double weight = state.finger.tactile_weight;
+  const double most_weight =
+      std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::most_tactile_weight);
+  const bool unreachable =
+      std::abs(goal_deg_ - reach_.real_direction_deg) > largest_gap_deg(most_weight, bound_deg);
+  if (!unreachable || !config_.estimator.adapt) return {reach_.real_direction_deg, unreachable};
+  return {steering_authority(reach_.real_direction_deg, goal_deg_, weight, bound_deg).settling_direction_deg,
+          unreachable};
+}
+
+PlateOrientation PaperReach::plan(const ReachState& state, const Aim& aim) {
+  if (config_.fixed_plate_orientation_deg) return decision_.plate;
+  return control_.plan(state, aim.direction_deg, limits_.centre_deg(), plate_);
+}
+
+// Of a step only the last decision counts.
+void PaperReach::decide(const Decision& decision) {
+  if (decision.step != decision_.step) {
+    saturated_steps_ += is_saturated(decision_.plate.active);
+    rate_limited_steps_ += is_rate_limited(decision_.plate.active);
+  }
+  decision_ = decision;
+}
+
+PaperReach::Finger PaperReach::finger(const ReachState& state, double plate_orientation_deg) const {
+  return {.direction_deg = state.finger.direction_deg,
+          .perceived_direction_deg =
+              predicted_step(state.finger, state.gains[0], goal_deg_, plate_orientation_deg)
+                  .perceived_direction_deg,
+          .tactile_weight = state.finger.tactile_weight,
+          .tactile_weight_sd = state.finger.tactile_weight_sd};
+}
+
+PlateCommand PaperReach::publish(const ReachState& state, bool held) const {
+  return {.plate_orientation_deg = decision_.plate.orientation_deg,
+          .finger_direction_deg = finger_.direction_deg,
+          .perceived_direction_deg = finger_.perceived_direction_deg,
+          .aimed_direction_deg = decision_.aim.direction_deg,
+          .tactile_weight = finger_.tactile_weight,
+          .tactile_weight_sd = finger_.tactile_weight_sd,
+          .distance_to_go_m = distance_to_go_m(),
+          .step = state.step,
+          .active = decision_.plate.active,
+          .held = held,
+          .predicted = state.predicted,
+          .unreachable = decision_.aim.unreachable,
+          .optimal = decision_.plate.optimal};
+}
+
+double PaperReach::distance_to_go_m() const {
+  return estimator_.place() ? distance_m(*estimator_.place(), target_) : reach_.real_distance_m;
+}
+
+}  // namespace hrt

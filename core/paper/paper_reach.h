@@ -1,0 +1,96 @@
+// One reach under the controller of the paper. A sample passes through
+//   estimate (reach_estimator), aim (authority), plan (paper_control), limit (plate_limits), command.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/reach/finger_sample.h"
+#include "core/paper/paper_control.h"
+#include "core/plate/plate_limits.h"
+#include "core/plate/plate_model.h"
+#include "core/reach/reach.h"
+#include "core/paper/reach_estimator.h"
+
+namespace hrt {
+
+struct PaperReachConfig {
+  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
+  MpcConfig mpc;
+  std::optional<double> fixed_plate_orientation_deg;  ///< the plate stays there, uncontrolled (paper Fig. 8)
+  EstimatorConfig estimator;
+  PlateDynamics plate;  ///< its latency at most `max_lead` steps
+  std::int64_t step_period_ns = 100'000'000;
+};
+
+/// Exact directions move the controller once a model step; each position moves it, since each refines the
+/// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
+class PaperReach {
+ public:
+  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  PaperReach(const PaperReachConfig& config, const Reach& reach,
+             const std::optional<ReachSoFar>& so_far = std::nullopt);
+
+  /// Takes one sample in, not before the last one's.
+  PlateCommand update(const FingerSample& sample);
+
+  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is.
+  void retarget(const PlatePoint& real, const Reach& now);
+
+  /// The paper's loop, without a clock: one model step with the finger moving along `finger_direction_deg`
+  /// (finite). Not to be mixed with update().
+  PlateCommand step(double finger_direction_deg);
+
+  PlateCommand command() const { return command_; }
+  /// Where the finger is; none before it moves, and with directions alone.
+  std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
+  double speed_m_s() const { return 0.0; }  ///< not used to aim
+  ReachSummary summary() const;
+  ReachSoFar so_far() const;
+
+ private:
+  /// Where the finger is wanted.
+  struct Aim {
+    double direction_deg;
+    bool unreachable;
+  };
+  /// The last command, with its step and aim.
+  struct Decision {
+    std::int64_t step = -1;
+    Aim aim;
+    PlateOrientation plate;
+  };
+  /// The finger as commands and summary show it.
+  struct Finger {
+    double direction_deg;
+    double perceived_direction_deg;
+    double tactile_weight;
+    double tactile_weight_sd;
+  };
+
+  PlateOrientation initial_plate(const std::optional<ReachSoFar>& so_far) const;
+  Aim aim(const ReachState& state) const;
+  PlateOrientation plan(const ReachState& state, const Aim& aim);
+  void decide(const Decision& decision);
+  Finger finger(const ReachState& state, double plate_orientation_deg) const;
+  PlateCommand publish(const ReachState& state, bool held) const;
+  double distance_to_go_m() const;
+
+  PaperReachConfig config_;
+  Reach reach_;
+  double goal_deg_;
+  PlatePoint target_;
+  ReachEstimator estimator_;
+  PaperControl control_;
+  PlateModel plate_;
+  PlateLimits limits_;
+  Decision decision_;
+  Finger finger_;
+  PlateCommand command_;
+  std::int64_t samples_before_ = 0;
+  std::int64_t dropped_before_ = 0;
+  std::int64_t saturated_steps_ = 0;  // without the last decision's
+  std::int64_t rate_limited_steps_ = 0;
+};
+
+}  // namespace hrt

@@ -1,0 +1,178 @@
+#include "core/paper/reach_estimator.h"
+
+#include <algorithm>
+
+#include "core/plate/plate_limits.h"
+#include "core/math/time.h"
+
+namespace hrt {
+namespace {
+
+// A finger slower than this rests.
+constexpr double rest_speed_m_s = 0.004;
+
+}  // namespace
+
+ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
+                               double plate_orientation_deg) {
+  return participant_step(
+      {.tactile_weight = finger.tactile_weight,
+       .gain = gain,
+       .goal_direction_deg = goal_direction_deg,
+       .plate_orientation_deg = ridge_normal_deg(plate_orientation_deg, goal_direction_deg),
+       .finger_direction_deg = finger.direction_deg});
+}
+
+ReachEstimator::ReachEstimator(const EstimatorConfig& config, const Participant& participant,
+                               double goal_direction_deg, const PlatePoint& start,
+                               std::int64_t step_period_ns, int horizon)
+    : adapts_(config.adapt),
+      participant_(participant),
+      goal_direction_deg_(goal_direction_deg),
+      start_(start),
+      estimator_(config, participant, goal_direction_deg, start),
+      clock_(step_period_ns),
+      gains_(participant, horizon) {}
+
+ReachState ReachEstimator::observe(const FingerSample& sample, PlateModel& plate) {
+  ++counts_.samples;
+  advance(sample.time_ns, plate);
+  if (sample.plate_orientation_deg) plate.report(*sample.plate_orientation_deg);
+  const Observation observed = take(sample, plate);
+  const FingerEstimate finger = estimator_.estimate();
+  const bool predicted = missed_ && !sampled_;
+  if (observed == Observation::position) paused_ = finger.speed_m_s < rest_speed_m_s;
+  if (observed == Observation::position || (predicted && !paused_ && place_)) place_ = finger.position;
+  return state(finger, paused_ ? Observation::none : observed);
+}
+
+ReachState ReachEstimator::step(double direction_deg, const PlateModel& plate) {
+  if (clock_.started()) {
+    end_step(plate.orientation_deg());
+    clock_.count();
+  } else {
+    clock_.start(0);
+  }
+  sampled_ = true;
+  if (adapts_) {
+    estimator_.observe_direction(direction_deg);
+    return state(estimator_.estimate(), Observation::direction);
+  }
+  return state({.direction_deg = direction_deg, .tactile_weight = participant_.tactile_weight},
+               Observation::direction);
+}
+
+void ReachEstimator::turn_to(double goal_direction_deg) {
+  goal_direction_deg_ = goal_direction_deg;
+  estimator_.turn_to(goal_direction_deg);
+}
+
+SampleCounts ReachEstimator::counts() const {
+  SampleCounts counts = counts_;
+  if (sampled_) ++counts.steps;
+  return counts;
+}
+
+ReachState ReachEstimator::state(const FingerEstimate& finger, Observation observed) const {
+  return {.finger = finger,
+          .place = place_,
+          .observed = observed,
+          .predicted = missed_ && !sampled_,
+          .step = clock_.step(),
+          .now_ns = now_ns_,
+          .step_end_ns = clock_.end_ns(),
+          .gains = gains_.data()};
+}
+
+// The finger moves: the first model step began at `time_ns`.
+void ReachEstimator::start(std::int64_t time_ns, const PlatePoint& place) {
+  clock_.start(time_ns);
+  now_ns_ = time_ns;
+  paused_ = false;
+  sampled_ = true;
+  estimator_.rest_at(place);
+}
+
+void ReachEstimator::advance(std::int64_t time_ns, PlateModel& plate) {
+  if (!clock_.started()) {
+    plate.advance(time_ns);
+    return;
+  }
+  const auto move_to = [&](std::int64_t until_ns) {
+    plate.advance(until_ns);
+    const double passed_s = std::min(elapsed_s(now_ns_, until_ns), std::max(max_gap_s - unseen_s_, 0.0));
+    estimator_.move(passed_s);
+    unseen_s_ += passed_s;
+    now_ns_ = until_ns;
+  };
+  if (paused_) {
+    clock_.wait(elapsed_ns(now_ns_, time_ns));
+  } else {
+    counts_.predicted_steps += clock_.advance(time_ns, [&](std::int64_t end_ns) {
+      move_to(end_ns);
+      end_step(plate.orientation_deg());
+    });
+  }
+  move_to(time_ns);
+}
+
+void ReachEstimator::end_step(double plate_orientation_deg) {
+  ++(sampled_ ? counts_.steps : counts_.predicted_steps);
+  missed_ = !sampled_;
+  sampled_ = false;
+  const double gain = gains_.data()[0];
+  estimator_.end_step(ridge_normal_deg(plate_orientation_deg, goal_direction_deg_), gain,
+                      step_variance_deg2(participant_, gain));
+  gains_.advance();
+}
+
+Observation ReachEstimator::take(const FingerSample& sample, PlateModel& plate) {
+  switch (sample.observation) {
+    case Observation::none:
+      ++counts_.dropped_samples;
+      return Observation::none;
+    case Observation::lifted:
+      paused_ = true;
+      onset_ = Onset(averaged_onset);  // it may be set down elsewhere
+      return Observation::none;
+    case Observation::direction:
+      if (!clock_.started()) start(sample.time_ns, start_);
+      paused_ = false;
+      sampled_ = true;
+      unseen_s_ = 0.0;
+      estimator_.observe_direction(sample.direction_deg);
+      return Observation::direction;
+    case Observation::position:
+      break;
+  }
+  return take_position(sample, plate);
+}
+
+Observation ReachEstimator::take_position(const FingerSample& sample, PlateModel& plate) {
+  if (position_ns_ == sample.time_ns) {  // the tracker has sent it twice
+    ++counts_.dropped_samples;
+    return Observation::none;
+  }
+  position_ns_ = sample.time_ns;
+  estimator_.learn_tracker_noise(sample.time_ns, sample.position);
+  if (!clock_.started()) {
+    if (!onset_.observe(sample.time_ns, sample.position, estimator_.estimate().tracker_noise_m)) {
+      place_ = sample.position;
+      return Observation::none;
+    }
+    // After a gap nobody knows when the motion started.
+    const bool seen_at_rest =
+        elapsed_ns(onset_.time_ns(), sample.time_ns) < 2 * static_cast<std::uint64_t>(clock_.period_ns());
+    start(seen_at_rest ? onset_.time_ns() : sample.time_ns, seen_at_rest ? onset_.place() : sample.position);
+    advance(sample.time_ns, plate);
+  }
+  if (!estimator_.observe_position(sample.position)) {
+    ++counts_.dropped_samples;
+    return Observation::none;
+  }
+  sampled_ = true;
+  unseen_s_ = 0.0;
+  return Observation::position;
+}
+
+}  // namespace hrt

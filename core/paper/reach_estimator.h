@@ -1,0 +1,95 @@
+// The state of one reach: samples and time in, the finger's motion and the person's w_T out.
+//
+// The model's steps start when the finger starts to move. They wait while the finger rests or is lifted,
+// since nothing is felt then; a step without samples is predicted.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/paper/estimator.h"
+#include "core/reach/finger_sample.h"
+#include "core/tracker/onset.h"
+#include "core/paper/perception.h"
+#include "core/plate/plate_model.h"
+#include "core/paper/step_clock.h"
+
+namespace hrt {
+
+/// The state after a sample.
+struct ReachState {
+  FingerEstimate finger;
+  /// Last place seen, or predicted from it; none until a position is seen.
+  std::optional<PlatePoint> place;
+  /// The sample's basis for a decision: none, direction or position.
+  Observation observed = Observation::none;
+  bool predicted = false;   ///< neither this step nor the one before has a sample
+  std::int64_t step = -1;   ///< under way; -1 before the finger moves
+  std::int64_t now_ns = 0;  ///< of `finger`
+  std::int64_t step_end_ns = 0;
+  const double* gains = nullptr;  ///< K of this step and of those ahead; valid until the next sample
+};
+
+/// The step of gain `gain` that such a finger makes if it ends with the plate at `plate_orientation_deg`.
+ParticipantStep predicted_step(const FingerEstimate& finger, double gain, double goal_direction_deg,
+                               double plate_orientation_deg);
+
+/// Counts of samples and steps so far.
+struct SampleCounts {
+  std::int64_t steps = 0;            ///< model steps with samples
+  std::int64_t predicted_steps = 0;  ///< model steps without
+  std::int64_t samples = 0;
+  std::int64_t dropped_samples = 0;  ///< with nothing observed, or left out as outliers or duplicates
+};
+
+/// No heap, no lock, no exception. One thread at a time.
+class ReachEstimator {
+ public:
+  /// The finger rests at `start`, about to go for `goal_direction_deg`. `horizon` gains are known ahead, 1 to
+  /// max_horizon + max_lead. Requires valid arguments, `step_period_ns` > 0.
+  ReachEstimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
+                 const PlatePoint& start, std::int64_t step_period_ns, int horizon);
+
+  /// Lets time pass until the sample's, for `plate` too, and takes the sample in.
+  ReachState observe(const FingerSample& sample, PlateModel& plate);
+
+  /// The paper's loop, without a clock: the next step, with the finger moving along `direction_deg` after
+  /// a step that ended with the plate as it stands. Not to be mixed with observe().
+  ReachState step(double direction_deg, const PlateModel& plate);
+
+  /// The participant goes for another direction from now on.
+  void turn_to(double goal_direction_deg);
+
+  /// Of the whole reach, the step under way included once it has a sample.
+  SampleCounts counts() const;
+  FingerEstimate estimate() const { return estimator_.estimate(); }
+  const std::optional<PlatePoint>& place() const { return place_; }
+
+ private:
+  static constexpr bool averaged_onset = true;
+  void start(std::int64_t time_ns, const PlatePoint& place);
+  void advance(std::int64_t time_ns, PlateModel& plate);
+  void end_step(double plate_orientation_deg);
+  Observation take(const FingerSample& sample, PlateModel& plate);
+  Observation take_position(const FingerSample& sample, PlateModel& plate);
+  ReachState state(const FingerEstimate& finger, Observation observed) const;
+
+  bool adapts_;
+  Participant participant_;
+  double goal_direction_deg_;
+  PlatePoint start_;
+  Onset onset_{averaged_onset};
+  Estimator estimator_;
+  StepClock clock_;
+  GainWindow gains_;
+  SampleCounts counts_;  // without the step under way
+  std::optional<PlatePoint> place_;
+  std::optional<std::int64_t> position_ns_;  // of the last position
+  std::int64_t now_ns_ = 0;                  // of the estimator
+  double unseen_s_ = 0.0;                    // that it has moved on since the last sample
+  bool paused_ = false;                      // the finger rests or is lifted
+  bool sampled_ = false;                     // in the step under way
+  bool missed_ = false;                      // the step before had no sample
+};
+
+}  // namespace hrt

@@ -1,0 +1,65 @@
+// The model's steps in the caller's time: a fixed period, from when the finger starts to move.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "core/math/time.h"
+
+namespace hrt {
+
+/// Counts the steps of one reach. No heap, no lock, no exception.
+class StepClock {
+ public:
+  /// `period_ns` > 0.
+  explicit StepClock(std::int64_t period_ns) : period_ns_(period_ns) {}
+
+  std::int64_t period_ns() const { return period_ns_; }
+  bool started() const { return step_ >= 0; }
+  /// The step under way, from 0; -1 before start().
+  std::int64_t step() const { return step_; }
+  /// When the step under way ends.
+  std::int64_t end_ns() const { return later_ns(start_ns_, period_ns_); }
+
+  /// Step 0 begins at `time_ns`.
+  void start(std::int64_t time_ns) {
+    start_ns_ = time_ns;
+    step_ = 0;
+  }
+
+  /// Ends the steps that end by `time_ns`, each with a call of `end_step(end_ns)`. However long the gap, at
+  /// most `max_catch_up_steps`; returns how many more went by.
+  template <class EndStep>
+  std::int64_t advance(std::int64_t time_ns, const EndStep& end_step) {
+    const auto period_ns = static_cast<std::uint64_t>(period_ns_);
+    const std::uint64_t ended = elapsed_ns(start_ns_, time_ns) / period_ns;
+    for (std::uint64_t i = 0; i < std::min(ended, max_catch_up_steps); ++i) {
+      end_step(end_ns());
+      start_ns_ += period_ns_;
+      ++step_;
+    }
+    if (ended <= max_catch_up_steps) return 0;
+    const std::uint64_t skipped = ended - max_catch_up_steps;
+    wait(skipped * period_ns);
+    step_ += static_cast<std::int64_t>(skipped);
+    return static_cast<std::int64_t>(skipped);
+  }
+
+  /// The step under way lasts this much longer.
+  void wait(std::uint64_t duration_ns) {
+    start_ns_ = static_cast<std::int64_t>(static_cast<std::uint64_t>(start_ns_) + duration_ns);
+  }
+
+  /// The next step, without a time.
+  void count() { ++step_; }
+
+  /// After this many steps without a sample the model has settled.
+  static constexpr std::uint64_t max_catch_up_steps = 64;
+
+ private:
+  std::int64_t period_ns_;
+  std::int64_t start_ns_ = 0;
+  std::int64_t step_ = -1;
+};
+
+}  // namespace hrt

@@ -1,0 +1,85 @@
+#include "core/person/illusion.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double scale_deg = 75.0;
+
+constexpr double ridge_spacing_mm = 10.0;
+// A fading touch is gone after this; half of it is felt when ridges come twice as often.
+constexpr double touch_memory_s = 0.3;
+// How soon the first ridge is felt.
+constexpr double first_ridge = 1.2;
+
+// Share of a fading touch that is lost, and its derivative by the offset.
+struct LostShare {
+  double share;
+  double by_offset;
+};
+
+LostShare lost_share(double slowness, double offset_deg) {
+  const double whole = std::max(cos_deg(offset_deg), 1e-6) + slowness;
+  return {slowness / whole, rad_per_deg * sin_deg(offset_deg) * slowness / (whole * whole)};
+}
+
+}  // namespace
+
+double ridge_slowness(double speed_mm_s, double travelled_mm) {
+  const double ridges = std::max(travelled_mm, 1.0) / ridge_spacing_mm;
+  return ridge_spacing_mm / (2.0 * touch_memory_s * std::max(speed_mm_s, 1.0)) +
+         first_ridge / (ridges * ridges);
+}
+
+FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
+  const double t = wrap_deg(offset_deg, 180.0);
+  const double square = (t / scale_deg) * (t / scale_deg);
+  const double full_deg = (illusion.weight - illusion.curve * square) * t;
+  const double full_by_offset = illusion.weight - 3.0 * illusion.curve * square;
+  const LostShare lost = lost_share(illusion.slowness, t);
+  const double kept = 1.0 - illusion.fading * lost.share;
+  return {.shift_deg = full_deg * kept,
+          .by_offset = full_by_offset * kept - full_deg * illusion.fading * lost.by_offset,
+          .by_weight = t * kept,
+          .by_curve = -t * square * kept,
+          .by_fading = -full_deg * lost.share};
+}
+
+LargestShift largest_shift(const Illusion& illusion, double bound_deg) {
+  double offset_deg = std::min(bound_deg, 89.0);
+  if (illusion.curve > 0.0) {
+    // g' = 0
+    offset_deg = std::min(offset_deg, scale_deg * std::sqrt(illusion.weight / (3.0 * illusion.curve)));
+  }
+  if (illusion.fading > 0.0 && illusion.slowness > 0.0 && felt_shift(illusion, offset_deg).by_offset < 0.0) {
+    double low_deg = 0.0;
+    for (int i = 0; i < 10; ++i) {
+      const double middle_deg = 0.5 * (low_deg + offset_deg);
+      (felt_shift(illusion, middle_deg).by_offset > 0.0 ? low_deg : offset_deg) = middle_deg;
+    }
+  }
+  return {felt_shift(illusion, offset_deg).shift_deg, offset_deg};
+}
+
+double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg) {
+  const LargestShift largest = largest_shift(illusion, bound_deg);
+  const double wanted_deg = std::abs(shift_deg);
+  if (wanted_deg >= largest.shift_deg) return std::copysign(largest.offset_deg, shift_deg);
+  // Newton's steps from the chord, kept between the ends: g is concave for b > 0 and convex for b < 0.
+  double low_deg = 0.0;
+  double high_deg = largest.offset_deg;
+  double offset_deg = largest.offset_deg * wanted_deg / largest.shift_deg;
+  for (int i = 0; i < 8; ++i) {
+    const FeltShift g = felt_shift(illusion, offset_deg);
+    (g.shift_deg < wanted_deg ? low_deg : high_deg) = offset_deg;
+    const double next_deg = g.by_offset > 1e-6 ? offset_deg + (wanted_deg - g.shift_deg) / g.by_offset : -1.0;
+    offset_deg = next_deg >= low_deg && next_deg <= high_deg ? next_deg : 0.5 * (low_deg + high_deg);
+  }
+  return std::copysign(offset_deg, shift_deg);
+}
+
+}  // namespace hrt

@@ -1,0 +1,139 @@
+// Tracked positions as they come, at any rate, with gaps, jumps and rests, to what is known of the finger and
+// the person. The onset is found late, dated back by a fit to the first samples, and those are then run
+// through PersonFilter, a few at each new sample.
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "core/person/person_filter.h"
+#include "core/plate/plate_trace.h"
+
+namespace hrt {
+
+/// From a target's move to the person's answer.
+inline constexpr double answer_s = 0.2;
+
+enum class FingerMotion {
+  resting,  ///< before the reach
+  moving,
+  paused,  ///< within it: the finger rests or is lifted
+};
+
+/// A place on the plate, millimetres to the right and away.
+struct PlaceMm {
+  double right_mm;
+  double away_mm;
+};
+
+/// How well the filter predicts the positions it then sees, over the last twenty or so.
+struct ModelFit {
+  double nis = 2.0;          ///< normalised innovation squared, mean; 2 if the model holds
+  double correlation = 0.0;  ///< of an innovation with the one before it; 0 if the model holds
+
+  /// Innovations well below what the noise explains may be alike: a tracker without noise shows every trace
+  /// of the person.
+  bool holds() const { return nis < 4.5 && (correlation < 0.75 || nis < 1.0); }
+};
+
+/// One reach. No heap, no lock, no exception. One thread at a time.
+class PersonEstimator {
+ public:
+  /// The finger is about to move over `path_mm` from near `start`, asked to go in `virtual_direction_deg`.
+  /// `noise`: of the tracker, if it is known; else it is learnt while the finger rests.
+  PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
+                  const PlaceMm& start, const std::optional<TrackerNoise>& noise);
+
+  /// Takes a position in, seen at `time_s`, after the last one's. `plate` has stood where its trace says.
+  /// False if it was left out: five standard deviations off.
+  bool observe(double time_s, const PlaceMm& position, const PlateTrace& plate);
+
+  /// Nothing was seen, and time passes until `time_s`.
+  void predict(double time_s, const PlateTrace& plate);
+
+  /// The finger is off the plate: nothing is felt, and it may come back elsewhere.
+  void lift(double time_s, const PlateTrace& plate);
+
+  /// The target has moved at `time_s`: asked to go in `virtual_direction_deg`, over a path that is
+  /// `longer_mm` longer. The person answers after answer_s.
+  void retarget(double time_s, double virtual_direction_deg, double longer_mm);
+
+  FingerMotion motion() const { return motion_; }
+  /// The filter has taken in all that was seen.
+  bool caught_up() const { return backlog_ == 0; }
+  const PersonFilter& filter() const { return filter_; }
+  /// The filter with the person's answer to a moved target, while that is still to come.
+  std::optional<PersonFilter> to_come() const;
+  /// Of the filter; before the finger moves, of the last position.
+  double time_s() const { return filter_s_; }
+  /// Where the finger rested: the filter's places are measured from here.
+  const PlaceMm& origin() const { return origin_; }
+  /// The last place that was seen or is predicted.
+  PlaceMm place() const;
+  const TrackerNoise& noise() const { return noise_; }
+  const ModelFit& fit() const { return fit_; }
+  /// When the motion began.
+  double onset_s() const { return onset_s_; }
+
+ private:
+  struct Sample {
+    double time_s;
+    PlaceMm place;
+  };
+
+  bool store(double time_s, const PlaceMm& position);
+  void watch_rest();
+  void learn_noise();
+  void begin_motion();
+  bool catch_up(const PlateTrace& plate);
+  bool take(const Sample& sample, const PlateTrace& plate);
+  void take_paused(const Sample& sample);
+  void carry_to(double time_s, const PlateTrace& plate);
+  bool stands_still(PlaceMm& where) const;
+  PlaceMm mean_of_last(int samples) const;
+  const Sample& recent(int back) const {
+    return samples_[static_cast<std::size_t>((last_ + capacity - back) % capacity)];
+  }
+
+  static constexpr int capacity = 128;
+
+  struct Retarget {
+    double time_s;  // of the answer
+    double virtual_direction_deg;
+    double longer_mm;
+  };
+
+  PersonBelief belief_;
+  double virtual_direction_deg_;
+  double path_mm_;
+  TrackerNoise noise_;
+  bool noise_known_;
+  PersonFilter filter_;
+  std::optional<Retarget> retarget_;  // still to be answered
+  FingerMotion motion_ = FingerMotion::resting;
+  ModelFit fit_;
+
+  std::array<Sample, capacity> samples_{};
+  int last_ = -1;
+  int count_ = 0;
+  int merged_ = 0;   // positions that make up the last sample
+  int backlog_ = 0;  // of the last samples, those that the filter has not seen
+
+  PlaceMm origin_;
+  PlaceMm pause_{};
+  int rested_ = 0;
+  // Of a resting finger: squares of its distance from the mean, and of its steps.
+  double square_sum_mm2_ = 0.0;
+  double step_sum_mm2_ = 0.0;
+  double spacing_sum_s_ = 0.0;
+  int steps_ = 0;
+  int departures_ = 0;
+
+  double filter_s_ = 0.0;
+  double onset_s_ = 0.0;
+  int outliers_ = 0;  // in a row
+  bool lifted_ = false;
+  PlaceMm last_innovation_{0.0, 0.0};
+};
+
+}  // namespace hrt

@@ -1,0 +1,267 @@
+#include "core/person/person_filter.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/person/arrival.h"
+#include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+// Random walks, per second.
+constexpr double direction_density_deg2_s = 14.0;
+// A slow finger wanders more: the noise of its direction doubles at this speed.
+constexpr double slow_speed_mm_s = 20.0;
+constexpr double least_speed_mm_s = 5.0;
+constexpr double bias_density_deg2_s = 0.05;
+constexpr double illusion_density_s = 2e-5;
+constexpr double fading_density_s = 1e-4;
+constexpr double log_rate_density_s = 0.07;
+constexpr double place_density_mm2_s = 0.018;
+constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
+constexpr double resting_density_mm2_s = 0.5;
+// Of a target that moves: the share of the turn that is uncertain, how much longer one motion gets,
+// and when another one begins.
+constexpr double turn_sd_share = 0.5;
+constexpr double longest_stretch = 1.5;
+constexpr double least_path_mm = 1.0;
+constexpr double another_motion_sd_s = 0.15;
+// Of the first direction about its share of the goal's.
+constexpr double first_direction_sd_deg = 2.0;
+
+constexpr PersonFilter::Index state_of[PersonTrait::count] = {
+    PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
+    PersonFilter::bias,    PersonFilter::habit,    PersonFilter::evenness,
+    PersonFilter::heading, PersonFilter::log_rate, PersonFilter::fading};
+
+}  // namespace
+
+PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
+                           const TrackerNoise& noise)
+    : virtual_direction_deg_(virtual_direction_deg),
+      path_mm_(path_mm),
+      noise_(noise),
+      wander_sd_deg_(belief.wander_sd_deg) {
+  state_.setZero();
+  covariance_.setZero();
+  for (int i = 0; i < PersonTrait::count; ++i) {
+    state_(state_of[i]) = belief.mean(i);
+    for (int j = 0; j < PersonTrait::count; ++j)
+      covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
+  }
+  keep_in_range();
+  covariance_(wander, wander) = wander_sd_deg_ * wander_sd_deg_;
+  covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
+      noise_.correlated_mm * noise_.correlated_mm;
+  begin(state_(log_rate), state_(evenness), 0.0, 0.0);
+}
+
+void PersonFilter::begin(double motion_log_rate, double motion_evenness, double onset_sd_s,
+                         double place_sd_mm) {
+  state_(log_rate) = motion_log_rate;
+  state_(evenness) = motion_evenness;
+  keep_in_range();
+  const double phase_sd = exponential(state_(log_rate)) * onset_sd_s;
+  covariance_(phase, phase) = phase_sd * phase_sd;
+  covariance_(right, right) = covariance_(away, away) = place_sd_mm * place_sd_mm;
+  const double goal = goal_deg();
+  state_(direction) = state_(heading) * goal;
+  // direction = heading G, and G = V + d + dr + c at the start.
+  const double share = state_(heading);
+  covariance_.row(direction) =
+      goal * covariance_.row(heading) +
+      share * (covariance_.row(bias) + covariance_.row(wander) + covariance_.row(habit));
+  covariance_.col(direction) =
+      goal * covariance_.col(heading) +
+      share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
+  covariance_(direction, direction) += first_direction_sd_deg * first_direction_sd_deg;
+}
+
+double PersonFilter::goal_deg(double share, double wander_deg) const {
+  return virtual_direction_deg_ + state_(bias) + wander_deg + state_(habit) * (1.0 - 2.0 * share);
+}
+
+double PersonFilter::goal_deg() const {
+  return goal_deg(progress(state_(evenness), state_(phase)).share, state_(wander));
+}
+
+Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
+  return {.weight = state_(weight),
+          .curve = state_(curve),
+          .fading = state_(fading),
+          .slowness = ridge_slowness(speed_mm_s, travelled_mm)};
+}
+
+double PersonFilter::mean_speed_mm_s() const {
+  return path_mm_ * exponential(state_(log_rate));
+}
+
+void PersonFilter::move(double seconds, double felt_plate_deg) {
+  const double rate = exponential(state_(log_rate));
+  const bool arrived = state_(phase) >= 1.0;
+  const Progress begun = progress(state_(evenness), state_(phase));
+  const Progress middle = progress(state_(evenness), state_(phase) + 0.5 * rate * seconds);
+  const double travel_mm = arrived ? 0.0 : path_mm_ * rate * middle.rate * seconds;
+
+  const FeltShift g =
+      felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
+  const double k = state_(gain);
+  const double felt_error_deg = state_(direction) + g.shift_deg - goal_deg(begun.share, state_(wander));
+  // The error decays at this rate while the plate rests; to second order in time.
+  const double decay_s = k * (1.0 - g.by_offset);
+  const double turn_deg = -k * felt_error_deg * seconds * (1.0 - 0.5 * decay_s * seconds);
+  const double sine = sin_deg(state_(direction) + 0.5 * turn_deg);
+  const double cosine = cos_deg(state_(direction) + 0.5 * turn_deg);
+
+  const double wander_kept = exponential(-seconds / wander_s);
+  const double noise_kept = exponential(-seconds / noise_.correlation_s);
+  const double travel_scale = arrived ? 0.0 : path_mm_ * rate * seconds;
+  const double travel_by_phase = travel_scale * begun.acceleration;
+  const double travel_by_evenness = travel_scale * begun.by_evenness;
+  const double habit_share = 1.0 - 2.0 * begun.share;
+  const double goal_by_phase = -2.0 * state_(habit) * begun.rate;
+
+  // F P F', first its rows and then its columns. Each line uses only what is not yet changed.
+  const auto transform = [&](auto&& row) {
+    const double travel =
+        travel_by_phase * row(phase) + travel_mm * row(log_rate) + travel_by_evenness * row(evenness);
+    const double turn = travel_mm * rad_per_deg * row(direction);
+    row(right) -= sine * travel + cosine * turn;
+    row(away) += cosine * travel - sine * turn;
+    row(direction) +=
+        seconds * (-decay_s * row(direction) -
+                   k * (g.by_weight * row(weight) + g.by_curve * row(curve) + g.by_fading * row(fading)) -
+                   felt_error_deg * row(gain) +
+                   k * (row(bias) + row(wander) + habit_share * row(habit) + goal_by_phase * row(phase)));
+    row(phase) += rate * seconds * row(log_rate);
+    row(wander) *= wander_kept;
+    row(noise_right) *= noise_kept;
+    row(noise_away) *= noise_kept;
+  };
+  for (int i = 0; i < size; ++i) transform(covariance_.col(i));
+  for (int i = 0; i < size; ++i) transform(covariance_.row(i));
+
+  state_(right) -= travel_mm * sine;
+  state_(away) += travel_mm * cosine;
+  state_(direction) += turn_deg;
+  state_(phase) = std::min(state_(phase) + rate * seconds, 1.0);
+  state_(wander) *= wander_kept;
+  state_(noise_right) *= noise_kept;
+  state_(noise_away) *= noise_kept;
+
+  const double speed_mm_s = travel_mm / seconds;
+  const double slowness = 1.0 + slow_speed_mm_s / std::max(speed_mm_s, least_speed_mm_s);
+  covariance_(direction, direction) += direction_density_deg2_s * slowness * seconds;
+  covariance_(bias, bias) += bias_density_deg2_s * seconds;
+  covariance_(weight, weight) += illusion_density_s * seconds;
+  covariance_(curve, curve) += illusion_density_s * seconds;
+  covariance_(fading, fading) += fading_density_s * seconds;
+  covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
+  const double along_mm2_s = place_share_s * speed_mm_s * speed_mm_s;
+  covariance_(right, right) += (place_density_mm2_s + along_mm2_s * sine * sine) * seconds;
+  covariance_(away, away) += (place_density_mm2_s + along_mm2_s * cosine * cosine) * seconds;
+  covariance_(wander, wander) += (1.0 - wander_kept * wander_kept) * wander_sd_deg_ * wander_sd_deg_;
+  const double fresh_mm2 = (1.0 - noise_kept * noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
+  covariance_(noise_right, noise_right) += fresh_mm2;
+  covariance_(noise_away, noise_away) += fresh_mm2;
+}
+
+void PersonFilter::rest(double seconds) {
+  const double kept = exponential(-seconds / noise_.correlation_s);
+  for (const Index noise : {noise_right, noise_away}) {
+    state_(noise) *= kept;
+    covariance_.row(noise) *= kept;
+    covariance_.col(noise) *= kept;
+    covariance_(noise, noise) += (1.0 - kept * kept) * noise_.correlated_mm * noise_.correlated_mm;
+  }
+  covariance_(right, right) += resting_density_mm2_s * seconds;
+  covariance_(away, away) += resting_density_mm2_s * seconds;
+}
+
+double PersonFilter::observe(double right_mm, double away_mm, double gate) {
+  const double white_mm2 = noise_.white_mm * noise_.white_mm;
+  const auto correlate = [&](Index a, Index noise_a, Index b, Index noise_b) {
+    return covariance_(a, b) + covariance_(a, noise_b) + covariance_(noise_a, b) +
+           covariance_(noise_a, noise_b);
+  };
+  const double rr = correlate(right, noise_right, right, noise_right) + white_mm2;
+  const double ra = correlate(right, noise_right, away, noise_away);
+  const double aa = correlate(away, noise_away, away, noise_away) + white_mm2;
+  const double dr = right_mm - state_(right) - state_(noise_right);
+  const double da = away_mm - state_(away) - state_(noise_away);
+  const double nis = (aa * dr * dr - 2.0 * ra * dr * da + rr * da * da) / (rr * aa - ra * ra);
+  if (nis > gate) return nis;
+  const auto correct = [&](Index place, Index noise, double measured_mm) {
+    const State column = covariance_.col(place) + covariance_.col(noise);
+    const double variance_mm2 = column(place) + column(noise) + white_mm2;
+    const double innovation_mm = measured_mm - state_(place) - state_(noise);
+    state_ += column * (innovation_mm / variance_mm2);
+    const State scaled = column / variance_mm2;
+    for (int j = 0; j < size; ++j)
+      for (int i = 0; i < size; ++i) covariance_(i, j) -= column(i) * scaled(j);
+  };
+  correct(right, noise_right, right_mm);
+  correct(away, noise_away, away_mm);
+  keep_in_range();
+  return nis;
+}
+
+void PersonFilter::place_at(double right_mm, double away_mm) {
+  for (const Index i : {right, away, noise_right, noise_away}) {
+    covariance_.row(i).setZero();
+    covariance_.col(i).setZero();
+    state_(i) = 0.0;
+  }
+  state_(right) = right_mm;
+  state_(away) = away_mm;
+  covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
+      noise_.correlated_mm * noise_.correlated_mm;
+  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
+}
+
+void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool answered) {
+  const double turn_deg = virtual_direction_deg_ - virtual_direction_deg;
+  // Until they answer, they go where they went: the goal's fast part is the turn to come.
+  if (!answered) state_(wander) += turn_deg;
+  covariance_(wander, wander) += turn_sd_share * turn_sd_share * turn_deg * turn_deg;
+  virtual_direction_deg_ = virtual_direction_deg;
+
+  const double left = 1.0 - progress(state_(evenness), state_(phase)).share;
+  const double left_mm = std::max(path_mm_ * left + longer_mm, least_path_mm);
+  if (left_mm <= longest_stretch * path_mm_ * left) {  // the same motion, stretched or cut
+    const double stretch = left_mm / (path_mm_ * left);
+    covariance_(log_rate, log_rate) += (stretch - 1.0) * (stretch - 1.0);
+    path_mm_ *= stretch;
+    return;
+  }
+  // Another motion follows.
+  path_mm_ = std::max(path_mm_, left_mm);
+  state_(phase) = phase_at(state_(evenness), 1.0 - left_mm / path_mm_);
+  loosen_clock(another_motion_sd_s);
+}
+
+void PersonFilter::loosen_clock(double seconds) {
+  const double phases = exponential(state_(log_rate)) * seconds;
+  covariance_(phase, phase) += phases * phases;
+}
+
+PersonBelief PersonFilter::belief() const {
+  PersonBelief belief;
+  belief.wander_sd_deg = wander_sd_deg_;
+  for (int i = 0; i < PersonTrait::count; ++i) {
+    belief.mean(i) = state_(state_of[i]);
+    for (int j = 0; j < PersonTrait::count; ++j)
+      belief.covariance(i, j) = covariance_(state_of[i], state_of[j]);
+  }
+  return belief;
+}
+
+void PersonFilter::keep_in_range() {
+  for (int i = 0; i < PersonTrait::count; ++i)
+    state_(state_of[i]) = std::clamp(state_(state_of[i]), trait_range[i].least, trait_range[i].most);
+  state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
+}
+
+}  // namespace hrt

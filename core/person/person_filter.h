@@ -1,0 +1,120 @@
+// What is known of a finger that slides over the plate and of the person who moves it: an extended Kalman
+// filter on tracked positions.
+//
+// The person moves over a path of length L at the pace of arrival.h, feels their motion shifted by the ridges
+// (illusion.h), and steers what they feel towards a goal:
+//
+//   progress    v = L r s'(u),   u' = r = exp(rho)
+//   goal        G = V + d + dr + c (1 - 2 s(u))
+//   motion      phi' = -k (phi + g(T(now - 60 ms) - phi) - G),   x' = -v sin phi,   z' = v cos phi
+//   measured    x + nx and z + nz, each with white noise; nx and nz decay within 0.1 s if nothing else is
+//   known, dr
+//               within 0.3 s
+//
+// Unknown besides place x, z, direction phi and phase u: w, b and f of the illusion, the gain k, the bias d,
+// the habit c of curving, the evenness a of the pace, rho, and the share of the goal's direction in which the
+// person sets out. core/README.md has the derivatives and the source of every number.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/person/illusion.h"
+#include "core/person/person_belief.h"
+
+namespace hrt {
+
+/// White and correlated noise of a tracked coordinate, standard deviations, > 0.
+struct TrackerNoise {
+  double white_mm = 0.8;
+  double correlated_mm = 0.9;
+  double correlation_s = 0.1;  ///< the correlated part decays to 1/e in this, > 0
+
+  double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
+};
+
+/// One motion. Places are millimetres from where the finger rested. No heap, no lock, no exception.
+class PersonFilter {
+ public:
+  enum Index {
+    right,
+    away,
+    direction,
+    phase,
+    log_rate,
+    wander,
+    noise_right,
+    noise_away,
+    weight,
+    curve,
+    gain,
+    bias,
+    habit,
+    evenness,
+    heading,
+    fading,
+    size
+  };
+  using State = Eigen::Matrix<double, size, 1>;
+  using Covariance = Eigen::Matrix<double, size, size>;
+
+  /// At rest, about to move over `path_mm` > 0 towards `virtual_direction_deg`.
+  PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
+               const TrackerNoise& noise);
+
+  /// Begins the motion with a log rate and evenness that fit its first samples. `onset_sd_s`, `place_sd_mm`:
+  /// standard deviations of when it began and of where the finger rested.
+  void begin(double motion_log_rate, double motion_evenness, double onset_sd_s, double place_sd_mm);
+
+  /// `seconds` of motion, at most 12 ms, while the ridge normal that is felt stands at `felt_plate_deg`.
+  void move(double seconds, double felt_plate_deg);
+
+  /// `seconds` of rest: the person's clock stands still.
+  void rest(double seconds);
+
+  /// Takes a position in, unless its normalised innovation squared (chi-squared with 2 degrees of freedom if
+  /// the model holds) exceeds `gate`. Returns it.
+  double observe(double right_mm, double away_mm, double gate);
+
+  /// The place is void: the tracker has jumped, or the finger was lifted and set down.
+  void place_at(double right_mm, double away_mm);
+
+  /// The target has moved within the motion: asked to go in `virtual_direction_deg`, over a path that still
+  /// goes `longer_mm` further than it did. `answered`: the person turns now, or else within wander_s.
+  void retarget(double virtual_direction_deg, double longer_mm, bool answered);
+
+  /// The person's clock may be off by `seconds`, standard deviation.
+  void loosen_clock(double seconds);
+
+  const State& state() const { return state_; }
+  const Covariance& covariance() const { return covariance_; }
+  /// At a speed of the finger, which has come `travelled_mm`.
+  Illusion illusion(double speed_mm_s, double travelled_mm) const;
+  /// At the mean speed of the reach, ridges having been crossed.
+  Illusion mean_illusion() const { return illusion(mean_speed_mm_s(), path_mm_); }
+  double mean_speed_mm_s() const;
+  double path_mm() const { return path_mm_; }
+
+  /// G at a share of the path, with the fast part at `wander_deg`.
+  double goal_deg(double share, double wander_deg) const;
+  double goal_deg() const;
+
+  /// What this reach says of the person.
+  PersonBelief belief() const;
+
+ private:
+  void keep_in_range();
+
+  double virtual_direction_deg_;
+  double path_mm_;
+  TrackerNoise noise_;
+  double wander_sd_deg_;
+  State state_;
+  Covariance covariance_;
+};
+
+/// How the fast part of the goal decays.
+inline constexpr double wander_s = 0.3;
+/// Between plate and felt direction, in the person.
+inline constexpr double sensory_delay_s = 0.06;
+
+}  // namespace hrt

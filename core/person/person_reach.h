@@ -1,0 +1,98 @@
+// One reach of a person whose fingertip is tracked. A sample passes through
+//   estimate (person_estimator), aim, plan (reach_control), limit (plate_limits), command.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/reach/finger_sample.h"
+#include "core/plate/frame_error.h"
+#include "core/person/person_estimator.h"
+#include "core/plate/plate_limits.h"
+#include "core/plate/plate_model.h"
+#include "core/plate/plate_trace.h"
+#include "core/reach/reach.h"
+#include "core/person/reach_control.h"
+
+namespace hrt {
+
+struct PersonReachConfig {
+  PersonBelief person;  ///< is_valid(person)
+  ReachControlConfig control;
+  PlateDynamics plate;
+  std::optional<TrackerNoise> noise;    ///< of the tracker; none: learn it while the finger rests
+  std::int64_t tracker_latency_ns = 0;  ///< from a motion to the time of its sample, 0 to 0.5 s
+  std::int64_t step_period_ns = 100'000'000;
+  bool plate_waits = false;  ///< the plate stays where it stands until the finger moves
+  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; is_frame_covariance()
+};
+
+/// No heap, no lock, no exception. One thread at a time.
+class PersonReach {
+ public:
+  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  PersonReach(const PersonReachConfig& config, const Reach& reach,
+              const std::optional<ReachSoFar>& so_far = std::nullopt);
+
+  /// Takes one sample in, not before the last one's, of any observation but a direction.
+  PlateCommand update(const FingerSample& sample);
+
+  /// The reach goes to the place `real` from now on. `now` is the reach as seen from where the finger is: its
+  /// directions, distance and start are read.
+  void retarget(const PlatePoint& real, const Reach& now);
+
+  PlateCommand command() const { return command_; }
+  /// Where the finger is; none before it moves.
+  std::optional<PlatePoint> place() const;
+  /// Of the finger, as estimated; 0 before it moves, and at rest.
+  double speed_m_s() const;
+  /// A position has been seen.
+  bool seen() const { return position_ns_.has_value(); }
+  ReachSummary summary() const;
+  ReachSoFar so_far() const;
+
+  /// What the reach says of the person; none if it ended early, or did not fit the model.
+  std::optional<PersonBelief> learnt() const;
+
+ private:
+  struct Decision {
+    PlateOrientation plate;
+    double predicted_miss_deg = 0.0;
+  };
+  void stand_ready();
+  bool observe(const FingerSample& sample, double time_s);
+  Decision decide(double now_s);
+  PlateCommand publish(const FingerSample& sample, double now_s, bool decided);
+  void count(const PlateCommand& command, bool observed);
+  ReachAim aim() const;
+  double time_to_go_s(double now_s) const;
+  bool can_be_held() const;
+  double bearing_error_sd_deg() const;
+
+  PersonReachConfig config_;
+  Reach reach_;
+  PlatePoint target_;
+  // Of the target as seen from where the finger was when the reach was last aimed: its direction, and how
+  // much of a miss across the line there shows across the line from the start.
+  std::optional<PlatePoint> aimed_from_;  // none before retarget()
+  double aimed_direction_deg_;
+  double miss_share_ = 1.0;
+  double frame_sd_deg_;  // of the target's bearing from the start, by the frame's uncertainty
+  PersonEstimator estimator_;
+  PlateModel plate_;
+  PlateTrace trace_;
+  PlateLimits limits_;
+  Decision decision_;
+  PlateCommand command_;
+  ReachSummary counts_;
+  bool turned_ready_ = false;  // since the last sample
+  double seen_s_ = 0.0;        // time of the last sample
+  double slew_s_ = 0.0;
+  double square_felt_sum_deg2_ = 0.0;
+  std::int64_t felt_samples_ = 0;
+  std::int64_t counted_step_ = -1;
+  std::optional<std::int64_t> origin_ns_;  // time of the first sample
+  std::optional<std::int64_t> position_ns_;
+};
+
+}  // namespace hrt

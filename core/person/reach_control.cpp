@@ -1,0 +1,152 @@
+#include "core/person/reach_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/person/arrival.h"
+#include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr int dead_time_steps = 6;
+constexpr int arrival_nodes = 12;
+// Millimetres of miss a degree of change of the felt shift is worth.
+constexpr double change_weight_mm_deg = 0.08;
+// w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
+constexpr double weight_caution = 0.2;
+// The illusion is inverted for no less than this share of the mean speed.
+constexpr double least_speed_share = 0.2;
+
+// The finger as a plan carries it forward.
+struct Motion {
+  double direction_deg;
+  double phase;
+  double lateral_mm;  // from the line to the target, left positive
+  double wander_deg;
+  double shift_deg;  // felt at the end
+};
+
+Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
+                            const PlateOutlook& outlook) {
+  using F = PersonFilter;
+  const F::State& x = filter.state();
+  const double rate = exponential(x(F::log_rate));
+  const double k = x(F::gain);
+  const double arrives_s = outlook.now_s + outlook.latency_s;
+  const double step_s = (arrives_s + sensory_delay_s + outlook.slew_s - filter_s) / dead_time_steps;
+  const double wander_kept = exponential(-step_s / wander_s);
+  Motion motion{.direction_deg = x(F::direction),
+                .phase = x(F::phase),
+                .lateral_mm = (aim.right_mm - x(F::right)) * cos_deg(line_deg) +
+                              (aim.away_mm - x(F::away)) * sin_deg(line_deg),
+                .wander_deg = x(F::wander),
+                .shift_deg = 0.0};
+  double felt_plate_deg = 0.0;
+  const double mean_mm_s = filter.mean_speed_mm_s();
+  Illusion illusion{};
+  const double now_deg = outlook.past.at(outlook.now_s);
+  for (int i = 0; i < dead_time_steps; ++i) {
+    const double felt_s = filter_s + (i + 0.5) * step_s - sensory_delay_s;
+    const double ahead =
+        outlook.latency_s > 0.0 ? std::clamp((felt_s - outlook.now_s) / outlook.latency_s, 0.0, 1.0) : 1.0;
+    felt_plate_deg = felt_s <= outlook.now_s ? outlook.past.at(felt_s)
+                                             : now_deg + ahead * (outlook.after_latency_deg - now_deg);
+    const Progress p = progress(x(F::evenness), motion.phase + 0.5 * rate * step_s);
+    illusion = filter.illusion(mean_mm_s * p.rate, filter.path_mm() * p.share);
+    const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
+    const double felt_error_deg =
+        motion.direction_deg + g.shift_deg - filter.goal_deg(p.share, motion.wander_deg);
+    const double decay = k * step_s * std::max(0.0, 1.0 - g.by_offset);
+    const double turn_deg = -felt_error_deg * k * step_s / (1.0 + 0.5 * decay);
+    const double travel_mm = motion.phase >= 1.0 ? 0.0 : filter.path_mm() * rate * p.rate * step_s;
+    motion.lateral_mm += travel_mm * sin_deg(motion.direction_deg + 0.5 * turn_deg - line_deg);
+    motion.direction_deg += turn_deg;
+    motion.phase = std::min(1.0, motion.phase + rate * step_s);
+    motion.wander_deg *= wander_kept;
+  }
+  motion.shift_deg = felt_shift(illusion, felt_plate_deg - motion.direction_deg).shift_deg;
+  return motion;
+}
+
+// Miss at arrival without a felt shift, and what each degree of it adds.
+struct Arrival {
+  double miss_mm;
+  double leverage_mm_deg;
+};
+
+Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
+  using F = PersonFilter;
+  const F::State& x = filter.state();
+  const double rate = exponential(x(F::log_rate));
+  const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
+  const double step_s = remaining_s / arrival_nodes;
+  const double half_kept = exponential(-0.5 * x(F::gain) * step_s);
+  const double wander_kept = exponential(-step_s / wander_s);
+  Arrival arrival{from.lateral_mm, 0.0};
+  double direction_deg = from.direction_deg;
+  double unsteered = 1.0;  // share of Gamma that the person has not yet answered
+  double wander_deg = from.wander_deg;
+  for (int i = 0; i < arrival_nodes; ++i) {
+    const Progress p = progress(x(F::evenness), from.phase + (i + 0.5) * rate * step_s);
+    const double goal_deg = filter.goal_deg(p.share, wander_deg);
+    const double middle_deg = goal_deg + (direction_deg - goal_deg) * half_kept;
+    const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
+    const double sine = sin_deg(middle_deg - line_deg);
+    const double cosine = std::sqrt(std::max(0.0, 1.0 - sine * sine));
+    arrival.miss_mm += travel_mm * sine;
+    arrival.leverage_mm_deg -= travel_mm * cosine * rad_per_deg * (1.0 - unsteered * half_kept);
+    direction_deg = goal_deg + (middle_deg - goal_deg) * half_kept;
+    unsteered *= half_kept * half_kept;
+    wander_deg *= wander_kept;
+  }
+  return arrival;
+}
+
+}  // namespace
+
+ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s,
+                     const ReachAim& aim, const PlateOutlook& outlook) {
+  using F = PersonFilter;
+  const double line_deg = atan2_deg(-(aim.right_mm - aim.from_right_mm), aim.away_mm - aim.from_away_mm);
+  const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
+  const Arrival arrival = arrive(filter, motion, line_deg);
+
+  const double leverage = arrival.leverage_mm_deg;
+  const double hold_deg = motion.shift_deg;
+  double shift_deg = hold_deg - leverage * (arrival.miss_mm + leverage * hold_deg) /
+                                    (leverage * leverage + change_weight_mm_deg * change_weight_mm_deg);
+  const Progress p = progress(filter.state()(F::evenness), motion.phase);
+  const double error_deg = motion.direction_deg - filter.goal_deg(p.share, motion.wander_deg);
+  // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
+  const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
+  shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
+
+  const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
+  // At rest nothing is felt: the plate stands for the motion to come.
+  const double mean_mm_s = filter.mean_speed_mm_s();
+  Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, least_speed_share), filter.path_mm());
+  cautious.weight = std::max(0.03, cautious.weight - weight_caution * weight_sd);
+  const double largest_deg = largest_shift(cautious, config.bound_deg).shift_deg;
+  const double given_deg = std::clamp(shift_deg, -largest_deg, largest_deg);
+  return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),
+          .felt_error_deg = error_deg + given_deg,
+          .miss_mm = arrival.miss_mm + leverage * given_deg,
+          .at_bound = given_deg != shift_deg};
+}
+
+double ready_orientation_deg(const ReachControlConfig& config, const PersonFilter& resting,
+                             const ReachAim& aim) {
+  // It stands where the plan wants it as soon as the plan finds it standing there.
+  double ready_deg = 0.0;
+  for (int i = 0; i < 3; ++i) {
+    PlateTrace trace;
+    trace.add(0.0, ready_deg);
+    ready_deg =
+        plan_reach(config, resting, 0.0, aim, {trace, -sensory_delay_s, 0.0, ready_deg, 0.0}).plate_deg;
+  }
+  return ready_deg;
+}
+
+}  // namespace hrt

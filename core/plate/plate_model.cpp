@@ -1,0 +1,113 @@
+#include "core/plate/plate_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/math/time.h"
+
+namespace hrt {
+namespace {
+
+// Motion with an acceleration limit is integrated in steps of this; over a long gap in no more than so many.
+constexpr std::int64_t tick_ns = 4'000'000;
+constexpr std::uint64_t most_ticks = 500;
+
+}  // namespace
+
+bool is_valid(const PlateDynamics& dynamics) {
+  return dynamics.max_speed_deg_s > 0.0 && dynamics.max_acceleration_deg_s2 > 0.0 &&
+         dynamics.latency_ns >= 0 && dynamics.latency_ns <= 1'000'000'000 && is_valid(dynamics.stops);
+}
+
+PlateModel::PlateModel(const PlateDynamics& dynamics, double orientation_deg)
+    : dynamics_(dynamics), orientation_deg_(orientation_deg), target_deg_(orientation_deg) {}
+
+void PlateModel::advance(std::int64_t time_ns) {
+  if (!timed_) {
+    timed_ = true;
+    now_ns_ = time_ns;
+    // A command from before the clock was known.
+    if (pending_count_ > 0) pending_[0].effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
+  }
+  if (time_ns <= now_ns_) return;
+  const std::int64_t step_ns =
+      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns) / most_ticks));
+  while (now_ns_ < time_ns) {
+    int due = 0;
+    while (due < pending_count_ && pending_[due].effective_ns <= now_ns_)
+      target_deg_ = pending_[due++].orientation_deg;
+    std::move(pending_.begin() + due, pending_.begin() + pending_count_, pending_.begin());
+    pending_count_ -= due;
+    if (pending_count_ == 0 && orientation_deg_ == target_deg_) break;
+    std::int64_t until_ns = time_ns;
+    if (std::isfinite(dynamics_.max_acceleration_deg_s2))
+      until_ns = std::min(until_ns, later_ns(now_ns_, step_ns));
+    if (pending_count_ > 0) until_ns = std::min(until_ns, pending_[0].effective_ns);
+    turn(elapsed_s(now_ns_, until_ns));
+    now_ns_ = until_ns;
+  }
+  now_ns_ = time_ns;
+}
+
+void PlateModel::command(double orientation_deg) {
+  if (dynamics_.latency_ns == 0) {
+    pending_count_ = 0;
+    target_deg_ = orientation_deg;
+    if (std::isinf(dynamics_.max_speed_deg_s) && std::isinf(dynamics_.max_acceleration_deg_s2)) {
+      orientation_deg_ = orientation_deg;
+    }
+    return;
+  }
+  if (orientation_deg == (pending_count_ > 0 ? pending_[pending_count_ - 1].orientation_deg : target_deg_))
+    return;
+  const std::int64_t effective_ns = later_ns(now_ns_, dynamics_.latency_ns);
+  // As many as are kept, further apart than this, span more than the latency.
+  const auto apart_ns =
+      static_cast<std::uint64_t>(dynamics_.latency_ns) / static_cast<std::uint64_t>(pending_.size() - 1);
+  if (pending_count_ > 0 && elapsed_ns(pending_[pending_count_ - 1].effective_ns, effective_ns) <= apart_ns) {
+    pending_[pending_count_ - 1].orientation_deg = orientation_deg;
+    return;
+  }
+  pending_[pending_count_++] = {effective_ns, orientation_deg};
+}
+
+void PlateModel::report(double orientation_deg) {
+  orientation_deg_ = reported_orientation_deg(orientation_deg, orientation_deg_, dynamics_.stops);
+}
+
+double PlateModel::orientation_at_deg(std::int64_t time_ns) const {
+  if (orientation_deg_ == target_deg_ && pending_count_ == 0) return orientation_deg_;
+  PlateModel ahead = *this;
+  ahead.advance(time_ns);
+  return ahead.orientation_deg_;
+}
+
+// Half the time speeding up and half slowing down, or with a stretch at full speed between.
+double PlateModel::reach_deg(double seconds) const {
+  if (seconds <= 0.0) return 0.0;
+  const double acceleration = dynamics_.max_acceleration_deg_s2;
+  const double speed = dynamics_.max_speed_deg_s;
+  if (std::isinf(acceleration)) return speed * seconds;
+  if (acceleration * seconds <= 2.0 * speed) return 0.25 * acceleration * seconds * seconds;
+  return speed * (seconds - speed / acceleration);
+}
+
+// As fast as the target allows: never faster than it can still brake from.
+void PlateModel::turn(double seconds) {
+  const double to_go_deg = target_deg_ - orientation_deg_;
+  const double acceleration = dynamics_.max_acceleration_deg_s2;
+  double wanted_deg_s = std::min(dynamics_.max_speed_deg_s, std::abs(to_go_deg) / seconds);
+  if (std::isfinite(acceleration)) {
+    wanted_deg_s = std::min(wanted_deg_s, std::sqrt(2.0 * acceleration * std::abs(to_go_deg)));
+    wanted_deg_s = std::copysign(wanted_deg_s, to_go_deg);
+    speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -acceleration * seconds, acceleration * seconds);
+  } else {
+    speed_deg_s_ = std::copysign(wanted_deg_s, to_go_deg);
+  }
+  const double turned_deg = speed_deg_s_ * seconds;
+  const bool arrives = std::abs(to_go_deg - turned_deg) < 1e-9;
+  orientation_deg_ = arrives ? target_deg_ : orientation_deg_ + turned_deg;
+  if (arrives) speed_deg_s_ = 0.0;
+}
+
+}  // namespace hrt

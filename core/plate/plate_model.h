@@ -1,0 +1,70 @@
+// The plate's servo: where the ridges stand, and how soon they can stand elsewhere.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "core/plate/plate_limits.h"
+
+namespace hrt {
+
+/// A servo's abilities. The defaults are a plate that follows at once and turns freely.
+struct PlateDynamics {
+  double max_speed_deg_s = std::numeric_limits<double>::infinity();          ///< > 0
+  double max_acceleration_deg_s2 = std::numeric_limits<double>::infinity();  ///< > 0
+  std::int64_t latency_ns = 0;  ///< from a command to the first motion, 0 to 1 s
+  PlateStops stops;
+};
+
+/// True if every field is in its range.
+bool is_valid(const PlateDynamics& dynamics);
+
+/// Follows a plate through its commands and reports. No heap, no lock, no exception. One thread at a time.
+class PlateModel {
+ public:
+  /// At rest at `orientation_deg`. Requires is_valid(dynamics).
+  PlateModel(const PlateDynamics& dynamics, double orientation_deg);
+
+  /// Lets time pass until `time_ns`; earlier than now does nothing. The motion within a gap of more than two
+  /// seconds is integrated more coarsely.
+  void advance(std::int64_t time_ns);
+
+  /// Commands an orientation as of now.
+  void command(double orientation_deg);
+
+  /// The device reports where it stands now; see reported_orientation_deg().
+  void report(double orientation_deg);
+
+  /// Puts the plate there at once.
+  void put(double orientation_deg) { orientation_deg_ = target_deg_ = orientation_deg; }
+
+  /// Where the plate stands now.
+  double orientation_deg() const { return orientation_deg_; }
+
+  /// Where the plate will stand at `time_ns` with the commands it has, not before now.
+  double orientation_at_deg(std::int64_t time_ns) const;
+
+  /// How far the plate can turn in `seconds`, from rest to rest.
+  double reach_deg(double seconds) const;
+
+ private:
+  struct Command {
+    std::int64_t effective_ns;
+    double orientation_deg;
+  };
+  void turn(double seconds);
+
+  PlateDynamics dynamics_;
+  double orientation_deg_;
+  double speed_deg_s_ = 0.0;
+  double target_deg_;
+  std::int64_t now_ns_ = 0;
+  bool timed_ = false;
+  // Commands under way, oldest first. Of those that follow each other within 1/63 of the latency only the
+  // last is kept, early by no more than that.
+  std::array<Command, 64> pending_{};
+  int pending_count_ = 0;
+};
+
+}  // namespace hrt

@@ -1,0 +1,242 @@
+#include "core/plate/registration.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+#include "core/math/linear_algebra.h"
+
+namespace hrt {
+namespace {
+
+using Jacobian = Eigen::Matrix<double, 3, 7>;
+using Information = Eigen::Matrix<double, 7, 7>;
+
+constexpr double least_spread_m = 0.01;
+// Of the touch's deviation: so many squares is the assumed one worth.
+constexpr double assumed_squares = 6.0;
+constexpr double most_offset_sd_m = 0.005;
+constexpr double least_cosine_up = 0.5;
+// A tracker's unit of length is off by less.
+constexpr double least_scale = 0.5;
+constexpr double most_scale = 2.0;
+constexpr int touches_to_leave_one_out = 5;
+// Standard normal quantile of 99.9 %.
+constexpr double sure = 3.0902;
+
+// The 99.9 % quantile of chi-squared (Wilson and Hilferty, 1931).
+double chi_squared_limit(double freedom) {
+  const double ninth = 2.0 / (9.0 * freedom);
+  const double root = 1.0 - ninth + sure * std::sqrt(ninth);
+  return freedom * root * root * root;
+}
+
+double variance_of(double assumed_sd_m, double square_sum_m2, double freedom) {
+  return (assumed_squares * assumed_sd_m * assumed_sd_m + square_sum_m2) / (assumed_squares + freedom);
+}
+
+// Touches with at most one of them left out.
+class Touches {
+ public:
+  explicit Touches(std::span<const MarkTouch> all) : all_(all) {}
+  Touches without(std::size_t left_out) const {
+    Touches rest = *this;
+    rest.left_out_ = left_out;
+    return rest;
+  }
+
+  double count() const { return static_cast<double>(all_.size() - (left_out_ < all_.size() ? 1 : 0)); }
+  template <class Body>
+  void for_each(Body&& body) const {
+    for (std::size_t i = 0; i < all_.size(); ++i)
+      if (i != left_out_) body(all_[i]);
+  }
+
+ private:
+  std::span<const MarkTouch> all_;
+  std::size_t left_out_ = SIZE_MAX;
+};
+
+// Means, and sums of products of the deviations from them.
+struct Moments {
+  Eigen::Vector3d mark_m = Eigen::Vector3d::Zero();
+  Eigen::Vector3d touched_m = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d marks_m2 = Eigen::Matrix3d::Zero();
+  Eigen::Matrix3d touched_by_mark_m2 = Eigen::Matrix3d::Zero();
+};
+
+Moments moments_of(const Touches& touches) {
+  Moments result;
+  touches.for_each([&](const MarkTouch& touch) {
+    result.mark_m += touch.mark_m / touches.count();
+    result.touched_m += touch.touched_m / touches.count();
+  });
+  touches.for_each([&](const MarkTouch& touch) {
+    const Eigen::Vector3d mark_m = touch.mark_m - result.mark_m;
+    result.marks_m2 += mark_m * mark_m.transpose();
+    result.touched_by_mark_m2 += (touch.touched_m - result.touched_m) * mark_m.transpose();
+  });
+  return result;
+}
+
+// The second largest deviation of the marks from their mean: 0 on a line.
+bool is_degenerate(const Touches& touches) {
+  const double spread_m2 = singular_values(moments_of(touches).marks_m2).values(1);
+  return !(std::sqrt(spread_m2 / touches.count()) >= least_spread_m);
+}
+
+Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_m) {
+  return registration.scale * (registration.rotation * mark_m) + registration.position_m;
+}
+
+// Of predicted(), by the rotation about the plate's axes, the position and the scale.
+Jacobian jacobian(const Registration& registration, const Eigen::Vector3d& mark_m) {
+  Jacobian result;
+  for (int axis = 0; axis < 3; ++axis)
+    result.col(axis) =
+        registration.scale * (registration.rotation * Eigen::Vector3d::Unit(axis).cross(mark_m));
+  result.block<3, 3>(0, 3).setIdentity();
+  result.col(6) = registration.rotation * mark_m;
+  return result;
+}
+
+struct Fit {
+  Registration registration;
+  double square_sum_m2;
+  double freedom;
+};
+
+// Umeyama, equations 39 to 42.
+Fit fit(const RegistrationConfig& config, const Touches& touches) {
+  const Moments moments = moments_of(touches);
+  const SingularValues svd = singular_values(moments.touched_by_mark_m2);
+  const Eigen::Matrix3d left = svd.left;
+  const Eigen::Matrix3d right = svd.right;
+  Eigen::Vector3d signs = Eigen::Vector3d::Ones();
+  if (left.determinant() * right.determinant() < 0.0) signs(2) = -1.0;
+  Fit result{};
+  Registration& found = result.registration;
+  found.rotation = left * signs.asDiagonal() * right.transpose();
+  const double scale = svd.values.dot(signs) / moments.marks_m2.trace();
+  if (config.fit_scale && scale >= least_scale && scale <= most_scale) found.scale = scale;
+  found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
+  touches.for_each(
+      [&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
+  result.freedom = 3.0 * touches.count() - (config.fit_scale ? 7.0 : 6.0);
+  return result;
+}
+
+bool is_consistent(const RegistrationConfig& config, const Fit& fit) {
+  return fit.square_sum_m2 <= config.touch_sd_m * config.touch_sd_m * chi_squared_limit(fit.freedom);
+}
+
+Registration finished(const RegistrationConfig& config, const Fit& fit, const Touches& touches) {
+  Registration result = fit.registration;
+  result.verdict = RegistrationVerdict::holds;
+  const double variance_m2 = variance_of(config.touch_sd_m, fit.square_sum_m2, fit.freedom);
+  Information information = Information::Zero();
+  touches.for_each([&](const MarkTouch& touch) {
+    Jacobian j = jacobian(result, touch.mark_m);
+    if (!config.fit_scale) j.col(6).setZero();
+    information += product(j.transpose(), j) / variance_m2;
+  });
+  if (!config.fit_scale) information(6, 6) = 1.0;
+  result.covariance = inverse(information);
+  if (!config.fit_scale) result.covariance(6, 6) = 0.0;
+  result.touch_sd_m = std::sqrt(variance_m2);
+  result.residual_m = std::sqrt(fit.square_sum_m2 / touches.count());
+  return result;
+}
+
+bool is_upside_down(const RegistrationConfig& config, const Registration& found) {
+  const double length = config.up.norm();
+  return length > 0.0 && found.rotation.col(1).dot(config.up) < least_cosine_up * length;
+}
+
+Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch> given) {
+  if (given.size() < 3) return {};
+  const Touches touches(given);
+  Registration refused;
+  refused.verdict = RegistrationVerdict::degenerate;
+  if (is_degenerate(touches)) return refused;
+  const Fit all = fit(config, touches);
+  if (is_consistent(config, all)) return finished(config, all, touches);
+
+  // One bad touch spoils the fit of all, and of every four-fifths that contain it.
+  refused = finished(config, all, touches);
+  refused.verdict = RegistrationVerdict::inconsistent;
+  if (given.size() < touches_to_leave_one_out) return refused;
+  int fitting = 0;
+  Registration found;
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    const Touches rest = touches.without(i);
+    if (is_degenerate(rest)) continue;
+    const Fit of_rest = fit(config, rest);
+    if (!is_consistent(config, of_rest)) continue;
+    ++fitting;
+    found = finished(config, of_rest, rest);
+    found.left_out = static_cast<int>(i);
+  }
+  return fitting == 1 ? found : refused;
+}
+
+}  // namespace
+
+Registration fit_registration(const RegistrationConfig& config, std::span<const MarkTouch> touches) {
+  Registration found = fit_any(config, touches);
+  if (found.verdict == RegistrationVerdict::holds && is_upside_down(config, found))
+    found.verdict = RegistrationVerdict::upside_down;
+  return found;
+}
+
+double residual_m(const Registration& registration, const MarkTouch& touch) {
+  return (touch.touched_m - predicted(registration, touch.mark_m)).norm();
+}
+
+RegistrationCheck check_registration(const Registration& registration, const MarkTouch& touch) {
+  const Jacobian j = jacobian(registration, touch.mark_m);
+  Eigen::Matrix3d covariance = congruence(j.transpose(), registration.covariance);
+  covariance.diagonal().array() += registration.touch_sd_m * registration.touch_sd_m;
+  const Eigen::Vector3d off_m = touch.touched_m - predicted(registration, touch.mark_m);
+  const double deviation = std::sqrt(off_m.dot(solve_symmetric(covariance, off_m)));
+  const double limit = std::sqrt(chi_squared_limit(3.0));
+  const double distance_m = off_m.norm();
+  // In the direction of the touch; of a touch on the mark, on average.
+  const double sd_m = deviation > 0.0 ? distance_m / deviation : std::sqrt(covariance.trace() / 3.0);
+  return {.distance_m = distance_m, .allowed_m = limit * sd_m, .holds = deviation <= limit};
+}
+
+FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const TurnedTouch> touches) {
+  // joint_i + R_i offset - mark = 0, linear in (offset, mark). The mean joint is the origin, for accuracy.
+  FingertipOffset result{Eigen::Vector3d::Zero(), Eigen::Vector3d::Constant(HUGE_VAL), false};
+  if (touches.size() < 3) return result;
+  Eigen::Vector3d mean_m = Eigen::Vector3d::Zero();
+  for (const TurnedTouch& touch : touches) mean_m += touch.joint_m / static_cast<double>(touches.size());
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(6, 6);
+  Eigen::VectorXd moment = Eigen::VectorXd::Zero(6);
+  Eigen::Matrix<double, 3, 6> j;
+  j.rightCols<3>() = -Eigen::Matrix3d::Identity();
+  for (const TurnedTouch& touch : touches) {
+    j.leftCols<3>() = touch.joint_rotation;
+    information += product(j.transpose(), j);
+    moment -= product(j.transpose(), touch.joint_m - mean_m);
+  }
+  // The eigenvalues are at most 2 a touch; below this the joint was not turned.
+  if (singular_values(information).values(5) < 1e-6) return result;
+  const Eigen::MatrixXd inverted = inverse(information);
+  const Eigen::VectorXd solution = product(inverted, moment);
+  double square_sum_m2 = 0.0;
+  for (const TurnedTouch& touch : touches) {
+    j.leftCols<3>() = touch.joint_rotation;
+    square_sum_m2 += (touch.joint_m - mean_m + product(j, solution)).squaredNorm();
+  }
+  const double freedom = 3.0 * static_cast<double>(touches.size()) - 6.0;
+  const double variance_m2 = variance_of(config.touch_sd_m, square_sum_m2, freedom);
+  result.offset_m = solution.head<3>();
+  result.sd_m = (variance_m2 * inverted.diagonal().head<3>()).cwiseSqrt();
+  result.known = result.sd_m.maxCoeff() < most_offset_sd_m;
+  return result;
+}
+
+}  // namespace hrt

@@ -1,0 +1,32 @@
+// One tracked sample.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/plate/plate_frame.h"
+
+namespace hrt {
+
+/// The observation in a sample.
+enum class Observation {
+  none,       ///< nothing: tracking lost
+  lifted,     ///< the finger is off the plate: nothing is felt
+  direction,  ///< FingerSample::direction_deg
+  position,   ///< FingerSample::position
+};
+
+/// Fields that its observation does not name are not read.
+struct FingerSample {
+  std::int64_t time_ns = 0;  ///< the caller's monotonic clock; not before the last sample's
+  Observation observation = Observation::none;
+  double direction_deg = 0.0;  ///< finite
+  PlatePoint position;         ///< finite
+  /// Where the plate stands, if its device reports it.
+  std::optional<double> plate_orientation_deg;
+};
+
+/// Longest prediction without a sample: after it the place is unknown anyway.
+inline constexpr double max_gap_s = 2.0;
+
+}  // namespace hrt

@@ -1,0 +1,104 @@
+// The inputs and outputs of a reach: targets, commands, summary.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/paper/estimator.h"
+#include "core/paper/participant.h"
+#include "core/plate/plate_frame.h"
+#include "core/plate/plate_limits.h"
+#include "core/plate/plate_model.h"
+
+namespace hrt {
+
+/// A pair of targets seen from the start of the reach; directions in degrees from the mid-line.
+struct Reach {
+  double real_direction_deg;           ///< P_R, finite; within 90 of the goal: theta_V and the person's bias
+  double virtual_direction_deg;        ///< theta_V, finite
+  double plate_orientation_deg = 0.0;  ///< where the plate stands before the reach
+  PlatePoint start;                    ///< where the finger rests until it moves
+  double real_distance_m = 0.1;        ///< from the start to the real target, > 0
+  double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
+};
+
+/// True if every field is in its range, for this participant.
+bool is_valid(const Reach& reach, const Participant& participant);
+
+/// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
+struct ReachSoFar {
+  PlateModel plate;
+  double commanded_deg;
+  std::int64_t samples;
+  std::int64_t dropped_samples;
+};
+
+/// A command for the plate, with its reasons.
+struct PlateCommand {
+  double plate_orientation_deg = 0.0;    ///< T; which of those that feel the same, see plate_limits.h
+  double finger_direction_deg = 0.0;     ///< P, estimated or predicted
+  double perceived_direction_deg = 0.0;  ///< theta_hat at the end of this step; of a person: felt now
+  double aimed_direction_deg = 0.0;      ///< the wanted direction, if it can be held
+  double tactile_weight = 0.0;     ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
+  double tactile_weight_sd = 0.0;  ///< its standard deviation; 0 without adaptation
+  double distance_to_go_m = 0.0;   ///< to the real target's place; the whole until a position is seen
+  double time_to_go_s = 0.0;       ///< until the motion ends; 0 before it, and under the paper's controller
+  double felt_error_deg = 0.0;     ///< felt less intended direction, now, as estimated
+  double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
+  /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
+  /// start: by the filter and by the registration of the plate; 0 under the paper's controller.
+  double bearing_error_sd_deg = 0.0;
+  double nis = 0.0;        ///< normalised innovation squared of recent positions; 2 is expected
+  std::int64_t step = -1;  ///< model step; -1 before the finger moves
+  ActiveBound active = ActiveBound::none;  ///< the bound that holds the command
+  bool held = true;                        ///< no new decision was taken in this call
+  bool predicted = false;    ///< neither this step nor the one before has a sample: the finger is the model's
+  bool unreachable = false;  ///< this participant can't be held on the real direction
+  bool optimal = true;       ///< false: the solver's work was cut short; the command is within its bounds
+  bool misfit = false;       ///< the person does not move as the model does: do not trust the estimates
+  bool off_target = false;   ///< the finger is going to end beyond `near_deg` of the real target's bearing
+  bool resting = false;      ///< the finger rests within the reach
+};
+
+/// Within this of the real target's bearing, a reach ends on it.
+inline constexpr double near_deg = 1.5;
+
+/// A person as estimated in a reach; standard deviations are the filter's own.
+struct PersonEstimate {
+  double curve = 0.0;  ///< b of illusion.h: 0 is linear
+  double curve_sd = 0.0;
+  double gain_s = 0.0;  ///< k, 1/s
+  double gain_sd_s = 0.0;
+  double bias_deg = 0.0;  ///< goal less virtual direction
+  double bias_sd_deg = 0.0;
+  double habit_deg = 0.0;  ///< the goal bends from this to its opposite along the path
+  double habit_sd_deg = 0.0;
+  double duration_s = 0.0;  ///< of the motion
+};
+
+/// The outcome of a reach.
+struct ReachSummary {
+  std::int64_t steps = 0;               ///< model steps with samples
+  std::int64_t predicted_steps = 0;     ///< model steps without
+  std::int64_t saturated_steps = 0;     ///< of steps, those whose command the plate bound or a stop held
+  std::int64_t rate_limited_steps = 0;  ///< of steps, those whose command the rate bound held
+  std::int64_t samples = 0;
+  std::int64_t dropped_samples = 0;      ///< with nothing observed, or left out as outliers or duplicates
+  double final_direction_deg = 0.0;      ///< P of the last step, estimated or predicted
+  double final_miss_deg = 0.0;           ///< final_direction_deg - P_R
+  double perceived_direction_deg = 0.0;  ///< theta_hat of the last step
+  double perceived_error_deg = 0.0;      ///< perceived_direction_deg less theta_V and the configured bias
+  double distance_to_target_m = 0.0;     ///< from the last position, seen or predicted, to the real target's
+  double bearing_error_deg = 0.0;     ///< of the last position from the start, less P_R; 0 without positions
+  double bearing_error_sd_deg = 0.0;  ///< as in the last PlateCommand
+  double peak_felt_error_deg = 0.0;   ///< largest size of PlateCommand::felt_error_deg
+  double rms_felt_error_deg = 0.0;
+  double nis = 0.0;                      ///< as in PlateCommand, largest
+  bool unreachable = false;              ///< as in the last PlateCommand
+  bool misfit = false;                   ///< at any time
+  bool off_target = false;               ///< the finger ended beyond `near_deg` of the real target's bearing
+  FingerEstimate estimate;               ///< of w_T and tracker noise
+  std::optional<PersonEstimate> person;  ///< none without positions
+};
+
+}  // namespace hrt

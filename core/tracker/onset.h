@@ -1,0 +1,43 @@
+// When a finger at rest starts to move.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "core/plate/plate_frame.h"
+
+namespace hrt {
+
+/// Watches noisy positions for the start of a motion. No heap, no lock, no exception.
+class Onset {
+ public:
+  /// `averaged`: the mean of three positions decides and not a single one, which comes off by chance where
+  /// the noise is not known yet.
+  explicit Onset(bool averaged = false) : averaged_(averaged) {}
+
+  /// Takes one position in; `noise_m` is the standard deviation of its coordinates as far as it is
+  /// known. Returns true once the finger is four of them, and at least `least_travel_m`, from where it
+  /// rested; more while there are but a few samples.
+  bool observe(std::int64_t time_ns, const PlatePoint& position, double noise_m);
+
+  /// The last time at which the finger was still at rest, as far as the noise shows.
+  std::int64_t time_ns() const { return rest_ns_; }
+
+  /// Where it rested.
+  const PlatePoint& place() const { return place_; }
+
+  static constexpr double least_travel_m = 0.0002;
+
+ private:
+  PlatePoint mean_of_last() const;
+
+  bool averaged_;
+  int samples_ = 0;
+  int rested_ = 0;    // of the samples, those that place_ is made of
+  PlatePoint place_;  // mean of the positions at rest
+  std::array<PlatePoint, 3> last_{};
+  std::int64_t rest_ns_ = 0;
+};
+
+}  // namespace hrt

@@ -1,0 +1,193 @@
+#include "core/calibrate/calibration.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/simulation/calibration_trial.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double angles_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
+
+std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, int trials_an_angle,
+                                       std::uint32_t person = 0) {
+  std::vector<CalibrationTrial> trials;
+  std::uint32_t trial = 0;
+  for (const double angle_deg : angles_deg) {
+    for (int i = 0; i < trials_an_angle; ++i) {
+      trials.push_back(simulate_calibration_trial(condition, angle_deg,
+                                                  {.seed = 1, .condition = person, .trial = trial++}));
+    }
+  }
+  return trials;
+}
+
+Calibration calibrated(const std::vector<CalibrationTrial>& trials, const CalibrationConfig& config = {}) {
+  const auto result = calibrate(trials, config);
+  const auto* refusal = std::get_if<CalibrationRefusal>(&result);
+  EXPECT_EQ(refusal, nullptr) << refusal->reason;
+  return refusal ? Calibration{} : std::get<Calibration>(result);
+}
+
+std::string refused(const std::vector<CalibrationTrial>& trials, const CalibrationConfig& config = {}) {
+  const auto result = calibrate(trials, config);
+  const auto* refusal = std::get_if<CalibrationRefusal>(&result);
+  EXPECT_NE(refusal, nullptr);
+  return refusal ? refusal->reason : "";
+}
+
+// Straight paths at the directions of rest, by hand: P = (2 - 0.2 T) / 0.8 is w_T = 0.2 with a bias of 2.
+TEST(Calibration, StraightPathsByHand) {
+  std::vector<CalibrationTrial> trials;
+  for (const double angle_deg : angles_deg) {
+    for (int repeat = 0; repeat < 2; ++repeat) {
+      // A touch of difference between repeats, so that there is a residual to estimate.
+      const double direction_deg = (2.0 - 0.2 * angle_deg) / 0.8 + (repeat ? 0.01 : -0.01);
+      CalibrationTrial trial{.plate_orientation_deg = angle_deg, .samples = {}};
+      for (int i = 0; i <= 270; ++i) {
+        const double travel_m = 0.1 * i / 270.0;
+        trial.samples.push_back(
+            {i * 11'000'000LL, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
+      }
+      trials.push_back(trial);
+    }
+  }
+  const Calibration calibration = calibrated(trials);
+  EXPECT_NEAR(calibration.tactile_weight.value, 0.2, 1e-3);
+  EXPECT_NEAR(calibration.bias_deg.value, 2.0, 0.05);
+  EXPECT_NEAR(calibration.habit_deg.value, 0.0, 0.1);
+  EXPECT_LT(calibration.tactile_weight.lower, 0.2);
+  EXPECT_GT(calibration.tactile_weight.upper, 0.2);
+  ASSERT_EQ(calibration.slides.size(), 10U);
+  for (const CalibratedSlide& slide : calibration.slides)
+    EXPECT_NEAR(settled_direction_deg(slide.fitted_deg), settled_direction_deg(slide.parts_deg), 0.1);
+}
+
+// Straight paths with slopes that no w_T has, and so scattered that the interval reaches those of some.
+TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
+  std::vector<CalibrationTrial> trials;
+  for (const double angle_deg : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
+    for (const double scatter_deg : {-36.0, 36.0}) {
+      const double direction_deg = 1.64 * angle_deg + scatter_deg;
+      CalibrationTrial trial{.plate_orientation_deg = angle_deg, .samples = {}};
+      for (int i = 0; i <= 90; ++i) {
+        const double travel_m = 0.1 * i / 90.0;
+        trial.samples.push_back(
+            {i * 33'000'000LL, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
+      }
+      trials.push_back(trial);
+    }
+  }
+  EXPECT_NE(refused(trials).find("w_T is -0."), std::string::npos) << refused(trials);
+}
+
+// A slide is over where the tracker was away for long: a sample centuries later does not count.
+TEST(Calibration, ASampleAtTheEndOfTimeIsSurvived) {
+  auto trials = simulate({}, 3);
+  const CalibrationConfig config{.step_period_ns = 20'000'000};
+  const Calibration timely = calibrated(trials, config);
+  trials[7].samples.back().time_ns = std::numeric_limits<std::int64_t>::max();
+  const Calibration late = calibrated(trials, config);
+  EXPECT_NEAR(late.tactile_weight.value, timely.tactile_weight.value, 0.001);
+  EXPECT_NEAR(late.bias_deg.value, timely.bias_deg.value, 0.05);
+  EXPECT_TRUE(std::isfinite(late.motor_variance_deg2.value));
+  EXPECT_TRUE(std::isfinite(late.sensory_variance_deg2.value));
+}
+
+// The calibration's promise: unbiased under tracker noise, with intervals that mean what they say. 6 people
+// of 15 slides; binomial bounds on the number of 95 % intervals that cover the truth.
+TEST(Calibration, IntervalsCoverTheTruth) {
+  constexpr int people = 6;
+  int weight_covered = 0;
+  int bias_covered = 0;
+  int noise_covered = 0;
+  double weight_error = 0.0;
+  for (std::uint32_t person = 0; person < people; ++person) {
+    CalibrationCondition condition;
+    condition.participant.tactile_weight = 0.1 + 0.032 * person;
+    condition.participant.bias_deg = -3.0 + person;
+    const Calibration calibration = calibrated(simulate(condition, 3, person));
+    const auto covers = [](const Interval& interval, double truth) {
+      return interval.lower <= truth && truth <= interval.upper;
+    };
+    weight_covered += covers(calibration.tactile_weight, condition.participant.tactile_weight);
+    bias_covered += covers(calibration.bias_deg, condition.participant.bias_deg);
+    noise_covered += covers(calibration.noise.white_m, condition.tracker_noise_m);
+    weight_error += (calibration.tactile_weight.value - condition.participant.tactile_weight) / people;
+  }
+  // P(fewer than 4 of 6 at 95 %) is about 2e-3. Shares of many people: hrt-study coverage.
+  EXPECT_GE(weight_covered, 4);
+  EXPECT_GE(bias_covered, 4);
+  EXPECT_GE(noise_covered, 4);
+  EXPECT_NEAR(weight_error, 0.0, 0.006);
+}
+
+TEST(Calibration, VariancesAreLikeliestAndNeverKnown) {
+  CalibrationCondition condition;
+  condition.participant.motor_variance_deg2 = 1.0;
+  condition.tracker_noise_m = 0.0001;
+  const Calibration sharp = calibrated(simulate(condition, 8));
+  EXPECT_GT(sharp.motor_variance_deg2.value, 0.7);
+  EXPECT_LT(sharp.motor_variance_deg2.value, 1.4);
+  for (const Interval& interval : {sharp.motor_variance_deg2, sharp.sensory_variance_deg2}) {
+    EXPECT_FALSE(interval.known);
+    EXPECT_LE(interval.lower, interval.value);
+    EXPECT_GE(interval.upper, interval.value);
+  }
+}
+
+TEST(Calibration, RefusesTooFewData) {
+  const CalibrationCondition condition;
+  EXPECT_NE(refused({}).find("at least 10 are needed"), std::string::npos);
+  EXPECT_NE(refused(simulate(condition, 1)).find("at least 10 are needed"), std::string::npos);
+
+  std::vector<CalibrationTrial> one_angle;
+  for (std::uint32_t i = 0; i < 20; ++i) {
+    one_angle.push_back(simulate_calibration_trial(condition, 30.0, {.seed = 1, .condition = 0, .trial = i}));
+  }
+  EXPECT_NE(refused(one_angle).find("different angles"), std::string::npos);
+
+  CalibrationCondition numb = condition;
+  numb.participant.tactile_weight = 0.005;
+  EXPECT_NE(refused(simulate(numb, 4)).find("w_T is"), std::string::npos);
+
+  std::vector<CalibrationTrial> resting = simulate(condition, 2);
+  for (CalibrationTrial& trial : resting) {
+    for (TimedPoint& sample : trial.samples) sample.position = {};
+  }
+  EXPECT_NE(refused(resting).find("0 of 10"), std::string::npos);
+}
+
+TEST(Calibration, RefusesBrokenDataByName) {
+  std::vector<CalibrationTrial> trials = simulate({}, 2);
+  trials[3].samples[7].position.away_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(refused(trials), "trial 4, sample 8: the position is not finite");
+  trials = simulate({}, 2);
+  trials[0].samples[5].time_ns = trials[0].samples[4].time_ns;
+  EXPECT_EQ(refused(trials), "trial 1, sample 6: time does not increase");
+  trials[2].plate_orientation_deg = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number");
+  EXPECT_NE(refused({}, {.step_period_ns = 0}).find("step period"), std::string::npos);
+}
+
+// Mirrored slides over a mirrored plate: the same w_T, the opposite bias.
+TEST(Calibration, MirrorSymmetry) {
+  CalibrationCondition condition;
+  condition.participant.bias_deg = 2.0;
+  std::vector<CalibrationTrial> trials = simulate(condition, 3);
+  const Calibration one = calibrated(trials);
+  for (CalibrationTrial& trial : trials) {
+    trial.plate_orientation_deg = -trial.plate_orientation_deg;
+    for (TimedPoint& sample : trial.samples) sample.position.right_m = -sample.position.right_m;
+  }
+  const Calibration other = calibrated(trials);
+  EXPECT_NEAR(one.tactile_weight.value, other.tactile_weight.value, 1e-5);
+  EXPECT_NEAR(one.bias_deg.value, -other.bias_deg.value, 1e-3);
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,213 @@
+#include "core/paper/estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/tracker/onset.h"
+#include "core/paper/perception.h"
+#include "core/simulation/participant.h"
+#include "core/simulation/random.h"
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+TEST(PlatePoint, BearingIsPositiveToTheLeft) {
+  EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {0, 1}), 0.0);
+  EXPECT_DOUBLE_EQ(bearing_deg({0, 0}, {-1, 1}), 45.0);
+  EXPECT_DOUBLE_EQ(bearing_deg({0.1, 0.2}, {0.2, 0.2}), -90.0);
+  EXPECT_DOUBLE_EQ(distance_m({1, 1}, {4, 5}), 5.0);
+}
+
+TEST(Time, ElapsedAndLaterDoNotOverflow) {
+  constexpr auto least = std::numeric_limits<std::int64_t>::min();
+  constexpr auto most = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(elapsed_ns(least, most), std::numeric_limits<std::uint64_t>::max());
+  EXPECT_EQ(elapsed_ns(-3, 4), 7U);
+  EXPECT_EQ(later_ns(most - 1, 5), most);
+  EXPECT_EQ(later_ns(least, 5), least + 5);
+}
+
+// Two steps with exact directions and K = 1/2, w_T ~ N(0.15, 0.05^2), goal 0: P_0 = 0 under t = 60.
+// Predicted P_1 = -0.5 * 0.15 * 60 = -4.5, with variance 0.5 + (0.5 * 60 * 0.05)^2 = 2.75 and covariance
+// -30 * 0.0025 = -0.075 with w_T. Seen -6: w_T = 0.15 + 0.075 * 1.5 / 2.75.
+TEST(Estimator, LearnsTheTactileWeightFromOneStepByHand) {
+  Estimator estimator({.adapt = true}, Participant{}, 0.0, {});
+  estimator.observe_direction(0.0);
+  estimator.end_step(60.0, 0.5, 0.5);
+  EXPECT_NEAR(estimator.estimate().direction_deg, -4.5, 1e-9);
+  estimator.observe_direction(-6.0);
+  EXPECT_EQ(estimator.estimate().direction_deg, -6.0);
+  EXPECT_NEAR(estimator.estimate().tactile_weight, 0.15 + 0.075 * 1.5 / 2.75, 1e-6);
+  EXPECT_NEAR(estimator.estimate().tactile_weight_sd, std::sqrt(0.0025 + 1e-6 - 0.075 * 0.075 / 2.75), 1e-6);
+}
+
+TEST(Estimator, KeepsTheAssumedWeightWithoutAdaptation) {
+  Estimator estimator({.adapt = false}, Participant{}, 0.0, {});
+  for (int k = 0; k < 30; ++k) {
+    estimator.observe_direction(10.0 * k);
+    estimator.end_step(80.0, 0.85, 0.5);
+  }
+  EXPECT_EQ(estimator.estimate().tactile_weight, 0.15);
+  EXPECT_EQ(estimator.estimate().tactile_weight_sd, 0.0);
+}
+
+TEST(Estimator, KeepsTheWeightInItsRangeWhateverIsSeen) {
+  Estimator estimator({.adapt = true, .tactile_weight_sd = 0.4}, Participant{}, 0.0, {});
+  for (int k = 0; k < 200; ++k) {
+    estimator.observe_direction(k % 2 ? 90.0 : -90.0);
+    const FingerEstimate estimate = estimator.estimate();
+    EXPECT_GE(estimate.tactile_weight, Estimator::least_tactile_weight);
+    EXPECT_LE(estimate.tactile_weight, Estimator::most_tactile_weight);
+    EXPECT_TRUE(std::isfinite(estimate.tactile_weight_sd));
+    estimator.end_step(k % 3 ? 84.0 : -84.0, 0.85, 0.5);
+  }
+}
+
+// Straight on at 33 mm/s without noise: the filter finds speed and direction, and the noise is learnt away.
+TEST(Estimator, FindsSpeedAndDirectionOfExactPositions) {
+  Estimator estimator({}, Participant{}, 0.0, {});
+  for (int i = 1; i <= 90; ++i) {
+    const double travel_m = 0.033 * i / 90.0;
+    const PlatePoint place{-travel_m * sin_deg(12.0), travel_m * cos_deg(12.0)};
+    estimator.learn_tracker_noise(i * 11 * ms, place);
+    estimator.move(1.0 / 90.0);
+    EXPECT_TRUE(estimator.observe_position(place));
+  }
+  const FingerEstimate estimate = estimator.estimate();
+  EXPECT_NEAR(estimate.direction_deg, 12.0, 0.1);
+  EXPECT_NEAR(estimate.speed_m_s, 0.033, 0.0005);
+  EXPECT_LT(estimate.tracker_noise_m, 0.0001);
+}
+
+TEST(Estimator, LearnsTheTrackersNoiseAtAnyRate) {
+  for (const double noise_m : {0.0002, 0.0012, 0.002}) {
+    for (const double rate_hz : {40.0, 90.0, 1000.0}) {
+      Estimator estimator({}, Participant{}, 0.0, {});
+      for (std::uint32_t i = 0; i < 300; ++i) {
+        const auto noise = [&](std::uint32_t axis) {
+          return noise_m * standard_normal({.seed = 3, .condition = 0, .trial = axis, .step = i});
+        };
+        // Jittered sampling of a finger that moves.
+        const double time_s = (i + 0.3 * (i % 3)) / rate_hz;
+        estimator.learn_tracker_noise(static_cast<std::int64_t>(time_s * 1e9),
+                                      {noise(0), 0.033 * time_s + noise(1)});
+      }
+      EXPECT_NEAR(estimator.estimate().tracker_noise_m, noise_m, 0.15 * noise_m) << noise_m << ' ' << rate_hz;
+    }
+  }
+}
+
+TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
+  Estimator estimator({.tracker_noise_m = 0.001}, Participant{}, 0.0, {});
+  for (int i = 1; i <= 30; ++i) {
+    estimator.move(0.01);
+    EXPECT_TRUE(estimator.observe_position({0.0, 0.0003 * i}));
+  }
+  estimator.move(0.01);
+  EXPECT_FALSE(estimator.observe_position({0.05, 0.01}));
+  EXPECT_NEAR(estimator.estimate().position.right_m, 0.0, 0.001);
+  int left_out = 1;
+  while (!estimator.observe_position({0.05, 0.01})) {
+    estimator.move(0.01);
+    ASSERT_LT(++left_out, 10);
+  }
+  EXPECT_EQ(left_out, Estimator::most_outliers);
+  EXPECT_NEAR(estimator.estimate().position.right_m, 0.05, 0.001);
+}
+
+// One exact step with V = 0.5 that is off by 1.5: the samples narrow all of V, so the score is
+// (2.25 - 0.5) / (2 * 0.25) = 3.5 and the information 1 / (2 * 0.25) = 2, next to the prior's 4.
+TEST(Estimator, LearnsTheMotorVarianceByHand) {
+  Estimator estimator({}, Participant{}, 0.0, {});
+  estimator.observe_direction(0.0);
+  estimator.end_step(0.0, 0.5, 0.5);
+  estimator.observe_direction(1.5);
+  estimator.end_step(0.0, 0.5, 0.5);
+  EXPECT_NEAR(estimator.estimate().motor_variance_deg2, 0.5 + 3.5 / 6.0, 1e-6);
+  EXPECT_NEAR(estimator.estimate().motor_variance_sd_deg2, 1.0 / std::sqrt(6.0), 1e-6);
+}
+
+// The filter must be as sure as it is right: over reaches of participants drawn from what it assumes, the
+// mean of the normalised innovations and errors lies in its chi-squared interval.
+TEST(Estimator, IsConsistent) {
+  constexpr int reaches = 400;
+  constexpr double noise_m = 0.0012;
+  double innovations = 0.0;
+  double weight_errors = 0.0;
+  int samples = 0;
+  for (std::uint32_t trial = 0; trial < reaches; ++trial) {
+    const auto normal = [&](std::uint32_t draw) {
+      return standard_normal({.seed = 7, .condition = 0, .trial = trial, .step = draw});
+    };
+    Participant person;
+    person.tactile_weight = std::clamp(0.15 + 0.02 * normal(1'000'000), 0.08, 0.22);
+    constexpr double goal_deg = 5.0;
+    SimulatedParticipant participant(person, goal_deg);
+    Estimator estimator({.adapt = true, .tactile_weight_sd = 0.02, .tracker_noise_m = noise_m}, Participant{},
+                        goal_deg, {});
+    GainWindow gains(person, 1);
+    PlatePoint finger;
+    for (std::uint32_t k = 0; k < 30; ++k) {
+      for (std::uint32_t i = 0; i < 9; ++i) {
+        const double travel_m = 0.1 / 270.0;
+        finger.right_m -= travel_m * sin_deg(participant.finger_direction_deg());
+        finger.away_m += travel_m * cos_deg(participant.finger_direction_deg());
+        estimator.move(3.0 / 270.0);
+        const std::uint32_t draw = 1000 + 2 * (9 * k + i);
+        estimator.observe_position(
+            {finger.right_m + noise_m * normal(draw), finger.away_m + noise_m * normal(draw + 1)});
+        if (k >= 5) {
+          innovations += estimator.normalised_innovation();
+          ++samples;
+        }
+      }
+      const double plate_deg = goal_deg + 60.0 * std::sin(0.9 * k);
+      participant.step(plate_deg, normal(k));
+      const double gain = gains.data()[0];
+      estimator.end_step(plate_deg, gain, person.motor_variance_deg2 + gain * person.sensory_variance_deg2);
+      gains.advance();
+    }
+    const FingerEstimate estimate = estimator.estimate();
+    const double weight_error =
+        (estimate.tactile_weight - person.tactile_weight) / estimate.tactile_weight_sd;
+    weight_errors += weight_error * weight_error;
+  }
+  // Four standard deviations of a mean of chi-squared variables; the speed's random walk is wider than a
+  // constant speed needs, which makes the innovations a little small.
+  EXPECT_NEAR(innovations / samples, 2.0, 0.05);
+  EXPECT_NEAR(weight_errors / reaches, 1.0, 4.0 * std::sqrt(2.0 / reaches));
+}
+
+TEST(Onset, FingerAtRestDoesNotStart) {
+  Onset onset;
+  for (std::uint32_t i = 0; i < 1000; ++i) {
+    const auto noise = [&](std::uint32_t axis) {
+      return 0.001 * standard_normal({.seed = 5, .condition = 0, .trial = axis, .step = i});
+    };
+    ASSERT_FALSE(onset.observe(i * 10 * ms, {noise(0), 0.2 + noise(1)}, 0.0012)) << i;
+  }
+  EXPECT_NEAR(onset.place().away_m, 0.2, 0.0002);
+}
+
+// At rest until 200 ms, then 30 mm/s.
+TEST(Onset, ReportsWhenAnExactMotionStarted) {
+  Onset onset;
+  int i = 0;
+  for (;; ++i) {
+    const double away_m = 0.0003 * std::max(0, i - 20);
+    if (onset.observe(i * 10 * ms, {0.0, away_m}, 0.00001)) break;
+    ASSERT_LT(i, 40);
+  }
+  EXPECT_EQ(onset.time_ns(), 200 * ms);
+}
+
+}  // namespace
+}  // namespace hrt

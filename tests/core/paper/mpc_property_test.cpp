@@ -1,0 +1,180 @@
+// What holds for the controller whatever the problem.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/paper/mpc.h"
+#include "tests/core/heap_guard.h"
+#include "tests/core/paper/mpc_random_problem.h"
+#include "tests/core/paper/mpc_reference.h"
+
+namespace hrt {
+namespace {
+
+constexpr int horizons[] = {1, 2, 3, 7, 20, 50};
+
+TEST(MpcProperty, MirroredProblemsHaveMirroredOptima) {
+  Random random(1);
+  for (int i = 0; i < 3000; ++i) {
+    RandomProblem drawn(random, horizons[i % 6], i % 4 < 2);
+    MpcProblem mirrored = drawn.problem;
+    mirrored.finger_offset_deg = -mirrored.finger_offset_deg;
+    mirrored.real_offset_deg = -mirrored.real_offset_deg;
+    mirrored.plate_offset_deg = -mirrored.plate_offset_deg;
+    const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem);
+    const Mpc::Command mirror = Mpc(drawn.config).solve(mirrored);
+    EXPECT_EQ(command.plate_offset_deg, -mirror.plate_offset_deg) << i;
+  }
+}
+
+// One controller that meets problems in any order agrees with a fresh one for each.
+TEST(MpcProperty, WhatWasSolvedBeforeDoesNotMatter) {
+  for (const int horizon : horizons) {
+    for (const bool has_rate_bound : {false, true}) {
+      Random random(2);
+      const MpcConfig config = RandomProblem(random, horizon, has_rate_bound).config;
+      Mpc warm(config);
+      for (int i = 0; i < 1000; ++i) {
+        RandomProblem drawn(random, horizon, has_rate_bound);
+        MpcProblem& problem = drawn.problem;
+        problem.plate_offset_deg =
+            std::clamp(problem.plate_offset_deg, -config.plate_bound_deg, config.plate_bound_deg);
+        const double difference_deg =
+            warm.solve(problem).plate_offset_deg - Mpc(config).solve(problem).plate_offset_deg;
+        EXPECT_NEAR(difference_deg * problem.gains[0] * problem.tactile_weight, 0.0, 1e-12)
+            << "horizon " << horizon << " problem " << i;
+      }
+    }
+  }
+}
+
+TEST(MpcProperty, ThePlanStartsWithTheCommandAndKeepsTheBounds) {
+  Random random(3);
+  for (int i = 0; i < 6000; ++i) {
+    const RandomProblem drawn(random, horizons[i % 6], i % 4 < 2,
+                              i % 3 == 0 ? RandomGains::two_thirds_zero : RandomGains::felt);
+    const MpcConfig& config = drawn.config;
+    MpcPlan plan;
+    const Mpc::Command command = Mpc(config).solve(drawn.problem, &plan);
+    const Mpc::Command alone = Mpc(config).solve(drawn.problem);
+    EXPECT_EQ(command.plate_offset_deg, alone.plate_offset_deg);
+    EXPECT_EQ(command.active, alone.active);
+    EXPECT_EQ(command.optimal, alone.optimal);
+    EXPECT_EQ(command.plate_offset_deg, plan.plate_offset_deg[0]);
+    EXPECT_EQ(command.active, plan.active[0]);
+    double last_deg = drawn.problem.plate_offset_deg;
+    for (int k = 0; k < config.horizon; ++k) {
+      // A bound said to be active is met to the bit.
+      const double plate_deg = plan.plate_offset_deg[k];
+      const ActiveBound active = plan.active[k];
+      EXPECT_TRUE(active != ActiveBound::upper || plate_deg == config.plate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::lower || plate_deg == -config.plate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::rate_up || plate_deg == last_deg + config.plate_rate_bound_deg);
+      EXPECT_TRUE(active != ActiveBound::rate_down || plate_deg == last_deg - config.plate_rate_bound_deg);
+      EXPECT_LE(std::abs(plate_deg), config.plate_bound_deg);
+      EXPECT_LE(plate_deg, last_deg + config.plate_rate_bound_deg);
+      EXPECT_GE(plate_deg, last_deg - config.plate_rate_bound_deg);
+      last_deg = plate_deg;
+    }
+  }
+}
+
+// A window of 50 steps with slow turns can take more work than is allowed. The command then says so, and
+// keeps the bounds all the same.
+TEST(MpcProperty, WorkThatIsCutShortIsReported) {
+  Random random(6);
+  constexpr int problems = 3000;
+  int cut_short = 0;
+  for (int i = 0; i < problems; ++i) {
+    RandomProblem drawn(random, 50, true);
+    drawn.config.plate_rate_bound_deg = drawn.config.plate_bound_deg * std::exp(uniform(random, -6.0, 0.0));
+    MpcPlan plan;
+    const Mpc::Command command = Mpc(drawn.config).solve(drawn.problem, &plan);
+    double last_deg = drawn.problem.plate_offset_deg;
+    for (int k = 0; k < 50; ++k) {
+      const double plate_deg = plan.plate_offset_deg[k];
+      EXPECT_LE(std::abs(plate_deg), drawn.config.plate_bound_deg);
+      EXPECT_LE(plate_deg, last_deg + drawn.config.plate_rate_bound_deg);
+      EXPECT_GE(plate_deg, last_deg - drawn.config.plate_rate_bound_deg);
+      last_deg = plate_deg;
+    }
+    if (command.optimal && i % 100 != 0) continue;
+    LongVector plate(50);
+    for (int k = 0; k < 50; ++k) plate[k] = plan.plate_offset_deg[k];
+    const KktResidual residual = kkt_residual(dense_problem(drawn.config, drawn.problem), plate);
+    if (command.optimal) {
+      EXPECT_LT(residual.stationarity, 1e-9L) << i;
+    } else {
+      ++cut_short;
+    }
+  }
+  EXPECT_GT(cut_short, 0);
+  EXPECT_LT(cut_short, problems / 20);
+}
+
+// From anywhere, however far out of the bound, the plate turns no faster than it can, and is inside as soon
+// as it can be.
+TEST(MpcProperty, AnyPlateOrientationIsAnswered) {
+  Random random(4);
+  for (int i = 0; i < 3000; ++i) {
+    RandomProblem drawn(random, horizons[i % 6], true);
+    drawn.problem.plate_offset_deg = uniform(random, -400.0, 400.0);
+    const double rate_deg = drawn.config.plate_rate_bound_deg;
+    const double bound_deg = drawn.config.plate_bound_deg;
+    MpcPlan plan;
+    Mpc(drawn.config).solve(drawn.problem, &plan);
+    double last_deg = drawn.problem.plate_offset_deg;
+    for (int k = 0; k < drawn.config.horizon; ++k) {
+      const double plate_deg = plan.plate_offset_deg[k];
+      EXPECT_LE(std::abs(plate_deg - last_deg), rate_deg + 1e-12);
+      EXPECT_LE(std::abs(plate_deg), std::max(bound_deg, std::abs(last_deg) - rate_deg + 1e-12));
+      last_deg = plate_deg;
+    }
+  }
+}
+
+// A gain of 0 (a participant without noise) leaves the plate without effect: any answer within the bounds
+// is an optimum.
+TEST(MpcProperty, AWindowOfZeroGainsHoldsThePlate) {
+  const std::array<double, 5> nothing{};
+  for (const double rate_deg : {std::numeric_limits<double>::infinity(), 40.0}) {
+    for (const double finger_deg : {0.0, 3.0}) {
+      Mpc mpc({.horizon = 5, .plate_rate_bound_deg = rate_deg});
+      const double plate_deg = mpc.solve({finger_deg, -5.0, 0.15, 10.0, nothing.data()}).plate_offset_deg;
+      EXPECT_LE(std::abs(plate_deg), 84.5);
+      EXPECT_LE(std::abs(plate_deg - 10.0), rate_deg);
+    }
+  }
+}
+
+TEST(MpcProperty, DoesNotTouchTheHeap) {
+  Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    const RandomProblem drawn(random, horizons[i % 6], i % 4 < 2);
+    const HeapGuard no_heap;
+    MpcPlan plan;
+    Mpc mpc(drawn.config);
+    mpc.solve(drawn.problem, &plan);
+    mpc.solve(drawn.problem);
+  }
+}
+
+TEST(MpcProperty, InvalidSettingsAreRecognised) {
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_TRUE(is_valid(MpcConfig{}));
+  EXPECT_TRUE(is_valid(MpcConfig{.horizon = 50, .actual_weight = 0.0, .plate_rate_bound_deg = 0.1}));
+  for (const int horizon : {-1, 0, 51}) EXPECT_FALSE(is_valid(MpcConfig{.horizon = horizon}));
+  for (const double bad : {0.0, -1.0, nan, infinity})
+    EXPECT_FALSE(is_valid(MpcConfig{.perceived_weight = bad}));
+  for (const double bad : {-1.0, nan, infinity}) EXPECT_FALSE(is_valid(MpcConfig{.actual_weight = bad}));
+  for (const double bad : {0.0, -1.0, 90.1, nan, infinity})
+    EXPECT_FALSE(is_valid(MpcConfig{.plate_bound_deg = bad}));
+  for (const double bad : {0.0, -1.0, nan, -infinity})
+    EXPECT_FALSE(is_valid(MpcConfig{.plate_rate_bound_deg = bad}));
+}
+
+}  // namespace
+}  // namespace hrt

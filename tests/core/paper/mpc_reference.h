@@ -1,0 +1,46 @@
+// Two independent judges of the controller, both dense, in long double and straight from the definition of
+// the problem: a primal active-set solver and a residual of the optimality conditions.
+#pragma once
+
+#include <Eigen/Dense>
+#include <vector>
+
+#include "core/paper/mpc.h"
+
+// Widening double to long double is the point here.
+#pragma GCC diagnostic ignored "-Wdouble-promotion"
+
+namespace hrt {
+
+using LongVector = Eigen::Matrix<long double, Eigen::Dynamic, 1>;
+using LongMatrix = Eigen::Matrix<long double, Eigen::Dynamic, Eigen::Dynamic>;
+
+/// The controller's problem as a general one: minimise t' hessian t / 2 + gradient' t subject to
+/// rows t <= limits, over the plate offsets t in degrees. Half the window's cost, without its constant part.
+struct DenseProblem {
+  LongMatrix hessian;
+  LongVector gradient;
+  LongMatrix rows;
+  LongVector limits;
+};
+
+/// Writes the problem out. The plate must be able to reach the plate bound in one step.
+DenseProblem dense_problem(const MpcConfig& config, const MpcProblem& problem);
+
+/// The optimum by a primal active-set method from the feasible `start`. Stops the test if it does not end.
+LongVector dense_optimum(const DenseProblem& problem, const LongVector& start);
+
+/// Some plate offsets within all bounds.
+LongVector feasible_start(const MpcConfig& config, const MpcProblem& problem);
+
+/// How far `plate` is from meeting the Karush-Kuhn-Tucker conditions.
+struct KktResidual {
+  long double stationarity;  ///< |gradient of half the cost + rows' multipliers|, least over multipliers >= 0
+  long double violation_deg;  ///< of the worst bound
+};
+KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);
+
+/// The cost of the plate offsets `plate` from the definition.
+double window_cost(const MpcConfig& config, const MpcProblem& problem, const std::vector<double>& plate);
+
+}  // namespace hrt

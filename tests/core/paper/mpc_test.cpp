@@ -1,0 +1,247 @@
+#include "core/paper/mpc.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+#include "tests/core/paper/mpc_reference.h"
+
+namespace hrt {
+namespace {
+
+constexpr std::array<double, max_horizon> steady_gains() {
+  std::array<double, max_horizon> gains{};
+  gains.fill(0.85);
+  return gains;
+}
+constexpr auto gains = steady_gains();
+
+double perceived_error(const Mpc::Command& command, const MpcProblem& problem) {
+  return problem.gains[0] * (problem.tactile_weight * command.plate_offset_deg +
+                             (1.0 - problem.tactile_weight) * problem.finger_offset_deg);
+}
+
+// p_k+steps if the plate follows `plan`.
+double finger_after(const MpcProblem& problem, const MpcPlan& plan, int steps) {
+  double finger_deg = problem.finger_offset_deg;
+  for (int i = 0; i < steps; ++i)
+    finger_deg -=
+        problem.gains[i] * (problem.tactile_weight * ridge_normal_deg(plan.plate_offset_deg[i], 0.0) +
+                            (1.0 - problem.tactile_weight) * finger_deg);
+  return finger_deg;
+}
+
+// Away from the bound e_k = g_N (p_k - p_R), g_N a ratio of Fibonacci numbers.
+TEST(Mpc, UnconstrainedGains) {
+  const MpcProblem problem{1.0, -0.5, 0.15, 0.0, gains.data()};
+  const double expected[] = {0.0, 1.0 / 2.0, 3.0 / 5.0, 8.0 / 13.0, 21.0 / 34.0};
+  for (int horizon = 1; horizon <= 5; ++horizon) {
+    Mpc mpc({.horizon = horizon});
+    const Mpc::Command command = mpc.solve(problem);
+    EXPECT_EQ(command.active, ActiveBound::none);
+    EXPECT_NEAR(perceived_error(command, problem), expected[horizon - 1] * 1.5, 1e-12) << horizon;
+  }
+}
+
+// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85: e_0 = 12 / 2 = 6, so t_0 = 6 / (0.85 * 0.1) = 70.59.
+//
+// N = 3: the free optimum's second step would need t_1 = 93, so t_1 stands at the bound and
+// e_1 = 0.85 (0.1 * 84.5 - 0.9 e_0) = 7.1825 - 0.765 e_0, x_1 = 12 - e_0, x_2 = 4.8175 - 0.235 e_0, e_2 = 0.
+// d/de_0 of e_0^2 + e_1^2 + x_1^2 + x_2^2 vanishes at e_0 = (12 + 0.765 * 7.1825 + 0.235 * 4.8175) / 2.64045.
+TEST(Mpc, SaturatedSecondStepByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gains.data()};
+  EXPECT_NEAR(Mpc({.horizon = 2}).solve(problem).plate_offset_deg, 6.0 / 0.085, 1e-10);
+  MpcPlan plan;
+  const Mpc::Command command = Mpc({.horizon = 3}).solve(problem, &plan);
+  const double e_0 = (12.0 + 0.765 * 7.1825 + 0.235 * 4.8175) / 2.64045;
+  EXPECT_NEAR(command.plate_offset_deg, e_0 / 0.085, 1e-10);
+  EXPECT_EQ(plan.active[0], ActiveBound::none);
+  EXPECT_EQ(plan.active[1], ActiveBound::upper);
+  EXPECT_EQ(plan.active[2], ActiveBound::none);
+}
+
+// The same with p_R = -14: (14 + 0.765 * 7.1825 + 0.235 * 6.8175) / 2.64045 = 7.99, but the bound only
+// gives e_0 = 0.085 * 84.5 = 7.18.
+TEST(Mpc, SaturatedFirstStepByHand) {
+  const MpcProblem problem{0.0, -14.0, 0.1, 0.0, gains.data()};
+  const Mpc::Command command = Mpc({.horizon = 3}).solve(problem);
+  EXPECT_EQ(command.active, ActiveBound::upper);
+  EXPECT_DOUBLE_EQ(command.plate_offset_deg, 84.5);
+}
+
+// N = 2, p_k = 0, p_R = -12, w = 0.1, K = 0.85, q = 1: the second step costs nothing but its miss, so it
+// stands where e_1 = 0, and only t_0 matters: it wants 6 / 0.085 = 70.59, and from 20 it gets to 20 + 40.
+// Then p_1 = -0.085 * 60 = -5.1, and e_1 = 0 where t_1 = 0.9 * 5.1 / 0.1 = 45.9, within 40 of 60.
+TEST(Mpc, RateBoundOnTheFirstStepByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 20.0, gains.data()};
+  MpcPlan plan;
+  const Mpc::Command command = Mpc({.horizon = 2, .plate_rate_bound_deg = 40.0}).solve(problem, &plan);
+  EXPECT_EQ(command.active, ActiveBound::rate_up);
+  EXPECT_DOUBLE_EQ(command.plate_offset_deg, 60.0);
+  EXPECT_NEAR(plan.plate_offset_deg[1], 45.9, 1e-12);
+  EXPECT_EQ(plan.active[1], ActiveBound::none);
+  EXPECT_NEAR(finger_after(problem, plan, 1), -5.1, 1e-12);
+  EXPECT_NEAR(finger_after(problem, plan, 2), -5.1, 1e-12);
+}
+
+// The same from 50 with R = 10. The first step gets to 60 at most, and the second, which wants 45.9, no
+// lower than 50: e_1 = 0.85 (5 - 0.9 * 5.1) = 0.3485. That coupling pulls t_0 down, not enough to leave 60:
+// with t_1 = t_0 - 10, e_0 = 0.085 t_0, e_1 = 0.085 t_0 - 0.85 - 0.765 e_0 = 0.019975 t_0 - 0.85 and
+// x_1 = 12 - e_0, half the derivative by t_0 is 0.085 e_0 + 0.019975 e_1 - 0.085 x_1 = -0.146 at 60.
+TEST(Mpc, RateBoundOnBothStepsByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 50.0, gains.data()};
+  MpcPlan plan;
+  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(problem, &plan);
+  EXPECT_EQ(plan.active[0], ActiveBound::rate_up);
+  EXPECT_EQ(plan.active[1], ActiveBound::rate_down);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], 60.0);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], 50.0);
+  EXPECT_NEAR(finger_after(problem, plan, 1) - finger_after(problem, plan, 2), 0.3485, 1e-12);
+}
+
+// From 65 with R = 10 neither bound on t_0 holds, but t_0 and t_1 stay 10 apart: the derivative above
+// vanishes where (0.085^2 + 0.019975^2 + 0.085^2) t_0 = 0.085 * 12 + 0.019975 * 0.85.
+TEST(Mpc, RateBoundCouplesTwoFreeStepsByHand) {
+  const MpcProblem problem{0.0, -12.0, 0.1, 65.0, gains.data()};
+  MpcPlan plan;
+  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(problem, &plan);
+  const double t_0 = (0.085 * 12.0 + 0.019975 * 0.85) / (2.0 * 0.085 * 0.085 + 0.019975 * 0.019975);
+  EXPECT_NEAR(plan.plate_offset_deg[0], t_0, 1e-10);  // 69.84
+  EXPECT_NEAR(plan.plate_offset_deg[1], t_0 - 10.0, 1e-10);
+  EXPECT_EQ(plan.active[0], ActiveBound::none);
+  EXPECT_EQ(plan.active[1], ActiveBound::rate_down);
+}
+
+// N = 3 with a gain of 0 at the second step, p_k = 0, p_R = -12, w = 0.1, from 0 with R = 40. The first step
+// wants more than 40 and gets 40: p = -0.085 * 40 = -3.4. The last one stands where e = 0: 0.9 * 3.4 / 0.1
+// = 30.6.
+TEST(Mpc, TurnsThroughAStepThatIsNotFeltByHand) {
+  const std::array<double, 3> gap_gains{0.85, 0.0, 0.85};
+  const MpcProblem problem{0.0, -12.0, 0.1, 0.0, gap_gains.data()};
+  MpcPlan plan;
+  const Mpc::Command command = Mpc({.horizon = 3, .plate_rate_bound_deg = 40.0}).solve(problem, &plan);
+  EXPECT_TRUE(command.optimal);
+  EXPECT_EQ(command.active, ActiveBound::rate_up);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], 40.0);
+  EXPECT_NEAR(plan.plate_offset_deg[2], 30.6, 1e-12);
+  EXPECT_EQ(plan.active[2], ActiveBound::none);
+  // The second step wants e = 0 at 0. From -70 with R = 10 the first one, which is not felt, turns towards
+  // it.
+  const std::array<double, 2> late_gains{0.0, 0.85};
+  const MpcProblem late{0.0, -12.0, 0.1, -70.0, late_gains.data()};
+  Mpc({.horizon = 2, .plate_rate_bound_deg = 10.0}).solve(late, &plan);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], -60.0);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], -50.0);
+}
+
+// A new goal can leave the plate out of the bound about it. It comes back at full speed, and once it can
+// be inside within a step the optimum is exact again: it is that of the shorter window from there.
+TEST(Mpc, ComesBackIntoTheBoundAtFullSpeed) {
+  const MpcConfig config{.horizon = 5, .plate_rate_bound_deg = 40.0};
+  const MpcProblem problem{3.0, -2.0, 0.15, -170.0, gains.data()};
+  MpcPlan plan;
+  EXPECT_EQ(Mpc(config).solve(problem, &plan).active, ActiveBound::rate_up);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[0], -130.0);
+  EXPECT_DOUBLE_EQ(plan.plate_offset_deg[1], -90.0);
+  EXPECT_EQ(plan.active[1], ActiveBound::rate_up);
+  // At -130 the ridges feel as at 50, at -90 as at -90.
+  const double after_1 = 3.0 - gains[0] * (0.15 * 50.0 + 0.85 * 3.0);
+  const double after_2 = after_1 - gains[0] * (0.15 * -90.0 + 0.85 * after_1);
+  MpcConfig shorter = config;
+  shorter.horizon = 3;
+  MpcProblem from_there = problem;
+  from_there.finger_offset_deg = after_2;
+  from_there.plate_offset_deg = -90.0;
+  EXPECT_NEAR(Mpc(shorter).solve(from_there).plate_offset_deg, plan.plate_offset_deg[2], 1e-10);
+  EXPECT_GE(plan.plate_offset_deg[2], -84.5);
+}
+
+// w_T = 0.1 and a gap of 10 need 0.9 / 0.1 * 10 = 90 degrees: at rest the optimum touches the bound of 90
+// at every step without being pressed against it. Methods that trust rounding cycle here.
+TEST(Mpc, SettlesWhereEveryStepJustTouchesTheBound) {
+  for (const double real : {-10.0, 10.0}) {
+    for (const double rate : {std::numeric_limits<double>::infinity(), 45.0, 40.0}) {
+      for (const int horizon : {3, 10, 50}) {
+        Mpc mpc({.horizon = horizon, .plate_bound_deg = 90.0, .plate_rate_bound_deg = rate});
+        double finger = 0.0;
+        double plate = 0.0;
+        MpcPlan plan;
+        for (int k = 0; k < 60; ++k) {
+          const MpcProblem problem{finger, real, 0.1, plate, gains.data()};
+          plate = mpc.solve(problem, &plan).plate_offset_deg;
+          finger = finger_after(problem, plan, 1);
+        }
+        for (int i = 0; i < horizon; ++i)
+          EXPECT_NEAR(plan.plate_offset_deg[i], -9.0 * real, 1e-9) << horizon << ' ' << rate;
+        EXPECT_NEAR(finger, real, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(Mpc, NoGridPointBeatsTheOptimum) {
+  const MpcConfig config{.horizon = 3};
+  for (const double w : {0.05, 0.1, 0.15, 0.3}) {
+    for (const double finger : {-25.0, -9.4, -3.0, 0.0, 2.0, 12.0}) {
+      for (const double real : {-12.0, -10.0, 0.0, 5.0}) {
+        const MpcProblem problem{finger, real, w, 0.0, gains.data()};
+        MpcPlan plan;
+        Mpc(config).solve(problem, &plan);
+        const std::vector<double> optimum(plan.plate_offset_deg.begin(), plan.plate_offset_deg.begin() + 3);
+        const double best = window_cost(config, problem, optimum);
+        for (int a = -20; a <= 20; ++a) {
+          for (int b = -20; b <= 20; ++b) {
+            for (int c = -20; c <= 20; ++c) {
+              const double cost = window_cost(config, problem, {a * 4.225, b * 4.225, c * 4.225});
+              ASSERT_GE(cost, best - 1e-9 * (1.0 + best)) << w << ' ' << finger << ' ' << real;
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(Mpc, NoGridPointWithinTheRateBoundBeatsTheOptimum) {
+  for (const double rate : {5.0, 20.0, 60.0}) {
+    const MpcConfig config{.horizon = 3, .plate_rate_bound_deg = rate};
+    for (const double w : {0.05, 0.15, 0.3}) {
+      for (const double finger : {-12.0, 0.0, 6.0}) {
+        for (const double real : {-12.0, 0.0, 5.0}) {
+          for (const double plate : {-84.5, -10.0, 70.0}) {
+            const MpcProblem problem{finger, real, w, plate, gains.data()};
+            MpcPlan plan;
+            Mpc(config).solve(problem, &plan);
+            const std::vector<double> optimum(plan.plate_offset_deg.begin(),
+                                              plan.plate_offset_deg.begin() + 3);
+            double last = plate;
+            for (const double offset : optimum) {
+              EXPECT_LE(std::abs(offset - last), rate + 1e-9);
+              EXPECT_LE(std::abs(offset), 84.5 + 1e-9);
+              last = offset;
+            }
+            const double best = window_cost(config, problem, optimum);
+            const auto turn = [&](double from, int share) {
+              return std::clamp(from + rate * share / 8.0, -84.5, 84.5);
+            };
+            for (int a = -8; a <= 8; ++a) {
+              for (int b = -8; b <= 8; ++b) {
+                for (int c = -8; c <= 8; ++c) {
+                  const double first = turn(plate, a);
+                  const double second = turn(first, b);
+                  const double cost = window_cost(config, problem, {first, second, turn(second, c)});
+                  ASSERT_GE(cost, best - 1e-9 * (1.0 + best))
+                      << rate << ' ' << w << ' ' << finger << ' ' << real;
+                }
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,342 @@
+#include "core/paper/paper_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/simulation/participant.h"
+#include "core/simulation/random.h"
+#include "core/simulation/sliding_finger.h"
+
+namespace hrt {
+namespace {
+
+double final_direction_deg(const PaperReachConfig& config, const Reach& reach, double noise_scale,
+                           std::uint32_t trial) {
+  PaperReach led(config, reach);
+  SimulatedParticipant participant(config.participant, reach.virtual_direction_deg);
+  for (std::uint32_t k = 0; k < 30; ++k) {
+    const PlateCommand command = led.step(participant.finger_direction_deg());
+    participant.step(command.plate_orientation_deg,
+                     noise_scale * standard_normal({.seed = 1, .condition = 0, .trial = trial, .step = k}));
+  }
+  return participant.finger_direction_deg();
+}
+
+TEST(PaperReach, LeadsAParticipantWithoutNoiseToTheRealTarget) {
+  const PaperReachConfig config;
+  EXPECT_NEAR(final_direction_deg(config, {.real_direction_deg = 5, .virtual_direction_deg = -5}, 0.0, 0),
+              5.0, 1e-9);
+}
+
+// Paper Fig. 8: with the plate at 0 the finger ends at P = theta_V / (1 - w_T) = -5.88.
+TEST(PaperReach, FixedPlateDoesNotCorrect) {
+  const PaperReachConfig config{.fixed_plate_orientation_deg = 0.0};
+  EXPECT_NEAR(final_direction_deg(config, {.real_direction_deg = 5, .virtual_direction_deg = -5}, 0.0, 0),
+              -5.0 / 0.85, 1e-9);
+}
+
+// Condition 1 of Table I: 92.8 % within 1.5 degrees; 4 standard errors of 2,000 trials are 2.3 %.
+TEST(PaperReach, ConditionOneOfTableOne) {
+  const PaperReachConfig config;
+  int hits = 0;
+  for (std::uint32_t trial = 0; trial < 2000; ++trial) {
+    const double final_deg =
+        final_direction_deg(config, {.real_direction_deg = -5, .virtual_direction_deg = 5}, 1.0, trial);
+    hits += std::abs(final_deg + 5.0) <= 1.5;
+  }
+  EXPECT_NEAR(hits / 2000.0, 0.928, 0.023);
+}
+
+// A person with a bias of 3 who sees the target at 2 goes for 5.
+TEST(PaperReach, APersonsBiasShiftsTheGoal) {
+  PaperReachConfig biased;
+  biased.participant.bias_deg = 3.0;
+  PaperReach a(biased, {.real_direction_deg = -5, .virtual_direction_deg = 2});
+  PaperReach b({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
+  for (int k = 0; k < 10; ++k) {
+    const PlateCommand command = a.step(std::sin(k));
+    EXPECT_EQ(command.plate_orientation_deg, b.step(std::sin(k)).plate_orientation_deg);
+    EXPECT_NE(command.plate_orientation_deg, 0.0);
+  }
+  EXPECT_EQ(a.summary().perceived_error_deg, b.summary().perceived_error_deg);
+}
+
+constexpr std::int64_t ms = 1'000'000;
+
+FingerSample position(std::int64_t time_ns, const PlatePoint& place) {
+  return {.time_ns = time_ns, .observation = Observation::position, .position = place};
+}
+
+FingerSample direction(std::int64_t time_ns, double direction_deg) {
+  return {.time_ns = time_ns, .observation = Observation::direction, .direction_deg = direction_deg};
+}
+
+// A participant without noise who slides at 33.3 mm/s, seen `rate_hz` times a second from time `phase_ns`
+// before the motion starts; returns the final direction.
+struct StreamedReach {
+  double rate_hz = 90.0;
+  std::int64_t phase_ns = 0;
+  int dropped_from = -1;  // no samples from this step ..
+  int dropped_to = -1;    // .. to before this one
+
+  ReachSummary summary{};
+  double final_direction_deg = 0.0;
+
+  void run() {
+    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5, .start = {0.0, -0.05}});
+    SimulatedParticipant participant(Participant{}, -5.0);
+    SlidingFinger finger({0.0, -0.05}, 0.1, 3.0);
+    const auto move_to = [&](std::int64_t time_ns) {
+      finger.slide(static_cast<double>(time_ns) * 1e-9, participant.finger_direction_deg());
+    };
+    int step = 0;
+    for (int i = 0; step < 30; ++i) {
+      const std::int64_t time_ns = -phase_ns + static_cast<std::int64_t>(i * 1e9 / rate_hz);
+      while (step < 30 && time_ns >= (step + 1) * 100 * ms) {
+        move_to((step + 1) * 100 * ms);
+        participant.step(led.command().plate_orientation_deg, 0.0);
+        ++step;
+      }
+      move_to(time_ns);
+      if (step >= dropped_from && step < dropped_to) continue;
+      led.update(position(time_ns, finger.place()));
+    }
+    summary = led.summary();
+    final_direction_deg = participant.finger_direction_deg();
+  }
+};
+
+TEST(PaperReach, StreamedPositionsLeadToTheRealTargetAtAnyRateAndPhase) {
+  for (const double rate_hz : {40.0, 90.0, 240.0, 1000.0}) {
+    for (const std::int64_t phase_ns : {0 * ms, 7 * ms, 50 * ms, 1234 * ms}) {
+      StreamedReach reach{.rate_hz = rate_hz, .phase_ns = phase_ns};
+      reach.run();
+      EXPECT_NEAR(reach.final_direction_deg, 5.0, 0.2) << rate_hz << ' ' << phase_ns;
+      EXPECT_EQ(reach.summary.predicted_steps, 0) << rate_hz << ' ' << phase_ns;
+    }
+  }
+}
+
+TEST(PaperReach, ADropoutHoldsThenRecovers) {
+  StreamedReach reach{.dropped_from = 10, .dropped_to = 15};
+  reach.run();
+  EXPECT_NEAR(reach.final_direction_deg, 5.0, 0.2);
+  EXPECT_GE(reach.summary.predicted_steps, 4);
+  EXPECT_LE(reach.summary.predicted_steps, 5);
+}
+
+// Exact directions once a step are the paper's loop, to the bit.
+TEST(PaperReach, DirectionSamplesAreThePapersLoop) {
+  const Reach reach{.real_direction_deg = 0, .virtual_direction_deg = 10};
+  PaperReach streamed({}, reach);
+  PaperReach stepped({}, reach);
+  for (int k = 0; k < 30; ++k) {
+    const double direction_deg = 3.0 * std::sin(k * 1.7);
+    const PlateCommand a = streamed.update(direction(k * 100 * ms, direction_deg));
+    const PlateCommand b = stepped.step(direction_deg);
+    EXPECT_EQ(a.plate_orientation_deg, b.plate_orientation_deg);
+    EXPECT_EQ(a.perceived_direction_deg, b.perceived_direction_deg);
+    EXPECT_EQ(a.step, k);
+    // Between steps the command is held.
+    const double held_deg = a.plate_orientation_deg;
+    const PlateCommand c = streamed.update(direction(k * 100 * ms + 50 * ms, 40.0));
+    EXPECT_TRUE(c.held);
+    EXPECT_EQ(c.plate_orientation_deg, held_deg);
+  }
+}
+
+TEST(PaperReach, ASampleAnHourLateOrAtTheEndOfTimeIsSurvived) {
+  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
+  led.update(direction(std::numeric_limits<std::int64_t>::min(), 2.0));
+  led.update(direction(0, 2.0));
+  EXPECT_EQ(led.update(direction(3'600'000 * ms, 2.0)).held, false);
+  const PlateCommand last = led.update(direction(std::numeric_limits<std::int64_t>::max(), 2.0));
+  EXPECT_TRUE(std::isfinite(last.plate_orientation_deg));
+  const ReachSummary summary = led.summary();
+  EXPECT_EQ(summary.steps, 4);
+  EXPECT_EQ(summary.steps + summary.predicted_steps, last.step + 1);
+}
+
+// The steps wait for a finger that is lifted or rests, to the end of time if need be.
+TEST(PaperReach, AFingerThatFeelsNothingStopsTheSteps) {
+  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10});
+  const auto sample = [](std::int64_t time_ns, Observation observation) {
+    return FingerSample{.time_ns = time_ns, .observation = observation, .direction_deg = 2.0};
+  };
+  constexpr std::int64_t start_ns = std::numeric_limits<std::int64_t>::min();
+  led.update(sample(start_ns, Observation::direction));
+  led.update(sample(start_ns + 50 * ms, Observation::lifted));
+  const PlateCommand command =
+      led.update(sample(std::numeric_limits<std::int64_t>::max(), Observation::lifted));
+  EXPECT_EQ(command.step, 0);
+  EXPECT_TRUE(command.held);
+
+  PaperReach resting({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
+  for (int i = 0; i < 50; ++i) resting.update(position(i * 10 * ms, {0, 0.0003 * i}));
+  for (int i = 50; i < 400; ++i) resting.update(position(i * 10 * ms, {0, 0.015}));
+  EXPECT_TRUE(resting.command().held);
+  EXPECT_LT(resting.command().step, 12);
+}
+
+// While samples are missing, the finger moves as the model says, P - K (w_T t + (1 - w_T) p), from 3 with the
+// plate held. Step 2 is the first without a sample, so the commands from step 3 on are predicted.
+TEST(PaperReach, PredictedStepsPublishThePredictedFinger) {
+  PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
+  for (int k = 0; k < 2; ++k) led.update(direction(k * 100 * ms, 3.0 * k));
+  const double plate_deg = led.command().plate_orientation_deg;
+  const Participant participant;
+  FilterGain step = next_gain(participant, next_gain(participant, 0.0).variance_deg2);
+  double finger_deg = 3.0;
+  const auto felt_error_deg = [&] {
+    return step.gain * (0.15 * (plate_deg + 5.0) + 0.85 * (finger_deg + 5.0));
+  };
+  for (int k = 2; k < 8; ++k) {
+    finger_deg -= felt_error_deg();
+    step = next_gain(participant, step.variance_deg2);
+    const PlateCommand command = led.update({.time_ns = k * 100 * ms});
+    EXPECT_EQ(command.predicted, k > 2);
+    EXPECT_EQ(command.plate_orientation_deg, plate_deg);
+    if (k == 2) continue;
+    EXPECT_NEAR(command.finger_direction_deg, finger_deg, 1e-9) << k;
+    EXPECT_NEAR(command.perceived_direction_deg, -5.0 + felt_error_deg(), 1e-9) << k;
+    const ReachSummary summary = led.summary();
+    EXPECT_EQ(summary.final_direction_deg, command.finger_direction_deg);
+    EXPECT_EQ(summary.final_miss_deg, command.finger_direction_deg - 5.0);
+    EXPECT_EQ(summary.perceived_direction_deg, command.perceived_direction_deg);
+  }
+  EXPECT_NEAR(finger_deg, 4.65, 0.005);
+}
+
+// A finger at 33 mm/s that is lost at 35 mm of 100: the distance falls with the predicted finger, and stands
+// still while the finger is lifted.
+TEST(PaperReach, TheDistanceToGoFollowsThePredictedFinger) {
+  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 0});
+  int t = 0;
+  for (; t < 1000; t += 10) led.update(position(t * ms, {0, 33e-6 * t}));
+  const double seen_m = led.command().distance_to_go_m;
+  EXPECT_NEAR(seen_m, 0.1 - 0.033, 0.001);
+  for (; t < 1500; t += 10) led.update({.time_ns = t * ms});
+  EXPECT_TRUE(led.command().predicted);
+  const double predicted_m = led.command().distance_to_go_m;
+  EXPECT_NEAR(predicted_m, seen_m - 0.033 * 0.5, 0.002);
+  EXPECT_EQ(led.summary().distance_to_target_m, predicted_m);
+  for (; t < 2000; t += 10) led.update({.time_ns = t * ms, .observation = Observation::lifted});
+  EXPECT_EQ(led.command().distance_to_go_m, predicted_m);
+}
+
+TEST(PaperReach, ASampleSentTwiceCountsOnce) {
+  const auto run = [](int times) {
+    PaperReach led({}, {.real_direction_deg = 5, .virtual_direction_deg = -5});
+    for (int i = 0; i < 100; ++i)
+      for (int repeat = 0; repeat < times; ++repeat) led.update(position(i * 10 * ms, {0, 0.0003 * i}));
+    return led.command().plate_orientation_deg;
+  };
+  EXPECT_EQ(run(1), run(3));
+}
+
+// Between stops at 90 and 270 there is no 0, but 180 feels the same.
+TEST(PaperReach, CommandsBeforeTheFingerMovesKeepToTheStopsToo) {
+  PaperReachConfig config{.plate = {.max_speed_deg_s = 400.0, .stops = {90.0, 270.0}}};
+  const Reach reach{.real_direction_deg = -5, .virtual_direction_deg = 5, .plate_orientation_deg = 0.0};
+  PaperReach stays(config, reach);
+  EXPECT_EQ(stays.update({.time_ns = 0}).plate_orientation_deg, 90.0);
+
+  config.fixed_plate_orientation_deg = 0.0;
+  PaperReach fixed(config, reach);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(fixed
+                  .update({.time_ns = i * 100 * ms,
+                           .observation = i == 0 ? Observation::none : Observation::direction,
+                           .direction_deg = 0.0})
+                  .plate_orientation_deg,
+              180.0);
+  }
+}
+
+// 90 and -90 are as near to a plate at 0 as each other: what it reports must not toggle between them.
+TEST(PaperReach, AFixedPlateTurnsOneWay) {
+  PaperReach fixed(
+      {.fixed_plate_orientation_deg = 90.0, .plate = {.max_speed_deg_s = 400.0, .latency_ns = 500 * ms}},
+      {.real_direction_deg = -5, .virtual_direction_deg = 5});
+  const double first_deg = fixed.command().plate_orientation_deg;
+  EXPECT_EQ(std::abs(first_deg), 90.0);
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(fixed
+                  .update({.time_ns = i * 100 * ms,
+                           .observation = Observation::direction,
+                           .direction_deg = 0.0,
+                           .plate_orientation_deg = i % 2 == 0 ? 0.1 : -0.1})
+                  .plate_orientation_deg,
+              first_deg);
+  }
+}
+
+TEST(PaperReach, ThePlateStaysUntilTheFingerMoves) {
+  PaperReach led({}, {.real_direction_deg = 0, .virtual_direction_deg = 10, .plate_orientation_deg = 12.5});
+  for (int i = 0; i < 100; ++i) {
+    const PlateCommand command = led.update(position(i * 50 * ms, {0, 0}));
+    EXPECT_EQ(command.plate_orientation_deg, 12.5);
+    EXPECT_EQ(command.step, -1);
+  }
+}
+
+// Ten seconds at rest; then, after a lift, 15 mm aside.
+TEST(PaperReach, NoiseStartsNoReach) {
+  int started = 0;
+  for (const double noise_m : {0.0003, 0.0012}) {
+    for (const double known_m : {0.0, noise_m}) {
+      for (std::uint32_t seed = 0; seed < 50; ++seed) {
+        PaperReach led({.estimator = {.tracker_noise_m = known_m}},
+                       {.real_direction_deg = -5, .virtual_direction_deg = 5});
+        Draws draws(seed, 0, 0, 0);
+        for (int i = 0; i < 1000; ++i) {
+          const double right_m = i < 900 ? 0.0 : 0.015;
+          FingerSample sample =
+              position(i * 10 * ms, {right_m + noise_m * draws.normal(), noise_m * draws.normal()});
+          if (i >= 895 && i < 900) sample.observation = Observation::lifted;
+          if (led.update(sample).step < 0) continue;
+          ++started;
+          break;
+        }
+      }
+    }
+  }
+  EXPECT_LE(started, 1) << "of 200";
+}
+
+// A lift and a dropout before the motion are the same to the clock.
+TEST(PaperReach, ALiftBeforeTheMotionDoesNotDelayTheSteps) {
+  std::vector<std::int64_t> steps;
+  for (const Observation before : {Observation::none, Observation::lifted}) {
+    PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5});
+    for (int i = 0; i < 20; ++i) led.update({.time_ns = i * 10 * ms, .observation = before});
+    int step_one = 0;
+    for (int i = 20; step_one == 0 && i < 200; ++i)
+      if (led.update(position(i * 10 * ms, {0.0, 0.0005 * std::max(0, i - 60)})).step == 1) step_one = i;
+    steps.push_back(step_one);
+  }
+  EXPECT_GT(steps[0], 60);
+  EXPECT_EQ(steps[0], steps[1]);
+}
+
+// 33 mm/s for two seconds; not for all of the ten that nobody sees.
+TEST(PaperReach, PredictionEndsAfterTwoSeconds) {
+  PaperReach led({}, {.real_direction_deg = -5, .virtual_direction_deg = 5, .real_distance_m = 1.0});
+  int i = 0;
+  for (; i < 150; ++i) led.update(position(i * 10 * ms, {0.0, 0.00033 * std::max(0, i - 50)}));
+  const double seen_m = led.command().distance_to_go_m;
+  for (; i < 1150; ++i) led.update({.time_ns = i * 10 * ms});
+  EXPECT_NEAR(seen_m - led.command().distance_to_go_m, 2.0 * 0.033, 0.01);
+}
+
+TEST(PaperReach, ASummarySaysThatTheGapCannotBeHeld) {
+  PaperReach led({}, {.real_direction_deg = -15, .virtual_direction_deg = 15});
+  for (int i = 0; i < 10; ++i) EXPECT_TRUE(led.update(direction(i * 100 * ms, 0.0)).unreachable);
+  EXPECT_TRUE(led.summary().unreachable);
+}
+
+}  // namespace
+}  // namespace hrt

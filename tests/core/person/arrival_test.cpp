@@ -1,0 +1,59 @@
+#include "core/person/arrival.h"
+
+#include <gtest/gtest.h>
+
+namespace hrt {
+namespace {
+
+TEST(Arrival, HalfTheTimeIsHalfThePath) {
+  for (const double evenness : {0.0, 0.3, 1.0}) {
+    EXPECT_DOUBLE_EQ(progress(evenness, 0.5).share, 0.5);
+    EXPECT_EQ(progress(evenness, 0.0).share, 0.0);
+    EXPECT_DOUBLE_EQ(progress(evenness, 1.0).share, 1.0);
+  }
+}
+
+// 30 (1/4)^2 (3/4)^2 = 270 / 256 is the bell at a quarter, where 10/64 - 15/256 + 6/1024 is behind.
+TEST(Arrival, TheBellIsThatOfAMinimumJerkMotion) {
+  EXPECT_DOUBLE_EQ(progress(0.0, 0.25).rate, 1.0546875);
+  EXPECT_DOUBLE_EQ(progress(0.0, 0.25).share, 0.103515625);
+  EXPECT_DOUBLE_EQ(progress(0.0, 0.5).rate, 1.875);
+  EXPECT_DOUBLE_EQ(progress(0.0, 0.5).acceleration, 0.0);
+  EXPECT_EQ(progress(1.0, 0.3).rate, 1.0);
+}
+
+TEST(Arrival, ItsDerivativesAreThoseOfDifferences) {
+  constexpr double h = 1e-5;
+  for (const double evenness : {0.0, 0.2, 0.7}) {
+    for (double u = 0.05; u < 1.0; u += 0.1) {
+      const Progress p = progress(evenness, u);
+      EXPECT_NEAR(p.rate, (progress(evenness, u + h).share - progress(evenness, u - h).share) / (2 * h),
+                  1e-8);
+      EXPECT_NEAR(p.acceleration, (progress(evenness, u + h).rate - progress(evenness, u - h).rate) / (2 * h),
+                  1e-7);
+      EXPECT_NEAR(p.by_evenness, (progress(evenness + h, u).rate - progress(evenness - h, u).rate) / (2 * h),
+                  1e-8);
+    }
+  }
+}
+
+TEST(Arrival, IsStillBeforeAndAfter) {
+  for (const double u : {-1e300, -1.0, 2.0, 1e300}) {
+    EXPECT_EQ(progress(0.0, u).rate, 0.0);
+    EXPECT_EQ(progress(0.4, u).share, u < 0.0 ? 0.0 : 1.0);
+  }
+}
+
+TEST(Arrival, ThePhaseOfAShareIsItsInverse) {
+  for (const double evenness : {0.0, 0.05, 0.5, 1.0}) {
+    for (double u = 0.0; u <= 1.0; u += 0.05)
+      EXPECT_NEAR(progress(evenness, phase_at(evenness, progress(evenness, u).share)).share,
+                  progress(evenness, u).share, 2e-6);
+    EXPECT_NEAR(phase_at(evenness, 0.0), 0.0, 1e-5);
+    EXPECT_NEAR(phase_at(evenness, 1.0), 1.0, 1e-5);
+  }
+  EXPECT_NEAR(phase_at(1.0, 0.37), 0.37, 1e-6);
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,104 @@
+#include "core/person/illusion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hrt {
+namespace {
+
+constexpr Illusion linear{.weight = 0.2, .curve = 0.0};
+constexpr Illusion curved{.weight = 0.3, .curve = 0.12};
+
+TEST(Illusion, IsTheLineLessTheCube) {
+  EXPECT_DOUBLE_EQ(felt_shift(linear, 30.0).shift_deg, 6.0);
+  EXPECT_DOUBLE_EQ(felt_shift(linear, -30.0).shift_deg, -6.0);
+  // 0.3 * 75 - 0.12 * 75; slope 0.3 - 3 * 0.12
+  EXPECT_DOUBLE_EQ(felt_shift(curved, 75.0).shift_deg, 13.5);
+  EXPECT_NEAR(felt_shift(curved, 75.0).by_offset, -0.06, 1e-15);
+  EXPECT_EQ(felt_shift(curved, 0.0).shift_deg, 0.0);
+}
+
+TEST(Illusion, RepeatsEveryHalfTurn) {
+  for (const double t : {-60.0, 10.0, 89.0}) {
+    EXPECT_NEAR(felt_shift(curved, t + 180.0).shift_deg, felt_shift(curved, t).shift_deg, 1e-12);
+    EXPECT_NEAR(felt_shift(curved, t - 1800.0).shift_deg, felt_shift(curved, t).shift_deg, 1e-10);
+  }
+}
+
+TEST(Illusion, ItsDerivativesAreThoseOfDifferences) {
+  constexpr double h = 1e-4;
+  for (double t = -85.0; t < 86.0; t += 17.0) {
+    const FeltShift g = felt_shift(curved, t);
+    const auto shift = [t](double weight, double curve, double more) {
+      return felt_shift({weight, curve}, t + more).shift_deg;
+    };
+    EXPECT_NEAR(g.by_offset, (shift(0.3, 0.12, h) - shift(0.3, 0.12, -h)) / (2 * h), 1e-8);
+    EXPECT_NEAR(g.by_weight, (shift(0.3 + h, 0.12, 0) - shift(0.3 - h, 0.12, 0)) / (2 * h), 1e-7);
+    EXPECT_NEAR(g.by_curve, (shift(0.3, 0.12 + h, 0) - shift(0.3, 0.12 - h, 0)) / (2 * h), 1e-7);
+  }
+}
+
+// At a speed of 10 mm / 0.6 s across them half of the ridges' fading part is felt, along them none.
+TEST(Illusion, FadesBetweenRidges) {
+  const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 1.0};
+  EXPECT_DOUBLE_EQ(felt_shift(fading, 60.0).shift_deg, 12.0 * 0.5 / (0.5 + 1.0));
+  EXPECT_DOUBLE_EQ(felt_shift(fading, -60.0).shift_deg, -12.0 * 0.5 / (0.5 + 1.0));
+  EXPECT_NEAR(felt_shift(fading, 90.0).shift_deg, 0.0, 1e-4);
+  Illusion half = fading;
+  half.fading = 0.5;
+  EXPECT_DOUBLE_EQ(felt_shift(half, 60.0).shift_deg, 8.0);
+  Illusion fast = fading;
+  fast.slowness = 0.0;
+  EXPECT_DOUBLE_EQ(felt_shift(fast, 60.0).shift_deg, 12.0);
+}
+
+TEST(Illusion, DerivativesOfAFadingOneAreThoseOfDifferences) {
+  constexpr double h = 1e-4;
+  for (double t = -80.0; t < 86.0; t += 16.0) {
+    const auto shift = [t](double fading, double more) {
+      return felt_shift({0.3, 0.12, fading, 0.4}, t + more).shift_deg;
+    };
+    const FeltShift g = felt_shift({0.3, 0.12, 0.7, 0.4}, t);
+    EXPECT_NEAR(g.by_offset, (shift(0.7, h) - shift(0.7, -h)) / (2 * h), 1e-7);
+    EXPECT_NEAR(g.by_fading, (shift(0.7 + h, 0) - shift(0.7 - h, 0)) / (2 * h), 1e-7);
+  }
+}
+
+TEST(Illusion, OfAFadingTouchIsLargestBelowTheBound) {
+  const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 0.3};
+  const LargestShift largest = largest_shift(fading, 85.0);
+  EXPECT_GT(largest.shift_deg, felt_shift(fading, largest.offset_deg - 1.0).shift_deg);
+  EXPECT_GT(largest.shift_deg, felt_shift(fading, largest.offset_deg + 1.0).shift_deg);
+}
+
+// 75 sqrt(0.3 / 0.36) = 68.465; the shift there is two thirds of 0.3 times it.
+TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
+  EXPECT_NEAR(largest_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
+  EXPECT_NEAR(largest_shift(curved, 75.0).shift_deg, 13.69306, 1e-5);
+  EXPECT_EQ(largest_shift(curved, 40.0).offset_deg, 40.0);
+  EXPECT_EQ(largest_shift(linear, 75.0).offset_deg, 75.0);
+  EXPECT_DOUBLE_EQ(largest_shift(linear, 75.0).shift_deg, 15.0);
+  EXPECT_LT(largest_shift(linear, 90.0).offset_deg, 90.0);
+}
+
+TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
+  for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5},
+                                  Illusion{0.6, 0.5}, Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
+    for (const double bound : {75.0, 30.0, 89.9}) {
+      const LargestShift largest = largest_shift(illusion, bound);
+      for (int i = -99; i <= 99; ++i) {
+        const double wanted = 0.01 * i * largest.shift_deg;
+        const double offset = offset_for_shift(illusion, wanted, bound);
+        EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * largest.shift_deg) << i;
+        EXPECT_LE(std::abs(offset), largest.offset_deg);
+        EXPECT_EQ(offset_for_shift(illusion, -wanted, bound), -offset);
+      }
+      EXPECT_EQ(offset_for_shift(illusion, 1e9, bound), largest.offset_deg);
+      EXPECT_EQ(offset_for_shift(illusion, -1e9, bound), -largest.offset_deg);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hrt

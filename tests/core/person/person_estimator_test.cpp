@@ -1,0 +1,166 @@
+#include "core/person/person_estimator.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/person/arrival.h"
+#include "core/simulation/person.h"
+#include "tests/core/heap_guard.h"
+
+namespace hrt {
+namespace {
+
+using F = PersonFilter;
+
+// A finger that moves straight away over 100 mm, minimum jerk, from `onset_s` on, over a plate at 0.
+struct Finger {
+  double onset_s = 0.3;
+  double duration_s = 1.5;
+  double pause_from_s = 1e9;  // of the motion
+  double pause_s = 0.0;
+  PlaceMm start{0.0, 0.0};
+
+  PlaceMm at(double time_s) const {
+    double moved_s = time_s - onset_s;
+    if (moved_s > pause_from_s) moved_s = std::max(pause_from_s, moved_s - pause_s);
+    return {start.right_mm, start.away_mm + 100.0 * progress(0.0, moved_s / duration_s).share};
+  }
+};
+
+class PersonEstimatorTest : public ::testing::Test {
+ protected:
+  PersonEstimatorTest() { plate_.add(0.0, 0.0); }
+
+  void watch(const Finger& finger, double from_s, double to_s) {
+    for (double t = from_s; t < to_s; t += 1.0 / rate_hz_) {
+      const PlaceMm place = finger.at(t);
+      estimator_.observe(
+          t, {place.right_mm + noise_mm_ * draws_.normal(), place.away_mm + noise_mm_ * draws_.normal()},
+          plate_);
+    }
+  }
+
+  double rate_hz_ = 90.0;
+  double noise_mm_ = 0.0;
+  Draws draws_{3, 0, 0, 0};
+  PlateTrace plate_;
+  PersonEstimator estimator_{unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt};
+};
+
+// With a precise tracker; where noise hides the first millimetres, the likely duration of 2 s decides.
+TEST_F(PersonEstimatorTest, DatesTheOnsetWithinThirtyMilliseconds) {
+  PersonBelief belief = unknown_person();
+  belief.mean(PersonTrait::evenness) = 0.0;
+  for (const double rate_hz : {60.0, 90.0, 240.0, 1000.0}) {
+    for (const double duration_s : {1.0, 2.0, 3.0}) {
+      rate_hz_ = rate_hz;
+      estimator_ = PersonEstimator(belief, 0.0, 100.0, {0.0, 0.0}, TrackerNoise{0.066, 0.075});
+      watch({.onset_s = 0.5, .duration_s = duration_s}, 0.0, 0.5 + 0.6 * duration_s);
+      EXPECT_EQ(estimator_.motion(), FingerMotion::moving);
+      EXPECT_TRUE(estimator_.caught_up());
+      EXPECT_NEAR(estimator_.onset_s(), 0.5, 0.03) << rate_hz << ' ' << duration_s;
+    }
+  }
+}
+
+TEST_F(PersonEstimatorTest, AFingerAtRestRests) {
+  noise_mm_ = 1.2;
+  watch({.onset_s = 1e9}, 0.0, 60.0);
+  EXPECT_EQ(estimator_.motion(), FingerMotion::resting);
+  EXPECT_NEAR(estimator_.place().right_mm, 0.0, 5.0);
+}
+
+// Its departures are not taken for the noise of a finger at rest.
+TEST_F(PersonEstimatorTest, AFingerThatNeverRestsMoves) {
+  for (const double rate_hz : {60.0, 90.0, 144.0, 1000.0}) {
+    for (const double speed_mm_s : {20.0, 33.0, 100.0}) {
+      estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
+      for (double t = 0.0; t < 30.0 / speed_mm_s; t += 1.0 / rate_hz)
+        estimator_.observe(t, {0.0, speed_mm_s * t}, plate_);
+      EXPECT_EQ(estimator_.motion(), FingerMotion::moving) << rate_hz << ' ' << speed_mm_s;
+    }
+  }
+}
+
+TEST_F(PersonEstimatorTest, KnowsWhereAMovingFingerIs) {
+  noise_mm_ = 1.2;
+  const Finger finger;
+  watch(finger, 0.0, 1.2);
+  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.2).away_mm, 2.0);
+  EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
+  EXPECT_TRUE(estimator_.fit().holds());
+}
+
+TEST_F(PersonEstimatorTest, LearnsTheNoiseOfARestingFinger) {
+  for (const double noise_mm : {0.2, 1.2, 2.0}) {
+    estimator_ = PersonEstimator(unknown_person(), 0.0, 100.0, {0.0, 0.0}, std::nullopt);
+    noise_mm_ = noise_mm;
+    watch({.onset_s = 4.0}, 0.0, 4.6);
+    ASSERT_EQ(estimator_.motion(), FingerMotion::moving);
+    EXPECT_NEAR(std::sqrt(estimator_.noise().variance_mm2()), noise_mm, 0.3 * noise_mm + 0.3);
+  }
+}
+
+TEST_F(PersonEstimatorTest, SeesAPauseAndItsEnd) {
+  noise_mm_ = 0.5;
+  const Finger finger{.pause_from_s = 0.7, .pause_s = 0.8};
+  watch(finger, 0.0, 1.6);
+  EXPECT_EQ(estimator_.motion(), FingerMotion::paused);
+  const double phase = estimator_.filter().state()(F::phase);
+  watch(finger, 1.6, 1.79);
+  EXPECT_NEAR(estimator_.filter().state()(F::phase), phase, 0.05);
+  watch(finger, 1.8, 2.3);
+  EXPECT_EQ(estimator_.motion(), FingerMotion::moving);
+  EXPECT_NEAR(estimator_.place().away_mm, finger.at(2.3).away_mm, 4.0);
+}
+
+TEST_F(PersonEstimatorTest, FollowsAJumpAndForgetsAnOutlier) {
+  Finger finger;
+  watch(finger, 0.0, 0.9);
+  EXPECT_FALSE(estimator_.observe(0.905, {80.0, -40.0}, plate_));
+  EXPECT_NEAR(estimator_.place().right_mm, 0.0, 2.0);
+  finger.start.right_mm = 60.0;  // another finger
+  watch(finger, 0.92, 1.15);
+  EXPECT_NEAR(estimator_.place().right_mm, 60.0, 3.0);
+}
+
+TEST_F(PersonEstimatorTest, ALiftedFingerComesDownElsewhere) {
+  Finger finger{.pause_from_s = 0.6, .pause_s = 0.3};
+  watch(finger, 0.0, 0.9);
+  estimator_.lift(0.9, plate_);
+  EXPECT_EQ(estimator_.motion(), FingerMotion::paused);
+  finger.start.right_mm = -30.0;
+  watch(finger, 1.2, 1.25);
+  EXPECT_NEAR(estimator_.place().right_mm, -30.0, 1.0);
+  watch(finger, 1.25, 1.5);
+  EXPECT_EQ(estimator_.motion(), FingerMotion::moving);
+}
+
+// Half a second without samples in the middle of a motion of 1.5 s.
+TEST_F(PersonEstimatorTest, PredictsThroughADropout) {
+  const Finger finger;
+  watch(finger, 0.0, 0.9);
+  for (double t = 0.9; t < 1.2; t += 0.01) estimator_.predict(t, plate_);
+  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.19).away_mm, 6.0);
+  watch(finger, 1.2, 1.4);
+  EXPECT_NEAR(estimator_.place().away_mm, finger.at(1.4).away_mm, 2.0);
+}
+
+TEST_F(PersonEstimatorTest, SurvivesAGapWithoutEnd) {
+  watch({}, 0.0, 0.9);
+  estimator_.predict(1.8e10, plate_);
+  estimator_.observe(1.8e10 + 1.0, {0.0, 50.0}, plate_);
+  EXPECT_TRUE(estimator_.filter().state().allFinite());
+  EXPECT_TRUE(estimator_.filter().covariance().allFinite());
+}
+
+TEST_F(PersonEstimatorTest, UsesNoHeap) {
+  const HeapGuard guard;
+  noise_mm_ = 1.2;
+  watch({.pause_from_s = 0.5, .pause_s = 0.5}, 0.0, 2.5);
+  estimator_.lift(2.6, plate_);
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,199 @@
+#include "core/person/person_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/simulation/person.h"
+
+namespace hrt {
+namespace {
+
+using F = PersonFilter;
+
+PersonFilter moving_filter() {
+  PersonFilter filter(unknown_person(), 5.0, 100.0, {});
+  filter.begin(0.0, 0.1, 0.02, 0.3);
+  for (int i = 0; i < 40; ++i) filter.move(0.01, 40.0 - i);
+  return filter;
+}
+
+// Smallest eigenvalue of the correlations.
+double least_eigenvalue(const F::Covariance& covariance) {
+  const F::State sd = covariance.diagonal().cwiseSqrt();
+  const F::Covariance symmetric = 0.5 * (covariance + covariance.transpose());
+  F::Covariance correlation;
+  for (int i = 0; i < F::size; ++i)
+    for (int j = 0; j < F::size; ++j)
+      correlation(i, j) =
+          sd(i) > 0.0 && sd(j) > 0.0 ? symmetric(i, j) / (sd(i) * sd(j)) : (i == j ? 1.0 : 0.0);
+  return Eigen::SelfAdjointEigenSolver<F::Covariance>(correlation).eigenvalues()(0);
+}
+
+// A person who feels nothing of ridges sets out at a share h of the goal V and turns towards it:
+// phi = V (1 - (1 - h) exp(-k t)). After one second of an even pace of 1/s they are at the path's end.
+TEST(PersonFilter, MovesAsTheEquationsSay) {
+  PersonBelief belief = unknown_person();
+  belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0;
+  PersonFilter filter(belief, 10.0, 100.0, {});
+  filter.begin(0.0, 1.0, 0.0, 0.0);
+  EXPECT_DOUBLE_EQ(filter.state()(F::direction), 4.0);
+  double away_mm = 0.0;
+  double right_mm = 0.0;
+  for (int i = 0; i < 100; ++i) {
+    const double phi_rad = (10.0 - 6.0 * std::exp(-5.0 * 0.01 * (i + 0.5))) * 0.017453292519943295;
+    right_mm -= std::sin(phi_rad);
+    away_mm += std::cos(phi_rad);
+    filter.move(0.01, filter.state()(F::direction));  // ridges across the motion: not felt
+  }
+  EXPECT_NEAR(filter.state()(F::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
+  EXPECT_NEAR(filter.state()(F::right), right_mm, 0.05);
+  EXPECT_NEAR(filter.state()(F::away), away_mm, 0.01);
+  EXPECT_NEAR(filter.state()(F::phase), 1.0, 1e-9);
+  const double end_mm = filter.state()(F::away);
+  filter.move(0.012, 0.0);
+  EXPECT_EQ(filter.state()(F::away), end_mm);
+}
+
+// A trait's variance, grown from nothing, carries to the others the derivative of the motion by that trait:
+// cov(x, trait) / var(trait) after steps is d x / d trait, here by differences of whole motions.
+TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
+  const struct {
+    int trait;
+    F::Index state;
+    double step;
+  } cases[] = {{PersonTrait::weight, F::weight, 1e-4}, {PersonTrait::curve, F::curve, 1e-4},
+               {PersonTrait::gain, F::gain, 1e-2},     {PersonTrait::bias, F::bias, 1e-3},
+               {PersonTrait::habit, F::habit, 1e-3},   {PersonTrait::heading, F::heading, 1e-4},
+               {PersonTrait::fading, F::fading, 1e-3}};
+  constexpr int steps = 30;
+  constexpr double step_s = 0.002;
+  for (const auto& c : cases) {
+    const auto run = [&](double change) {
+      PersonBelief belief = unknown_person();
+      belief.mean(c.trait) += change;
+      PersonFilter filter(belief, 10.0, 100.0, {});
+      filter.begin(0.0, 0.5, 0.0, 0.0);
+      for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
+      return filter;
+    };
+    PersonBelief sure = unknown_person();
+    sure.covariance *= 1e-12;
+    sure.covariance(c.trait, c.trait) = 1.0;
+    PersonFilter filter(sure, 10.0, 100.0, {});
+    filter.begin(0.0, 0.5, 0.0, 0.0);
+    for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
+    const F::State difference = (run(c.step).state() - run(-c.step).state()) / (2.0 * c.step);
+    for (const F::Index i : {F::right, F::away, F::direction}) {
+      const double slope = filter.covariance()(i, c.state);
+      EXPECT_NEAR(slope, difference(i), 0.03 * std::abs(difference(i)) + 0.001) << c.trait << ' ' << i;
+    }
+  }
+}
+
+// Prior variance 4 of each coordinate, white noise 1 and correlated noise 2 squared millimetres: the place
+// takes 4/7 of the innovation, the correlated noise 2/7, and 9/7 is the innovation's square over its
+// variance.
+TEST(PersonFilter, SharesAnInnovationByVariance) {
+  PersonFilter filter(unknown_person(), 0.0, 100.0, {.white_mm = 1.0, .correlated_mm = std::sqrt(2.0)});
+  filter.begin(0.0, 0.1, 0.0, 2.0);
+  EXPECT_NEAR(filter.observe(3.0, 0.0, 25.0), 9.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.state()(F::right), 3.0 * 4.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.state()(F::noise_right), 3.0 * 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.covariance()(F::right, F::right), 4.0 - 16.0 / 7.0, 1e-12);
+}
+
+TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
+  PersonFilter filter = moving_filter();
+  const F::State state = filter.state();
+  const F::Covariance covariance = filter.covariance();
+  EXPECT_GT(filter.observe(500.0, 0.0, 25.0), 25.0);
+  EXPECT_EQ(filter.state(), state);
+  EXPECT_EQ(filter.covariance(), covariance);
+}
+
+// A resting finger's correlated noise is forgotten at the rate that is known: after tau, 1/e is left of it.
+TEST(PersonFilter, CorrelatedNoiseDecaysWithinItsTime) {
+  for (const double correlation_s : {0.03, 0.3}) {
+    PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});
+    filter.begin(0.0, 0.1, 0.02, 1e-6);
+    filter.observe(3.0, 0.0, 1e9);
+    const double before_mm = filter.state()(F::noise_right);
+    ASSERT_GT(before_mm, 2.5);
+    filter.rest(correlation_s);
+    EXPECT_NEAR(filter.state()(F::noise_right), before_mm / std::exp(1.0), 1e-9);
+    // The variance returns to the stationary one.
+    EXPECT_LT(filter.covariance()(F::noise_right, F::noise_right), 8.0);
+    filter.rest(20.0 * correlation_s);
+    EXPECT_NEAR(filter.covariance()(F::noise_right, F::noise_right), 9.0, 1e-6);
+  }
+}
+
+// People of the model itself, seen with the noise that the filter assumes: the mean of the normalised
+// innovation squared is 2.
+TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
+  Draws draws(7, 0, 0, 0);
+  double sum = 0.0;
+  int samples = 0;
+  const PersonBelief belief = unknown_person();
+  for (int person = 0; person < 60; ++person) {
+    PersonBelief drawn = belief;
+    for (int i = 0; i < PersonTrait::count; ++i) {
+      if (i == PersonTrait::weight || i == PersonTrait::curve || i == PersonTrait::evenness) continue;
+      drawn.mean(i) += 0.5 * std::sqrt(belief.covariance(i, i)) * draws.normal();
+    }
+    PersonFilter truth(drawn, 5.0, 100.0, {});
+    PersonFilter filter(belief, 5.0, 100.0, {});
+    filter.begin(truth.state()(F::log_rate), truth.state()(F::evenness), 0.02, 0.3);
+    double noise_right = 0.9 * draws.normal();
+    double noise_away = 0.9 * draws.normal();
+    const double kept = std::exp(-0.1);
+    for (int i = 0; i < 60; ++i) {
+      truth.move(0.01, 30.0);
+      filter.move(0.01, 30.0);
+      const double fresh = 0.9 * std::sqrt(1.0 - kept * kept);
+      noise_right = kept * noise_right + fresh * draws.normal();
+      noise_away = kept * noise_away + fresh * draws.normal();
+      sum += filter.observe(truth.state()(F::right) + noise_right + 0.8 * draws.normal(),
+                            truth.state()(F::away) + noise_away + 0.8 * draws.normal(), 100.0);
+      ++samples;
+    }
+  }
+  EXPECT_NEAR(sum / samples, 1.95, 0.15);
+}
+
+TEST(PersonFilter, StaysPositiveOverLongRuns) {
+  for (const TrackerNoise noise :
+       {TrackerNoise{0.8, 0.9}, TrackerNoise{0.0066, 0.0075}, TrackerNoise{66.0, 75.0}}) {
+    for (const double seconds : {0.0005, 0.004, 0.012}) {
+      PersonFilter filter(unknown_person(), 5.0, 100.0, noise);
+      filter.begin(0.0, 0.1, 0.02, 0.3);
+      for (int i = 0; i < 2000; ++i) {
+        filter.move(seconds, 60.0 * std::sin(0.01 * i));
+        filter.observe(filter.state()(F::right) + 0.01 * (i % 7 - 3), filter.state()(F::away), 25.0);
+        if (i % 100 == 0) filter.loosen_clock(0.07);
+        if (i % 500 == 0) filter.place_at(1.0, 2.0);
+      }
+      EXPECT_TRUE(filter.state().allFinite());
+      EXPECT_GT(filter.covariance().diagonal().minCoeff(), 0.0);
+      EXPECT_GT(least_eigenvalue(filter.covariance()), -1e-9);
+    }
+  }
+}
+
+TEST(PersonFilter, KeepsEachTraitInItsRange) {
+  PersonFilter filter = moving_filter();
+  for (int i = 0; i < 50; ++i) {
+    filter.move(0.012, 60.0);
+    filter.observe(1e4 * (i % 2), -1e4, 1e300);
+  }
+  const PersonBelief belief = filter.belief();
+  for (int i = 0; i < PersonTrait::count; ++i) {
+    EXPECT_GE(belief.mean(i), trait_range[i].least) << i;
+    EXPECT_LE(belief.mean(i), trait_range[i].most) << i;
+  }
+}
+
+}  // namespace
+}  // namespace hrt

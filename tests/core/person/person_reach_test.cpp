@@ -1,0 +1,265 @@
+#include "core/person/person_reach.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/simulation/controllers.h"
+#include "core/simulation/people.h"
+#include "core/simulation/person.h"
+#include "core/simulation/person_trial.h"
+#include "tests/core/heap_guard.h"
+
+namespace hrt {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr Reach gap_of_ten{.real_direction_deg = -5.0, .virtual_direction_deg = 5.0};
+
+FingerSample seen(std::int64_t time_ns, const PlatePoint& place) {
+  return {.time_ns = time_ns, .observation = Observation::position, .position = place};
+}
+
+// A simulated person led by PersonReach over a plate that turns at once; seen every 10 ms.
+struct Trial {
+  explicit Trial(const Person& person, PersonReachConfig config = {.person = unknown_person()},
+                 const Reach& towards = gap_of_ten, std::int64_t origin_ns = 0)
+      : reach(config, towards),
+        finger(person, towards.start, towards.virtual_direction_deg, towards.real_distance_m, {1, 0, 0, 0}),
+        time_ns(origin_ns) {
+    for (int i = 0; i < 30; ++i) sample(towards.start);
+  }
+
+  void sample(const PlatePoint& place) {
+    last = reach.update(seen(time_ns, place));
+    time_ns += 10 * ms;
+  }
+
+  void run_for(int milliseconds) {
+    for (int i = 0; i < milliseconds && !finger.done(); ++i) {
+      finger.advance(reach.command().plate_orientation_deg);
+      if (i % 10 == 9) {
+        sample({finger.position().right_m + noise_m * draws.normal(),
+                finger.position().away_m + noise_m * draws.normal()});
+      }
+    }
+  }
+
+  PersonReach reach;
+  SlidingPerson finger;
+  std::int64_t time_ns;
+  PlateCommand last;
+  double noise_m = 0.0;
+  Draws draws{2, 0, 0, 0};
+};
+
+Person linear_person(double tactile_weight = 0.25, double duration_s = 1.5) {
+  return {.illusion = {.tactile_weight = tactile_weight}, .noise_deg2_per_s = 0.0, .duration_s = duration_s};
+}
+
+TEST(PersonReach, HoldsThePlateWhileTheFingerRests) {
+  PersonReach reach({.person = unknown_person()}, gap_of_ten);
+  const double ready_deg = reach.command().plate_orientation_deg;
+  EXPECT_GT(ready_deg, 10.0);
+  EXPECT_FALSE(reach.seen());
+  for (int i = 0; i < 500; ++i) {
+    const PlateCommand command = reach.update(seen(i * 11 * ms, {1e-4 * (i % 3), 0.0}));
+    EXPECT_EQ(command.plate_orientation_deg, ready_deg);
+    EXPECT_EQ(command.held, i > 0) << "the first command turns the plate ready";
+    EXPECT_EQ(command.step, -1);
+  }
+  EXPECT_TRUE(reach.seen());
+  EXPECT_EQ(reach.summary().steps, 0);
+  EXPECT_FALSE(reach.learnt());
+}
+
+TEST(PersonReach, APlateThatWaitsStaysWhereItStands) {
+  Reach reach = gap_of_ten;
+  reach.plate_orientation_deg = -12.0;
+  PersonReach waits({.person = unknown_person(), .plate_waits = true}, reach);
+  EXPECT_EQ(waits.command().plate_orientation_deg, -12.0);
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(waits.update(seen(i * 11 * ms, {})).plate_orientation_deg, -12.0);
+}
+
+TEST(PersonReach, BringsPeopleToTheRealTarget) {
+  for (const double weight : {0.2, 0.3}) {
+    for (const double duration_s : {1.0, 2.0}) {
+      Trial trial(linear_person(weight, duration_s));
+      trial.run_for(5000);
+      EXPECT_NEAR(bearing_deg({}, trial.finger.position()), -5.0, 1.5) << weight << ' ' << duration_s;
+      const ReachSummary summary = trial.reach.summary();
+      EXPECT_FALSE(summary.unreachable);
+      EXPECT_FALSE(summary.misfit);
+      EXPECT_FALSE(summary.off_target);
+      EXPECT_TRUE(trial.reach.learnt());
+      EXPECT_NEAR(summary.bearing_error_deg, bearing_deg({}, trial.finger.position()) + 5.0, 0.2);
+    }
+  }
+}
+
+TEST(PersonReach, TimeToGoIsWhatTheMotionTakes) {
+  Trial trial(linear_person(0.25, 2.0));
+  trial.run_for(1200);
+  const double to_go_s = trial.last.time_to_go_s;
+  EXPECT_NEAR(to_go_s, 0.8, 0.25);
+  // It passes in a dropout too.
+  const PlateCommand later = trial.reach.update({.time_ns = trial.time_ns - 10 * ms + 300 * ms});
+  EXPECT_NEAR(later.time_to_go_s, to_go_s - 0.3, 1e-6);
+}
+
+TEST(PersonReach, TimeToGoIsKnownOnceTheMotionIsSeen) {
+  Trial trial(linear_person(0.25, 2.0));
+  EXPECT_EQ(trial.last.time_to_go_s, 0.0);
+  while (trial.last.step < 0) trial.run_for(10);
+  EXPECT_GT(trial.last.time_to_go_s, 0.5);
+}
+
+// The person goes for 5 + 3 degrees, and feels so.
+TEST(PersonReach, TheFeltErrorAtTheEndIsOfTheBiasedGoal) {
+  Person person = linear_person();
+  person.bias_deg = 3.0;
+  Trial trial(person, {.person = known_person(0.25, 3.0)});
+  trial.run_for(5000);
+  EXPECT_NEAR(trial.reach.summary().perceived_error_deg, trial.reach.summary().perceived_direction_deg - 8.0,
+              1e-12);
+}
+
+TEST(PersonReach, PredictsADropoutAndDropsDuplicates) {
+  Trial trial(linear_person());
+  trial.run_for(500);
+  const double to_go_m = trial.last.distance_to_go_m;
+  const std::int64_t dropped = trial.reach.summary().dropped_samples;
+  for (int i = 0; i < 10; ++i) {
+    const PlateCommand command =
+        trial.reach.update({.time_ns = trial.time_ns + i * 10 * ms, .observation = Observation::none});
+    EXPECT_TRUE(command.predicted);
+    EXPECT_TRUE(command.held);
+  }
+  EXPECT_LT(trial.reach.command().distance_to_go_m, to_go_m - 0.005);
+  EXPECT_EQ(trial.reach.summary().dropped_samples, dropped + 10);
+
+  Trial twice(linear_person());
+  twice.run_for(500);
+  const PlateCommand once = twice.last;
+  const PlateCommand again = twice.reach.update(seen(twice.time_ns - 10 * ms, {0.5, 0.5}));
+  EXPECT_EQ(again.plate_orientation_deg, once.plate_orientation_deg);
+  EXPECT_EQ(again.distance_to_go_m, once.distance_to_go_m);
+  EXPECT_EQ(twice.reach.summary().dropped_samples, 1);
+}
+
+// Within 75 degrees w_T 0.05 shifts what is felt by 3.75 degrees; 10 are asked for.
+TEST(PersonReach, AWeakIllusionIsFoundUnreachable) {
+  Trial weak(linear_person(0.05, 2.0), {.person = known_person(0.05, 0.0)});
+  weak.run_for(500);
+  EXPECT_TRUE(weak.last.unreachable);
+  Trial strong(linear_person(0.3, 2.0), {.person = known_person(0.3, 0.0)});
+  strong.run_for(500);
+  EXPECT_FALSE(strong.last.unreachable);
+}
+
+// A finger that zigzags, 20 mm to either side every 80 ms, is none of the model's.
+TEST(PersonReach, PositionsThatContradictTheModelAreAMisfit) {
+  Trial trial(linear_person());
+  for (int i = 0; i < 120; ++i) trial.sample({i / 8 % 2 ? 0.02 : -0.02, 0.0008 * i});
+  EXPECT_TRUE(trial.reach.summary().misfit);
+  EXPECT_FALSE(trial.reach.learnt());
+}
+
+TEST(PersonReach, AReachThatEndsEarlyTeachesNothing) {
+  Trial trial(linear_person(0.25, 2.0));
+  trial.run_for(600);
+  EXPECT_GE(trial.last.step, 0);
+  EXPECT_FALSE(trial.reach.learnt());
+}
+
+TEST(PersonReach, SummaryCountsStepsAndSamples) {
+  Trial trial(linear_person(0.25, 1.5));
+  trial.run_for(5000);
+  const ReachSummary summary = trial.reach.summary();
+  EXPECT_EQ(summary.samples, 30 + 150);
+  EXPECT_EQ(summary.dropped_samples, 0);
+  // 100 ms each; those before the onset is seen count as predicted.
+  EXPECT_GE(summary.steps, 12);
+  EXPECT_NEAR(static_cast<double>(summary.steps + summary.predicted_steps), 15.0, 1.0);
+  EXPECT_GE(summary.peak_felt_error_deg, summary.rms_felt_error_deg);
+  ASSERT_TRUE(summary.person);
+  EXPECT_NEAR(summary.person->duration_s, 1.5, 0.5);
+}
+
+// The last command before a plate's stops, whichever half turn is chosen.
+TEST(PersonReach, KeepsWithinTheStops) {
+  for (const double lower_deg : {-180.0, -100.0, -20.0, 10.0}) {
+    PersonReachConfig config{.person = unknown_person()};
+    config.plate.stops = {lower_deg, lower_deg + 180.0};
+    config.plate.max_speed_deg_s = 400.0;
+    Trial trial(linear_person(), config);
+    for (int i = 0; i < 150; ++i) {
+      trial.run_for(10);
+      EXPECT_GE(trial.last.plate_orientation_deg, lower_deg);
+      EXPECT_LE(trial.last.plate_orientation_deg, lower_deg + 180.0);
+    }
+  }
+}
+
+// The step of a sample after hundreds of years, and of one at the end of the clock, is a number.
+TEST(PersonReach, SurvivesTheEndOfTime) {
+  for (const std::int64_t origin_ns : {std::numeric_limits<std::int64_t>::min(), std::int64_t{0}}) {
+    Trial trial(linear_person(), {.person = unknown_person()}, gap_of_ten, origin_ns);
+    trial.run_for(600);
+    const PlateCommand command =
+        trial.reach.update(seen(std::numeric_limits<std::int64_t>::max(), {0.0, 0.05}));
+    EXPECT_GE(command.step, 0);
+    EXPECT_TRUE(std::isfinite(command.plate_orientation_deg));
+    EXPECT_TRUE(std::isfinite(command.distance_to_go_m));
+    EXPECT_GE(trial.reach.summary().predicted_steps, 0);
+  }
+}
+
+TEST(PersonReach, UsesNoHeap) {
+  Trial trial(linear_person());
+  trial.noise_m = 0.0012;
+  const HeapGuard guard;
+  trial.run_for(5000);
+  (void)trial.reach.summary();
+  (void)trial.reach.learnt();
+}
+
+// Share of reaches within 1.5 degrees under correlated noise of 1.2 mm, with its size and time known or not.
+TEST(PersonReach, KnownCorrelatedNoiseBringsMoreReachesToTheTarget) {
+  constexpr std::uint32_t people = 60;
+  constexpr int reaches = 5;
+  int known_sum = 0, unknown_sum = 0;
+  for (const char* family : {"noise-100", "noise-300"}) {
+    for (const double duration_s : {1.0, 1.5}) {
+      int known[reaches] = {}, unknown[reaches] = {}, can = 0;
+      for (std::uint32_t i = 0; i < people; ++i) {
+        const PersonCondition condition = draw_person(*people_family(family), duration_s, 6, i);
+        if (!can_hold(condition)) continue;
+        ++can;
+        RetargeterConfig config = people_controller();
+        const auto add = [&](int(&near)[reaches]) {
+          const auto outcomes = simulate_person(condition, &config, reaches, 6, i);
+          for (std::size_t reach = 0; reach < outcomes.size(); ++reach)
+            near[reach] += std::abs(outcomes[reach].bearing_error_deg) <= 1.5;
+        };
+        add(unknown);
+        config.estimator.correlated_noise_m = condition.tracker.correlated_m;
+        config.estimator.correlation_s = condition.tracker.correlation_s;
+        add(known);
+      }
+      std::printf(
+          "%s, %.1f s: of %d first reaches %d with the noise known, %d without; of fifth ones %d, %d\n",
+          family, duration_s, can, known[0], unknown[0], known[reaches - 1], unknown[reaches - 1]);
+      for (int reach = 0; reach < reaches; ++reach) {
+        known_sum += known[reach];
+        unknown_sum += unknown[reach];
+      }
+    }
+  }
+  EXPECT_GT(known_sum, unknown_sum);
+}
+
+}  // namespace
+}  // namespace hrt

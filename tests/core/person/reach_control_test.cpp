@@ -1,0 +1,130 @@
+#include "core/person/reach_control.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/person/illusion.h"
+
+namespace hrt {
+namespace {
+
+using F = PersonFilter;
+
+constexpr double gap_deg = 5.0;
+
+PersonBelief person_of(double sign) {
+  PersonBelief belief = unknown_person();
+  belief.mean(PersonTrait::bias) *= sign;
+  belief.mean(PersonTrait::habit) *= sign;
+  return belief;
+}
+
+// The target straight away at 100 mm, the virtual one `sign` times 8 degrees to the left, half a second into
+// a motion of 2 s.
+PersonFilter under_way(double sign) {
+  PersonFilter filter(person_of(sign), sign * 8.0, 100.0, {});
+  filter.begin(-std::log(2.0), 0.1, 0.02, 0.3);
+  for (int i = 0; i < 50; ++i) filter.move(0.01, sign * 35.0);
+  return filter;
+}
+
+ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, double plate_deg,
+               ReachAim aim = {0.0, 100.0}) {
+  PlateTrace trace;
+  trace.add(0.0, plate_deg);
+  return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg, 0.02});
+}
+
+TEST(ReachControl, MirrorsWhatIsMirrored) {
+  const ReachPlan left = plan({}, under_way(1.0), 35.0, {3.0, 100.0});
+  const ReachPlan right = plan({}, under_way(-1.0), -35.0, {-3.0, 100.0});
+  EXPECT_NEAR(left.plate_deg, -right.plate_deg, 1e-9);
+  EXPECT_NEAR(left.miss_mm, -right.miss_mm, 1e-9);
+  EXPECT_NEAR(left.felt_error_deg, -right.felt_error_deg, 1e-9);
+}
+
+TEST(ReachControl, KeepsTheFeltErrorWithinItsLimit) {
+  for (const double limit_deg : {0.5, 2.0, 5.0, 20.0}) {
+    for (const double right_mm : {-60.0, -10.0, 0.0, 10.0, 60.0}) {
+      // A strong illusion: the limit holds it, not the bound.
+      PersonBelief belief = unknown_person();
+      belief.mean(PersonTrait::weight) = 0.6;
+      belief.mean(PersonTrait::curve) = 0.0;
+      PersonFilter filter(belief, 0.0, 100.0, {});
+      filter.begin(-std::log(2.0), 0.1, 0.02, 0.3);
+      const ReachPlan planned = plan({.max_felt_error_deg = limit_deg}, filter, 0.0, {right_mm, 100.0});
+      EXPECT_LE(std::abs(planned.felt_error_deg), limit_deg + 1e-9);
+    }
+  }
+}
+
+TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
+  for (const double bound_deg : {1.0, 40.0, 75.0, 89.0}) {
+    for (const double right_mm : {-200.0, 0.0, 200.0}) {
+      const PersonFilter filter = under_way(1.0);
+      PlateTrace trace;
+      trace.add(0.0, 35.0);
+      // Felt at once, so that the plan is about the direction of now.
+      const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
+                                           {right_mm, 100.0}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0, 0.0});
+      EXPECT_LE(std::abs(planned.plate_deg - filter.state()(F::direction)), bound_deg + 1e-9);
+      EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
+    }
+  }
+}
+
+// The person of the model, without noise and known to the controller, is brought to the target's place.
+TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
+  for (const double duration_s : {1.0, 1.5, 3.0}) {
+    for (const double virtual_deg : {-gap_deg, 0.0, gap_deg, 2.0 * gap_deg}) {
+      PersonBelief belief = known_person(0.25, 0.0);
+      belief.mean(PersonTrait::log_rate) = -std::log(duration_s);
+      PersonFilter person(belief, virtual_deg, 100.0, {});
+      person.begin(-std::log(duration_s), 0.1, 0.0, 0.0);
+      const ReachAim aim{0.0, 100.0};
+      constexpr double step_s = 0.01;
+      PlateTrace trace;
+      double plate_deg = ready_orientation_deg({}, person, aim);
+      trace.add(0.0, plate_deg);
+      double time_s = 0.0;
+      while (person.state()(F::phase) < 1.0) {
+        const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg, 0.0});
+        plate_deg = planned.plate_deg;
+        trace.add(time_s, plate_deg);
+        person.move(step_s, trace.at(time_s + 0.5 * step_s - sensory_delay_s));
+        time_s += step_s;
+      }
+      EXPECT_NEAR(person.state()(F::right), 0.0, 0.3) << duration_s << ' ' << virtual_deg;
+    }
+  }
+}
+
+// As soon as the motion begins the plan finds the plate where it wants it.
+TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
+  const PersonFilter filter(unknown_person(), 10.0, 100.0, {});
+  const double ready_deg = ready_orientation_deg({}, filter, {0.0, 100.0});
+  PlateTrace trace;
+  trace.add(0.0, ready_deg);
+  const ReachPlan first =
+      plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg, 0.0});
+  EXPECT_NEAR(first.plate_deg, ready_deg, 2.0);
+  EXPECT_GT(ready_deg, 20.0);
+}
+
+// Virtual and real target agree, the person is unbiased and sets out straight: the ridges stay across.
+TEST(ReachControl, LeavesAPersonAloneWhoNeedsNoHelp) {
+  const PersonFilter filter(unknown_person(), 0.0, 100.0, {});
+  EXPECT_NEAR(ready_orientation_deg({}, filter, {0.0, 100.0}), 0.0, 1e-9);
+}
+
+TEST(ReachControl, IsFiniteAtArrival) {
+  PersonFilter filter = under_way(1.0);
+  for (int i = 0; i < 400; ++i) filter.move(0.01, 35.0);
+  const ReachPlan planned = plan({}, filter, 35.0);
+  EXPECT_TRUE(std::isfinite(planned.plate_deg));
+  EXPECT_TRUE(std::isfinite(planned.miss_mm));
+}
+
+}  // namespace
+}  // namespace hrt

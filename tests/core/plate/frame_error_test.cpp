@@ -1,0 +1,121 @@
+#include "core/plate/frame_error.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <vector>
+
+#include "core/simulation/random.h"
+
+namespace hrt {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double rad_per_deg = 0.017453292519943295;
+
+FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
+  const double sd_rad = sd_deg * rad_per_deg;
+  const Vector3d by_turn{1.0, centre.away_m, -centre.right_m};
+  return sd_rad * sd_rad * by_turn * by_turn.transpose();
+}
+
+// 100 mm * 1 degree in radians = 1.745 mm, wherever the start is.
+TEST(FrameError, OneDegreeAboutTheStartCostsOnePointSevenMillimetres) {
+  for (const PlatePoint start : {PlatePoint{0.0, 0.0}, PlatePoint{0.0, -0.05}, PlatePoint{0.02, 0.01}}) {
+    for (const double direction_deg : {0.0, -5.0, 30.0, 90.0}) {
+      const PlatePoint target = point_ahead(start, direction_deg, 0.1);
+      const double sd_deg = frame_bearing_sd_deg(of_turn_about(start, 1.0), start, target);
+      EXPECT_NEAR(sd_deg, 1.0, 1e-6);
+      EXPECT_NEAR(0.1 * sd_deg * rad_per_deg, 0.001745, 1e-6);
+    }
+  }
+}
+
+// About the centre, 5 cm beyond the start, the target is only 5 cm away from where the frame turns.
+TEST(FrameError, AboutTheCentreItCostsHalf) {
+  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -0.05}, {0.0, 0.05}), 0.5, 1e-6);
+  EXPECT_NEAR(frame_bearing_sd_deg(of_turn_about({}, 1.0), {0.0, -0.05}, {0.0, 0.0}), 0.0, 1e-9);
+}
+
+// 2 mm to the side at 100 mm are 0.02 radians; along the path they change no bearing.
+TEST(FrameError, PlaceByHand) {
+  FrameCovariance covariance = FrameCovariance::Zero();
+  covariance(1, 1) = 4e-6;
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -0.05}, {0.0, 0.05}), 0.02 / rad_per_deg, 1e-9);
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {-0.05, 0.0}, {0.05, 0.0}), 0.0, 1e-9);
+  covariance << 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 4e-6;
+  EXPECT_NEAR(frame_bearing_sd_deg(covariance, {0.0, -0.05}, {0.0, 0.05}), 0.0, 1e-9);
+}
+
+TEST(FrameError, AnExactPlateHasNone) {
+  EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Zero(), {0.0, -0.05}, {0.01, 0.05}), 0.0);
+  EXPECT_EQ(frame_bearing_sd_deg(FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 0.0}), 180.0);
+  EXPECT_EQ(frame_bearing_sd_deg(1e12 * FrameCovariance::Identity(), {0.0, 0.0}, {0.0, 0.1}), 180.0);
+}
+
+TEST(FrameError, RefusesWhatIsNoCovariance) {
+  EXPECT_TRUE(is_frame_covariance(FrameCovariance::Zero()));
+  EXPECT_TRUE(is_frame_covariance(of_turn_about({0.02, -0.05}, 1.0)));  // of rank 1
+  FrameCovariance covariance = FrameCovariance::Identity();
+  EXPECT_TRUE(is_frame_covariance(covariance));
+  covariance(1, 0) = covariance(0, 1) = 1.01;
+  EXPECT_FALSE(is_frame_covariance(covariance));
+  covariance(1, 0) = covariance(0, 1) = covariance(2, 0) = covariance(0, 2) = 0.9;
+  covariance(2, 1) = covariance(1, 2) = -0.9;
+  EXPECT_FALSE(is_frame_covariance(covariance));
+  covariance = FrameCovariance::Zero();
+  covariance(1, 0) = covariance(0, 1) = 1e-3;
+  EXPECT_FALSE(is_frame_covariance(covariance));
+  covariance = -FrameCovariance::Identity();
+  EXPECT_FALSE(is_frame_covariance(covariance));
+  covariance = FrameCovariance::Identity();
+  covariance(2, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(is_frame_covariance(covariance));
+}
+
+// A finger that is believed to be at the target, of 2,000 registrations by touches of five marks with 1 and 3
+// mm of noise: binomial bounds of four deviations about 95 %.
+TEST(FrameError, CoversWhereTheFingerEnds) {
+  const Matrix3d rotation =
+      (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
+  const Vector3d position(0.3, 0.75, -0.4);
+  const std::vector<Vector3d> marks = {
+      {0.0, 0.0, 0.0}, {0.0, 0.0, 0.05}, {0.075, 0.0, 0.0}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
+  const PlatePoint start{0.0, -0.05};
+  const PlatePoint target = point_ahead(start, -5.0, 0.1);
+  for (const double noise_m : {0.001, 0.003}) {
+    int covered = 0, fitted = 0;
+    double sd_sum_deg = 0.0;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+      Draws draws(11, 0, i, 0);
+      std::vector<MarkTouch> touches;
+      for (const Vector3d& mark : marks)
+        touches.push_back({mark, rotation * mark + position +
+                                     noise_m * Vector3d(draws.normal(), draws.normal(), draws.normal())});
+      const Registration found = fit_registration({.touch_sd_m = noise_m}, touches);
+      if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
+      ++fitted;
+      const Vector3d believed(target.right_m, 0.0, -target.away_m);
+      const Vector3d truly = rotation.transpose() * (found.rotation * believed + found.position_m - position);
+      const double error_deg = bearing_deg(start, {truly.x(), -truly.z()}) - bearing_deg(start, target);
+      const double sd_deg = frame_bearing_sd_deg(frame_covariance(found), start, target);
+      sd_sum_deg += sd_deg;
+      covered += std::abs(error_deg) <= 1.96 * sd_deg;
+    }
+    ASSERT_GT(fitted, 1950);
+    EXPECT_GT(covered, 0.93 * fitted);
+    EXPECT_LT(covered, 0.97 * fitted);
+    EXPECT_NEAR(sd_sum_deg / fitted, 310.0 * noise_m, 0.03);
+    std::printf("touches of %.0f mm: bearing known to %.2f degrees, covered %d of %d\n", 1e3 * noise_m,
+                sd_sum_deg / fitted, covered, fitted);
+  }
+}
+
+}  // namespace
+}  // namespace hrt

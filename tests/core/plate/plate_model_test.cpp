@@ -1,0 +1,147 @@
+#include "core/plate/plate_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace hrt {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+
+TEST(PlateModel, FollowsAtOnceByDefault) {
+  PlateModel plate({}, 0.0);
+  plate.advance(0);
+  plate.command(30.0);
+  EXPECT_EQ(plate.orientation_deg(), 30.0);
+}
+
+// 400 degrees a second after 30 ms: 28 degrees at 100 ms, 60 degrees after 180 ms.
+TEST(PlateModel, TurnsAtItsSpeedAfterItsLatency) {
+  PlateModel plate({.max_speed_deg_s = 400.0, .latency_ns = 30 * ms}, 0.0);
+  plate.advance(0);
+  plate.command(60.0);
+  EXPECT_NEAR(plate.orientation_at_deg(30 * ms), 0.0, 1e-9);
+  EXPECT_NEAR(plate.orientation_at_deg(100 * ms), 28.0, 1e-9);
+  plate.advance(100 * ms);
+  EXPECT_NEAR(plate.orientation_deg(), 28.0, 1e-9);
+  plate.advance(179 * ms);
+  EXPECT_NEAR(plate.orientation_deg(), 59.6, 1e-9);
+  plate.advance(181 * ms);
+  EXPECT_EQ(plate.orientation_deg(), 60.0);
+}
+
+TEST(PlateModel, LaterCommandsReplaceEarlierOnesInOrder) {
+  PlateModel plate({.max_speed_deg_s = 100.0, .latency_ns = 50 * ms}, 0.0);
+  plate.advance(0);
+  plate.command(90.0);
+  plate.advance(20 * ms);
+  plate.command(-90.0);
+  EXPECT_NEAR(plate.orientation_at_deg(70 * ms), 2.0, 1e-9);
+  EXPECT_NEAR(plate.orientation_at_deg(100 * ms), -1.0, 1e-9);
+}
+
+// From rest to rest: 1000 deg/s^2 for 0.1 s and back covers 2 * 5 degrees, at 100 deg/s at most; in 0.3 s
+// another 0.1 s at full speed adds 10.
+TEST(PlateModel, SpeedsUpAndBrakes) {
+  const PlateDynamics dynamics{.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 1000.0};
+  PlateModel plate(dynamics, 0.0);
+  EXPECT_DOUBLE_EQ(plate.reach_deg(0.2), 10.0);
+  EXPECT_DOUBLE_EQ(plate.reach_deg(0.3), 20.0);
+  EXPECT_DOUBLE_EQ(plate.reach_deg(0.1), 2.5);
+  plate.advance(0);
+  plate.command(20.0);
+  double last_deg = 0.0;
+  double last_step_deg = 0.0;
+  for (int t = 1; t <= 500; ++t) {
+    plate.advance(t * ms);
+    const double step_deg = plate.orientation_deg() - last_deg;
+    EXPECT_LE(std::abs(step_deg), 0.1 + 1e-9);
+    EXPECT_LE(std::abs(step_deg - last_step_deg), 0.006) << t;
+    last_deg = plate.orientation_deg();
+    last_step_deg = step_deg;
+    EXPECT_LE(last_deg, 20.0 + 0.2);
+  }
+  EXPECT_NEAR(last_deg, 20.0, 1e-6);
+}
+
+TEST(PlateModel, ReportsReplaceTheModel) {
+  PlateModel plate({.max_speed_deg_s = 100.0}, 0.0);
+  plate.advance(0);
+  plate.command(50.0);
+  plate.advance(100 * ms);
+  plate.report(4.0);
+  plate.advance(200 * ms);
+  EXPECT_NEAR(plate.orientation_deg(), 14.0, 1e-9);
+}
+
+// A command each millisecond, 100 ms late: more are under way than are kept, and the plate still follows to
+// within two of them.
+TEST(PlateModel, FollowsMoreCommandsThanItKeeps) {
+  PlateModel plate({.latency_ns = 100 * ms}, 0.0);
+  for (int i = 0; i <= 400; ++i) {
+    plate.advance(i * ms);
+    EXPECT_NEAR(plate.orientation_deg(), std::max(i - 100, 0), 2.0) << i;
+    plate.command(i);
+  }
+}
+
+TEST(PlateModel, ACommandBeforeTheFirstTimeCountsFromThere) {
+  for (const std::int64_t origin_ns : {-5'000'000 * ms, 5'000'000 * ms}) {
+    PlateModel plate({.latency_ns = 100 * ms}, 0.0);
+    plate.command(5.0);
+    plate.command(10.0);
+    plate.advance(origin_ns);
+    plate.advance(origin_ns + 99 * ms);
+    EXPECT_EQ(plate.orientation_deg(), 0.0);
+    plate.advance(origin_ns + 101 * ms);
+    EXPECT_EQ(plate.orientation_deg(), 10.0);
+  }
+}
+
+TEST(PlateModel, SurvivesTheEndOfTimeAndManyCommands) {
+  PlateModel plate({.max_speed_deg_s = 100.0, .max_acceleration_deg_s2 = 500.0, .latency_ns = 1000 * ms},
+                   0.0);
+  plate.advance(std::numeric_limits<std::int64_t>::min());
+  for (int i = 0; i < 1000; ++i) plate.command(i % 90);
+  plate.advance(std::numeric_limits<std::int64_t>::max());
+  plate.command(1.0);
+  EXPECT_TRUE(std::isfinite(plate.orientation_deg()));
+}
+
+TEST(PlateModel, AReportMayCountTurnsItsOwnWay) {
+  PlateModel free({}, 115.0);
+  free.report(-64.0);
+  EXPECT_DOUBLE_EQ(free.orientation_deg(), 116.0);
+  PlateModel between_stops({.stops = {-180.0, 180.0}}, 115.0);
+  between_stops.report(-64.0);
+  EXPECT_DOUBLE_EQ(between_stops.orientation_deg(), -64.0);
+}
+
+TEST(PlateModel, InvalidDynamicsAreRecognised) {
+  EXPECT_TRUE(is_valid(PlateDynamics{}));
+  EXPECT_FALSE(is_valid(PlateDynamics{.max_speed_deg_s = 0.0}));
+  EXPECT_FALSE(is_valid(PlateDynamics{.max_acceleration_deg_s2 = std::nan("")}));
+  EXPECT_FALSE(is_valid(PlateDynamics{.latency_ns = -1}));
+  EXPECT_FALSE(is_valid(PlateDynamics{.stops = {-80.0, 80.0}}));
+}
+
+// A half turn at 30 degrees a second takes six seconds, seen or not.
+TEST(PlateModel, TurnsOnThroughAGap) {
+  for (const double acceleration_deg_s2 : {std::numeric_limits<double>::infinity(), 600.0}) {
+    PlateModel plate({.max_speed_deg_s = 30.0, .max_acceleration_deg_s2 = acceleration_deg_s2}, 0.0);
+    plate.advance(0);
+    plate.command(180.0);
+    plate.advance(4'000'000'000);
+    EXPECT_NEAR(plate.orientation_deg(), 120.0, 1.0);
+    plate.advance(9'000'000'000);
+    EXPECT_NEAR(plate.orientation_deg(), 180.0, 1e-6);
+    plate.command(0.0);
+    plate.advance(std::numeric_limits<std::int64_t>::max());
+    EXPECT_NEAR(plate.orientation_deg(), 0.0, 1e-6);
+  }
+}
+
+}  // namespace
+}  // namespace hrt

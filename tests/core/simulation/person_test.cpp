@@ -1,0 +1,319 @@
+#include "core/simulation/person.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "core/math/trigonometry.h"
+
+namespace hrt {
+namespace {
+
+constexpr double virtual_deg = 5.0;
+constexpr double path_m = 0.1;
+constexpr Pace paces[] = {Pace::minimum_jerk, Pace::even,      Pace::skewed,  Pace::stop_and_go,
+                          Pace::pause,        Pace::two_parts, Pace::reversal};
+
+SimulatedIllusion illusion(IllusionFamily family, double scale_deg = 45.0, double weight = 0.2) {
+  return {.family = family, .tactile_weight = weight, .scale_deg = scale_deg};
+}
+
+// Who feels nothing of ridges, sets out for the virtual target and has no noise.
+Person numb() {
+  Person person;
+  person.illusion = illusion(IllusionFamily::dead_band, 90.0);
+  person.noise_deg2_per_s = 0.0;
+  person.start_direction_deg = virtual_deg;
+  return person;
+}
+
+// Who feels them in proportion, without noise.
+Person linear() {
+  Person person = numb();
+  person.illusion = illusion(IllusionFamily::linear);
+  return person;
+}
+
+Draws draws(std::uint32_t reach = 0) {
+  return {1, 2, 3, reach};
+}
+
+struct Walk {
+  std::vector<PlatePoint> places;  // one a millisecond
+  SlidingPerson person;
+
+  double length_m() const {
+    double sum_m = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i) sum_m += distance_m(places[i - 1], places[i]);
+    return sum_m;
+  }
+};
+
+// A whole reach with the ridges `plate(person)` deg.
+Walk walk(const Person& person, const std::function<double(const SlidingPerson&)>& plate,
+          const Draws& from = draws()) {
+  Walk result{.places = {{}}, .person = {person, {}, virtual_deg, path_m, from}};
+  while (!result.person.done()) {
+    result.person.advance(plate(result.person));
+    result.places.push_back(result.person.position());
+  }
+  return result;
+}
+
+Walk walk_beside(const Person& person, double offset_deg) {
+  return walk(person, [=](const SlidingPerson& now) { return now.direction_deg() + offset_deg; });
+}
+
+TEST(SimulationPerson, FeltShiftByHand) {
+  using enum IllusionFamily;
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(linear), 40.0), 8.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(linear), 100.0), -16.0);  // folded to -80
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(saturating), 30.0), 6.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(saturating), 60.0), 9.0);
+  EXPECT_NEAR(felt_shift_deg(illusion(sine), 45.0), 9.0, 1e-12);
+  EXPECT_NEAR(felt_shift_deg(illusion(sine), 15.0), 4.5, 1e-12);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(IllusionFamily::tanh, 60.0), 30.0), 12.0 * std::tanh(0.5));
+  EXPECT_EQ(felt_shift_deg(illusion(dead_band, 10.0), 9.0), 0.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(dead_band, 10.0), -30.0), -4.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(unequal), 30.0), 6.0);
+  EXPECT_DOUBLE_EQ(felt_shift_deg(illusion(unequal), -30.0), -3.0);
+}
+
+TEST(SimulationPerson, RidgesAreTheSameAfterHalfATurnAndMirrored) {
+  using enum IllusionFamily;
+  for (const IllusionFamily family : {linear, saturating, sine, IllusionFamily::tanh, dead_band})
+    for (double t = -85.0; t <= 85.0; t += 5.0) {
+      const double shift_deg = felt_shift_deg(illusion(family), t);
+      EXPECT_NEAR(felt_shift_deg(illusion(family), t + 180.0), shift_deg, 1e-12);
+      EXPECT_NEAR(felt_shift_deg(illusion(family), -t), -shift_deg, 1e-12);
+    }
+}
+
+// Within 75: 75 w, 45 w, 45 w at 45, 60 w tanh(75 / 60), 65 w; half of 75 w to the right.
+TEST(SimulationPerson, LargestShiftByHand) {
+  using enum IllusionFamily;
+  for (const double w : {0.1, 0.2, 0.3})
+    for (const double sign : {1.0, -1.0}) {
+      const auto largest = [=](IllusionFamily family, double scale_deg) {
+        return largest_shift_deg(illusion(family, scale_deg, w), 75.0, sign);
+      };
+      EXPECT_NEAR(largest(linear, 45.0), 75.0 * w, 1e-12);
+      EXPECT_NEAR(largest(saturating, 45.0), 45.0 * w, 1e-12);
+      EXPECT_NEAR(largest(sine, 45.0), 45.0 * w, 1e-12);
+      EXPECT_NEAR(largest(IllusionFamily::tanh, 60.0), 60.0 * w * std::tanh(1.25), 1e-12);
+      EXPECT_NEAR(largest(dead_band, 10.0), 65.0 * w, 1e-12);
+      EXPECT_NEAR(largest(unequal, 45.0), (sign > 0.0 ? 75.0 : 37.5) * w, 1e-12);
+    }
+}
+
+TEST(SimulationPerson, DrawsAreAFunctionOfTheirKeyAlone) {
+  Draws one(7, 1, 2, 3);
+  Draws same(7, 1, 2, 3);
+  std::vector<double> firsts;
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(one.normal(), same.normal());
+  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3),
+                      Draws(7, 1, 2, 2), Draws(7, 1, 3, 2)})
+    firsts.push_back(other.uniform());
+  std::sort(firsts.begin(), firsts.end());
+  EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());
+}
+
+// Standard errors of n draws: mean and variance of a normal, 1 / sqrt(n) and sqrt(2 / n); mean of a uniform,
+// 1 / sqrt(12 n). Neighbouring people are independent.
+TEST(SimulationPerson, DrawsHaveTheirDistribution) {
+  constexpr std::uint32_t n = 100'000;
+  double sum = 0.0, squares = 0.0, uniforms = 0.0, products = 0.0, last = 0.0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Draws person(1, 0, i, 0);
+    const double x = person.normal();
+    sum += x;
+    squares += x * x;
+    products += x * last;
+    last = x;
+    const double u = person.uniform();
+    ASSERT_TRUE(u >= 0.0 && u < 1.0);
+    uniforms += u;
+  }
+  EXPECT_NEAR(sum / n, 0.0, 4.0 / std::sqrt(n));
+  EXPECT_NEAR(squares / n, 1.0, 4.0 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(uniforms / n, 0.5, 4.0 / std::sqrt(12.0 * n));
+  EXPECT_NEAR(products / n, 0.0, 4.0 / std::sqrt(n));
+}
+
+// The path is as long as it is asked to be, however it is paced and bent; who overshoots by a tenth and comes
+// back goes 1.2 times as far.
+TEST(SimulationPerson, PathAndTimeAreAsAskedFor) {
+  for (const Pace pace : paces) {
+    Person person = linear();
+    person.noise_deg2_per_s = 8.0;
+    person.pace = pace;
+    person.duration_s = 1.2;
+    person.path_scale = 1.1;
+    const Walk bent = walk_beside(person, 30.0);
+    EXPECT_NEAR(bent.length_m(), 1.1 * path_m * (pace == Pace::reversal ? 1.2 : 1.0), 1e-6);
+    const double pauses_s = pace == Pace::stop_and_go || pace == Pace::pause ? 0.6 : 0.0;
+    const double back_s = pace == Pace::reversal ? 0.48 : 0.0;
+    EXPECT_NEAR(bent.person.elapsed_s(), 1.2 + pauses_s + back_s, 0.0011);
+  }
+}
+
+// 10 / 64 - 15 / 256 + 6 / 1024 = 0.103515625 of the path in the first quarter of the time.
+TEST(SimulationPerson, MinimumJerkByHand) {
+  Person person = numb();
+  person.duration_s = 2.0;
+  const Walk straight = walk_beside(person, 0.0);
+  EXPECT_NEAR(distance_m({}, straight.places[500]), 0.103515625 * path_m, 1e-9);
+  EXPECT_NEAR(distance_m({}, straight.places[1000]), 0.5 * path_m, 1e-9);
+  EXPECT_NEAR(distance_m(straight.places[1000], straight.places[1001]), 1.875 * path_m * 0.0005, 1e-8);
+}
+
+TEST(SimulationPerson, RestsAreWhereTheyAreSaidToBe) {
+  Person person = numb();
+  person.duration_s = 1.0;
+  const auto at_rest_ms = [&](Pace pace) {
+    person.pace = pace;
+    const Walk straight = walk_beside(person, 0.0);
+    int count = 0;
+    for (std::size_t i = 200; i + 200 < straight.places.size(); ++i)
+      count += distance_m(straight.places[i], straight.places[i + 1]) == 0.0;
+    return count;
+  };
+  EXPECT_NEAR(at_rest_ms(Pace::minimum_jerk), 0, 0);
+  EXPECT_NEAR(at_rest_ms(Pace::pause), 600, 2);
+  EXPECT_NEAR(at_rest_ms(Pace::stop_and_go), 600, 4);
+}
+
+TEST(SimulationPerson, WithoutIllusionTheyArriveAtTheVirtualTarget) {
+  const PlatePoint target = point_ahead({}, virtual_deg, path_m);
+  for (const Steering steering :
+       {Steering::continuous, Steering::predictive, Steering::place, Steering::crossings})
+    for (const Pace pace : paces) {
+      Person person = numb();
+      person.steering = steering;
+      person.pace = pace;
+      EXPECT_LT(distance_m(walk_beside(person, 60.0).person.position(), target), 1e-9);
+      // From another first direction too, except for what the first moments cost.
+      person.start_direction_deg = 0.0;
+      if (pace != Pace::minimum_jerk) continue;
+      EXPECT_LT(distance_m(walk_beside(person, 60.0).person.position(), target), 0.0005);
+    }
+  Person heavy = numb();
+  heavy.steering = Steering::heavy_arm;
+  const Walk arm = walk_beside(heavy, 60.0);
+  EXPECT_NEAR(bearing_deg({}, arm.person.position()), virtual_deg, 1e-6);
+  EXPECT_NEAR(distance_m({}, arm.person.position()), path_m, 0.002);
+}
+
+// In steps of 100 ms with noise of their own: on average at the virtual target, and straight in between.
+TEST(SimulationPerson, StepsAreOfTenthsOfASecond) {
+  Person person = numb();
+  person.steering = Steering::steps;
+  double sum_deg = 0.0;
+  for (std::uint32_t i = 0; i < 200; ++i) {
+    SlidingPerson now(person, {}, virtual_deg, path_m, draws(i));
+    double last_deg = now.direction_deg();
+    for (int millisecond = 1; !now.done(); ++millisecond) {
+      now.advance(0.0);
+      if (now.direction_deg() != last_deg) {
+        ASSERT_EQ(millisecond % 100, 0);
+      }
+      last_deg = now.direction_deg();
+    }
+    sum_deg += bearing_deg({}, now.position());
+  }
+  EXPECT_NEAR(sum_deg / 200.0, virtual_deg, 0.15);
+}
+
+// 50 beside the motion shifts by 0.2 * 50 = 10: the finger goes 10 to the right of what is felt.
+TEST(SimulationPerson, TheyFeelTheGoalAndGoBesideIt) {
+  for (const Steering steering : {Steering::continuous, Steering::predictive}) {
+    Person person = linear();
+    person.steering = steering;
+    const SlidingPerson end = walk_beside(person, 50.0).person;
+    EXPECT_NEAR(end.direction_deg(), virtual_deg - 10.0, 0.01);
+    EXPECT_NEAR(end.felt_error_deg(), 0.0, 0.01);
+    EXPECT_NEAR(end.intended_error_deg(), 0.0, 0.01);
+  }
+}
+
+TEST(SimulationPerson, BiasHabitAndDriftByHand) {
+  Person person = numb();
+  person.bias_deg = 3.0;
+  EXPECT_NEAR(walk_beside(person, 0.0).person.direction_deg(), virtual_deg + 3.0, 0.01);
+  person = numb();
+  person.own_bias_deg = 3.0;
+  const SlidingPerson biased = walk_beside(person, 0.0).person;
+  EXPECT_NEAR(biased.direction_deg(), virtual_deg - 3.0, 0.01);
+  EXPECT_NEAR(biased.felt_error_deg(), 0.0, 0.01);
+  person = numb();
+  person.habit_deg = 4.0;  // from +4 to -4: the path is bent, its chord is not
+  const Walk bent = walk_beside(person, 0.0);
+  EXPECT_NEAR(bent.person.direction_deg(), virtual_deg - 4.0, 0.1);
+  EXPECT_NEAR(bearing_deg({}, bent.person.position()), virtual_deg, 0.5);
+  EXPECT_GT(bearing_deg({}, bent.places[bent.places.size() / 2]), virtual_deg + 1.0);
+  // The shift ends at 0.25 * 40; the finger follows it 40 * 0.05 / 1.5 / 9 = 0.15 behind.
+  person = linear();
+  person.weight_drift = 0.05;
+  EXPECT_NEAR(walk_beside(person, 40.0).person.direction_deg(), virtual_deg - 10.0 + 0.15, 0.05);
+}
+
+// Set out 15 beside the target's direction, they halve at least the miss of those who steer by direction.
+TEST(SimulationPerson, PlaceSeekersSteerBackToThePlaceTheyFeel) {
+  Person person = linear();
+  person.start_direction_deg = -10.0;
+  person.pace = Pace::even;
+  person.illusion = illusion(IllusionFamily::dead_band, 90.0);
+  const double by_direction_deg = bearing_deg({}, walk_beside(person, 0.0).person.position());
+  person.steering = Steering::place;
+  const double by_place_deg = bearing_deg({}, walk_beside(person, 0.0).person.position());
+  EXPECT_LT(by_direction_deg, virtual_deg - 0.5);
+  EXPECT_LT(std::abs(by_place_deg - virtual_deg), 0.5 * std::abs(by_direction_deg - virtual_deg));
+}
+
+// Ridges along the motion are never crossed; across it, one every 10 mm.
+TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
+  Person person = linear();
+  person.steering = Steering::crossings;
+  EXPECT_NEAR(walk_beside(person, 90.0).person.direction_deg(), virtual_deg, 1e-9);
+  const Walk crossed = walk_beside(person, 40.0);
+  double least_deg = virtual_deg;
+  SlidingPerson now(person, {}, virtual_deg, path_m, draws());
+  while (!now.done()) {
+    now.advance(now.direction_deg() + 40.0);
+    least_deg = std::min(least_deg, now.direction_deg());
+  }
+  EXPECT_LT(least_deg, virtual_deg - 2.0);
+  EXPECT_GT(least_deg, virtual_deg - 8.0);  // 0.2 * 40, which fades between ridges
+}
+
+TEST(SimulationPerson, APathIsAFunctionOfItsDraws) {
+  Person person = linear();
+  person.noise_deg2_per_s = 8.0;
+  const auto end = [&](std::uint32_t reach) {
+    return walk(person, [](const SlidingPerson&) { return 20.0; }, draws(reach)).person.position().right_m;
+  };
+  EXPECT_EQ(end(4), end(4));
+  EXPECT_NE(end(4), end(5));
+}
+
+// Without steering the direction is a random walk: 8 deg2 a second for 1.5 s.
+TEST(SimulationPerson, NoiseHasItsVariance) {
+  Person person = numb();
+  person.gain_per_s = 0.0;
+  person.pace = Pace::even;
+  person.noise_deg2_per_s = 8.0;
+  constexpr int n = 1000;
+  double squares = 0.0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    SlidingPerson now(person, {}, virtual_deg, path_m, draws(i));
+    while (!now.done()) now.advance(0.0);
+    squares += std::pow(now.direction_deg() - virtual_deg, 2);
+  }
+  EXPECT_NEAR(squares / n, 8.0 * person.duration_s, 4.0 * 12.0 * std::sqrt(2.0 / n));
+}
+
+}  // namespace
+}  // namespace hrt
