@@ -14,7 +14,7 @@ install(TARGETS ${HRT_LIBRARIES} EXPORT HapticRetargetingTargets
   RUNTIME COMPONENT runtime
   LIBRARY COMPONENT runtime NAMELINK_COMPONENT development
   ARCHIVE COMPONENT development)
-install(DIRECTORY plugin/include/ samples/plate/driver/include/ TYPE INCLUDE COMPONENT development
+install(DIRECTORY plugin/include/ TYPE INCLUDE COMPONENT development
         FILES_MATCHING PATTERN "*.h")
 
 set(HRT_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/HapticRetargeting)

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "samples/plate/driver/same_feel.h"
+#include "plugin/src/plate/same_feel.h"
 
 namespace hrt::reach {
 

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/samples/plate/driver/pty_dynamixel.h"
+#include "tests/plugin/plate/pty_dynamixel.h"
 #include "tests/samples/plate/pty_board.h"
 
 int main(int argc, char** argv) {

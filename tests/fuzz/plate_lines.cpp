@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
-#include "samples/plate/driver/device.h"
-#include "samples/plate/driver/dynamixel_packet.h"
-#include "samples/plate/driver/plate_failure.h"
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/device.h"
+#include "plugin/src/plate/dynamixel/packet.h"
+#include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/plate_line.h"
 #include "samples/plate/firmware/plate.h"
 
 namespace {

@@ -20,7 +20,7 @@
 
 #include "fixture.h"
 #include "haptic_retargeting/plate.h"
-#include "tests/samples/plate/driver/pty_plate.h"
+#include "tests/plugin/plate/pty_plate.h"
 
 namespace {
 

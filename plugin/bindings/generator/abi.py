@@ -208,9 +208,10 @@ def pascal(name: str) -> str:
     return "".join(part[:1].upper() + part[1:].lower() for part in name.split("_"))
 
 
-def read(include: Path, base: Path | None = None) -> Abi:
-    """The interface that `include`/haptic_retargeting/*.h declare; `base` has headers that they include."""
-    headers = sorted(p for p in (include / "haptic_retargeting").glob("*.h") if p.name not in WRITTEN)
+def read(include: Path, plate: bool = False) -> Abi:
+    """The interface that `include`/haptic_retargeting/*.h declare: of the plugin, or of the library that drives the plate."""
+    headers = sorted(p for p in (include / "haptic_retargeting").glob("*.h")
+                     if p.name not in WRITTEN and (p.name == "plate.h") == plate)
     if not headers:
         raise HeaderError(f"no headers in {include}/haptic_retargeting")
     # The header of all includes what is written from the model.
@@ -219,7 +220,7 @@ def read(include: Path, base: Path | None = None) -> Abi:
     macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
     macros = [name for name in macros if name not in ("HRT_API", "HRT_NODISCARD", "HRT_NOEXCEPT")]
     try:
-        tree = c_parser.CParser().parse(_preprocess([include, base or include], names, macros))
+        tree = c_parser.CParser().parse(_preprocess([include], names, macros))
     except c_parser.ParseError as error:
         raise HeaderError(f"{error}: not C that pycparser reads") from error
 

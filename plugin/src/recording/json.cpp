@@ -11,10 +11,10 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
-#include "plugin/src/conditions.h"
-#include "plugin/src/session_config.h"
-#include "plugin/src/streamed_calibration.h"
-#include "plugin/src/targets.h"
+#include "plugin/src/session/conditions.h"
+#include "plugin/src/session/session_config.h"
+#include "plugin/src/session/streamed_calibration.h"
+#include "plugin/src/session/targets.h"
 #include "scene/json_number.h"
 
 namespace hrt::plugin {

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "plugin/src/recording/recording_line.h"
-#include "plugin/src/streamed_calibration.h"
+#include "plugin/src/session/streamed_calibration.h"
 
 namespace hrt::plugin {
 

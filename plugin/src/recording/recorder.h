@@ -12,7 +12,7 @@
 #include "plugin/src/abi/host.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
-#include "plugin/src/targets.h"
+#include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
 

@@ -8,7 +8,7 @@
 
 #include "plugin/src/abi/error.h"
 #include "plugin/src/recording/format.h"
-#include "plugin/src/streamed_calibration.h"
+#include "plugin/src/session/streamed_calibration.h"
 
 namespace hrt::plugin {
 

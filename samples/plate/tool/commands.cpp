@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/device.h"
-#include "samples/plate/driver/plate_failure.h"
+#include "plugin/src/plate/device.h"
+#include "plugin/src/plate/plate_failure.h"
 #include "samples/plate/tool/measure.h"
 #include "samples/plate/tool/report.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/device.h"
+#include "plugin/src/plate/device.h"
 #include "samples/plate/tool/trim.h"
 
 namespace hrt::plate {

@@ -5,7 +5,7 @@
 
 #include <iostream>
 
-#include "samples/plate/driver/serial_line.h"
+#include "plugin/src/plate/serial_line.h"
 #include "samples/plate/tool/commands.h"
 
 namespace {

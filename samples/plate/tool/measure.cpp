@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "samples/format.h"
-#include "samples/plate/driver/plate_failure.h"
+#include "plugin/src/plate/plate_failure.h"
 
 namespace hrt::plate {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/device.h"
+#include "plugin/src/plate/device.h"
 
 namespace hrt::plate {
 

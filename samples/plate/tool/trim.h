@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "samples/plate/driver/device.h"
+#include "plugin/src/plate/device.h"
 
 namespace hrt::plate {
 

@@ -1,7 +1,7 @@
 // A line straight to the emulated board, in its simulated time.
 #pragma once
 
-#include "samples/plate/driver/line.h"
+#include "plugin/src/plate/line.h"
 #include "tests/samples/plate/emulated_board.h"
 
 namespace hrt::plate {

@@ -13,7 +13,7 @@
 #include <cstdlib>
 #include <stdexcept>
 
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/plate_line.h"
 
 namespace hrt::plate {
 namespace {

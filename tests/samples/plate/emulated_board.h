@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/plate_line.h"
 
 struct avr_t;
 struct avr_irq_t;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/plate_line.h"
 #include "tests/samples/plate/damage.h"
 #include "tests/samples/plate/emulated_board.h"
 #include "tests/samples/plate/emulated_servo.h"

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/plate_line.h"
 #include "samples/plate/firmware/plate.h"
 #include "tests/samples/plate/damage.h"
 

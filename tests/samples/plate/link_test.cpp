@@ -1,11 +1,11 @@
 // The host's side of the line against the firmware's ELF: in simulated time, and once over a pseudo-terminal
 // in real time.
-#include "samples/plate/driver/plate_link.h"
+#include "plugin/src/plate/plate_link.h"
 
 #include <gtest/gtest.h>
 
-#include "samples/plate/driver/plate_failure.h"
-#include "samples/plate/driver/serial_line.h"
+#include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/serial_line.h"
 #include "tests/samples/plate/board_line.h"
 #include "tests/samples/plate/pty_board.h"
 

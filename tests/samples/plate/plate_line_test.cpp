@@ -1,5 +1,5 @@
 // The text of the plate's protocol, as samples/plate/protocol.md defines it.
-#include "samples/plate/driver/plate_line.h"
+#include "plugin/src/plate/plate_line.h"
 
 #include <gtest/gtest.h>
 

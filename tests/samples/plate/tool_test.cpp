@@ -8,14 +8,14 @@
 #include <optional>
 #include <sstream>
 
-#include "samples/plate/driver/plate_link.h"
-#include "samples/plate/driver/serial_line.h"
+#include "plugin/src/plate/plate_link.h"
+#include "plugin/src/plate/serial_line.h"
 #include "samples/plate/tool/commands.h"
 #include "samples/plate/tool/measure.h"
 #include "samples/plate/tool/report.h"
 #include "samples/plate/tool/trim.h"
 #include "tests/samples/plate/board_line.h"
-#include "tests/samples/plate/driver/emulated_dynamixel.h"
+#include "tests/plugin/plate/emulated_dynamixel.h"
 #include "tests/samples/plate/emulated_servo.h"
 #include "tests/samples/plate/pty_board.h"
 #include "tests/samples/process.h"

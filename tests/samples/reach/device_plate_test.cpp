@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "samples/reach/exit_code.h"
-#include "tests/samples/plate/driver/pty_plate.h"
+#include "tests/plugin/plate/pty_plate.h"
 
 namespace hrt::reach {
 namespace {

@@ -18,7 +18,7 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/samples/plate/driver/pty_plate.h"
+#include "tests/plugin/plate/pty_plate.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::reach {

@@ -1,0 +1,61 @@
+#include "haptic_retargeting/profile.h"
+
+#include <cstring>
+
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/recording/json.h"
+#include "plugin/src/api/sessions.h"
+
+using namespace hrt::plugin;
+
+hrt_result hrt_profile_set_conditions(hrt_session session, const hrt_conditions* conditions) noexcept {
+  return with_session("hrt_profile_set_conditions", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    hrt_conditions known{};
+    HRT_RETURN_IF_FAILED(read_struct("conditions", conditions, &known));
+    HRT_RETURN_IF_FAILED(check_conditions(&known));
+    s.conditions.set_now(known);
+    s.log_conditions(session.value);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_profile_get_conditions(hrt_session session, hrt_conditions* out_conditions) noexcept {
+  return with_session("hrt_profile_get_conditions", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_conditions", out_conditions));
+    write_struct(s.conditions.measured(), out_conditions);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
+                            uint64_t* out_length) noexcept {
+  return with_session("hrt_profile_save", session, [&](RecordedSession& s) -> hrt_result {
+    if (!out_length) return fail(HRT_ERROR_NULL_ARGUMENT, "out_length is null");
+    JsonText text;
+    write_profile(s.session().config(), s.conditions.measured(), text);
+    if (capacity > 0) {
+      if (!out_text) return fail(HRT_ERROR_NULL_ARGUMENT, "out_text is null");
+      if (capacity <= text.view().size())
+        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; the profile has ",
+                    text.view().size(), " bytes and a zero");
+      std::memcpy(out_text, text.c_str(), text.view().size() + 1);
+    }
+    *out_length = text.view().size();
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_profile_load(hrt_session session, const char* text, uint64_t length) noexcept {
+  return with_session("hrt_profile_load", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.session().check_no_reach());
+    if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
+    hrt_session_config config = s.session().config();
+    hrt_conditions measured{};
+    HRT_RETURN_IF_FAILED(read_profile({text, static_cast<std::size_t>(length)}, &config, &measured));
+    HRT_RETURN_IF_FAILED(s.set_config(config));
+    s.conditions.set_measured(measured);
+    s.log_conditions(session.value);
+    return HRT_OK;
+  });
+}

@@ -1,0 +1,71 @@
+#include "haptic_retargeting/reach.h"
+
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/api/sessions.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr hrt_reach_config default_reach_config{
+    .struct_size = sizeof(hrt_reach_config),
+    .flags = 0,
+    .real_target = {0},
+    .virtual_target = {0},
+    .plate_orientation_deg = 0.0,
+    .duration_s = 0.0,
+};
+
+}  // namespace
+}  // namespace hrt::plugin
+
+using namespace hrt::plugin;
+
+hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struct_size) noexcept {
+  return guarded("hrt_reach_config_default",
+                 [&] { return write_default("out_config", default_reach_config, out_config, struct_size); });
+}
+
+hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
+  return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
+    hrt_reach_config known = default_reach_config;
+    if (const hrt_result result = read_struct("config", config, &known); result != HRT_OK)
+      return s.refuse(result, Refused::Argument::config, config);
+    return s.begin(known);
+  });
+}
+
+hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
+                            hrt_command* out_command) noexcept {
+  return with_session("hrt_reach_update", session, [&](RecordedSession& s) -> hrt_result {
+    if (const hrt_result result = check_output("out_command", out_command); result != HRT_OK)
+      return s.refuse(result, Refused::Argument::out_command, out_command);
+    hrt_sample known{};
+    if (const hrt_result result = read_struct("sample", sample, &known); result != HRT_OK)
+      return s.refuse(result, Refused::Argument::sample, sample);
+    hrt_command command{};
+    HRT_RETURN_IF_FAILED(s.update(known, &command));
+    write_struct(command, out_command);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
+                              hrt_target virtual_target) noexcept {
+  return with_session("hrt_reach_retarget", session,
+                      [&](RecordedSession& s) { return s.retarget(real_target, virtual_target); });
+}
+
+hrt_result hrt_reach_cancel(hrt_session session) noexcept {
+  return with_session("hrt_reach_cancel", session, [](RecordedSession& s) { return s.cancel(); });
+}
+
+hrt_result hrt_reach_end(hrt_session session, hrt_reach_summary* out_summary) noexcept {
+  return with_session("hrt_reach_end", session, [&](RecordedSession& s) -> hrt_result {
+    if (const hrt_result result = check_output("out_summary", out_summary); result != HRT_OK)
+      return s.refuse(result, Refused::Argument::out_summary, out_summary);
+    hrt_reach_summary summary{};
+    HRT_RETURN_IF_FAILED(s.end(&summary));
+    write_struct(summary, out_summary);
+    return HRT_OK;
+  });
+}

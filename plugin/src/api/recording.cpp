@@ -1,0 +1,90 @@
+#include "haptic_retargeting/recording.h"
+
+#include <string>
+
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/file.h"
+#include "plugin/src/recording/replay.h"
+#include "plugin/src/api/sessions.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr std::size_t block_size = 65536;
+
+hrt_recording_status to_abi(const RecorderStatus& status) {
+  return {
+      .struct_size = sizeof(hrt_recording_status),
+      .system_error = status.system_error,
+      .rows_written = status.written,
+      .rows_lost = status.lost,
+  };
+}
+
+hrt_result read_file(const char* path, std::string* out) {
+  File file;
+  HRT_RETURN_IF_FAILED(File::open(path, &file));
+  for (std::size_t size = 0; size <= largest_file;) {
+    out->resize(size + block_size);
+    const std::ptrdiff_t n = file.read({out->data() + size, block_size});
+    if (n < 0) return fail_of_file(path);
+    out->resize(size += static_cast<std::size_t>(n));
+    if (n == 0) return HRT_OK;
+  }
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", largest_file, " bytes");
+}
+
+}  // namespace
+}  // namespace hrt::plugin
+
+using namespace hrt::plugin;
+
+hrt_result hrt_recording_start(hrt_session session, const char* path) noexcept {
+  return with_session("hrt_recording_start", session, [&](RecordedSession& s) -> hrt_result {
+    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    return s.start_recording(path, session.value);
+  });
+}
+
+hrt_result hrt_recording_get_status(hrt_session session, hrt_recording_status* out_status) noexcept {
+  return with_session("hrt_recording_get_status", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.check_recording());
+    HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
+    write_struct(to_abi(s.recording_status()), out_status);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_status) noexcept {
+  return with_session("hrt_recording_stop", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(s.check_recording());
+    HRT_RETURN_IF_FAILED(check_output("out_status", out_status));
+    write_struct(to_abi(s.stop_recording()), out_status);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_replay_text(const char* text, uint64_t length, hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_replay_text", [&]() -> hrt_result {
+    if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
+    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    hrt_replay_report report{};
+    HRT_RETURN_IF_FAILED(replay({text, static_cast<std::size_t>(length)}, &report));
+    write_struct(report, out_report);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_replay_file", [&]() -> hrt_result {
+    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
+    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    hrt_replay_report report{};
+    std::string text;
+    HRT_RETURN_IF_FAILED(read_file(path, &text));
+    HRT_RETURN_IF_FAILED(replay(text, &report));
+    write_struct(report, out_report);
+    return HRT_OK;
+  });
+}

@@ -1,0 +1,103 @@
+#include "haptic_retargeting/target.h"
+
+#include <cstring>
+
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/api/sessions.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr hrt_target_config default_target_config{
+    .struct_size = sizeof(hrt_target_config),
+    .role = HRT_TARGET_REAL,
+    .place = HRT_PLACE_DIRECTION,
+    .reserved = 0,
+    .direction_deg = 0.0,
+    .distance_m = 0.1,
+    .position_m = {0.0, 0.0, 0.0},
+    .name = "",
+};
+
+hrt_result read_target_config(const hrt_session_config& session_config, const hrt_target_config* given,
+                              hrt_target_config* config) {
+  *config = default_target_config;
+  HRT_RETURN_IF_FAILED(read_struct("config", given, config));
+  return check_target_config(session_config, config);
+}
+
+}  // namespace
+}  // namespace hrt::plugin
+
+using namespace hrt::plugin;
+
+hrt_result hrt_target_config_default(hrt_target_config* out_config, uint32_t struct_size) noexcept {
+  return guarded("hrt_target_config_default",
+                 [&] { return write_default("out_config", default_target_config, out_config, struct_size); });
+}
+
+hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
+                          hrt_target* out_target) noexcept {
+  return with_session("hrt_target_add", session, [&](RecordedSession& s) -> hrt_result {
+    if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
+    hrt_target_config checked;
+    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    return s.add_target(checked, &out_target->value);
+  });
+}
+
+hrt_result hrt_target_set(hrt_session session, hrt_target target, const hrt_target_config* config) noexcept {
+  return with_session("hrt_target_set", session, [&](RecordedSession& s) -> hrt_result {
+    hrt_target_config checked;
+    HRT_RETURN_IF_FAILED(read_target_config(s.session().config(), config, &checked));
+    return s.set_target(target.value, checked);
+  });
+}
+
+hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_config* out_config) noexcept {
+  return with_session("hrt_target_get", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
+    const hrt_target_config* config = nullptr;
+    HRT_RETURN_IF_FAILED(find_target(s.session().targets, "target", target, 0, &config));
+    write_struct(*config, out_config);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
+  return with_session("hrt_target_remove", session,
+                      [&](RecordedSession& s) { return s.remove_target(target.value); });
+}
+
+hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* out_target) noexcept {
+  return with_session("hrt_target_find", session, [&](RecordedSession& s) -> hrt_result {
+    if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
+    if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
+    const std::string_view wanted(name, strnlen(name, HRT_NAME_SIZE));
+    const std::uint64_t id = s.session().targets.find(wanted);
+    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", Shown{wanted}, "\"");
+    out_target->value = id;
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,
+                           uint64_t* out_count) noexcept {
+  return with_session("hrt_target_list", session, [&](RecordedSession& s) -> hrt_result {
+    if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
+    HRT_RETURN_IF_FAILED(check_range<unsigned>("role", role, 0, HRT_TARGET_VIRTUAL));
+    const auto listed = [role](const auto& entry) { return role == 0 || entry.second.role == role; };
+    std::uint64_t count = 0;
+    for (const auto& entry : s.session().targets.all()) count += listed(entry) ? 1 : 0;
+    if (capacity > 0) {
+      if (!out_targets) return fail(HRT_ERROR_NULL_ARGUMENT, "out_targets is null");
+      if (capacity < count)
+        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", count, " targets");
+      for (const auto& entry : s.session().targets.all()) {
+        if (listed(entry)) (out_targets++)->value = entry.first;
+      }
+    }
+    *out_count = count;
+    return HRT_OK;
+  });
+}

@@ -1,0 +1,100 @@
+// The kinds of devices, and their names.
+#include <algorithm>
+#include <charconv>
+#include <stdexcept>
+
+#include "plugin/src/plate/device.h"
+
+// A new device is one more X(kind) here, and a file that defines kind_device().
+#define HRT_DEVICES(X) \
+  X(serial)            \
+  X(dynamixel)
+
+namespace hrt::plate {
+
+#define HRT_DECLARE(kind) DeviceMaker kind##_device(const DeviceName& name);
+HRT_DEVICES(HRT_DECLARE)
+
+namespace {
+
+struct Kind {
+  std::string_view name;
+  DeviceMaker (*check)(const DeviceName& name);
+};
+#define HRT_ROW(kind) {#kind, kind##_device},
+constexpr Kind kinds[] = {HRT_DEVICES(HRT_ROW)};
+
+[[noreturn]] void refuse(const std::string& sentence) {
+  throw std::invalid_argument(sentence);
+}
+
+std::string list_of(std::initializer_list<std::string_view> words) {
+  std::string text;
+  for (const std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text.empty() ? "none" : text;
+}
+
+std::string known_kinds() {
+  std::string text;
+  for (const std::string& kind : device_kinds()) text += (text.empty() ? "" : ", ") + kind + ":...";
+  return text;
+}
+
+DeviceName parts_of(std::string_view text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string_view::npos) refuse("device has no kind; allowed: " + known_kinds());
+  const std::size_t question = std::min(text.find('?', colon), text.size());
+  DeviceName name{
+      std::string(text.substr(0, colon)), std::string(text.substr(colon + 1, question - colon - 1)), {}};
+  if (name.path.empty()) refuse("device names no line behind " + name.kind + ":");
+  for (std::string_view rest = text.substr(question); !rest.empty();) {
+    rest.remove_prefix(1);
+    const std::string_view option = rest.substr(0, rest.find('&'));
+    const std::size_t equals = option.find('=');
+    if (equals == std::string_view::npos || equals == 0)
+      refuse("option \"" + std::string(option) + "\" of the device is not name=value");
+    name.options.emplace_back(option.substr(0, equals), option.substr(equals + 1));
+    rest.remove_prefix(option.size());
+  }
+  return name;
+}
+
+}  // namespace
+
+void DeviceName::allow(std::initializer_list<std::string_view> known) const {
+  for (auto option = options.begin(); option != options.end(); ++option) {
+    const std::string& word = option->first;
+    if (std::find(known.begin(), known.end(), word) == known.end())
+      refuse(kind + ": has no option \"" + word + "\"; allowed: " + list_of(known));
+    if (std::any_of(options.begin(), option, [&](const auto& other) { return other.first == word; }))
+      refuse("option " + word + " is there twice");
+  }
+}
+
+int DeviceName::number(std::string_view option, int otherwise, int least, int most) const {
+  for (const auto& [word, text] : options) {
+    if (word != option) continue;
+    int value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
+      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(least) + " to " +
+             std::to_string(most));
+    return value;
+  }
+  return otherwise;
+}
+
+std::vector<std::string> device_kinds() {
+  std::vector<std::string> names;
+  for (const Kind& kind : kinds) names.emplace_back(kind.name);
+  return names;
+}
+
+DeviceMaker device_named(std::string_view text) {
+  const DeviceName name = parts_of(text);
+  for (const Kind& kind : kinds)
+    if (kind.name == name.kind) return kind.check(name);
+  refuse("device is of kind \"" + name.kind + "\"; allowed: " + known_kinds());
+}
+
+}  // namespace hrt::plate

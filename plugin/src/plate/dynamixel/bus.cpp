@@ -1,0 +1,118 @@
+#include "plugin/src/plate/dynamixel/bus.h"
+
+#include "plugin/src/plate/plate_failure.h"
+
+namespace hrt::plate::dynamixel {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto silence_limit = 500ms;
+constexpr auto glance = 5ms;  // at the line, while an answer is awaited
+constexpr int most_tries = 10;
+
+// Of its parameters, without an error.
+std::size_t size_of_answer(const Packet& request) {
+  constexpr std::size_t model_and_firmware = 3;
+  if (request.instruction == Instruction::ping) return model_and_firmware;
+  return request.instruction == Instruction::read
+             ? static_cast<std::size_t>(number_at(request.parameters, 2, 2))
+             : 0;
+}
+
+}  // namespace
+
+Packet Bus::read_request(Entry entry) const {
+  return {.id = id_,
+          .instruction = Instruction::read,
+          .parameters = little_endian(entry.address, 2) + little_endian(entry.size, 2)};
+}
+
+Packet Bus::write_request(Entry entry, std::int64_t value) const {
+  return {.id = id_,
+          .instruction = Instruction::write,
+          .parameters = little_endian(entry.address, 2) + little_endian(value, entry.size)};
+}
+
+std::optional<Packet> Bus::try_once(const Packet& request) {
+  send(request);
+  while (awaits_answer()) {
+    line_->wait(glance);
+    if (std::optional<Packet> found = answer()) return found;
+  }
+  pass_over_late_answer();
+  return std::nullopt;
+}
+
+Packet Bus::transact(const Packet& request) {
+  for (int i = 0; i < most_tries; ++i) {
+    const std::optional<Packet> found = try_once(request);
+    if (!found) continue;
+    const StatusError error = found->status_error();
+    if (error == StatusError::none) return *found;
+    if (error != StatusError::crc) throw PlateFailure(Fault::protocol, describe(request, error));
+    count_refusal();
+  }
+  throw PlateFailure(Fault::silent, "does not answer");
+}
+
+std::int64_t Bus::read(Entry entry) {
+  return number_at(transact(read_request(entry)).parameters, 0, entry.size);
+}
+
+void Bus::send(const Packet& request) {
+  request_ = request;
+  asked_ = line_->now();
+  is_answered_ = false;
+  if (!silent_since_) silent_since_ = asked_;
+  round_trips_.sent(asked_, ++sequence_);
+  line_->send(encode(request));
+}
+
+// Adapters may echo what the host sends: instructions, and other servos, are passed over.
+std::optional<Packet> Bus::answer() {
+  std::string bytes;
+  line_->receive(bytes);
+  reader_.take(bytes);
+  while (std::optional<Packet> packet = reader_.next()) {
+    if (packet->instruction != Instruction::status || packet->id != id_) continue;
+    if (is_answered_) continue;
+    if (packet->status_error() == StatusError::none && packet->parameters.size() != size_of_answer(request_))
+      continue;
+    is_answered_ = true;
+    silent_since_.reset();
+    round_trips_.echoed(line_->now(), sequence_);
+    return packet;
+  }
+  return std::nullopt;
+}
+
+bool Bus::has_missed_answer() {
+  if (is_answered_ || awaits_answer()) return false;
+  is_answered_ = true;
+  return true;
+}
+
+void Bus::check_silence() const {
+  if (silent_since_ && line_->now() - *silent_since_ > silence_limit)
+    throw PlateFailure(Fault::silent, "has not been heard for half a second");
+}
+
+// It would be taken for that of the next request.
+void Bus::pass_over_late_answer() {
+  is_answered_ = true;
+  for (const auto end = line_->now() + answer_limit; line_->now() < end;) {
+    line_->wait(glance);
+    answer();
+  }
+}
+
+std::string Bus::describe(const Packet& request, StatusError error) {
+  const std::string what = std::string(": ") + name_of(error);
+  if (request.instruction == Instruction::ping) return "answers a ping with" + what;
+  const std::string address = std::to_string(number_at(request.parameters, 0, 2));
+  return request.instruction == Instruction::read ? "refuses to have address " + address + " read" + what
+                                                  : "refuses to set address " + address + what;
+}
+
+}  // namespace hrt::plate::dynamixel

@@ -1,0 +1,78 @@
+// Requests to one servo on a Dynamixel bus and its answers: one is on its way at a time.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "plugin/src/plate/dynamixel/packet.h"
+#include "plugin/src/plate/dynamixel/table.h"
+#include "plugin/src/plate/line.h"
+#include "plugin/src/plate/plate_watch.h"
+
+namespace hrt::plate::dynamixel {
+
+/// All calls throw PlateFailure when the line has failed. One thread.
+class Bus {
+ public:
+  Bus(std::unique_ptr<Line> line, std::uint8_t id) : line_(std::move(line)), id_(id) {}
+
+  Line& line() const { return *line_; }
+  std::uint8_t id() const { return id_; }
+  /// Of a request and its answer, median.
+  std::optional<std::chrono::nanoseconds> round_trip() const { return round_trips_.median(); }
+  /// Packets that were damaged on their way.
+  std::uint64_t damaged() const { return refused_ + reader_.damaged(); }
+
+  Packet ping_request() const { return {.id = id_, .instruction = Instruction::ping}; }
+  Packet read_request(Entry entry) const;
+  Packet write_request(Entry entry, std::int64_t value) const;
+
+  // ---- With a wait for the answer.
+
+  /// Nothing without an answer; its error is the caller's.
+  std::optional<Packet> try_once(const Packet& request);
+  /// Asks again while the line is disturbed. PlateFailure with the servo's error, or if it is silent.
+  Packet transact(const Packet& request);
+  std::int64_t read(Entry entry);
+  void write(Entry entry, std::int64_t value) { transact(write_request(entry, value)); }
+
+  // ---- Without one.
+
+  /// Only while no answer is awaited.
+  void send(const Packet& request);
+  /// The answer to the last request, once.
+  std::optional<Packet> answer();
+  bool awaits_answer() const { return !is_answered_ && line_->now() - asked_ <= answer_limit; }
+  /// True once if the last request was not answered in time.
+  bool has_missed_answer();
+  /// The last request, and when it was sent.
+  const Packet& request() const { return request_; }
+  Line::Time asked() const { return asked_; }
+  /// PlateFailure if no request has been answered for half a second.
+  void check_silence() const;
+  /// The answer says that the request was damaged.
+  void count_refusal() { ++refused_; }
+  /// What a servo's error says of the request.
+  static std::string describe(const Packet& request, StatusError error);
+
+ private:
+  // 48 bytes at 57600 baud are 9 ms.
+  static constexpr auto answer_limit = std::chrono::milliseconds(60);
+  void pass_over_late_answer();
+
+  std::unique_ptr<Line> line_;
+  std::uint8_t id_;
+  PacketReader reader_;
+  RoundTrips round_trips_;
+  std::uint16_t sequence_ = 0;
+  Packet request_;
+  bool is_answered_ = true;
+  std::uint64_t refused_ = 0;
+  Line::Time asked_;
+  std::optional<Line::Time> silent_since_;  // the first request without an answer
+};
+
+}  // namespace hrt::plate::dynamixel

@@ -1,0 +1,349 @@
+// An XL330 or XL430 servo under the plate. Position 2048, the middle of the servo's turn, is orientation 0;
+// the horn points up, so that counter-clockwise is positive.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "plugin/src/plate/device.h"
+#include "plugin/src/plate/dynamixel/bus.h"
+#include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/plate_watch.h"
+#include "plugin/src/plate/serial_line.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+using namespace dynamixel;
+
+constexpr double turn_stop_deg = 179.9;  // of one turn's 4096 steps
+constexpr auto poll_period = 20ms;
+constexpr auto ping_limit = 3s;  // adapters and servos need a moment after the line is opened
+constexpr int probes = 11;
+// The servo's own: its control loop runs every millisecond.
+constexpr auto servo_latency = 2ms;
+
+struct Settings {
+  std::uint8_t id;
+  double speed_deg_s;
+  int effort_percent;
+};
+
+double deg_of(std::int64_t step) {
+  return static_cast<double>(step - middle_step) * deg_per_step;
+}
+
+void check_hardware(std::int64_t bits) {
+  if (bits == 0) return;
+  static constexpr std::array<std::pair<int, const char*>, 5> names = {{{0x01, "input voltage"},
+                                                                        {0x04, "overheating"},
+                                                                        {0x08, "motor encoder"},
+                                                                        {0x10, "electrical shock"},
+                                                                        {0x20, "overload"}}};
+  std::string text;
+  for (const auto& [bit, name] : names)
+    if ((bits & bit) != 0) text += (text.empty() ? "" : ", ") + std::string(name);
+  throw PlateFailure(Fault::device, "reports a hardware error: " + (text.empty() ? "unknown" : text) +
+                                        "; it needs a restart");
+}
+
+class Servo : public Device {
+ public:
+  Servo(std::unique_ptr<Line> line, const Settings& settings, Start start)
+      : bus_(std::move(line), settings.id), settings_(settings) {
+    identify();
+    check_hardware(bus_.read(hardware_error));
+    take_limits();
+    if (start == Start::hold) set_up();
+    watch_.emplace(PlateGreeting{Version::two, least_deg_, most_deg_, speed_deg_s(), 0.0, true}, now());
+    for (int i = 0; i < probes; ++i) take_position(bus_.read(present_position));
+    if (start == Start::hold) hold();
+  }
+
+  ~Servo() override {
+    if (holds_) stop_if_heard();
+  }
+  Servo(const Servo&) = delete;
+  Servo& operator=(const Servo&) = delete;
+
+  std::string description() const override {
+    return std::string("Dynamixel ") + model_->name + ", id " + std::to_string(settings_.id) + ", firmware " +
+           std::to_string(firmware_);
+  }
+  DeviceLimits limits() const override {
+    return {least_deg_, most_deg_, std::min(speed_deg_s(), watch_->speed_deg_s().value_or(speed_deg_s())),
+            servo_latency + round_trip().value_or(0ns) / 2};
+  }
+  bool is_measured() const override { return true; }
+  std::optional<std::chrono::nanoseconds> round_trip() const override { return bus_.round_trip(); }
+  std::optional<double> orientation_deg() const override { return orientation_deg_; }
+  Line::Time reported() const override { return reported_; }
+  std::uint64_t refusals() const override { return bus_.damaged(); }
+  Line::Time now() const override { return bus_.line().now(); }
+
+  void wait(std::chrono::milliseconds limit) override {
+    try {
+      bus_.line().wait(limit);
+      exchange();
+    } catch (const PlateFailure&) {
+      stop_if_heard();
+      throw;
+    }
+  }
+
+  void turn_to(double orientation_deg) override {
+    const int step = step_of(orientation_deg);
+    if (goal_step_ == step) return;
+    goal_step_ = step;
+    is_goal_sent_ = false;
+    watch_->commanded(deg_of(step));
+  }
+
+  void stop() override {
+    goal_step_.reset();
+    is_goal_sent_ = true;
+    watch_->stopped();
+    must_stop_ = true;
+  }
+
+  std::vector<std::string> details() override {
+    finish_exchange();
+    const auto value = [&](const char* name, Entry entry, const char* unit) {
+      return name + std::to_string(bus_.read(entry)) + unit;
+    };
+    return {value("operating mode ", operating_mode, ""),
+            value("homing offset ", homing_offset, " steps"),
+            value("least position ", min_position_limit, ""),
+            value("most position ", max_position_limit, ""),
+            value("velocity limit ", velocity_limit, ""),
+            value("supply ", present_voltage, " tenths of a volt"),
+            value("temperature ", present_temperature, " °C"),
+            value("hardware error ", hardware_error, "")};
+  }
+
+  // A servo's position is the shaft's own and the homing offset.
+  double zero_deg() override {
+    finish_exchange();
+    return static_cast<double>(-bus_.read(homing_offset)) * deg_per_step;
+  }
+
+  // The offset is in memory that is locked while there is torque: the plate is free for some milliseconds.
+  void set_zero(double zero_deg) override {
+    const std::int64_t offset = -std::llround(zero_deg / deg_per_step);
+    if (std::abs(offset) > most_homing_steps)
+      throw PlateFailure(Fault::device, "would need a homing offset of " + std::to_string(offset) +
+                                            " steps; allowed: -1024 to 1024. Turn the horn on its shaft");
+    finish_exchange();
+    bus_.write(torque_enable, 0);
+    bus_.write(homing_offset, offset);
+    take_position(bus_.read(present_position));
+    hold();
+    repeat_goal();
+  }
+
+  void keep_zero() override { stop(); }  // it is kept already
+  bool keeps_plan() const override { return false; }
+  void keep_plan(double, std::optional<double>) override {}
+
+ private:
+  int step_of(double orientation_deg) const {
+    return middle_step +
+           static_cast<int>(std::lround(std::clamp(orientation_deg, least_deg_, most_deg_) / deg_per_step));
+  }
+  std::int64_t speed_units() const {
+    return std::clamp<std::int64_t>(std::llround(settings_.speed_deg_s / deg_s_per_unit), 1, fastest_units_);
+  }
+  double speed_deg_s() const { return static_cast<double>(speed_units()) * deg_s_per_unit; }
+
+  // ---- Before the servo may turn.
+
+  void identify() {
+    for (const auto give_up = now() + ping_limit; now() <= give_up;) {
+      const std::optional<Packet> answer = bus_.try_once(bus_.ping_request());
+      if (answer && answer->status_error() == StatusError::none) {
+        take_model(*answer);
+        return;
+      }
+    }
+    throw PlateFailure(Fault::no_answer, "does not answer as a Dynamixel of id " +
+                                             std::to_string(settings_.id) + " within 3 s");
+  }
+
+  void take_model(const Packet& answer) {
+    const std::int64_t number = number_at(answer.parameters, 0, 2);
+    firmware_ = static_cast<int>(static_cast<unsigned char>(answer.parameters[2]));
+    const auto found = std::find_if(models.begin(), models.end(),
+                                    [&](const Model& model) { return model.number == number; });
+    if (found == models.end())
+      throw PlateFailure(Fault::no_answer, "is a Dynamixel of model number " + std::to_string(number) +
+                                               "; known are 1060 (XL430-W250), 1190 and 1200 (XL330)");
+    model_ = &*found;
+  }
+
+  int mode() const { return model_->limits_current ? current_based_position_mode : position_mode; }
+
+  // The stops hold in position mode alone.
+  void take_limits() {
+    fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
+    effort_ = bus_.read(model_->limits_current ? current_limit : pwm_limit) * settings_.effort_percent / 100;
+    if (mode() != position_mode) return;
+    least_deg_ = std::max(least_deg_, deg_of(bus_.read(min_position_limit)));
+    most_deg_ = std::min(most_deg_, deg_of(bus_.read(max_position_limit)));
+    if (least_deg_ >= most_deg_)
+      throw PlateFailure(Fault::device, "has position limits with nothing between");
+  }
+
+  // The mode is kept in memory that wears: it is written only if it is another one.
+  void set_up() {
+    bus_.write(bus_watchdog, 0);
+    bus_.write(torque_enable, 0);
+    if (bus_.read(operating_mode) != mode()) bus_.write(operating_mode, mode());
+    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
+  }
+
+  void hold() {
+    holds_ = true;
+    bus_.write(goal_position, step_of(*orientation_deg_));
+    bus_.write(torque_enable, 1);
+    bus_.write(bus_watchdog, watchdog_ticks);
+  }
+
+  // The servo forgets them when its watchdog stops it.
+  std::array<std::pair<Entry, std::int64_t>, 2> motion_entries() const {
+    return {{{profile_velocity, speed_units()}, {model_->limits_current ? goal_current : goal_pwm, effort_}}};
+  }
+
+  // ---- In motion.
+
+  void exchange() {
+    if (const std::optional<Packet> answer = bus_.answer()) take(*answer);
+    repeat_lost_goal();
+    bus_.check_silence();
+    if (bus_.awaits_answer()) return;
+    if (must_stop_) {
+      send_stop();
+    } else if (!is_goal_sent_) {
+      is_goal_sent_ = true;
+      bus_.send(bus_.write_request(goal_position, *goal_step_));
+    } else if (now() - bus_.asked() >= poll_period) {
+      bus_.send(poll_request());
+    }
+    bus_.line().flush();
+  }
+
+  void take(const Packet& answer) {
+    const Packet request = bus_.request();
+    const StatusError error = answer.status_error();
+    const bool is_goal = request.instruction == Instruction::write;
+    if (answer.is_alert()) check_hardware(bus_.read(hardware_error));
+    if (error == StatusError::crc) {
+      bus_.count_refusal();
+      if (is_goal) repeat_goal();
+    } else if (error == StatusError::data_range && is_goal) {
+      recover_from_watchdog();
+    } else if (error != StatusError::none) {
+      throw PlateFailure(Fault::protocol, Bus::describe(request, error));
+    } else if (!is_goal) {
+      take_poll(answer.parameters);
+    }
+  }
+
+  // Watchdog and position, and what lies between, in one answer.
+  Packet poll_request() const {
+    const int size = present_position.address + present_position.size - bus_watchdog.address;
+    return bus_.read_request({bus_watchdog.address, size});
+  }
+
+  void take_poll(const std::string& table) {
+    const std::int64_t watchdog = number_at(table, 0, bus_watchdog.size);
+    if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+    if (watchdog == watchdog_expired) recover_from_watchdog();
+    take_position(number_at(table, present_position.address - bus_watchdog.address, present_position.size));
+  }
+
+  void take_position(std::int64_t step) {
+    orientation_deg_ = deg_of(step);
+    reported_ = now();
+    watch_->reported(reported_, *orientation_deg_);
+  }
+
+  // The host paused for longer than the watchdog allows: the servo has stopped, and takes no goal.
+  void recover_from_watchdog() {
+    bus_.write(bus_watchdog, 0);
+    for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
+    bus_.write(bus_watchdog, watchdog_ticks);
+    repeat_goal();
+  }
+
+  void repeat_lost_goal() {
+    if (bus_.has_missed_answer() && bus_.request().instruction == Instruction::write) repeat_goal();
+  }
+
+  void repeat_goal() {
+    if (goal_step_) is_goal_sent_ = false;
+    must_stop_ = !goal_step_;
+  }
+
+  void send_stop() {
+    must_stop_ = false;
+    if (orientation_deg_) bus_.send(bus_.write_request(goal_position, step_of(*orientation_deg_)));
+  }
+
+  // Two do not speak at once on this line.
+  void await_answer() {
+    while (bus_.awaits_answer() && !bus_.answer()) {
+      bus_.line().wait(5ms);
+      bus_.line().flush();
+    }
+  }
+
+  void finish_exchange() {
+    await_answer();
+    repeat_lost_goal();
+  }
+
+  // If the servo does not hear, its own watchdog stops it.
+  void stop_if_heard() {
+    try {
+      await_answer();
+      send_stop();
+      await_answer();
+    } catch (const PlateFailure&) {
+      return;
+    }
+  }
+
+  Bus bus_;
+  Settings settings_;
+  const Model* model_ = nullptr;
+  int firmware_ = 0;
+  double least_deg_ = -turn_stop_deg, most_deg_ = turn_stop_deg;
+  std::int64_t fastest_units_ = 1;
+  std::int64_t effort_ = 0;
+  std::optional<PlateWatch> watch_;
+  std::optional<double> orientation_deg_;
+  std::optional<int> goal_step_;
+  bool is_goal_sent_ = true;
+  bool must_stop_ = false;
+  bool holds_ = false;
+  Line::Time reported_;
+};
+
+}  // namespace
+
+DeviceMaker dynamixel_device(const DeviceName& name) {
+  name.allow({"id", "baud", "speed", "effort"});
+  const int baud = name.number("baud", 57600, 57600, 1000000);
+  if (std::find(std::begin(baud_rates), std::end(baud_rates), baud) == std::end(baud_rates))
+    throw std::invalid_argument("option baud is " + std::to_string(baud) +
+                                "; allowed: 57600, 115200, 1000000");
+  const Settings settings{static_cast<std::uint8_t>(name.number("id", 1, 0, 252)),
+                          static_cast<double>(name.number("speed", 300, 10, 1000)),
+                          name.number("effort", 50, 5, 100)};
+  return [path = name.path, baud, settings](const LineOpener& open, Start start) {
+    return std::make_unique<Servo>(open(path, baud), settings, start);
+  };
+}
+
+}  // namespace hrt::plate

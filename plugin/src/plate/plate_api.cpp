@@ -1,0 +1,130 @@
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "haptic_retargeting/plate.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/handles.h"
+#include "plugin/src/abi/lease.h"
+#include "plugin/src/plate/plate_driver.h"
+#include "plugin/src/plate/serial_line.h"
+
+using namespace hrt::plugin;
+using hrt::plate::PlateDriver;
+
+// Sizes of the first version, which never change.
+static_assert(sizeof(hrt_plate_options) == 16);
+static_assert(sizeof(hrt_plate_report) == 472);
+static_assert(offsetof(hrt_plate_report, description) == 88);
+
+namespace {
+
+constexpr std::size_t most_plates = 16;
+constexpr std::uint8_t plates_kind = 'p';
+constexpr std::size_t longest_name = 1024;
+constexpr std::int64_t least_timeout_ns = 50'000'000, most_timeout_ns = 10'000'000'000;
+
+using Plates = HandleTable<PlateDriver, most_plates, plates_kind>;
+Plates plates;
+
+constexpr hrt_plate_options defaults{
+    .struct_size = sizeof(hrt_plate_options),
+    .reserved = 0,
+    .host_timeout_ns = 300'000'000,
+};
+
+template <class Body>
+hrt_result with_plate(const char* call, hrt_plate plate, Body&& body) noexcept {
+  return with_lease(call, "plate", plates, plate.value, body);
+}
+
+hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* options) {
+  *options = defaults;
+  if (!given) return HRT_OK;
+  HRT_RETURN_IF_FAILED(read_struct("options", given, options));
+  HRT_RETURN_IF_FAILED(check_zero("reserved", options->reserved));
+  return check_range("host_timeout_ns", options->host_timeout_ns, least_timeout_ns, most_timeout_ns);
+}
+
+// Behind the kind, as in "/dev/ttyACM0?id=1": without the options.
+std::string path_of(std::string_view device) {
+  const std::string_view rest = device.substr(device.find(':') + 1);
+  return std::string(rest.substr(0, rest.find('?')));
+}
+
+hrt_result check_ready(const PlateDriver& driver) {
+  const hrt_plate_report report = driver.report();
+  if (report.state == HRT_PLATE_STATE_READY) return HRT_OK;
+  if (report.state == HRT_PLATE_STATE_OPENING)
+    return fail(HRT_ERROR_WRONG_STATE, "the plate is being opened; wait until its state is READY");
+  return fail(HRT_ERROR_WRONG_STATE, std::string_view(report.message));
+}
+
+}  // namespace
+
+hrt_result hrt_plate_options_default(hrt_plate_options* out_options, uint32_t struct_size) noexcept {
+  return guarded("hrt_plate_options_default",
+                 [&] { return write_default("out_options", defaults, out_options, struct_size); });
+}
+
+hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
+                          hrt_plate* out_plate) noexcept {
+  return guarded("hrt_plate_open", [&]() -> hrt_result {
+    if (!device) return fail(HRT_ERROR_NULL_ARGUMENT, "device is null");
+    if (!out_plate) return fail(HRT_ERROR_NULL_ARGUMENT, "out_plate is null");
+    const std::string_view name(device);
+    if (name.size() > longest_name)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: ", longest_name);
+    hrt_plate_options checked;
+    HRT_RETURN_IF_FAILED(read_options(options, &checked));
+    hrt::plate::DeviceMaker maker;
+    try {
+      maker = hrt::plate::device_named(name);
+    } catch (const std::invalid_argument& wrong) {
+      return fail(HRT_ERROR_OUT_OF_RANGE, wrong.what());
+    }
+    auto driver = std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path_of(name),
+                                                std::chrono::nanoseconds(checked.host_timeout_ns));
+    const std::uint64_t handle = plates.insert(std::move(driver));
+    if (handle == 0)
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", most_plates, " plates; close one first");
+    out_plate->value = handle;
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
+  return with_plate("hrt_plate_set", plate, [&](PlateDriver& driver) -> hrt_result {
+    HRT_RETURN_IF_FAILED(
+        check_range("orientation_deg", orientation_deg, -most_orientation_deg, most_orientation_deg));
+    HRT_RETURN_IF_FAILED(check_ready(driver));
+    driver.set(orientation_deg);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_plate_stop(hrt_plate plate) noexcept {
+  return with_plate("hrt_plate_stop", plate, [&](PlateDriver& driver) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_ready(driver));
+    driver.stop();
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_plate_get(hrt_plate plate, hrt_plate_report* out_report) noexcept {
+  return with_plate("hrt_plate_get", plate, [&](const PlateDriver& driver) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
+    write_struct(driver.report(), out_report);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_plate_close(hrt_plate plate) noexcept {
+  if (plate.value == 0) return HRT_OK;
+  return destroy("hrt_plate_close", "plate", plates, plate.value);
+}
+
+const char* hrt_plate_last_error() noexcept {
+  return thread_error.text.c_str();
+}

@@ -1,0 +1,195 @@
+#include "plugin/src/plate/plate_line.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+namespace hrt::plate {
+namespace {
+
+constexpr std::size_t max_number = 12;
+constexpr double most_angle_deg = 360.0;
+constexpr double most_speed_deg_s = 1e6;
+constexpr double most_latency_ms = 1000.0;
+constexpr char hex_digits[] = "0123456789ABCDEF";
+
+std::string sum_of(std::string_view body, Version version) {
+  unsigned sum = 0;
+  if (version == Version::two) {
+    sum = crc_of(body);
+  } else {
+    for (const char c : body) sum ^= static_cast<unsigned char>(c);
+  }
+  std::string digits;
+  for (int shift = version == Version::two ? 12 : 4; shift >= 0; shift -= 4)
+    digits += hex_digits[(sum >> shift) & 15U];
+  return digits;
+}
+
+using Words = std::vector<std::string_view>;
+
+Words words_of(std::string_view body) {
+  Words words;
+  for (;;) {
+    const std::size_t end = body.find(' ');
+    words.push_back(body.substr(0, end));
+    if (end == std::string_view::npos) return words;
+    body.remove_prefix(end + 1);
+  }
+}
+
+std::optional<double> number_of(std::string_view word) {
+  double value = 0.0;
+  if (word.size() > max_number) return std::nullopt;
+  const auto [end, error] =
+      std::from_chars(word.data(), word.data() + word.size(), value, std::chars_format::fixed);
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<double> angle_of(std::string_view word) {
+  const std::optional<double> angle_deg = number_of(word);
+  return angle_deg && std::abs(*angle_deg) <= most_angle_deg ? angle_deg : std::nullopt;
+}
+
+bool are_digits(std::string_view text) {
+  return text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// Sign, three digits, point, two digits: a lost or doubled character changes the length.
+std::optional<double> fixed_angle_of(std::string_view word) {
+  if (word.size() != 7 || (word[0] != '+' && word[0] != '-') || word[4] != '.' ||
+      !are_digits(word.substr(1, 3)) || !are_digits(word.substr(5)))
+    return std::nullopt;
+  return angle_of(word[0] == '+' ? word.substr(1) : word);
+}
+
+std::optional<std::uint16_t> sequence_of(std::string_view word) {
+  std::uint16_t value = 0;
+  if (word.size() != 5 || !are_digits(word)) return std::nullopt;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() ? std::optional(value) : std::nullopt;
+}
+
+std::optional<PlateMessage> parse_greeting(const Words& words, Version version) {
+  if (words.size() != (version == Version::two ? 7U : 5U)) return std::nullopt;
+  if (words[1] != (version == Version::two ? "2" : "1")) return std::nullopt;
+  const auto least = angle_of(words[2]), most = angle_of(words[3]), speed = number_of(words[4]);
+  if (!least || !most || !speed || *least >= *most || *speed <= 0.0 || *speed > most_speed_deg_s)
+    return std::nullopt;
+  PlateGreeting greeting{version, *least, *most, *speed, 0.0, false};
+  if (version == Version::two) {
+    const auto latency = number_of(words[5]);
+    if (!latency || *latency < 0.0 || *latency > most_latency_ms) return std::nullopt;
+    if (words[6] != "measured" && words[6] != "assumed") return std::nullopt;
+    greeting.latency_ms = *latency;
+    greeting.is_measured = words[6] == "measured";
+  }
+  return greeting;
+}
+
+std::optional<PlateMessage> parse_report(const Words& words, Version version) {
+  if (words.size() != (version == Version::two ? 3U : 2U)) return std::nullopt;
+  const auto orientation_deg = version == Version::two ? fixed_angle_of(words[1]) : angle_of(words[1]);
+  if (!orientation_deg) return std::nullopt;
+  if (version == Version::one) return PlateReport{*orientation_deg, std::nullopt};
+  const auto sequence = sequence_of(words[2]);
+  return sequence ? std::optional<PlateMessage>(PlateReport{*orientation_deg, sequence}) : std::nullopt;
+}
+
+std::optional<PlateMessage> parse_stopped(const Words& words, Version version) {
+  static constexpr std::array<std::string_view, 6> reasons = {"host",  "heartbeat", "limit",
+                                                              "fault", "emergency", "stuck"};
+  const std::size_t known = version == Version::two ? reasons.size() : 4;
+  for (std::size_t i = 0; words.size() == 2 && i < known; ++i)
+    if (words[1] == reasons[i]) return PlateStopped{static_cast<StopReason>(i)};
+  return std::nullopt;
+}
+
+std::optional<PlateMessage> parse_service(const Words& words) {
+  const std::string_view verb = words[0];
+  if (verb == "BOOT" && words.size() == 1) return PlateBooted{};
+  if (verb == "SAVED" && words.size() == 1) return PlateSaved{};
+  if (verb == "ERROR" && words.size() == 2) return PlateRefusal{std::string(words[1])};
+  if (verb == "INFO" && words.size() == 3) return PlateInfo{std::string(words[1]), std::string(words[2])};
+  if (verb == "TEST" && words.size() == 3) return PlateTest{std::string(words[1]), std::string(words[2])};
+  if (verb == "TEST" && words.size() == 2 && words[1] == "end") return PlateTest{"end", ""};
+  if (verb == "CONF" && words.size() == 3)
+    if (const auto value = number_of(words[2])) return PlateSetting{std::string(words[1]), *value};
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::uint16_t crc_of(std::string_view bytes) {
+  unsigned crc = 0xFFFF;
+  for (const char c : bytes) {
+    crc ^= static_cast<unsigned>(static_cast<unsigned char>(c)) << 8;
+    for (int bit = 0; bit < 8; ++bit) crc = (crc & 0x8000U) != 0 ? (crc << 1) ^ 0x1021U : crc << 1;
+  }
+  return static_cast<std::uint16_t>(crc & 0xFFFFU);
+}
+
+std::string encode_line(std::string_view body, Version version) {
+  return std::string(body) + "*" + sum_of(body, version) + "\n";
+}
+
+std::optional<DecodedLine> decode_line(std::string_view line) {
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  const std::size_t star = line.find('*');
+  if (star == 0 || star == std::string_view::npos) return std::nullopt;
+  const std::string_view body = line.substr(0, star), sum = line.substr(star + 1);
+  for (const char c : body)
+    if (c < 0x20 || c > 0x7e) return std::nullopt;
+  const Version version = sum.size() == 4 ? Version::two : Version::one;
+  if (sum != sum_of(body, version)) return std::nullopt;
+  return DecodedLine{body, version};
+}
+
+std::optional<PlateMessage> parse_plate_message(std::string_view body, Version version) {
+  const Words words = words_of(body);
+  for (const std::string_view word : words)
+    if (word.empty()) return std::nullopt;
+  if (words[0] == "PLATE") return parse_greeting(words, version);
+  if (words[0] == "AT") return parse_report(words, version);
+  if (words[0] == "STOPPED") return parse_stopped(words, version);
+  return version == Version::two ? parse_service(words) : std::nullopt;
+}
+
+std::string set_body(double orientation_deg, Version version, std::uint16_t sequence) {
+  std::array<char, 40> text{};
+  if (version == Version::two) {
+    std::snprintf(text.data(), text.size(), "SET %+07.2f %05u", orientation_deg,
+                  static_cast<unsigned>(sequence));
+    // No decimal comma in any locale.
+    text[8] = '.';
+    return text.data();
+  }
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), orientation_deg, std::chars_format::fixed, 2).ptr;
+  return "SET " + std::string(text.data(), end);
+}
+
+std::string beat_body(std::string_view word, Version version, std::uint16_t sequence) {
+  if (version == Version::one) return std::string(word);
+  const std::string digits = std::to_string(sequence);
+  return std::string(word) + " " + std::string(5 - digits.size(), '0') + digits;
+}
+
+std::optional<std::string_view> LineReader::take(char byte) {
+  if (ended_) {
+    line_.clear();
+    ended_ = too_long_ = false;
+  }
+  if (byte == '\n') {
+    ended_ = true;
+    return too_long_ ? std::string_view() : std::string_view(line_);
+  }
+  if (line_.size() + 1 == max_line) too_long_ = true;
+  if (!too_long_) line_ += byte;
+  return std::nullopt;
+}
+
+}  // namespace hrt::plate

@@ -1,0 +1,254 @@
+#include "plugin/src/plate/plate_link.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "plugin/src/plate/plate_failure.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto greeting_limit = 5000ms;
+constexpr auto first_version_after =
+    3000ms;  // boards need 2 s from the opening of their line to their first word
+constexpr auto greeting_period = 200ms;
+constexpr auto beat_period = 50ms;  // half of the protocol's limit
+constexpr auto silence_limit = 500ms;
+constexpr auto settle_time = 600ms;  // of a servo at its first pulse
+constexpr int probes = 11;
+constexpr auto probe_limit = 100ms;
+
+}  // namespace
+
+PlateLink::PlateLink(std::unique_ptr<Line> line, Start start) : line_(std::move(line)) {
+  try {
+    greet();
+    if (version_ == Version::two) {
+      measure_line();
+      ask("INFO", [](const PlateMessage& message) { return std::holds_alternative<PlateInfo>(message); });
+      if (start == Start::hold) hold_place();
+    }
+    serve_for(start == Start::hold && version_ == Version::two ? settle_time : greeting_period);
+    unanswered_hellos_ = 0;
+  } catch (...) {
+    stop_if_heard();
+    throw;
+  }
+}
+
+PlateLink::~PlateLink() {
+  stop_if_heard();
+}
+
+std::string PlateLink::description() const {
+  if (!info_) return "protocol 1";
+  return "protocol 2, firmware " + info_->firmware + ", serial number " + info_->serial;
+}
+
+DeviceLimits PlateLink::limits() const {
+  const auto own = std::chrono::duration<double, std::milli>(greeting_->latency_ms);
+  return {greeting_->least_deg, greeting_->most_deg,
+          std::min(greeting_->speed_deg_s, watch_->speed_deg_s().value_or(greeting_->speed_deg_s)),
+          std::chrono::duration_cast<std::chrono::nanoseconds>(own) + round_trip().value_or(0ns) / 2};
+}
+
+void PlateLink::greet() {
+  const Line::Time began = now();
+  heard_ = began;
+  while (!greeting_) {
+    const auto passed = now() - began;
+    if (passed > greeting_limit)
+      throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
+    version_ = passed < first_version_after ? Version::two : Version::one;
+    ++unanswered_hellos_;
+    say(version_ == Version::two ? "HELLO 2" : "HELLO 1");
+    const Line::Time again = now() + greeting_period;
+    while (!greeting_ && now() < again) {
+      line_->wait(10ms);
+      listen();
+    }
+  }
+}
+
+void PlateLink::measure_line() {
+  for (int i = 0; i < probes; ++i) {
+    const std::size_t before = round_trips_.count();
+    drive("BEAT");
+    const Line::Time give_up = now() + probe_limit;
+    while (round_trips_.count() == before && now() < give_up) {
+      line_->wait(10ms);
+      listen();
+      watch_->check(now());
+    }
+  }
+  if (round_trips_.count() == 0) throw PlateFailure(Fault::protocol, "does not echo sequence numbers");
+}
+
+void PlateLink::hold_place() {
+  turn_to(std::clamp(orientation_deg_.value_or(0.0), greeting_->least_deg, greeting_->most_deg));
+}
+
+void PlateLink::serve_for(std::chrono::milliseconds time) {
+  const Line::Time end = now() + time;
+  while (now() < end) wait(10ms);
+}
+
+void PlateLink::service() {
+  try {
+    listen();
+    const Line::Time time = now();
+    if (time - heard_ > silence_limit)
+      throw PlateFailure(Fault::silent, "has not been heard for half a second");
+    watch_->check(time);
+    if (time - said_ >= beat_period) drive("BEAT");
+    line_->flush();
+  } catch (const PlateFailure&) {
+    stop_if_heard();
+    throw;
+  }
+}
+
+void PlateLink::wait(std::chrono::milliseconds limit) {
+  line_->wait(limit);
+  service();
+}
+
+void PlateLink::turn_to(double orientation_deg) {
+  const double sent_deg = std::round(orientation_deg * 100.0) / 100.0;
+  if (command_deg_ == sent_deg) return;
+  command_deg_ = sent_deg;
+  watch_->commanded(sent_deg);
+  drive("SET");
+}
+
+void PlateLink::stop() {
+  command_deg_.reset();
+  watch_->stopped();
+  drive("STOP");
+}
+
+void PlateLink::ask(const std::string& body, const std::function<bool(const PlateMessage&)>& take,
+                    std::chrono::milliseconds limit) {
+  const std::string verb = body.substr(0, body.find(' '));
+  answered_ = false;
+  asked_ = &take;
+  const Line::Time give_up = now() + limit;
+  try {
+    say(body);
+    while (!answered_) {
+      if (now() > give_up) throw PlateFailure(Fault::protocol, "does not answer " + verb);
+      wait(10ms);
+    }
+  } catch (...) {
+    asked_ = nullptr;
+    throw;
+  }
+  asked_ = nullptr;
+}
+
+void PlateLink::listen() {
+  std::string bytes;
+  line_->receive(bytes);
+  for (const char byte : bytes) {
+    const std::optional<std::string_view> line = reader_.take(byte);
+    if (!line) continue;
+    const std::optional<DecodedLine> decoded = decode_line(*line);
+    if (!decoded) continue;
+    const auto message = parse_plate_message(decoded->body, decoded->version);
+    if (!message) continue;
+    const bool announces =
+        std::holds_alternative<PlateBooted>(*message) || std::holds_alternative<PlateRefusal>(*message);
+    if (decoded->version == version_ || announces) this->take(*message);
+  }
+}
+
+void PlateLink::take(const PlateMessage& message) {
+  heard_ = now();
+  if (const auto* greeting = std::get_if<PlateGreeting>(&message)) take_greeting(*greeting);
+  if (!greeting_) return;
+  if (const auto* report = std::get_if<PlateReport>(&message)) take_report(*report);
+  if (const auto* stopped = std::get_if<PlateStopped>(&message)) take_stop(stopped->reason);
+  if (const auto* refusal = std::get_if<PlateRefusal>(&message)) take_refusal(*refusal);
+  if (const auto* info = std::get_if<PlateInfo>(&message)) info_ = *info;
+  if (std::holds_alternative<PlateBooted>(message))
+    throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+  if (asked_ != nullptr && !answered_) answered_ = (*asked_)(message);
+}
+
+void PlateLink::take_greeting(const PlateGreeting& greeting) {
+  if (!greeting_) {
+    greeting_ = greeting;
+    watch_.emplace(greeting, heard_);
+  } else if (unanswered_hellos_ <= 0) {
+    throw PlateFailure(Fault::restarted, "has announced itself anew: it was reset, or another plate answers");
+  }
+  --unanswered_hellos_;
+}
+
+void PlateLink::take_report(const PlateReport& report) {
+  orientation_deg_ = report.orientation_deg;
+  reported_ = heard_;
+  if (report.sequence) round_trips_.echoed(heard_, *report.sequence);
+  watch_->reported(heard_, report.orientation_deg);
+}
+
+void PlateLink::take_stop(StopReason reason) {
+  switch (reason) {
+    case StopReason::host:
+      break;
+    case StopReason::heartbeat:
+      command_deg_.reset();  // so that the next command is sent even if it is the same
+      watch_->stopped();
+      break;
+    case StopReason::limit:
+      throw PlateFailure(Fault::limits, "refused an angle beyond its limits");
+    case StopReason::fault:
+      throw PlateFailure(Fault::device, "reports a fault");
+    case StopReason::emergency:
+      throw PlateFailure(Fault::emergency, "was stopped by its emergency stop");
+    case StopReason::stuck:
+      throw PlateFailure(Fault::stuck, "reports that its servo is stuck");
+  }
+}
+
+// Lines are damaged now and then; a plate that does not know its host has lost its memory.
+void PlateLink::take_refusal(const PlateRefusal& refusal) {
+  ++refusals_;
+  if (refusal.why == "greeting")
+    throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
+}
+
+void PlateLink::drive(std::string_view word) {
+  ++sequence_;
+  if (version_ == Version::two) round_trips_.sent(now(), sequence_);
+  say(word == "SET" ? set_body(*command_deg_, version_, sequence_) : beat_body(word, version_, sequence_));
+}
+
+void PlateLink::say(std::string_view body) {
+  line_->send(encode_line(body, version_));
+  said_ = now();
+}
+
+// The last chance to stop the plate; without a heartbeat it stops by itself.
+void PlateLink::stop_if_heard() {
+  try {
+    if (greeting_) drive("STOP");
+    for (int i = 0; line_->has_unsent() && i < 10; ++i) {
+      line_->wait(10ms);
+      line_->flush();
+    }
+  } catch (const PlateFailure&) {
+    return;
+  }
+}
+
+DeviceMaker serial_device(const DeviceName& name) {
+  name.allow({});
+  return [path = name.path](const LineOpener& open, Start start) {
+    return std::make_unique<PlateLink>(open(path, 115200), start);
+  };
+}
+
+}  // namespace hrt::plate

@@ -1,0 +1,105 @@
+// A plate at the end of a serial line: the host's side of samples/plate/protocol.md, versions 2 and 1.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "plugin/src/plate/device.h"
+#include "plugin/src/plate/plate_line.h"
+#include "plugin/src/plate/plate_watch.h"
+
+namespace hrt::plate {
+
+/// The plate's speed is its own, or less if it was seen to turn slower; its latency half of the measured way
+/// there and back, and what the plate says of itself. Every call returns at once, except the constructor,
+/// wait(), ask() and what asks. All throw PlateFailure when the plate has failed; it is then stopped if it
+/// still hears. One thread.
+class PlateLink : public Device {
+ public:
+  /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
+  /// the line. To hold its place the servo gets its first pulse.
+  explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
+  /// Stops the plate, if it still hears.
+  ~PlateLink() override;
+  PlateLink(const PlateLink&) = delete;
+  PlateLink& operator=(const PlateLink&) = delete;
+
+  Line::Time now() const override { return line_->now(); }
+
+  std::string description() const override;
+  DeviceLimits limits() const override;
+  bool is_measured() const override { return greeting_->is_measured; }
+  const PlateGreeting& greeting() const { return *greeting_; }
+  /// Nothing in version 1.
+  const std::optional<PlateInfo>& info() const { return info_; }
+  /// As last reported; nothing before the first report.
+  std::optional<double> orientation_deg() const override { return orientation_deg_; }
+  Line::Time reported() const override { return reported_; }
+  /// Of a line and its echo, measured at the start; nothing in version 1.
+  std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
+  std::uint64_t refusals() const override { return refusals_; }
+
+  /// Call at least every 50 ms: listens and keeps the plate's watchdog calm.
+  void service();
+  /// Waits for the plate's next bytes, `limit` at most, then the same.
+  void wait(std::chrono::milliseconds limit) override;
+  /// `orientation_deg` within the greeting's limits. A repeated one is sent once.
+  void turn_to(double orientation_deg) override;
+  void stop() override;
+
+  std::vector<std::string> details() override;
+  double zero_deg() override;
+  void set_zero(double zero_deg) override;
+  void keep_zero() override { save_settings(); }
+  bool keeps_plan() const override { return version_ == Version::two; }
+  void keep_plan(double latency_ms, std::optional<double> speed_deg_s) override;
+
+  /// Value of one of the plate's settings.
+  double setting(const std::string& name);
+  /// Changes it. PlateFailure with the reason if the plate refuses.
+  void change_setting(const std::string& name, double value);
+  /// Keeps all settings in the plate's memory. The plate stops first.
+  void save_settings();
+
+  /// Sends a line of the service commands, and hands every message to `take` until it returns true.
+  /// PlateFailure after `limit`.
+  void ask(const std::string& body, const std::function<bool(const PlateMessage&)>& take,
+           std::chrono::milliseconds limit = std::chrono::milliseconds(1000));
+
+ private:
+  void greet();
+  void measure_line();
+  void hold_place();
+  double pulse_setting(const std::string& name);
+  void serve_for(std::chrono::milliseconds time);
+  void listen();
+  void take(const PlateMessage& message);
+  void take_greeting(const PlateGreeting& greeting);
+  void take_report(const PlateReport& report);
+  void take_stop(StopReason reason);
+  void take_refusal(const PlateRefusal& refusal);
+  void drive(std::string_view word);
+  void say(std::string_view body);
+  void stop_if_heard();
+
+  std::unique_ptr<Line> line_;
+  LineReader reader_;
+  Version version_ = Version::two;
+  std::optional<PlateGreeting> greeting_;
+  std::optional<PlateInfo> info_;
+  std::optional<PlateWatch> watch_;
+  RoundTrips round_trips_;
+  std::optional<double> orientation_deg_;
+  std::optional<double> command_deg_;
+  std::uint16_t sequence_ = 0;
+  int unanswered_hellos_ = 0;
+  std::uint64_t refusals_ = 0;
+  const std::function<bool(const PlateMessage&)>* asked_ = nullptr;
+  bool answered_ = false;
+  Line::Time heard_, reported_;
+  Line::Time said_;
+};
+
+}  // namespace hrt::plate

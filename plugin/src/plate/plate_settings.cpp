@@ -1,0 +1,104 @@
+// The plate's settings over its line: for those who put it into operation.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/plate_link.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr double least_pulse_us = 500.0, most_pulse_us = 2500.0;
+constexpr double most_zero_step_us = 20.0;  // that the firmware takes while the servo holds
+
+std::string shown(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", value);
+  return text.data();
+}
+
+}  // namespace
+
+std::vector<std::string> PlateLink::details() {
+  if (version_ != Version::two) return {"protocol 1: no settings, no self-test"};
+  std::vector<std::string> lines;
+  ask("CONF", [&](const PlateMessage& message) {
+    const auto* setting = std::get_if<PlateSetting>(&message);
+    if (setting != nullptr) lines.push_back("setting " + setting->name + " " + shown(setting->value));
+    return setting != nullptr && setting->name == "serial";  // the last one
+  });
+  ask("TEST", [&](const PlateMessage& message) {
+    const auto* test = std::get_if<PlateTest>(&message);
+    if (test != nullptr && test->what != "end") lines.push_back("test " + test->what + " " + test->result);
+    return test != nullptr && test->what == "end";
+  });
+  return lines;
+}
+
+double PlateLink::setting(const std::string& name) {
+  double value = 0.0;
+  ask("CONF", [&](const PlateMessage& message) {
+    const auto* setting = std::get_if<PlateSetting>(&message);
+    if (setting != nullptr && setting->name == name) value = setting->value;
+    return setting != nullptr && setting->name == "serial";
+  });
+  return value;
+}
+
+void PlateLink::change_setting(const std::string& name, double value) {
+  std::string why;
+  const std::string body = "CONF " + name + " " + std::to_string(std::lround(value));
+  ask(body, [&](const PlateMessage& message) {
+    if (const auto* refusal = std::get_if<PlateRefusal>(&message)) why = refusal->why;
+    const auto* setting = std::get_if<PlateSetting>(&message);
+    return !why.empty() || (setting != nullptr && setting->name == name);
+  });
+  if (!why.empty()) throw PlateFailure(Fault::protocol, "refuses " + body + ": " + why);
+}
+
+void PlateLink::save_settings() {
+  stop();
+  serve_for(50ms);
+  ask(
+      "SAVE", [](const PlateMessage& message) { return std::holds_alternative<PlateSaved>(message); },
+      3000ms);
+}
+
+double PlateLink::pulse_setting(const std::string& name) {
+  if (version_ != Version::two)
+    throw PlateFailure(Fault::protocol, "speaks protocol 1, which has no trim: turn the plate on its shaft");
+  const double width_us = setting(name);
+  if (std::abs(width_us) < least_pulse_us || std::abs(width_us) > most_pulse_us)
+    throw PlateFailure(Fault::protocol,
+                       "has a " + name + " of " + shown(width_us) + " us; allowed: 500 to 2500 either way");
+  return width_us;
+}
+
+double PlateLink::zero_deg() {
+  return pulse_setting("zero") / pulse_setting("span") * 180.0;
+}
+
+// In steps, so that the servo never jumps.
+void PlateLink::set_zero(double zero_deg) {
+  double at_us = pulse_setting("zero");
+  const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);
+  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / most_zero_step_us)); steps > 0;
+       --steps) {
+    at_us += std::clamp(to_us - at_us, -most_zero_step_us, most_zero_step_us);
+    change_setting("zero", at_us);
+    serve_for(50ms);
+  }
+}
+
+void PlateLink::keep_plan(double latency_ms, std::optional<double> speed_deg_s) {
+  constexpr double most_latency_ms = 200.0, least_speed_deg_s = 1.0;
+  change_setting("latency", std::min(most_latency_ms, latency_ms));
+  if (speed_deg_s) change_setting("speed", std::max(least_speed_deg_s, *speed_deg_s));
+  save_settings();
+}
+
+}  // namespace hrt::plate

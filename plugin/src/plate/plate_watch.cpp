@@ -1,0 +1,116 @@
+#include "plugin/src/plate/plate_watch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "plugin/src/plate/plate_failure.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto report_limit = 500ms;
+constexpr double limit_slack_deg = 3.0;  // of a sensor
+constexpr double far_deg = 10.0;         // from the command: a plate so far away has to move
+constexpr auto stuck_limit = 1000ms;
+constexpr double moved_deg = 1.0;  // in that time, or a quarter of what the plate's speed allows
+constexpr auto longest_pause = 250ms;
+constexpr auto shortest_motion = 100ms, longest_motion = 1000ms;
+
+std::string degrees(double angle_deg) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.1f", angle_deg);
+  return text.data();
+}
+
+}  // namespace
+
+void PlateWatch::commanded(double orientation_deg) {
+  if (command_deg_ == orientation_deg) return;
+  const bool turns_back =
+      command_deg_ && !motion_.empty() &&
+      (orientation_deg - motion_.back().orientation_deg) * (*command_deg_ - motion_.back().orientation_deg) <=
+          0.0;
+  if (turns_back) motion_.clear();
+  command_deg_ = orientation_deg;
+}
+
+void PlateWatch::stopped() {
+  command_deg_.reset();
+  motion_.clear();
+  moved_.reset();
+}
+
+void PlateWatch::reported(Time time, double orientation_deg) {
+  // After a pause of the host, reports of the pause arrive at once: their own times are unknown.
+  if (time - reported_ > longest_pause) {
+    motion_.clear();
+    moved_.reset();
+  }
+  has_reported_ = true;
+  reported_ = time;
+  if (orientation_deg < greeting_.least_deg - limit_slack_deg ||
+      orientation_deg > greeting_.most_deg + limit_slack_deg)
+    throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
+                                          degrees(greeting_.least_deg) + " to " +
+                                          degrees(greeting_.most_deg) + " deg");
+  const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > far_deg;
+  if (!far) {
+    motion_.clear();
+    moved_.reset();
+    return;
+  }
+  measure_speed({time, orientation_deg});
+  expect_motion({time, orientation_deg});
+}
+
+void PlateWatch::check(Time now) const {
+  if (now - reported_ <= report_limit) return;
+  throw PlateFailure(Fault::no_report, has_reported_ ? "has not reported its orientation for half a second"
+                                                     : "never reports its orientation");
+}
+
+void PlateWatch::measure_speed(const Place& now) {
+  while (!motion_.empty() && now.time - motion_.front().time > longest_motion) motion_.pop_front();
+  if (!motion_.empty() && now.time - motion_.front().time >= shortest_motion) {
+    const double seconds = std::chrono::duration<double>(now.time - motion_.front().time).count();
+    const double speed_deg_s = std::abs(now.orientation_deg - motion_.front().orientation_deg) / seconds;
+    if (speed_deg_s * seconds > moved_deg) speed_deg_s_ = std::max(speed_deg_s_.value_or(0.0), speed_deg_s);
+  }
+  motion_.push_back(now);
+}
+
+void PlateWatch::expect_motion(const Place& now) {
+  const double least_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
+  if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= least_deg) moved_ = now;
+  if (now.time - moved_->time > stuck_limit)
+    throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) +
+                                         " deg; it was commanded to " + degrees(*command_deg_) + " deg");
+}
+
+void RoundTrips::sent(Time time, std::uint16_t sequence) {
+  constexpr std::size_t most = 64;
+  sent_.push_back({time, sequence});
+  if (sent_.size() > most) sent_.pop_front();
+}
+
+void RoundTrips::echoed(Time time, std::uint16_t sequence) {
+  const auto found =
+      std::find_if(sent_.begin(), sent_.end(), [&](const Sent& line) { return line.sequence == sequence; });
+  if (found == sent_.end()) return;
+  constexpr std::size_t most = 1000;
+  const Time found_time = found->time;
+  sent_.erase(sent_.begin(), found + 1);
+  if (times_.size() == most) return;
+  times_.push_back(time - found_time);
+  auto sorted = times_;
+  const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+  std::nth_element(sorted.begin(), middle, sorted.end());
+  median_ = *middle;
+}
+
+}  // namespace hrt::plate

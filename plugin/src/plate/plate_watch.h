@@ -1,0 +1,70 @@
+// Compares what a plate reports with what it was commanded: finds the plate that lies, is stuck or is slower
+// than it says.
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "plugin/src/plate/plate_line.h"
+
+namespace hrt::plate {
+
+/// Reads no clock: times are the caller's, and never decrease. Throws PlateFailure. One thread.
+class PlateWatch {
+ public:
+  using Time = std::chrono::steady_clock::time_point;
+
+  PlateWatch(const PlateGreeting& greeting, Time now) : greeting_(greeting), reported_(now) {}
+
+  /// The plate is to turn there.
+  void commanded(double orientation_deg);
+  /// It is to stay where it is.
+  void stopped();
+  void reported(Time time, double orientation_deg);
+  /// Call regularly: notices that nothing was reported.
+  void check(Time now) const;
+
+  /// Highest speed in degrees a second over at least 0.1 s of one motion; nothing before the first.
+  std::optional<double> speed_deg_s() const { return speed_deg_s_; }
+
+ private:
+  struct Place {
+    Time time;
+    double orientation_deg;
+  };
+  void measure_speed(const Place& now);
+  void expect_motion(const Place& now);
+
+  PlateGreeting greeting_;
+  Time reported_;
+  bool has_reported_ = false;
+  std::optional<double> command_deg_;
+  std::deque<Place> motion_;    // one motion towards the command, without a stop
+  std::optional<Place> moved_;  // where it last was seen to move, while it had to
+  std::optional<double> speed_deg_s_;
+};
+
+/// Measures the time from a line to the report that echoes its sequence number.
+class RoundTrips {
+ public:
+  using Time = PlateWatch::Time;
+
+  void sent(Time time, std::uint16_t sequence);
+  void echoed(Time time, std::uint16_t sequence);
+  /// Median; nothing before the first.
+  std::optional<std::chrono::nanoseconds> median() const { return median_; }
+  std::size_t count() const { return times_.size(); }
+
+ private:
+  struct Sent {
+    Time time;
+    std::uint16_t sequence;
+  };
+  std::deque<Sent> sent_;
+  std::vector<std::chrono::nanoseconds> times_;
+  std::optional<std::chrono::nanoseconds> median_;
+};
+
+}  // namespace hrt::plate

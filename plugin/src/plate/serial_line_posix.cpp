@@ -1,0 +1,127 @@
+// The serial line of POSIX systems.
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+
+#include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/serial_line.h"
+
+namespace hrt::plate {
+namespace {
+
+constexpr std::size_t most_unsent = 1024;
+constexpr int most_reads = 16;  // at a time, however much the plate sends
+
+std::string reason() {
+  return std::strerror(errno);
+}
+
+bool must_wait() {
+  return errno == EAGAIN || errno == EWOULDBLOCK;
+}
+
+speed_t speed_of(int baud) {
+  switch (baud) {
+    case 57600:
+      return B57600;
+    case 115200:
+      return B115200;
+    case 1000000:
+      return B1000000;
+    default:
+      throw PlateFailure(Fault::line,
+                         "has no rate of " + std::to_string(baud) + " baud: 57600, 115200 or 1000000");
+  }
+}
+
+class SerialLine : public Line {
+ public:
+  SerialLine(const std::string& device, int baud)
+      : line_(open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)) {
+    if (line_ < 0) throw PlateFailure(Fault::line, "cannot be opened: " + reason());
+    try {
+      set_up(speed_of(baud));
+    } catch (...) {
+      close(line_);
+      throw;
+    }
+  }
+
+  // Closing waits, for half a minute in Linux, until all is sent: what a dead line has not taken is dropped
+  // first.
+  ~SerialLine() override {
+    int unsent = 0;
+    for (int i = 0; i < 10 && ioctl(line_, TIOCOUTQ, &unsent) == 0 && unsent > 0; ++i) poll(nullptr, 0, 10);
+    if (unsent > 0) tcflush(line_, TCOFLUSH);
+    ioctl(line_, TIOCNXCL);
+    tcsetattr(line_, TCSANOW, &before_);
+    close(line_);
+  }
+  SerialLine(const SerialLine&) = delete;
+  SerialLine& operator=(const SerialLine&) = delete;
+
+  void receive(std::string& bytes) override {
+    std::array<char, 256> some{};
+    for (int i = 0; i < most_reads; ++i) {
+      const ssize_t count = read(line_, some.data(), some.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0 && must_wait()) return;
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged");
+      bytes.append(some.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+  void send(std::string_view bytes) override {
+    unsent_ += bytes;
+    if (unsent_.size() > most_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
+    flush();
+  }
+
+  void flush() override {
+    while (!unsent_.empty()) {
+      const ssize_t count = write(line_, unsent_.data(), unsent_.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0 && must_wait()) return;
+      if (count <= 0) throw PlateFailure(Fault::unplugged, "is unplugged");
+      unsent_.erase(0, static_cast<std::size_t>(count));
+    }
+  }
+
+  bool has_unsent() const override { return !unsent_.empty(); }
+
+  void wait(std::chrono::milliseconds limit) override {
+    pollfd wanted{line_, static_cast<short>(unsent_.empty() ? POLLIN : POLLIN | POLLOUT), 0};
+    poll(&wanted, 1, static_cast<int>(limit.count()));
+  }
+
+ private:
+  void set_up(speed_t speed) {
+    if (tcgetattr(line_, &before_) != 0) throw PlateFailure(Fault::line, "is not a serial line");
+    if (ioctl(line_, TIOCEXCL) != 0) throw PlateFailure(Fault::line, "is in use");
+    termios settings = before_;
+    cfmakeraw(&settings);
+    settings.c_cflag |= CLOCAL | CREAD;
+    settings.c_cflag &= ~static_cast<tcflag_t>(CRTSCTS | CSTOPB);
+    if (cfsetspeed(&settings, speed) != 0 || tcsetattr(line_, TCSANOW, &settings) != 0)
+      throw PlateFailure(Fault::line, "cannot be set up: " + reason());
+    tcflush(line_, TCIOFLUSH);
+  }
+
+  int line_;
+  termios before_{};
+  std::string unsent_;
+};
+
+}  // namespace
+
+std::unique_ptr<Line> open_serial_line(const std::string& device, int baud) {
+  return std::make_unique<SerialLine>(device, baud);
+}
+
+}  // namespace hrt::plate

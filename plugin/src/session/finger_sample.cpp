@@ -1,0 +1,70 @@
+#include "plugin/src/session/finger_sample.h"
+
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/session/session_config.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr std::uint32_t sample_flags =
+    finger_flags | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED | HRT_SAMPLE_PLATE_POSE;
+
+FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample) {
+  const auto& p = sample.finger_position_m;
+  const Pose plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0 ? Pose{}
+                     : (sample.flags & HRT_SAMPLE_PLATE_POSE) != 0
+                         ? to_pose(sample.plate_position_m, sample.plate_rotation)
+                         : plate_pose_of(config);
+  FingerOnPlate finger{};
+  const Vec3 tip_m{p[0], p[1], p[2]};
+  const bool in_plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0;
+  locate_finger(surface_of(config), plate, in_plate ? tip_m : unscaled(config, plate.position_m, tip_m),
+                finger);
+  return finger;
+}
+
+}  // namespace
+
+hrt_result check_sample(const hrt_sample& sample) {
+  HRT_RETURN_IF_FAILED(check_flags(sample.flags, sample_flags));
+  const std::uint32_t finger = sample.flags & finger_flags;
+  if ((finger & (finger - 1)) != 0)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
+                "; allowed: one of DIRECTION, PLATE_POSITION and WORLD_POSITION, or none");
+  if (finger == HRT_SAMPLE_DIRECTION)
+    HRT_RETURN_IF_FAILED(check_range("finger_direction_deg", sample.finger_direction_deg, -180.0, 180.0));
+  else if (finger != 0)
+    HRT_RETURN_IF_FAILED(check_position("finger_position_m", sample.finger_position_m));
+  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
+    HRT_RETURN_IF_FAILED(check_plate_orientation(sample.plate_orientation_deg));
+  if (sample.flags & HRT_SAMPLE_PLATE_POSE)
+    HRT_RETURN_IF_FAILED(check_plate_pose(sample.plate_position_m, sample.plate_rotation));
+  return HRT_OK;
+}
+
+FingerSample observe(const hrt_session_config& config, const hrt_sample& sample,
+                     std::uint32_t* command_flags) {
+  FingerSample observed{.time_ns = sample.time_ns};
+  if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
+    observed.plate_orientation_deg = sample.plate_orientation_deg;
+  if (sample.flags & HRT_SAMPLE_LIFTED) {
+    observed.observation = Observation::lifted;
+    *command_flags |= HRT_COMMAND_LIFTED;
+  } else if (sample.flags & HRT_SAMPLE_DIRECTION) {
+    observed.observation = Observation::direction;
+    observed.direction_deg = sample.finger_direction_deg;
+  } else if (sample.flags & finger_flags) {
+    const FingerOnPlate finger = locate(config, sample);
+    if (finger.off_plate) *command_flags |= HRT_COMMAND_OFF_PLATE;
+    if (finger.lifted) {
+      observed.observation = Observation::lifted;
+      *command_flags |= HRT_COMMAND_LIFTED;
+    } else {
+      observed.observation = Observation::position;
+      observed.position = {.right_m = finger.position_m.x, .away_m = -finger.position_m.z};
+    }
+  }
+  return observed;
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,296 @@
+#include "plugin/src/session/session.h"
+
+#include <cmath>
+
+#include "core/plate/frame_error.h"
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/session/finger_sample.h"
+#include "plugin/src/session/reach_numbers.h"
+
+namespace hrt::plugin {
+namespace {
+
+// The last line of defence: false, and 0 in its place, if a value is no finite number.
+template <class Struct, std::size_t count>
+bool make_finite(Struct& values, const std::array<double Struct::*, count>& fields) {
+  bool finite = true;
+  for (double Struct::* field : fields) {
+    if (std::isfinite(values.*field)) continue;
+    values.*field = 0.0;
+    finite = false;
+  }
+  return finite;
+}
+
+// Whether there is no registration where one is asked for, or one that turns the real target by too much.
+bool is_registration_poor(const hrt_session_config& config, const Reach& reach) {
+  const bool checked = config.max_registration_age_ns > 0 || config.max_registration_sd_deg > 0.0;
+  if (checked && (config.flags & HRT_SESSION_REGISTERED) == 0) return true;
+  if (config.max_registration_sd_deg == 0.0) return false;
+  const PlatePoint target = point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m);
+  return frame_bearing_sd_deg(frame_covariance_of(config), reach.start, target) >
+         config.max_registration_sd_deg;
+}
+
+bool make_finite(hrt_command& command, double held_orientation_deg) {
+  const bool plate_finite = std::isfinite(command.plate_orientation_deg);
+  if (!plate_finite) command.plate_orientation_deg = held_orientation_deg;
+  if (make_finite(command, command_numbers) && plate_finite) return true;
+  command.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
+  return false;
+}
+
+bool make_finite(hrt_reach_summary& summary) {
+  if (make_finite(summary, summary_numbers)) return true;
+  summary.flags |= HRT_COMMAND_FAULT;
+  return false;
+}
+
+}  // namespace
+
+Session::Session(const hrt_session_config& checked_config)
+    : config_(checked_config), retargeter_(to_core(checked_config)) {}
+
+hrt_result Session::check_no_reach() const {
+  return reaching_ ? fail(HRT_ERROR_WRONG_STATE, "a reach is under way; end it first") : HRT_OK;
+}
+
+hrt_result Session::check_reach() const {
+  return reaching_ ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no reach is under way; begin one first");
+}
+
+hrt_result Session::set_config(const hrt_session_config& checked_config) {
+  HRT_RETURN_IF_FAILED(check_no_reach());
+  config_ = checked_config;
+  registration_doubted_ = false;
+  retargeter_ = Retargeter(to_core(checked_config));
+  return HRT_OK;
+}
+
+// Directions and distance of the pair as seen from the start; fails unless a reach from there can go to it.
+hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) const {
+  const Bearing real = view_from(start, config_, pair.real);
+  const Bearing seen = view_from(start, config_, pair.virtual_target);
+  if (!(real.distance_m >= least_distance_m))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", real.distance_m, " m from the start; at least ",
+                least_distance_m, " is needed");
+  if (seen.at_start)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "virtual_target is ", seen.distance_m, " m from the start; at least ",
+                least_distance_m, " is needed");
+  Reach reach = *out;
+  reach.start = start;
+  reach.virtual_direction_deg = seen.direction_deg;
+  // The short way round from the virtual direction.
+  reach.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
+  reach.real_distance_m = real.distance_m;
+  const Participant participant = to_core(config_).participant;
+  if (!is_valid(reach, participant))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
+                " degrees, the virtual at ", goal_direction_deg(participant, reach.virtual_direction_deg),
+                config_.bias_deg != 0.0 ? " with the user's bias" : "",
+                "; allowed: less than 90 degrees apart");
+  *out = reach;
+  return HRT_OK;
+}
+
+hrt_result Session::begin(const hrt_reach_config& config) {
+  HRT_RETURN_IF_FAILED(check_no_reach());
+  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION | HRT_REACH_START_AT_FINGER));
+  const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
+  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
+  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
+  Pair pair{};
+  HRT_RETURN_IF_FAILED(find_pair(targets, config.real_target, config.virtual_target, &pair));
+  Reach reach{};
+  reach.plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_;
+  reach.duration_s = config.duration_s;
+  HRT_RETURN_IF_FAILED(aim(pair, start_of(config_), &reach));
+  retargeter_.begin(reach);
+  plate_orientation_deg_ = reach.plate_orientation_deg;  // no command has been returned yet
+  pair_ = pair;
+  start_ = reach.start;
+  reach_ = reach;
+  reaching_ = true;
+  awaits_finger_ = (config.flags & HRT_REACH_START_AT_FINGER) != 0;
+  sampled_ = faulty_ = registration_flagged_ = false;
+  registration_poor_ = is_registration_poor(config_, reach_);
+  return HRT_OK;
+}
+
+// The finger is seen for the first time, and the reach starts there.
+hrt_result Session::start_at(const PlatePoint& finger) {
+  Reach reach = reach_;
+  reach.plate_orientation_deg = plate_orientation_deg_;
+  HRT_RETURN_IF_FAILED(aim(pair_, finger, &reach));
+  retargeter_.begin_here(reach);
+  start_ = finger;
+  reach_ = reach;
+  registration_poor_ = is_registration_poor(config_, reach_);
+  awaits_finger_ = false;
+  started_ = true;
+  return HRT_OK;
+}
+
+hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) {
+  HRT_RETURN_IF_FAILED(check_reach());
+  Pair pair{};
+  HRT_RETURN_IF_FAILED(find_pair(targets, real_target, virtual_target, &pair));
+  Reach from_start = reach_;
+  HRT_RETURN_IF_FAILED(aim(pair, start_, &from_start));
+  const auto place = [&](const hrt_target_config& target) {
+    const Bearing bearing = view_from(start_, config_, target);
+    return point_ahead(start_, bearing.direction_deg, bearing.distance_m);
+  };
+  pair_ = pair;
+  reach_ = retargeter_.retarget(place(pair.real), place(pair.virtual_target));
+  registration_poor_ = is_registration_poor(config_, from_start);
+  return HRT_OK;
+}
+
+hrt_result Session::cancel() {
+  HRT_RETURN_IF_FAILED(check_reach());
+  reaching_ = false;
+  return HRT_OK;
+}
+
+hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
+  started_ = false;
+  HRT_RETURN_IF_FAILED(check_reach());
+  HRT_RETURN_IF_FAILED(check_sample(sample));
+  if (sampled_ && sample.time_ns < last_time_ns_)
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
+                last_time_ns_);
+  std::uint32_t flags = 0;
+  const FingerSample finger = observe(config_, sample, &flags);
+  if (awaits_finger_ && finger.observation == Observation::position)
+    HRT_RETURN_IF_FAILED(start_at(finger.position));
+  retargeter_.update(finger);
+  sampled_ = true;
+  last_time_ns_ = sample.time_ns;
+  if (is_registration_doubtful(sample.time_ns)) {
+    flags |= HRT_COMMAND_REGISTRATION;
+    registration_flagged_ = registration_doubted_ = true;
+  }
+  *out_command = command(flags);
+  if (!make_finite(*out_command, plate_orientation_deg_)) faulty_ = failed_ = true;
+  plate_orientation_deg_ = out_command->plate_orientation_deg;
+  return HRT_OK;
+}
+
+bool Session::is_registration_doubtful(std::int64_t time_ns) const {
+  if (registration_poor_) return true;
+  const std::int64_t most_ns = config_.max_registration_age_ns;
+  return most_ns > 0 && time_ns > later_ns(config_.registration_time_ns, most_ns);
+}
+
+hrt_command Session::command(std::uint32_t flags) const {
+  const PlateCommand command = retargeter_.command();
+  if (command.held) flags |= HRT_COMMAND_HELD;
+  if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
+  if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
+  if (command.active == ActiveBound::lower || command.active == ActiveBound::upper)
+    flags |= HRT_COMMAND_SATURATED;
+  if (command.active == ActiveBound::rate_down || command.active == ActiveBound::rate_up)
+    flags |= HRT_COMMAND_RATE_LIMITED;
+  if (!command.optimal) flags |= HRT_COMMAND_APPROXIMATE;
+  if (command.misfit) flags |= HRT_COMMAND_MISFIT;
+  if (command.off_target) flags |= HRT_COMMAND_OFF_TARGET;
+  if (command.resting) flags |= HRT_COMMAND_RESTING;
+  return {
+      .struct_size = sizeof(hrt_command),
+      .flags = flags,
+      .step = command.step,
+      .plate_orientation_deg = command.plate_orientation_deg,
+      .finger_direction_deg = command.finger_direction_deg,
+      .perceived_direction_deg = command.perceived_direction_deg,
+      .aimed_direction_deg = command.aimed_direction_deg,
+      .distance_to_go_m = command.distance_to_go_m,
+      .tactile_weight = command.tactile_weight,
+      .tactile_weight_sd = command.tactile_weight_sd,
+      .time_to_go_s = command.time_to_go_s,
+      .felt_error_deg = command.felt_error_deg,
+      .predicted_miss_deg = command.predicted_miss_deg,
+      .normalised_innovation = command.nis,
+      .bearing_error_sd_deg = command.bearing_error_sd_deg,
+  };
+}
+
+hrt_result Session::end(hrt_reach_summary* out_summary) {
+  HRT_RETURN_IF_FAILED(check_reach());
+  reaching_ = false;
+  const ReachSummary summary = retargeter_.summary();
+  *out_summary = to_c(summary);
+  if (!make_finite(*out_summary)) faulty_ = failed_ = true;
+  if (faulty_) return HRT_OK;  // it teaches nothing
+  if (config_.adaptation == HRT_ADAPTATION_CARRIED) carry(summary.estimate);
+  return HRT_OK;
+}
+
+hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
+  const FingerEstimate& estimate = summary.estimate;
+  const bool learns_variance = config_.adaptation != HRT_ADAPTATION_OFF && !summary.person;
+  const PersonEstimate person = summary.person.value_or(PersonEstimate{});
+  std::uint32_t flags = 0;
+  if (summary.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
+  if (summary.misfit) flags |= HRT_COMMAND_MISFIT;
+  if (summary.off_target) flags |= HRT_COMMAND_OFF_TARGET;
+  if (registration_flagged_) flags |= HRT_COMMAND_REGISTRATION;
+  return {
+      .struct_size = sizeof(hrt_reach_summary),
+      .flags = flags,
+      .samples = summary.samples,
+      .dropped_samples = summary.dropped_samples,
+      .steps = summary.steps,
+      .predicted_steps = summary.predicted_steps,
+      .saturated_steps = summary.saturated_steps,
+      .rate_limited_steps = summary.rate_limited_steps,
+      .final_direction_deg = summary.final_direction_deg,
+      .final_miss_deg = summary.final_miss_deg,
+      .perceived_direction_deg = summary.perceived_direction_deg,
+      .perceived_error_deg = summary.perceived_error_deg,
+      .distance_to_target_m = summary.distance_to_target_m,
+      .tactile_weight = estimate.tactile_weight,
+      .tactile_weight_sd = estimate.tactile_weight_sd,
+      .tracker_noise_m = estimate.tracker_noise_m,
+      .motor_variance_deg2 = learns_variance ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
+      .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0,
+      .bearing_error_deg = summary.bearing_error_deg,
+      .peak_felt_error_deg = summary.peak_felt_error_deg,
+      .rms_felt_error_deg = summary.rms_felt_error_deg,
+      .normalised_innovation = summary.nis,
+      .illusion_curve = person.curve,
+      .illusion_curve_sd = person.curve_sd,
+      .gain_per_s = person.gain_s,
+      .gain_sd_per_s = person.gain_sd_s,
+      .bias_deg = person.bias_deg,
+      .bias_sd_deg = person.bias_sd_deg,
+      .habit_deg = person.habit_deg,
+      .habit_sd_deg = person.habit_sd_deg,
+      .duration_s = person.duration_s,
+      .bearing_error_sd_deg = summary.bearing_error_sd_deg,
+  };
+}
+
+void Session::carry(const FingerEstimate& estimate) {
+  if (retargeter_.leads_person()) {
+    const auto learnt = retargeter_.learnt();
+    if (!learnt) return;
+    hrt_session_config next = config_;
+    const ReachSummary summary = retargeter_.summary();
+    const bool missed = summary.unreachable || summary.off_target;
+    write_person(carried(to_core(config_).person, *learnt, missed, unknown_person()), &next);
+    // The filter knows no bounds: after motions that nobody made it may believe what nobody can be.
+    if (holds_belief(next)) config_ = next;
+  } else {
+    const RetargeterConfig next = carried(to_core(config_), estimate);
+    config_.tactile_weight = next.participant.tactile_weight;
+    config_.tactile_weight_sd = next.estimator.tactile_weight_sd;
+    config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
+    config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
+  }
+  retargeter_ = Retargeter(to_core(config_));
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,72 @@
+// One user and one plate, as the entry points and replays call them.
+#pragma once
+
+#include <cstdint>
+
+#include "core/retargeter.h"
+#include "haptic_retargeting/reach.h"
+#include "plugin/src/session/session_config.h"
+#include "plugin/src/session/targets.h"
+
+namespace hrt::plugin {
+
+/// Every call that fails changes nothing. Those of a reach are real-time.
+class Session {
+ public:
+  explicit Session(const hrt_session_config& checked_config);
+
+  const hrt_session_config& config() const { return config_; }
+  /// Between reaches.
+  hrt_result set_config(const hrt_session_config& checked_config);
+
+  /// Where the last command left the plate.
+  double plate_orientation_deg() const { return plate_orientation_deg_; }
+  void set_plate_orientation_deg(double orientation_deg) { plate_orientation_deg_ = orientation_deg; }
+
+  /// What a caller gave has been read, not checked.
+  hrt_result begin(const hrt_reach_config& config);
+  hrt_result update(const hrt_sample& sample, hrt_command* command);
+  hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
+  hrt_result cancel();
+  hrt_result end(hrt_reach_summary* summary);
+  hrt_result check_no_reach() const;
+  hrt_result check_reach() const;
+  bool reaching() const { return reaching_; }
+  /// A value of some command or summary was not finite (HRT_COMMAND_FAULT).
+  bool has_failed() const { return failed_; }
+  /// A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
+  bool has_doubted_registration() const { return registration_doubted_; }
+  /// What the last begin() or retarget() made of its targets, or the update() that started.
+  const Reach& reach() const { return reach_; }
+  /// reach() if it has started in the last update(), where the finger was first seen.
+  std::optional<Reach> started() const { return started_ ? std::optional(reach_) : std::nullopt; }
+
+  Targets targets;
+
+ private:
+  hrt_result aim(const Pair& pair, const PlatePoint& start, Reach* out) const;
+  hrt_result start_at(const PlatePoint& finger);
+  bool is_registration_doubtful(std::int64_t time_ns) const;
+  hrt_command command(std::uint32_t finger_flags) const;
+  hrt_reach_summary to_c(const ReachSummary& summary) const;
+  void carry(const FingerEstimate& estimate);
+
+  hrt_session_config config_;
+  Retargeter retargeter_;
+  Pair pair_{};  // as the targets were when the reach was given them
+  PlatePoint start_;
+  Reach reach_{};
+  bool reaching_ = false;
+  bool awaits_finger_ = false;         // the reach starts where the finger is first seen
+  bool started_ = false;               // there, in the last update
+  bool sampled_ = false;               // the reach has had a sample
+  bool registration_poor_ = false;     // as far as it can be known before a sample
+  bool registration_flagged_ = false;  // by any command of the reach
+  bool registration_doubted_ = false;  // of any reach under this configuration
+  bool faulty_ = false;                // a value of the reach was not finite
+  bool failed_ = false;                // nor was one of any reach
+  std::int64_t last_time_ns_ = 0;
+  double plate_orientation_deg_ = 0.0;
+};
+
+}  // namespace hrt::plugin

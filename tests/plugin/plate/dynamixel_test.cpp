@@ -1,0 +1,372 @@
+// Dynamixel Protocol 2.0: published packets, stuffing, damaged bytes; and the device on an emulated servo, in
+// simulated time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "plugin/src/plate/device.h"
+#include "plugin/src/plate/dynamixel/packet.h"
+#include "plugin/src/plate/plate_failure.h"
+#include "tests/plugin/plate/emulated_dynamixel.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace dynamixel;
+using namespace std::chrono_literals;
+
+std::string bytes_of(std::initializer_list<int> values) {
+  std::string bytes;
+  for (const int value : values) bytes += static_cast<char>(value);
+  return bytes;
+}
+
+std::optional<Packet> only_packet(const std::string& bytes) {
+  PacketReader reader;
+  reader.take(bytes);
+  auto packet = reader.next();
+  EXPECT_FALSE(reader.next());
+  return packet;
+}
+
+// The examples of ROBOTIS' page of the protocol.
+TEST(DynamixelPacket, HasThePublishedBytes) {
+  EXPECT_EQ(encode({.id = 1, .instruction = ping}), bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 3, 0, 1, 0x19, 0x4E}));
+  EXPECT_EQ(encode({.id = 1, .instruction = dynamixel::read, .parameters = bytes_of({132, 0, 4, 0})}),
+            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 7, 0, 2, 0x84, 0, 4, 0, 0x1D, 0x15}));
+  EXPECT_EQ(encode({.id = 1, .instruction = dynamixel::write, .parameters = bytes_of({116, 0, 0, 2, 0, 0})}),
+            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 9, 0, 3, 0x74, 0, 0, 2, 0, 0, 0xCA, 0x89}));
+  EXPECT_EQ(encode({.id = 1, .instruction = status, .parameters = bytes_of({6, 4, 0x26})}),
+            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 7, 0, 0x55, 0, 6, 4, 0x26, 0x65, 0x5D}));
+  EXPECT_EQ(encode({.id = 1, .instruction = status, .parameters = bytes_of({0xA6, 0, 0, 0})}),
+            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 8, 0, 0x55, 0, 0xA6, 0, 0, 0, 0x8C, 0xC0}));
+  EXPECT_EQ(encode({.id = 1, .instruction = status}),
+            bytes_of({0xFF, 0xFF, 0xFD, 0, 1, 4, 0, 0x55, 0, 0xA1, 0x0C}));
+  EXPECT_EQ(dynamixel::crc_of("123456789"), 0xFEE8);  // the check value of this CRC-16 (UMTS)
+}
+
+// A header in the parameters gets one more FD, which the length counts.
+TEST(DynamixelPacket, StuffsWhatLooksLikeAHeader) {
+  const std::string plain = bytes_of({0xFF, 0xFF, 0xFD, 0xFD, 0, 0xFF, 0xFF, 0xFF, 0xFD});
+  const std::string packet = encode({.id = 7, .instruction = dynamixel::write, .parameters = plain});
+  EXPECT_EQ(packet.size(), 7 + 1 + plain.size() + 2 + 2);
+  EXPECT_EQ(packet.substr(8, 5), bytes_of({0xFF, 0xFF, 0xFD, 0xFD, 0xFD}));
+  EXPECT_EQ(only_packet(packet)->parameters, plain);
+}
+
+TEST(DynamixelPacket, ReadsBackWhatItWrites) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 20000; ++i) {
+    Packet packet{.id = static_cast<std::uint8_t>(random() % 253),
+                  .instruction = random() % 2 == 0 ? status : dynamixel::write};
+    if (packet.instruction == status) packet.error = static_cast<std::uint8_t>(random());
+    for (auto n = random() % 60; n > 0; --n)
+      packet.parameters +=
+          random() % 3 == 0 ? static_cast<char>(random()) : bytes_of({0xFF, 0xFD, 0x00})[random() % 3];
+    const auto read = only_packet(encode(packet));
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->id, packet.id);
+    EXPECT_EQ(read->instruction, packet.instruction);
+    EXPECT_EQ(read->error, packet.error);
+    EXPECT_EQ(read->parameters, packet.parameters);
+  }
+}
+
+// Any one byte of a packet is another one, or is missing: no packet; and the next one is read.
+TEST(DynamixelPacket, DamagedPacketsAreNotRead) {
+  const Packet packet{.id = 1, .instruction = status, .parameters = bytes_of({0xA6, 1, 2, 3})};
+  const std::string good = encode(packet);
+  int read = 0;
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    for (int value = 0; value < 256; ++value) {
+      std::string bad = good;
+      if (static_cast<unsigned char>(bad[at]) == value) continue;
+      bad[at] = static_cast<char>(value);
+      PacketReader reader;
+      reader.take(bad + std::string(300, '\0') + good);
+      const auto found = reader.next();
+      ASSERT_TRUE(found) << at << " " << value;
+      EXPECT_EQ(found->parameters, packet.parameters);
+      EXPECT_FALSE(reader.next());
+      ++read;
+    }
+  }
+  EXPECT_EQ(read, 255 * static_cast<int>(good.size()));
+}
+
+TEST(DynamixelPacket, MemoryIsBounded) {
+  PacketReader reader;
+  for (int i = 0; i < 1000; ++i) {
+    reader.take(std::string(1000, '\xFF'));
+    EXPECT_FALSE(reader.next());
+  }
+  reader.take(encode({.id = 3, .instruction = ping}));
+  EXPECT_EQ(reader.next()->id, 3);
+}
+
+class DynamixelTest : public testing::Test {
+ protected:
+  std::unique_ptr<Device> open(const std::string& options = "", Start start = Start::hold) {
+    return device_named("dynamixel:bus" + options)(
+        [&](const std::string& path, int) {
+          EXPECT_EQ(path, "bus");
+          auto made = std::make_unique<DynamixelLine>(servo);
+          line = made.get();
+          return made;
+        },
+        start);
+  }
+  std::string failure_of_opening(const std::string& options = "") {
+    return failure_of([&] { open(options); });
+  }
+  template <class Action>
+  std::string failure_of(Action action) {
+    try {
+      action();
+    } catch (const PlateFailure& failed) {
+      fault = failed.fault();
+      return failed.what();
+    }
+    return {};
+  }
+  void serve(Device& device, std::chrono::milliseconds time) {
+    for (const auto end = line->now() + time; line->now() < end;) device.wait(5ms);
+  }
+
+  EmulatedDynamixel servo;
+  DynamixelLine* line = nullptr;
+  Fault fault{};
+};
+
+TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
+  servo.set(132, 4, 2148);
+  const auto device = open("?speed=200&effort=40");
+  EXPECT_EQ(servo.get(11, 1), 5);     // current-based position
+  EXPECT_EQ(servo.get(102, 2), 700);  // 40 % of 1750 mA
+  EXPECT_EQ(servo.get(112, 4), 146);  // 200 / (0.229 * 6)
+  EXPECT_EQ(servo.get(98, 1), 15);    // 300 ms
+  EXPECT_EQ(servo.get(64, 1), 1);
+  EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
+  EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
+  EXPECT_EQ(device->limits().most_deg, 179.9);
+  EXPECT_TRUE(device->is_measured());
+  // Read of 4 bytes: 14 and 15 bytes of 174 us, and the servo's delay of 500 us.
+  EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.5e-3, 0.2e-3);
+}
+
+TEST_F(DynamixelTest, AnXl430IsLimitedByPwm) {
+  servo = EmulatedDynamixel(1, 1060);
+  const auto device = open();
+  EXPECT_EQ(servo.get(11, 1), 3);
+  EXPECT_EQ(servo.get(100, 2), 442);
+  EXPECT_EQ(device->description(), "Dynamixel XL430-W250, id 1, firmware 52");
+}
+
+// In position mode the servo refuses goals beyond the limits in its memory: they are the plate's stops.
+TEST_F(DynamixelTest, AnXl430HasItsLimitsAsStops) {
+  servo = EmulatedDynamixel(1, 1060);
+  servo.set(52, 4, 1024);
+  servo.set(48, 4, 3072);
+  const auto device = open();
+  EXPECT_EQ(device->limits().least_deg, -90.0);
+  EXPECT_EQ(device->limits().most_deg, 90.0);
+  device->turn_to(90.0);
+  serve(*device, 1000ms);
+  EXPECT_EQ(device->orientation_deg(), 90.0);
+  servo.set(52, 4, 3072);
+  EXPECT_EQ(failure_of_opening(), "has position limits with nothing between");
+}
+
+// Someone only asks: torque stays off, and nothing is written.
+TEST_F(DynamixelTest, OpensWithoutAMotion) {
+  const auto device = open("", Start::quiet);
+  EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
+  const auto details = device->details();
+  EXPECT_NE(std::find(details.begin(), details.end(), "operating mode 3"), details.end());
+  EXPECT_EQ(servo.get(64, 1), 0);
+  EXPECT_EQ(servo.get(98, 1), 0);
+  EXPECT_EQ(servo.writes_to_eeprom(), 0);
+}
+
+// The mark is 3 degrees too far counter-clockwise: the shaft turns back, and is at 0 then.
+TEST_F(DynamixelTest, MovesItsZeroByTheHomingOffset) {
+  const auto device = open();
+  device->turn_to(0.0);
+  serve(*device, 100ms);
+  EXPECT_EQ(device->zero_deg(), 0.0);
+  device->set_zero(-3.0);
+  serve(*device, 300ms);
+  EXPECT_EQ(servo.get(20, 4), 34);
+  EXPECT_NEAR(servo.orientation_deg(), -3.0, 0.05);
+  EXPECT_EQ(device->orientation_deg(), 0.0);
+  EXPECT_NEAR(device->zero_deg(), -3.0, 0.05);
+  EXPECT_EQ(failure_of([&] { device->set_zero(91.0); }),
+            "would need a homing offset of -1035 steps; allowed: -1024 to 1024. Turn the horn on its shaft");
+  EXPECT_EQ(servo.get(20, 4), 34);
+}
+
+// The mode is in memory that wears out.
+TEST_F(DynamixelTest, WritesTheModeOnce) {
+  open();
+  open();
+  EXPECT_EQ(servo.writes_to_eeprom(), 1);
+}
+
+TEST_F(DynamixelTest, TurnsCounterClockwiseByItsProfile) {
+  const auto device = open();
+  EXPECT_EQ(device->orientation_deg(), 0.0);
+  device->turn_to(90.0);
+  serve(*device, 200ms);
+  EXPECT_GT(servo.orientation_deg(), 40.0);
+  EXPECT_LT(servo.orientation_deg(), 60.5);
+  serve(*device, 500ms);
+  EXPECT_EQ(servo.get(116, 4), 2048 + 1024);
+  EXPECT_EQ(device->orientation_deg(), 90.0);
+  EXPECT_NEAR(device->limits().speed_deg_s, 300.0, 15.0);
+}
+
+TEST_F(DynamixelTest, StopsWhereItIs) {
+  const auto device = open();
+  device->turn_to(90.0);
+  serve(*device, 100ms);
+  device->stop();
+  serve(*device, 100ms);
+  const double stopped_deg = servo.orientation_deg();
+  serve(*device, 300ms);
+  EXPECT_EQ(servo.orientation_deg(), stopped_deg);
+  EXPECT_LT(stopped_deg, 60.0);
+}
+
+TEST_F(DynamixelTest, StopsAtTheEnd) {
+  {
+    const auto device = open();
+    device->turn_to(90.0);
+    serve(*device, 100ms);
+  }
+  EXPECT_LT(std::abs(servo.get(116, 4) - 2048), 500);
+}
+
+// The host hangs: the servo's own watchdog stops it within 300 ms. Then it continues at the profile's speed,
+// which the watchdog has cleared.
+TEST_F(DynamixelTest, TheWatchdogStopsItAndTheNextCommandContinues) {
+  const auto device = open("?speed=100");
+  device->turn_to(150.0);
+  serve(*device, 100ms);
+  line->pause(2000ms);
+  EXPECT_EQ(servo.get(98, 1), -1);
+  const double stopped_deg = servo.orientation_deg();
+  EXPECT_LT(stopped_deg, 45.0);
+  device->turn_to(150.0);
+  serve(*device, 500ms);
+  EXPECT_EQ(servo.get(98, 1), 15);
+  EXPECT_GT(servo.orientation_deg(), stopped_deg + 30.0);
+  EXPECT_LT(servo.orientation_deg(), stopped_deg + 51.0);
+}
+
+TEST_F(DynamixelTest, NamesEveryFault) {
+  servo.is_mute = true;
+  EXPECT_EQ(failure_of_opening(), "does not answer as a Dynamixel of id 1 within 3 s");
+  EXPECT_EQ(fault, Fault::no_answer);
+  servo.is_mute = false;
+  EXPECT_EQ(failure_of_opening("?id=2"), "does not answer as a Dynamixel of id 2 within 3 s");
+  servo.set(0, 2, 350);
+  EXPECT_EQ(failure_of_opening(),
+            "is a Dynamixel of model number 350; known are 1060 (XL430-W250), 1190 and 1200 (XL330)");
+  servo.set(0, 2, 1200);
+  servo.set(70, 1, 0x24);
+  EXPECT_EQ(failure_of_opening(), "reports a hardware error: overheating, overload; it needs a restart");
+  EXPECT_EQ(fault, Fault::device);
+  servo.set(70, 1, 0);
+
+  auto device = open();
+  servo.set(70, 1, 0x20);
+  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }),
+            "reports a hardware error: overload; it needs a restart");
+  servo.set(70, 1, 0);
+  device.reset();
+  device = open();
+  servo.forced_error = 7;
+  EXPECT_EQ(failure_of([&] { serve(*device, 500ms); }), "refuses to have address 98 read: access error");
+  EXPECT_EQ(fault, Fault::protocol);
+  servo.forced_error = 0;
+  device.reset();
+  device = open();
+  servo.is_mute = true;
+  EXPECT_EQ(failure_of([&] { serve(*device, 1000ms); }), "has not been heard for half a second");
+  EXPECT_EQ(fault, Fault::silent);
+  servo.is_mute = false;
+  device.reset();
+  device = open();
+  servo.is_jammed = true;
+  device->turn_to(-45.0);
+  EXPECT_NE(failure_of([&] { serve(*device, 2000ms); }).find("is stuck at "), std::string::npos);
+  EXPECT_EQ(fault, Fault::stuck);
+}
+
+// Power fails in motion: torque is off, and the servo does not follow.
+TEST_F(DynamixelTest, NoticesARestart) {
+  const auto device = open();
+  device->turn_to(120.0);
+  serve(*device, 100ms);
+  servo.restart();
+  EXPECT_EQ(failure_of([&] { serve(*device, 2000ms); }), "has restarted: its supply or its line failed");
+  EXPECT_EQ(fault, Fault::restarted);
+}
+
+TEST_F(DynamixelTest, WorksOnADisturbedLine) {
+  servo.damages_answers = true;
+  const auto device = open();
+  device->turn_to(-30.0);
+  serve(*device, 1500ms);
+  EXPECT_NEAR(*device->orientation_deg(), -30.0, 0.1);
+  EXPECT_GT(device->refusals(), 5U);
+}
+
+// The first answer comes 90 ms late, when the host has asked again: it is not taken for the second one.
+TEST_F(DynamixelTest, PassesOverLateAnswers) {
+  servo.delay = 90ms;
+  std::unique_ptr<Device> device;
+  EXPECT_NE(failure_of([&] { device = open(); }), "");
+  servo.delay = 40ms;  // some adapters hold bytes back for 16 ms
+  device = open();
+  device->turn_to(30.0);
+  serve(*device, 1500ms);
+  EXPECT_NEAR(*device->orientation_deg(), 30.0, 0.1);
+}
+
+TEST_F(DynamixelTest, WorksWithAnAdapterThatEchoes) {
+  servo.echoes = true;
+  const auto device = open();
+  device->turn_to(30.0);
+  serve(*device, 500ms);
+  EXPECT_NEAR(*device->orientation_deg(), 30.0, 0.1);
+}
+
+TEST(DeviceName, IsCheckedBeforeAnythingIsOpened) {
+  const auto refusal = [](const std::string& name) -> std::string {
+    try {
+      device_named(name);
+    } catch (const std::invalid_argument& wrong) {
+      return wrong.what();
+    }
+    return {};
+  };
+  EXPECT_EQ(refusal(""), "device has no kind; allowed: serial:..., dynamixel:...");
+  EXPECT_EQ(refusal("usb:x"), "device is of kind \"usb\"; allowed: serial:..., dynamixel:...");
+  EXPECT_EQ(refusal("serial:"), "device names no line behind serial:");
+  EXPECT_EQ(refusal("serial:/dev/x?id=1"), "serial: has no option \"id\"; allowed: none");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id"), "option \"id\" of the device is not name=value");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id=1&id=2"), "option id is there twice");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id=253"), "option id is \"253\"; allowed: 0 to 252");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id=1x"), "option id is \"1x\"; allowed: 0 to 252");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?baud=60000"), "option baud is 60000; allowed: 57600, 115200, 1000000");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?colour=1"),
+            "dynamixel: has no option \"colour\"; allowed: id, baud, speed, effort");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?"), "option \"\" of the device is not name=value");
+  EXPECT_EQ(refusal("dynamixel:/dev/x?id=0&baud=1000000&speed=10&effort=100"), "");
+}
+
+}  // namespace
+}  // namespace hrt::plate

@@ -1,0 +1,170 @@
+#include "tests/plugin/plate/emulated_dynamixel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrt::plate {
+namespace {
+
+using namespace dynamixel;
+using namespace std::chrono_literals;
+
+constexpr int eeprom_end = 64;
+constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_pwm = 100, goal_current = 102,
+              goal_velocity = 104, profile_acceleration = 108, profile_velocity = 112, goal_position = 116,
+              present_position = 132;
+
+// What may be written, with its range.
+struct Writable {
+  int address;
+  int size;
+  std::int64_t least;
+  std::int64_t most;
+};
+
+}  // namespace
+
+EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model) : id_(id) {
+  set(0, 2, model);
+  set(6, 1, 52);
+  set(7, 1, id);
+  set(8, 1, 1);
+  set(9, 1, 250);
+  set(11, 1, 3);
+  set(36, 2, 885);
+  if (model != 1060) set(38, 2, 1750);
+  set(44, 4, 445);
+  set(48, 4, 4095);
+  restart();
+}
+
+void EmulatedDynamixel::restart() {
+  std::fill(table_.begin() + eeprom_end, table_.end(), std::uint8_t{0});
+  set(68, 1, 2);
+  set(goal_pwm, 2, get(36, 2));
+  set(goal_current, 2, get(38, 2));
+  set(goal_position, 4, present());
+  set(present_position, 4, present());
+}
+
+// In position mode offsets of more than a quarter turn are ignored.
+std::int64_t EmulatedDynamixel::homing() const {
+  const std::int64_t offset = get(homing_offset, 4);
+  return get(11, 1) == 3 && std::abs(offset) > 1024 ? 0 : offset;
+}
+
+std::int64_t EmulatedDynamixel::present() const {
+  return std::lround(position_) + homing();
+}
+
+std::int64_t EmulatedDynamixel::get(int address, int size) const {
+  return number_at({reinterpret_cast<const char*>(&table_.at(static_cast<std::size_t>(address))),
+                    static_cast<std::size_t>(size)},
+                   0, size);
+}
+
+void EmulatedDynamixel::set(int address, int size, std::int64_t value) {
+  const std::string bytes = little_endian(value, size);
+  std::copy(bytes.begin(), bytes.end(), table_.begin() + address);
+}
+
+std::string EmulatedDynamixel::hear(std::string_view bytes, Time now) {
+  run_until(now);
+  reader_.take(bytes);
+  std::string sent(echoes ? bytes : "");
+  while (const auto packet = reader_.next()) {
+    if (packet->id != id_ || packet->instruction == status) continue;
+    heard_ = now;
+    if (is_mute) continue;
+    std::string reply = answer(*packet);
+    if (damages_answers && ++answers_ % 2 == 0) reply.back() = static_cast<char>(reply.back() ^ 0x55);
+    sent += reply;
+  }
+  return sent;
+}
+
+std::string EmulatedDynamixel::answer(const Packet& packet) {
+  Packet reply{.id = id_, .instruction = status};
+  const std::string& given = packet.parameters;
+  auto error = StatusError::none;
+  if (forced_error != 0) {
+    error = static_cast<StatusError>(forced_error);
+  } else if (packet.instruction == ping) {
+    reply.parameters = little_endian(get(0, 2), 2) + little_endian(get(6, 1), 1);
+  } else if (packet.instruction == dynamixel::read && given.size() == 4) {
+    const auto address = static_cast<std::size_t>(number_at(given, 0, 2)),
+               size = static_cast<std::size_t>(number_at(given, 2, 2));
+    if (address + size > table_.size()) {
+      error = StatusError::access;
+    } else {
+      reply.parameters.assign(table_.begin() + static_cast<std::ptrdiff_t>(address),
+                              table_.begin() + static_cast<std::ptrdiff_t>(address + size));
+    }
+  } else if (packet.instruction == dynamixel::write && given.size() > 2) {
+    error = write(given);
+  } else {
+    error = StatusError::instruction;
+  }
+  reply.error = static_cast<std::uint8_t>(error) | (get(70, 1) != 0 ? Packet::alert : 0);
+  return encode(reply);
+}
+
+StatusError EmulatedDynamixel::write(std::string_view parameters) {
+  const int address = static_cast<int>(number_at(parameters, 0, 2)),
+            size = static_cast<int>(parameters.size()) - 2;
+  const std::int64_t value = number_at(parameters, 2, size);
+  const std::int64_t most_pwm = get(36, 2), most_current = get(38, 2), most_speed = get(44, 4);
+  const bool turns_on = get(11, 1) == 5;
+  const std::array<Writable, 10> writable = {
+      {{11, 1, 0, 16},
+       {homing_offset, 4, -1'044'479, 1'044'479},
+       {torque_enable, 1, 0, 1},
+       {bus_watchdog, 1, 0, 127},
+       {goal_pwm, 2, -most_pwm, most_pwm},
+       {goal_current, 2, -most_current, most_current},
+       {goal_velocity, 4, -most_speed, most_speed},
+       {profile_acceleration, 4, 0, 32767},
+       {profile_velocity, 4, 0, 32767},
+       {goal_position, 4, turns_on ? -1'048'575 : get(52, 4), turns_on ? 1'048'575 : get(48, 4)}}};
+  const auto found = std::find_if(writable.begin(), writable.end(),
+                                  [&](const Writable& entry) { return entry.address == address; });
+  if (found == writable.end()) return StatusError::access;
+  if (found->size != size) return StatusError::data_length;
+  if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
+  if (value < found->least || value > found->most) return StatusError::data_range;
+  // "At this time, the access to the Goal Value will be changed to read-only": range error.
+  if (get(bus_watchdog, 1) == -1 && address >= goal_pwm && address <= goal_position)
+    return StatusError::data_range;
+  if (address < eeprom_end) ++writes_to_eeprom_;
+  set(address, size, value);
+  if (address == torque_enable && value == 1) set(goal_position, 4, present());
+  if (address == 11) {
+    set(goal_pwm, 2, most_pwm);
+    set(goal_current, 2, most_current);
+    set(profile_velocity, 4, 0);
+  }
+  return StatusError::none;
+}
+
+void EmulatedDynamixel::run_until(Time now) {
+  const std::int64_t watchdog = get(bus_watchdog, 1);
+  if (watchdog > 0 && now - heard_ > watchdog * 20ms) {
+    set(bus_watchdog, 1, -1);
+    set(profile_velocity, 4, 0);
+    set(profile_acceleration, 4, 0);
+    set(goal_position, 4, present());
+  }
+  const double seconds = std::chrono::duration<double>(now - now_).count();
+  now_ = now;
+  if (get(torque_enable, 1) == 1 && !is_jammed) {
+    // Without a profile it turns as fast as it can: 618 degrees a second of an XL330-M288 at 5 V without a
+    // load.
+    const auto profile = static_cast<double>(get(profile_velocity, 4));
+    const double speed_deg_s = profile == 0.0 ? 618.0 : std::min(618.0, profile * 0.229 * 6.0);
+    const double most = speed_deg_s * seconds * 4096.0 / 360.0;
+    position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -most, most);
+  }
+  set(present_position, 4, present());
+}
+
+}  // namespace hrt::plate

@@ -1,0 +1,108 @@
+// The serial line of Windows over a named pipe: overlapped reads and writes, and a line that ends.
+#define WIN32_LEAN_AND_MEAN
+#define NOMINMAX
+#include <windows.h>
+// After it.
+#include <gtest/gtest.h>
+#include <haptic_retargeting/plate.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <thread>
+
+#include "tests/plugin/plate/emulated_dynamixel.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+// A servo at the other end of a named pipe.
+class PipeDynamixel {
+ public:
+  PipeDynamixel()
+      : name_("\\\\.\\pipe\\hrt_plate_test_" + std::to_string(GetCurrentProcessId())),
+        pipe_(CreateNamedPipeA(name_.c_str(), PIPE_ACCESS_DUPLEX, PIPE_TYPE_BYTE | PIPE_WAIT, 1, 4096, 4096,
+                               0, nullptr)),
+        thread_([this] { live(); }) {}
+  ~PipeDynamixel() {
+    unplug();
+    thread_.join();
+  }
+  PipeDynamixel(const PipeDynamixel&) = delete;
+  PipeDynamixel& operator=(const PipeDynamixel&) = delete;
+
+  const std::string& name() const { return name_; }
+  void unplug() { ending_ = true; }
+
+ private:
+  void live() {
+    const auto began = std::chrono::steady_clock::now();
+    while (!ending_) {
+      std::this_thread::sleep_for(1ms);
+      const auto now = std::chrono::steady_clock::now() - began;
+      servo_.run_until(now);
+      DWORD waiting = 0, count = 0;
+      std::array<char, 256> bytes{};
+      if (!PeekNamedPipe(pipe_, nullptr, 0, nullptr, &waiting, nullptr) || waiting == 0) continue;
+      if (!ReadFile(pipe_, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr)) continue;
+      const std::string answer = servo_.hear({bytes.data(), count}, now);
+      WriteFile(pipe_, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
+    }
+    CloseHandle(pipe_);
+  }
+
+  std::string name_;
+  HANDLE pipe_;
+  EmulatedDynamixel servo_;
+  std::atomic<bool> ending_ = false;
+  std::thread thread_;
+};
+
+hrt_plate_report report_of(hrt_plate plate) {
+  hrt_plate_report report{};
+  report.struct_size = sizeof report;
+  EXPECT_EQ(hrt_plate_get(plate, &report), HRT_OK) << hrt_plate_last_error();
+  return report;
+}
+
+template <class Condition>
+bool eventually(Condition condition) {
+  for (const auto give_up = std::chrono::steady_clock::now() + 10s;
+       std::chrono::steady_clock::now() < give_up; std::this_thread::sleep_for(5ms))
+    if (condition()) return true;
+  return false;
+}
+
+TEST(WindowsLine, DrivesAServoOverANamedPipe) {
+  PipeDynamixel servo;
+  hrt_plate plate{};
+  ASSERT_EQ(hrt_plate_open(("dynamixel:" + servo.name()).c_str(), nullptr, &plate), HRT_OK);
+  ASSERT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_READY; }))
+      << report_of(plate).message;
+  ASSERT_EQ(hrt_plate_set(plate, -45.0), HRT_OK);
+  EXPECT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 45.0) < 0.1; }));
+  servo.unplug();
+  EXPECT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_FAILED; }));
+  EXPECT_EQ(report_of(plate).fault, HRT_PLATE_FAULT_UNPLUGGED) << report_of(plate).message;
+  EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+}
+
+TEST(WindowsLine, NamesWhatIsNoLine) {
+  const auto failure_of = [](const char* device) {
+    hrt_plate plate{};
+    EXPECT_EQ(hrt_plate_open(device, nullptr, &plate), HRT_OK);
+    EXPECT_TRUE(eventually([&] { return report_of(plate).state == HRT_PLATE_STATE_FAILED; }));
+    const std::string message = report_of(plate).message;
+    EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+    return message;
+  };
+  EXPECT_EQ(failure_of("serial:COM99"), "the plate at COM99 cannot be opened: Windows error 2");
+  EXPECT_EQ(failure_of("serial:NUL"), "the plate at NUL is not a serial line");
+}
+
+}  // namespace
+}  // namespace hrt::plate

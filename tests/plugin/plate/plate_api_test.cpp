@@ -1,0 +1,248 @@
+// libhrt_plate through its C interface, against plates at the other end of a pseudo-terminal.
+#include <gtest/gtest.h>
+#include <haptic_retargeting/plate.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "plugin/src/plate/snapshot.h"
+#include "tests/plugin/plate/pty_dynamixel.h"
+#include "tests/plugin/plate/pty_plate.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+hrt_plate_report report_of(hrt_plate plate) {
+  hrt_plate_report report{};
+  report.struct_size = sizeof report;
+  EXPECT_EQ(hrt_plate_get(plate, &report), HRT_OK) << hrt_plate_last_error();
+  return report;
+}
+
+bool comes_to(hrt_plate plate, std::uint32_t state) {
+  return eventually([&] { return report_of(plate).state == state; });
+}
+
+std::string error() {
+  return hrt_plate_last_error();
+}
+
+class PlateApi : public testing::Test {
+ protected:
+  void TearDown() override { EXPECT_EQ(hrt_plate_close(plate), HRT_OK) << error(); }
+  void open(const std::string& device, const hrt_plate_options* options = nullptr) {
+    ASSERT_EQ(hrt_plate_open(device.c_str(), options, &plate), HRT_OK) << error();
+  }
+  hrt_plate plate{};
+};
+
+TEST_F(PlateApi, OpensReportsTurnsAndStops) {
+  PtyPlate device;
+  open("serial:" + device.device());
+  EXPECT_EQ(hrt_plate_set(plate, 1.0), HRT_ERROR_WRONG_STATE);
+  EXPECT_EQ(error(), "hrt_plate_set: the plate is being opened; wait until its state is READY");
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  hrt_plate_report report = report_of(plate);
+  EXPECT_STREQ(report.description, "protocol 2, firmware 0.1, serial number 000007");
+  EXPECT_STREQ(report.message, "");
+  EXPECT_EQ(report.fault, HRT_PLATE_FAULT_NONE);
+  EXPECT_EQ(report.lower_stop_deg, -90.0);
+  EXPECT_EQ(report.max_speed_deg_s, 400.0);
+  EXPECT_GE(report.latency_ns, 10'000'000 + report.round_trip_ns / 2);
+  EXPECT_EQ(report.flags,
+            HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED | HRT_PLATE_REPORT_ROUND_TRIP);
+
+  ASSERT_EQ(hrt_plate_set(plate, 100.0), HRT_OK);  // feels like -80, which is within the stops
+  ASSERT_TRUE(eventually([&] { return report_of(plate).orientation_deg == -80.0; }));
+  report = report_of(plate);
+  EXPECT_EQ(report.command_deg, -80.0);
+  EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMANDED, 0U);
+  EXPECT_GE(report.age_ns, 0);
+  EXPECT_LT(report.age_ns, 5'000'000'000);
+  ASSERT_EQ(hrt_plate_stop(plate), HRT_OK);
+  ASSERT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  EXPECT_EQ(report_of(plate).flags & HRT_PLATE_REPORT_COMMANDED, 0U);
+}
+
+TEST_F(PlateApi, NamesWhyAPlateFailed) {
+  PtyPlate device;
+  open("serial:" + device.device());
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  device.send("STOPPED emergency");
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
+  const hrt_plate_report report = report_of(plate);
+  EXPECT_EQ(report.fault, HRT_PLATE_FAULT_EMERGENCY);
+  EXPECT_EQ(report.message, "the plate at " + device.device() + " was stopped by its emergency stop");
+  EXPECT_EQ(hrt_plate_set(plate, 1.0), HRT_ERROR_WRONG_STATE);
+  EXPECT_EQ(error(), std::string("hrt_plate_set: ") + report.message);
+}
+
+TEST_F(PlateApi, ALineThatIsNoneFails) {
+  open("serial:/nonexistent");
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
+  EXPECT_EQ(report_of(plate).fault, HRT_PLATE_FAULT_LINE);
+  EXPECT_STREQ(report_of(plate).message,
+               "the plate at /nonexistent cannot be opened: No such file or directory");
+}
+
+TEST_F(PlateApi, TwoPlatesDoNotShareALine) {
+  PtyPlate device;
+  open("serial:" + device.device());
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  hrt_plate second{};
+  ASSERT_EQ(hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &second), HRT_OK);
+  // For root the line opens all the same; the first plate's echoes then are no greeting.
+  EXPECT_TRUE(getuid() == 0 || comes_to(second, HRT_PLATE_STATE_FAILED));
+  EXPECT_EQ(hrt_plate_close(second), HRT_OK);
+}
+
+// The application hangs while the plate turns.
+TEST_F(PlateApi, ASilentHostStopsThePlate) {
+  PtyPlate device({.speed_deg_s = 20.0});
+  hrt_plate_options options{};
+  ASSERT_EQ(hrt_plate_options_default(&options, sizeof options), HRT_OK);
+  EXPECT_EQ(options.host_timeout_ns, 300'000'000);
+  options.host_timeout_ns = 100'000'000;
+  open("serial:" + device.device(), &options);
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
+  ASSERT_TRUE(eventually([&] { return device.moving_allowed(); }));
+  ASSERT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  EXPECT_NE(report_of(plate).flags & HRT_PLATE_REPORT_HOST_SILENT, 0U);
+  const double stopped_deg = device.orientation_deg();
+  std::this_thread::sleep_for(50ms);  // that call alone moves nothing
+  EXPECT_EQ(device.orientation_deg(), stopped_deg);
+  ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
+  EXPECT_TRUE(eventually([&] {
+    report_of(plate);
+    return device.moving_allowed();
+  }));
+}
+
+// Within half a second; a busy machine gets 3 s. To wait for the greeting would take 5 s.
+TEST_F(PlateApi, ClosesSoon) {
+  constexpr auto generous = 3s;
+  const auto time_to_close = [&] {
+    const auto began = std::chrono::steady_clock::now();
+    EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+    plate = {};
+    return std::chrono::steady_clock::now() - began;
+  };
+  PtyPlate device;
+  open("serial:" + device.device());
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  ASSERT_EQ(hrt_plate_set(plate, 45.0), HRT_OK);
+  EXPECT_LT(time_to_close(), generous);
+  EXPECT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  PtyPlate mute({.answers = false});  // which is still being greeted
+  open("serial:" + mute.device());
+  std::this_thread::sleep_for(50ms);
+  EXPECT_LT(time_to_close(), generous);
+}
+
+TEST_F(PlateApi, RefusesWhatIsWrong) {
+  EXPECT_EQ(hrt_plate_open(nullptr, nullptr, &plate), HRT_ERROR_NULL_ARGUMENT);
+  EXPECT_EQ(hrt_plate_open("serial:x", nullptr, nullptr), HRT_ERROR_NULL_ARGUMENT);
+  EXPECT_EQ(hrt_plate_open("usb:x", nullptr, &plate), HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_EQ(error(), "hrt_plate_open: device is of kind \"usb\"; allowed: serial:..., dynamixel:...");
+  EXPECT_EQ(hrt_plate_open(("serial:" + std::string(2000, 'x')).c_str(), nullptr, &plate),
+            HRT_ERROR_OUT_OF_RANGE);
+  hrt_plate_options options{};
+  EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_STRUCT_SIZE);
+  ASSERT_EQ(hrt_plate_options_default(&options, sizeof options), HRT_OK);
+  options.host_timeout_ns = 0;
+  EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_EQ(error(), "hrt_plate_open: host_timeout_ns is 0; allowed: 50000000 to 10000000000");
+  EXPECT_EQ(plate.value, 0U);
+
+  hrt_plate_report report{};
+  report.struct_size = sizeof report;
+  report.orientation_deg = 7.0;
+  for (const std::uint64_t value : {std::uint64_t{0}, std::uint64_t{1}, ~std::uint64_t{0}}) {
+    EXPECT_EQ(hrt_plate_get({value}, &report), HRT_ERROR_INVALID_HANDLE);
+    EXPECT_EQ(hrt_plate_set({value}, 0.0), HRT_ERROR_INVALID_HANDLE);
+    EXPECT_EQ(hrt_plate_stop({value}), HRT_ERROR_INVALID_HANDLE);
+    EXPECT_EQ(hrt_plate_close({value}), value == 0 ? HRT_OK : HRT_ERROR_INVALID_HANDLE);
+  }
+  open("serial:/nonexistent");
+  const hrt_plate stale = plate;
+  for (const double wrong : {std::nan(""), std::numeric_limits<double>::infinity(), 3600.1, -1e300})
+    EXPECT_EQ(hrt_plate_set(plate, wrong), HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_EQ(hrt_plate_get(plate, nullptr), HRT_ERROR_NULL_ARGUMENT);
+  report.struct_size = 8;
+  EXPECT_EQ(hrt_plate_get(plate, &report), HRT_ERROR_STRUCT_SIZE);
+  EXPECT_EQ(report.orientation_deg, 7.0);
+  EXPECT_EQ(hrt_plate_close(plate), HRT_OK);
+  plate = {};
+  EXPECT_EQ(hrt_plate_close(stale), HRT_ERROR_INVALID_HANDLE);
+}
+
+TEST_F(PlateApi, SixteenPlatesAtMost) {
+  std::vector<hrt_plate> plates(16);
+  for (hrt_plate& one : plates) EXPECT_EQ(hrt_plate_open("serial:/nonexistent", nullptr, &one), HRT_OK);
+  hrt_plate another{};
+  EXPECT_EQ(hrt_plate_open("serial:/nonexistent", nullptr, &another), HRT_ERROR_LIMIT_REACHED);
+  EXPECT_EQ(another.value, 0U);
+  for (const hrt_plate one : plates) EXPECT_EQ(hrt_plate_close(one), HRT_OK);
+}
+
+// The child has the memory and no thread.
+TEST_F(PlateApi, AChildOfAForkOnlyLetsGo) {
+  PtyPlate device;
+  open("serial:" + device.device());
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  const pid_t child = fork();
+  if (child == 0) _exit(hrt_plate_close(plate) == HRT_OK ? 0 : 1);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(report_of(plate).state, HRT_PLATE_STATE_READY);
+}
+
+TEST_F(PlateApi, DrivesADynamixel) {
+  PtyDynamixel servo;
+  open("dynamixel:" + servo.device() + "?effort=80");
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+  EXPECT_STREQ(report_of(plate).description, "Dynamixel XL330-M288, id 1, firmware 52");
+  ASSERT_EQ(hrt_plate_set(plate, -45.0), HRT_OK);
+  EXPECT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 45.0) < 0.1; }));
+}
+
+// A writer that never rests, and a reader: each copy is whole.
+TEST(Snapshot, IsWhole) {
+  struct Value {
+    std::array<std::uint64_t, 60> same;
+  };
+  Snapshot<Value> snapshot;
+  std::atomic<bool> ending = false;
+  std::thread writer([&] {
+    Value value{};
+    while (!ending) {
+      value.same.fill(value.same[0] + 1);
+      snapshot.publish(value);
+    }
+  });
+  std::uint64_t last = 0;
+  for (int i = 0; i < 100000; ++i) {
+    const Value value = snapshot.read();
+    ASSERT_EQ(std::count(value.same.begin(), value.same.end(), value.same[0]), 60);
+    ASSERT_GE(value.same[0], last);
+    last = value.same[0];
+  }
+  ending = true;
+  writer.join();
+}
+
+}  // namespace
+}  // namespace hrt::plate

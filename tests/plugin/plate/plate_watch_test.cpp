@@ -1,0 +1,133 @@
+// What the host makes of a plate's reports, at times of the test's own.
+#include "plugin/src/plate/plate_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+
+#include "plugin/src/plate/plate_failure.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr PlateGreeting greeting{Version::two, -90.0, 90.0, 300.0, 20.0, true};
+constexpr PlateWatch::Time start{};
+
+template <class Action>
+std::string failure_of(Action action) {
+  try {
+    action();
+  } catch (const PlateFailure& failure) {
+    return failure.what();
+  }
+  return {};
+}
+
+TEST(PlateWatch, NoticesAPlateThatDoesNotReport) {
+  PlateWatch watch(greeting, start);
+  watch.check(start + 500ms);
+  EXPECT_EQ(failure_of([&] { watch.check(start + 501ms); }), "never reports its orientation");
+  watch.reported(start + 600ms, 0.0);
+  watch.check(start + 1100ms);
+  EXPECT_EQ(failure_of([&] { watch.check(start + 1101ms); }),
+            "has not reported its orientation for half a second");
+}
+
+TEST(PlateWatch, NoticesReportsBeyondTheLimits) {
+  PlateWatch watch(greeting, start);
+  watch.reported(start, 93.0);  // a sensor's error
+  watch.reported(start, -93.0);
+  EXPECT_NE(failure_of([&] { watch.reported(start, 93.1); }), "");
+  EXPECT_NE(failure_of([&] { watch.reported(start, -93.1); }), "");
+}
+
+TEST(PlateWatch, NoticesAPlateThatIsStuck) {
+  PlateWatch watch(greeting, start);
+  watch.commanded(30.0);
+  for (auto time = 0ms; time <= 1000ms; time += 20ms)
+    watch.reported(start + time, 12.0 + 0.3 * std::sin(0.01 * static_cast<double>(time.count())));
+  EXPECT_EQ(failure_of([&] { watch.reported(start + 1020ms, 12.0); }),
+            "is stuck at 12.0 deg; it was commanded to 30.0 deg");
+}
+
+TEST(PlateWatch, APlateThatIsNearItsCommandIsNotStuck) {
+  PlateWatch watch(greeting, start);
+  watch.commanded(30.0);
+  for (auto time = 0ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 20.5);
+}
+
+// The host slept for 2 s, and then reads at once what the plate has sent since.
+TEST(PlateWatch, APauseOfTheHostIsNoFaultOfThePlate) {
+  PlateWatch watch(greeting, start);
+  watch.commanded(80.0);
+  watch.reported(start, 0.0);
+  for (int i = 0; i < 20; ++i) watch.reported(start + 2000ms, 4.0 * i);
+  EXPECT_FALSE(watch.speed_deg_s());
+  watch.reported(start + 2000ms, 80.0);
+}
+
+TEST(PlateWatch, APlateThatWasStoppedIsNotStuck) {
+  PlateWatch watch(greeting, start);
+  watch.commanded(30.0);
+  for (auto time = 0ms; time <= 900ms; time += 20ms) watch.reported(start + time, 0.0);
+  watch.stopped();
+  for (auto time = 920ms; time <= 3000ms; time += 20ms) watch.reported(start + time, 0.0);
+}
+
+// Two degrees a second, in a plate that says so, are a motion.
+TEST(PlateWatch, ASlowPlateIsNotStuck) {
+  PlateGreeting slow = greeting;
+  slow.speed_deg_s = 2.0;
+  PlateWatch watch(slow, start);
+  watch.commanded(80.0);
+  for (auto time = 0ms; time <= 5000ms; time += 20ms)
+    watch.reported(start + time, 2e-3 * static_cast<double>(time.count()));
+  ASSERT_TRUE(watch.speed_deg_s());
+  EXPECT_NEAR(*watch.speed_deg_s(), 2.0, 1e-6);
+}
+
+// 100 degrees a second from 0 to 80 degrees, reported every 20 ms.
+TEST(PlateWatch, MeasuresTheSpeed) {
+  PlateWatch watch(greeting, start);
+  watch.reported(start, 0.0);
+  EXPECT_FALSE(watch.speed_deg_s());
+  watch.commanded(80.0);
+  for (auto time = 0ms; time <= 1000ms; time += 20ms)
+    watch.reported(start + time, std::min(80.0, 0.1 * static_cast<double>(time.count())));
+  ASSERT_TRUE(watch.speed_deg_s());
+  EXPECT_NEAR(*watch.speed_deg_s(), 100.0, 1e-6);
+}
+
+// Small commands one after the other are followed at their own pace, which is not the plate's.
+TEST(PlateWatch, DoesNotTakeThePaceOfCommandsForASpeed) {
+  PlateWatch watch(greeting, start);
+  for (auto time = 0ms; time <= 2000ms; time += 20ms) {
+    const double place_deg = 0.02 * static_cast<double>(time.count());
+    watch.commanded(place_deg + 2.0);
+    watch.reported(start + time, place_deg);
+  }
+  EXPECT_FALSE(watch.speed_deg_s());
+}
+
+// Echoes after 4, 6 and 30 ms; an unknown one, and one that was overtaken, do not count.
+TEST(RoundTrips, HaveAMedian) {
+  RoundTrips trips;
+  EXPECT_FALSE(trips.median());
+  trips.sent(start, 1);
+  trips.echoed(start + 4ms, 1);
+  trips.echoed(start + 9ms, 1);
+  trips.sent(start + 10ms, 2);
+  trips.sent(start + 20ms, 3);
+  trips.echoed(start + 26ms, 3);
+  trips.echoed(start + 27ms, 2);
+  trips.sent(start + 40ms, 4);
+  trips.echoed(start + 70ms, 4);
+  EXPECT_EQ(trips.count(), 3U);
+  EXPECT_EQ(*trips.median(), std::chrono::nanoseconds(6ms));
+}
+
+}  // namespace
+}  // namespace hrt::plate
