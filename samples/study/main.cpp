@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 
 namespace {

@@ -5,9 +5,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "samples/text.h"
 
 namespace hrt::study {

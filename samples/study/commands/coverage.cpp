@@ -1,5 +1,5 @@
 // hrt-study coverage: how often the calibration's intervals hold the truth.
-#include "samples/study/coverage.h"
+#include "samples/study/people/coverage.h"
 
 #include <cmath>
 #include <memory>
@@ -7,11 +7,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
-#include "samples/study/parallel.h"
-#include "samples/study/statistics.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/numbers/parallel.h"
+#include "samples/study/numbers/statistics.h"
 #include "samples/text.h"
 
 namespace hrt::study {

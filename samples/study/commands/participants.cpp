@@ -1,12 +1,12 @@
 // hrt-study participants: simulated people slide over a plate at rest, as real ones do in a calibration.
-#include "samples/study/participants.h"
+#include "samples/study/people/participants.h"
 
 #include <filesystem>
 #include <memory>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 namespace {

@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <memory>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/power_page.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/output.h"
-#include "samples/study/power_study.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/paper/power_study.h"
 
 namespace hrt::study {
 namespace {

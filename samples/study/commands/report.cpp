@@ -1,12 +1,12 @@
 // hrt-study report: the paper's figures from the model, and a page that shows them all.
 #include <memory>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/figures/page.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 namespace {

@@ -1,5 +1,5 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
-#include "samples/study/robustness_text.h"
+#include "samples/study/figures/robustness_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -7,13 +7,13 @@
 #include <memory>
 #include <set>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/robustness_page.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/output.h"
-#include "samples/study/person_file.h"
-#include "samples/study/replay.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/people/person_file.h"
+#include "samples/study/people/replay.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -8,9 +8,9 @@
 
 #include "core/paper/authority.h"
 #include "core/math/trigonometry.h"
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -10,12 +10,12 @@
 #include "core/simulation/calibration_trial.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/coverage.h"
-#include "samples/study/output.h"
-#include "samples/study/parallel.h"
-#include "samples/study/statistics.h"
+#include "samples/study/people/coverage.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/numbers/parallel.h"
+#include "samples/study/numbers/statistics.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/grid.h"
-#include "samples/study/output.h"
-#include "samples/study/sweep_file.h"
+#include "samples/study/paper/grid.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/paper/sweep_file.h"
 
 namespace hrt::study {
 namespace {

@@ -3,11 +3,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
-#include "samples/study/paper.h"
-#include "samples/study/table1.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/paper/paper.h"
+#include "samples/study/paper/table1.h"
 #include "samples/text.h"
 
 namespace hrt::study {

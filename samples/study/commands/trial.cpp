@@ -5,10 +5,10 @@
 #include <limits>
 #include <memory>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/output.h"
-#include "samples/study/parameters.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/cli/parameters.h"
 
 namespace hrt::study {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/paper/authority.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 namespace {

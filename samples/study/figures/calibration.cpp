@@ -8,7 +8,7 @@
 
 #include "core/person/calibrated_person.h"
 #include "core/learning.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/study/table1.h"
+#include "samples/study/paper/table1.h"
 
 namespace hrt::study {
 

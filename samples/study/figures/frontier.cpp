@@ -10,8 +10,8 @@
 #include "core/calibrate/calibration.h"
 #include "core/paper/perception.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/output.h"
-#include "samples/study/parameters.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/cli/parameters.h"
 
 namespace hrt::study {
 namespace {

@@ -5,9 +5,9 @@
 #include "core/paper/authority.h"
 #include "core/math/trigonometry.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/output.h"
-#include "samples/study/paper.h"
-#include "samples/study/parameters.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/paper/paper.h"
+#include "samples/study/cli/parameters.h"
 
 namespace hrt::study {
 namespace {

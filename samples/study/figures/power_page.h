@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "samples/study/figures/figures.h"
-#include "samples/study/power_study.h"
+#include "samples/study/paper/power_study.h"
 
 namespace hrt::study {
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "samples/study/figures/html.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -4,9 +4,9 @@
 
 #include <stdexcept>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 #include "samples/study/figures/gnuplot.h"
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 

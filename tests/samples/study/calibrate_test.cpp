@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/simulation/calibration_trial.h"
-#include "samples/study/arguments.h"
-#include "samples/study/participants.h"
+#include "samples/study/cli/arguments.h"
+#include "samples/study/people/participants.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

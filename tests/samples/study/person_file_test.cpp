@@ -1,8 +1,8 @@
-#include "samples/study/person_file.h"
+#include "samples/study/people/person_file.h"
 
 #include <gtest/gtest.h>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 
 namespace hrt::study {
 namespace {

@@ -1,4 +1,4 @@
-#include "samples/study/power.h"
+#include "samples/study/paper/power.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/power_study.h"
+#include "samples/study/paper/power_study.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

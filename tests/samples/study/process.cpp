@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "samples/study/arguments.h"
+#include "samples/study/cli/arguments.h"
 
 namespace hrt::study {
 

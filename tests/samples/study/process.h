@@ -1,7 +1,7 @@
 // Runs the real hrt-study as a child process.
 #pragma once
 
-#include "samples/study/output.h"
+#include "samples/study/cli/output.h"
 #include "tests/samples/process.h"
 
 namespace hrt::study {

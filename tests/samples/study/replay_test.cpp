@@ -1,4 +1,4 @@
-#include "samples/study/replay.h"
+#include "samples/study/people/replay.h"
 
 #include <gtest/gtest.h>
 
@@ -9,8 +9,8 @@
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
-#include "samples/study/arguments.h"
-#include "samples/study/participants.h"
+#include "samples/study/cli/arguments.h"
+#include "samples/study/people/participants.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

@@ -1,4 +1,4 @@
-#include "samples/study/robustness.h"
+#include "samples/study/people/robustness.h"
 
 #include <gtest/gtest.h>
 

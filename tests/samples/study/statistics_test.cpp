@@ -1,4 +1,4 @@
-#include "samples/study/statistics.h"
+#include "samples/study/numbers/statistics.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/simulation/random.h"
-#include "samples/study/output.h"
-#include "samples/study/paper.h"
+#include "samples/study/cli/output.h"
+#include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {

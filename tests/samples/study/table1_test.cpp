@@ -1,10 +1,10 @@
-#include "samples/study/table1.h"
+#include "samples/study/paper/table1.h"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/paper.h"
+#include "samples/study/paper/paper.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

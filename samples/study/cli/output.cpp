@@ -1,0 +1,129 @@
+#include "samples/study/cli/output.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "samples/study/cli/arguments.h"
+#include "samples/text.h"
+#include "samples/whole_file.h"
+
+namespace hrt::study {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int bar_width = 30;
+
+}  // namespace
+
+std::string number(double value) {
+  std::array<char, 32> text;
+  const auto [end, error] = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end};
+}
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 400> text;  // the largest double has 309 digits
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed, decimals);
+  return {text.data(), end};
+}
+
+std::string cell(double value, int decimals, std::size_t width) {
+  return right(std::isnan(value) ? "-" : fixed(value, decimals), width);
+}
+
+std::string between(double low, double high, int decimals, const std::string& dash) {
+  const auto bound = [&](double value) { return std::isnan(value) ? "?" : fixed(value, decimals); };
+  return bound(low) + dash + bound(high);
+}
+
+std::string wrapped(const std::string& words, std::size_t width, const std::string& first,
+                    const std::string& indent) {
+  std::string page;
+  std::string line = first;
+  std::string space;  // before every word of a line except the first one
+  std::istringstream stream(words);
+  for (std::string word; stream >> word;) {
+    if (line.size() + space.size() + word.size() > width) {
+      page += line + '\n';
+      line = indent;
+      space.clear();
+    }
+    line += space + word;
+    space = " ";
+  }
+  return page + line + '\n';
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::runtime_error cannot_write(const std::filesystem::path& path, int error) {
+  return std::runtime_error("cannot write " + path.string() + ": " + std::strerror(error));
+}
+
+void replace_file(const std::filesystem::path& path, std::string_view content) {
+  if (const int error = write_whole_file(path, content); error != 0) throw cannot_write(path, error);
+}
+
+Output::Output(const std::string& argument, const std::string& path) {
+  if (path.empty()) return;
+  const std::string allowed = "a file in a folder that can be written";
+  std::error_code error;
+  path_ = std::filesystem::weakly_canonical(path, error);
+  if (error) throw UsageError(not_allowed(argument, path, allowed + " (" + error.message() + ")"));
+  const auto status = std::filesystem::status(path_, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw UsageError(not_allowed(argument, path, allowed + " (this is not a regular file)"));
+  // Only an attempt shows permissions, read-only and full file systems, names too long.
+  const std::filesystem::path temporary = temporary_beside(path_);
+  const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) throw UsageError(not_allowed(argument, path, allowed + " (" + std::strerror(errno) + ")"));
+  close(file);
+  unlink(temporary.c_str());
+}
+
+void Output::write(std::string_view content) const {
+  if (!path_.empty()) return replace_file(path_, content);
+  if (const int error = write_all(STDOUT_FILENO, content); error != 0)
+    throw cannot_write("standard output", error);
+}
+
+Progress::Progress() : terminal_(isatty(STDERR_FILENO) != 0), started_(Clock::now()), last_drawn_(started_) {}
+
+Progress::~Progress() {
+  if (drawn_) std::fputs("\r\033[K", stderr);
+}
+
+void Progress::update(std::uint64_t done, std::uint64_t total) {
+  if (!terminal_) return;
+  const Clock::time_point now = Clock::now();
+  if (now - started_ < std::chrono::seconds(1)) return;
+  if (drawn_ && now - last_drawn_ < std::chrono::milliseconds(100)) return;
+  const double share = static_cast<double>(done) / static_cast<double>(total);
+  const double elapsed_s = std::chrono::duration<double>(now - started_).count();
+  const auto filled = static_cast<std::size_t>(bar_width * share);
+  std::string line = "\r\033[K[" + std::string(filled, '#') + std::string(bar_width - filled, '-') + "] " +
+                     fixed(100.0 * share, 0) + " %";
+  if (done > 0) line += ", " + fixed(elapsed_s * (1.0 - share) / share, 0) + " s left";
+  std::fputs(line.c_str(), stderr);
+  std::fflush(stderr);
+  drawn_ = true;
+  last_drawn_ = now;
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,241 @@
+#include "samples/study/figures/robustness_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "samples/study/figures/robustness_page.h"
+#include "samples/study/cli/output.h"
+#include "samples/text.h"
+
+namespace hrt::study {
+namespace {
+
+using Rows = std::vector<RobustnessRow>;
+
+// No more than all are 100 %.
+std::string rounded(const Share& share) {
+  if (share.of == 0) return "-";
+  const double percent = share.percent();
+  return fixed(share.hits < share.of ? std::min(percent, 99.0) : percent, 0);
+}
+
+std::string near_line(const std::string& name, const Rows& rows, const std::vector<double>& durations_s,
+                      const std::function<std::string(const Rows&, Leading)>& words) {
+  std::string line = left(name, 15);
+  for (const double duration_s : durations_s) {
+    const Rows of_duration = at_duration(rows, duration_s);
+    for (const Leading leading : leadings)
+      line += right(words(of_duration, leading), leading == Leading::none ? 5 : 4);
+  }
+  return line + '\n';
+}
+
+Rows rows_where(const Rows& rows, const std::function<bool(const SimulatedPeople&)>& is) {
+  Rows found;
+  std::copy_if(rows.begin(), rows.end(), std::back_inserter(found),
+               [&](const RobustnessRow& row) { return is(row.people); });
+  return found;
+}
+
+Rows of_people(const Rows& rows, const std::string& name) {
+  return rows_where(rows, [&](const SimulatedPeople& people) { return people.name == name; });
+}
+
+std::string near_table(const RobustnessStudy& study) {
+  const Rows& rows = study.rows;
+  const std::vector<double>& durations_s = study.options.durations_s;
+  std::string page = left("", 15);
+  for (const double duration_s : durations_s) page += right(number(duration_s) + " s", 21);
+  page += '\n' + left("", 15);
+  for (std::size_t i = 0; i < durations_s.size(); ++i) page += "   no pap 1st 5th inf";
+  page += '\n';
+  for (const SimulatedPeople& people : study.people)
+    page += near_line(
+        label(people), of_people(rows, people.name), durations_s,
+        [](const Rows& of, Leading leading) { return rounded(of.front().cell(leading).can_hold.near); });
+  if (study.people.size() == 1) return page;
+  const auto mean = [](const Rows& of, Leading leading) {
+    const double percent = mean_near_percent(of, leading);
+    return std::isnan(percent) ? "-" : fixed(percent, 0);
+  };
+  const auto mean_line = [&](const std::string& name, bool tuned, bool misplaced) {
+    const Rows of = rows_where(rows, [&](const SimulatedPeople& people) {
+      return people.tuned == tuned && people.misplaced == misplaced;
+    });
+    return of.empty() ? "" : near_line(name, of, durations_s, mean);
+  };
+  const Rows placed = rows_where(rows, [](const SimulatedPeople& people) { return !people.misplaced; });
+  return page + '\n' + mean_line("mean, tuned on", true, false) + mean_line("mean, apart *", false, false) +
+         (placed.empty() ? "" : near_line("mean of both", placed, durations_s, mean)) +
+         mean_line("mean, off +", false, true);
+}
+
+// "0.42 (0.38-0.47)"; what too few values bound is left out.
+std::string with_interval(const Quantile& quantile, int decimals) {
+  if (std::isnan(quantile.value)) return "-";
+  return fixed(quantile.value, decimals) + " (" + between(quantile.low, quantile.high, decimals) + ")";
+}
+
+std::string with_interval(const Share& share) {
+  if (share.of == 0) return "-";
+  const PercentInterval interval = share.interval();
+  return fixed(share.percent(), 1) + " (" + between(interval.low, interval.high, 1) + ")";
+}
+
+std::string flags_table(const Rows& all) {
+  const Rows rows = rows_where(all, [](const SimulatedPeople& people) { return !people.misplaced; });
+  const Rows off = rows_where(all, [](const SimulatedPeople& people) { return people.misplaced; });
+  constexpr Leading flagging[] = {Leading::paper, Leading::first, Leading::fifth, Leading::informed};
+  const auto line = [&](const std::string& name, const Rows& of,
+                        const std::function<Share(const RobustnessCell&)>& share) {
+    std::string text = left(name, 41);
+    for (const Leading leading : flagging) text += right(with_interval(pooled(of, leading, share)), 19);
+    return text + '\n';
+  };
+  using Cell = const RobustnessCell&;
+  std::string page = left("Flags, % of reaches (95 % interval)", 41);
+  for (const char* title : {"pap", "1st", "5th", "inf"}) page += right(title, 19);
+  page += '\n';
+  page +=
+      line("cannot hold: found unreachable by then", rows, [](Cell cell) { return cell.cannot_hold.found; }) +
+      line("  silent miss", rows, [](Cell cell) { return cell.cannot_hold.silent; }) +
+      line("can hold: unreachable, falsely", rows, [](Cell cell) { return cell.can_hold.unreachable; }) +
+      line("  silent miss: off target and no flag", rows, [](Cell cell) { return cell.can_hold.silent; }) +
+      line("  on target, flagged as if it were not", rows,
+           [](Cell cell) { return cell.can_hold.false_alarm; }) +
+      line("all: model does not fit", rows, [](Cell cell) { return cell.misfit; }) +
+      line("  off target", rows, [](Cell cell) { return cell.off_target; });
+  if (const Rows linear = of_people(rows, people_families().front().name); !linear.empty())
+    page +=
+        line("linear: interval of w_T covers theirs", linear, [](Cell cell) { return cell.weight_covered; });
+  if (!off.empty())
+    page +=
+        line("tracker or plate off (+): silent miss", off, [](Cell cell) { return cell.can_hold.silent; });
+  return page;
+}
+
+// All numbers of one sort of people.
+std::string details_table(const SimulatedPeople& people, const Rows& rows) {
+  std::string page = people.name + ": " + people.says + '\n';
+  for (const bool can_hold : {true, false}) {
+    const bool any = std::any_of(rows.begin(), rows.end(), [&](const RobustnessRow& row) {
+      return row.cell(Leading::none).group(can_hold).near.of > 0;
+    });
+    if (!any) continue;
+    page += std::string(can_hold ? "\nWho can hold the gap" : "\nWho cannot hold the gap") +
+            " (95 % intervals; ?: too few reaches bound it)\n" + right("s", 4) + "  " +
+            left("controller", 18) + right("near, %", 19) + right("miss: median, mm", 18) +
+            right("95 %, mm", 18) + right("felt peak, deg", 18) + right("silent, %", 18) + '\n';
+    for (const RobustnessRow& row : rows) {
+      if (row.cell(Leading::none).group(can_hold).near.of == 0) continue;
+      for (const Leading leading : leadings) {
+        const ReachGroup& of = row.cell(leading).group(can_hold);
+        page += right(leading == Leading::none ? number(row.duration_s) : "", 4) + "  " +
+                left(leading_title(leading), 18) + right(with_interval(of.near), 19) +
+                right(with_interval(of.miss_median_mm, 1), 18) + right(with_interval(of.miss_95_mm, 1), 18) +
+                right(with_interval(of.peak_felt_error_median_deg, 1), 18) +
+                right(leading == Leading::none ? "" : with_interval(of.silent), 18) + '\n';
+      }
+    }
+  }
+  return page;
+}
+
+// The numbers of a cell as CSV and JSON name them; NaN where there are none.
+std::vector<std::pair<std::string, double>> numbers(const RobustnessCell& cell, bool flags) {
+  std::vector<std::pair<std::string, double>> all{
+      {"can_hold", static_cast<double>(cell.can_hold.near.of)},
+      {"cannot_hold", static_cast<double>(cell.cannot_hold.near.of)}};
+  const auto put_share = [&](const std::string& name, const Share& share) {
+    const PercentInterval interval = share.interval();
+    all.insert(all.end(), {{name + "_percent", share.percent()},
+                           {name + "_low_percent", interval.low},
+                           {name + "_high_percent", interval.high}});
+  };
+  const auto put_flag = [&](const std::string& name, const Share& share) {
+    put_share(name, flags ? share : Share{});
+  };
+  const auto put_quantile = [&](const std::string& name, const std::string& unit, const Quantile& quantile) {
+    all.insert(all.end(), {{name + unit, quantile.value},
+                           {name + "_low" + unit, quantile.low},
+                           {name + "_high" + unit, quantile.high}});
+  };
+  for (const bool can_hold : {true, false}) {
+    const ReachGroup& group = cell.group(can_hold);
+    const std::string whose = can_hold ? "" : "cannot_hold_";
+    put_share(whose + "near", group.near);
+    put_quantile(whose + "miss_median", "_mm", group.miss_median_mm);
+    put_quantile(whose + "miss_95", "_mm", group.miss_95_mm);
+    put_quantile(whose + "peak_felt_error_median", "_deg", group.peak_felt_error_median_deg);
+    put_quantile(whose + "peak_felt_error_95", "_deg", group.peak_felt_error_95_deg);
+    put_flag(whose + "silent_miss", group.silent);
+    put_flag(whose + "false_alarm", group.false_alarm);
+  }
+  put_flag("unreachable_found", cell.cannot_hold.found);
+  put_flag("unreachable_false", cell.can_hold.unreachable);
+  put_flag("misfit", cell.misfit);
+  put_flag("off_target", cell.off_target);
+  put_flag("weight_covered", cell.weight_covered);
+  return all;
+}
+
+}  // namespace
+
+std::string label(const SimulatedPeople& people) {
+  return people.name + (people.misplaced ? " +" : people.tuned ? "" : " *");
+}
+
+std::string robustness_text(const RobustnessStudy& study) {
+  std::string page =
+      wrapped("Simulated reaches; there was no human trial. " + condition_words(study)) + '\n' +
+      wrapped(
+          "Percent of reaches that end within 1.5 deg of the real target's bearing, of people who can hold "
+          "the gap; the 95 % interval of a cell is at most +-" +
+          fixed(widest_near_interval(study.rows), 1) +
+          " points. no: no controller; pap: the paper's; 1st: ours on a person's first reach; 5th: on the "
+          "fifth; inf: ours, informed of the person's traits; -: nobody can hold the gap; *: kept apart from "
+          "the search for our controller's numbers; +: tracker or plate is off, which no controller sees.") +
+      '\n' + near_table(study);
+  if (study.people.size() == 1) page += '\n' + details_table(study.people.front(), study.rows);
+  return page + '\n' + flags_table(study.rows);
+}
+
+std::string robustness_csv(const RobustnessStudy& study) {
+  std::string page = "family,tuned,misplaced,duration_s,controller,people,seed";
+  for (const auto& [name, value] : numbers(study.rows.front().cells.front(), true)) page += ',' + name;
+  page += ",description\n";
+  for (const RobustnessRow& row : study.rows)
+    for (const Leading leading : leadings) {
+      page += row.people.name + (row.people.tuned ? ",1," : ",0,") + (row.people.misplaced ? "1," : "0,") +
+              number(row.duration_s) + ',' + leading_name(leading) + ',' +
+              std::to_string(study.options.people) + ',' + std::to_string(study.options.seed);
+      for (const auto& [name, value] : numbers(row.cell(leading), leading != Leading::none))
+        page += ',' + (std::isnan(value) ? "" : number(value));
+      page += ",\"" + row.people.says + "\"\n";
+    }
+  return page;
+}
+
+std::string robustness_json(const RobustnessStudy& study) {
+  nlohmann::ordered_json page{{"simulation", true},
+                              {"people", study.options.people},
+                              {"seed", study.options.seed},
+                              {"condition", condition_words(study)}};
+  for (const RobustnessRow& row : study.rows) {
+    nlohmann::ordered_json entry{{"family", row.people.name},
+                                 {"description", row.people.says},
+                                 {"tuned", row.people.tuned},
+                                 {"misplaced", row.people.misplaced},
+                                 {"duration_s", row.duration_s}};
+    for (const Leading leading : leadings)
+      for (const auto& [name, value] : numbers(row.cell(leading), leading != Leading::none))
+        entry["controllers"][leading_name(leading)][name] = value;
+    page["rows"].push_back(entry);
+  }
+  return page.dump(2) + '\n';
+}
+
+}  // namespace hrt::study

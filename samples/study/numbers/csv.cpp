@@ -1,0 +1,92 @@
+#include "samples/study/numbers/csv.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace hrt::study {
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+  text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
+  text.remove_suffix(text.size() - (text.find_last_not_of(" \t") + 1));
+  return text;
+}
+
+std::string words_for(std::string_view column) {
+  return "column " + std::string(column);
+}
+
+}  // namespace
+
+std::string line_of_file(const std::string& name, std::size_t line) {
+  return name + ", line " + std::to_string(line);
+}
+
+std::string shown(std::string_view text) {
+  constexpr std::size_t longest = 40;
+  return std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "");
+}
+
+CsvReader::CsvReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {
+  if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
+}
+
+bool CsvReader::next() {
+  do {
+    if (rest_.empty()) return false;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    if (line_.ends_with('\r')) line_.remove_suffix(1);
+    line_ = trimmed(line_);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+  } while (line_.empty());
+  fields_ = split(line_, ',');
+  for (std::string_view& field : fields_) field = trimmed(field);
+  return true;
+}
+
+std::string CsvReader::where() const {
+  return line_of_file(name_, number_);
+}
+
+void CsvReader::take_header(std::string_view columns, const std::string& allowed) {
+  for (const std::string_view column : split(columns, ',')) {
+    const auto found = std::find(fields_.begin(), fields_.end(), column);
+    if (found == fields_.end())
+      throw UsageError(where() + ", " + words_for(column) + ": it is missing; the line must be " + allowed);
+    if (std::find(found + 1, fields_.end(), column) != fields_.end())
+      throw wrong(words_for(column), column, allowed + ", each once");
+    places_.emplace_back(column, found - fields_.begin());
+  }
+  width_ = fields_.size();
+}
+
+void CsvReader::take_row() const {
+  if (fields_.size() != width_)
+    throw wrong("columns", std::to_string(fields_.size()),
+                "as many as the header has, " + std::to_string(width_));
+}
+
+std::string_view CsvReader::text(std::string_view column) const {
+  const auto place =
+      std::find_if(places_.begin(), places_.end(), [&](const auto& each) { return each.first == column; });
+  return fields_[place->second];
+}
+
+double CsvReader::number(std::string_view column, const NumberRange& range) const {
+  const std::optional<double> value = range.parse(text(column));
+  if (!value) throw wrong(column, range.text());
+  return *value;
+}
+
+UsageError CsvReader::wrong(const std::string& what, std::string_view text,
+                            const std::string& allowed) const {
+  return UsageError(not_allowed(where() + ", " + what, shown(text), allowed));
+}
+
+UsageError CsvReader::wrong(std::string_view column, const std::string& allowed) const {
+  return wrong(words_for(column), text(column), allowed);
+}
+
+}  // namespace hrt::study

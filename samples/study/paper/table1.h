@@ -1,0 +1,71 @@
+// The paper's Table I and its other claims beside the model's results.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/simulation/batch.h"
+#include "samples/study/numbers/statistics.h"
+
+namespace hrt::study {
+
+struct Table1Options {
+  std::uint64_t trials = 20'000;  ///< of each cell
+  std::uint64_t seed = 1;
+  std::uint64_t horizon = 3;
+  std::uint64_t threads = 1;
+};
+
+/// One pair of targets under one condition.
+struct Cell {
+  Condition condition;
+  BatchResult result;
+  std::optional<double> paper_percent;  ///< if the paper gives one for this very cell
+};
+
+/// Several cells and the paper's mean over them.
+struct CellGroup {
+  std::string name;  ///< a word, for CSV and JSON
+  std::string title;
+  std::vector<Cell> cells;
+  std::optional<double> paper_percent;  ///< the paper's mean over the cells
+  bool reproduced = false;              ///< ours agrees with the paper's
+  std::string verdict;                  ///< the same in words, and why
+
+  double mean_percent() const;
+  /// The 95 % interval of the paper's mean, each cell having had the paper's 50 trials.
+  std::optional<PercentInterval> paper_interval() const;
+};
+
+/// The 95 % interval of the paper's percentage of 50 trials.
+PercentInterval paper_interval(const Cell& cell);
+/// Our percentage lies within it.
+bool agrees(const Cell& cell);
+
+struct Table1 {
+  Table1Options options;
+  std::vector<CellGroup> conditions;  ///< the four of Table I
+  std::vector<CellGroup> claims;      ///< the paper's other claims
+  double chi_squared;                 ///< over all cells of `conditions`
+  int degrees_of_freedom;
+  double p_value;
+};
+
+/// run_batch() with a progress bar.
+std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
+                                           std::uint64_t threads);
+
+/// For whom chi-squared holds.
+inline constexpr const char* in_sample_words =
+    "In-sample: the sensory variance (0.1 deg²), the bound on the plate (84.5 deg) and the number of steps "
+    "(30) are not in the paper and were chosen to match these same cells, so p is too high.";
+
+/// Simulates all of it, with a progress bar.
+Table1 simulate_table1(const Table1Options& options);
+
+/// The largest percentage that any controller reaches: the noise of the last step comes after the plate
+/// has acted.
+double limit_percent(const Condition& condition);
+
+}  // namespace hrt::study

@@ -1,0 +1,88 @@
+// Reads calibration data and checks all of it.
+#include <cmath>
+#include <set>
+
+#include "samples/study/numbers/csv.h"
+#include "samples/study/people/participants.h"
+
+namespace hrt::study {
+namespace {
+
+// A plate "at rest" as its own sensor may see it.
+constexpr double rest_tolerance_deg = 1.0;
+
+class Reader {
+ public:
+  Reader(const std::string& name, std::string_view text) : name_(name), csv_(name, text) {}
+
+  std::vector<CalibrationTrial> read() {
+    while (csv_.next()) {
+      if (csv_.line().starts_with('#')) continue;
+      csv_.has_header()
+          ? read_row()
+          : csv_.take_header(calibration_header, "a header that names " + std::string(calibration_header));
+    }
+    if (!csv_.has_header())
+      throw UsageError(name_ + ": there is no header; it must name " + std::string(calibration_header));
+    if (trials_.empty()) throw UsageError(name_ + ": there is no row under the header");
+    end_trial();
+    return std::move(trials_);
+  }
+
+ private:
+  void read_row() {
+    constexpr NumberRange place_range{-10.0, 10.0};
+    csv_.take_row();
+    const double trial = csv_.number("trial", {.low = 0.0, .high = 1e9, .whole = true});
+    const double time_s = csv_.number("time_s", {-1e9, 1e9});
+    const PlatePoint place{csv_.number("right_m", place_range), csv_.number("away_m", place_range)};
+    const double plate_deg = csv_.number("plate_orientation_deg", {-3600.0, 3600.0});
+    if (trials_.empty() || trial != number_) begin_trial(trial, plate_deg);
+    add({std::llround(time_s * 1e9), place}, plate_deg);
+  }
+
+  void begin_trial(double number_of_trial, double plate_deg) {
+    if (!seen_.insert(number_of_trial).second)
+      throw csv_.wrong("trial", "a number that no trial before has; the rows of a trial stand together");
+    end_trial();
+    number_ = number_of_trial;
+    first_plate_deg_ = plate_deg;
+    plate_sum_deg_ = 0.0;
+    turns_ = false;
+    trials_.emplace_back();
+  }
+
+  void add(const TimedPoint& sample, double plate_deg) {
+    std::vector<TimedPoint>& samples = trials_.back().samples;
+    if (!samples.empty() && sample.time_ns <= samples.back().time_ns)
+      throw csv_.wrong("time_s", "later than in the row before, by a nanosecond or more");
+    samples.push_back(sample);
+    trials_.back().plate_deg.push_back(plate_deg);
+    turns_ = turns_ || std::abs(plate_deg - first_plate_deg_) > rest_tolerance_deg;
+    plate_sum_deg_ += plate_deg - first_plate_deg_;
+  }
+
+  void end_trial() {
+    if (trials_.empty()) return;
+    CalibrationTrial& last = trials_.back();
+    last.plate_orientation_deg = first_plate_deg_ + plate_sum_deg_ / static_cast<double>(last.samples.size());
+    if (!turns_) last.plate_deg.clear();
+  }
+
+  const std::string& name_;
+  CsvReader csv_;
+  std::vector<CalibrationTrial> trials_;
+  std::set<double> seen_;
+  double number_ = 0.0;
+  double first_plate_deg_ = 0.0;
+  double plate_sum_deg_ = 0.0;
+  bool turns_ = false;  // the plate, in this trial
+};
+
+}  // namespace
+
+std::vector<CalibrationTrial> parse_calibration_csv(const std::string& name, std::string_view text) {
+  return Reader(name, text).read();
+}
+
+}  // namespace hrt::study

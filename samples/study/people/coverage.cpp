@@ -1,0 +1,141 @@
+#include "samples/study/people/coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/simulation/calibration_trial.h"
+#include "core/calibrate/slide_plan.h"
+#include "core/math/trigonometry.h"
+#include "samples/study/cli/output.h"
+#include "samples/text.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr std::uint32_t session_stream = 18;
+
+constexpr CoverageKind all_kinds[] = {
+    {"linear", "linear illusion, continuous steering", "linear"},
+    {"steps", "the paper's person", "steps"},
+    {"predictive", "predict their own motion", "predictive"},
+    {"clip-60", "illusion saturates at 60°", "clip-60"},
+    {"clip-45", "illusion saturates at 45°", "clip-45"},
+    {"tanh-60", "60° tanh(t / 60°)", "tanh-60"},
+    {"sine-45", "45° sin 2t", "sine-45"},
+    {"dead-band", "nothing felt within 10°", "dead-band"},
+    {"unequal", "half to the right", "unequal"},
+    {"bias-3", "bias of ±3°", "bias-3"},
+    {"habit-5", "habit of ±5°", "habit-5"},
+    {"mixture", "clip-60, bias, habit, correlated noise", "mixture"},
+    {"noise-100", "noise of 1.2 mm over 100 ms", "noise-100"},
+    {"outliers", "3 % of positions off by 30 mm", "outliers"},
+    {"slow-tracker", "30 Hz, uneven", "slow-tracker"},
+    {"slips", "5 % of slides go 15 to 40° off", "linear", 0.0, 0.05},
+    {"trend", "w changes by ±0.06 over the session", "linear", 0.06},
+    {"place", "seek the target's place", "place"},
+    {"heavy-arm", "1 kg, muscles of 40 ms", "heavy-arm"},
+    {"crossings", "ridges felt as they are crossed", "crossings"},
+};
+
+}  // namespace
+
+std::span<const CoverageKind> coverage_kinds() {
+  return all_kinds;
+}
+
+std::vector<double> coverage_angles() {
+  std::vector<double> angles;
+  for (int angle = -75; angle <= 75; angle += 15) angles.push_back(angle);
+  return angles;
+}
+
+std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const CoverageSession& session,
+                                              std::uint32_t index, std::array<double, quantities>* truth) {
+  PersonCondition condition =
+      draw_person(*people_family(kind.family), session.duration_s, session.seed, index);
+  const Person& person = condition.person;
+  const SimulatedIllusion& illusion = person.illusion;
+  const auto either = [&](double t) { return felt_shift_deg(illusion, t); };
+  *truth = {(either(60.0) - either(-60.0)) / 120.0, person.bias_deg - person.own_bias_deg, person.habit_deg,
+            std::min(largest_shift_deg(illusion, curve_bound_deg, 1.0),
+                     largest_shift_deg(illusion, curve_bound_deg, -1.0))};
+
+  std::vector<double> angles;
+  for (int i = 0; i < session.slides_an_angle; ++i)
+    angles.insert(angles.end(), session.plate_angles_deg.begin(), session.plate_angles_deg.end());
+  Draws draws(session.seed, session_stream, index, 0);
+  for (std::size_t i = angles.size(); i > 1; --i)
+    std::swap(angles[i - 1], angles[static_cast<std::size_t>(draws.uniform() * static_cast<double>(i))]);
+  const double trend = draws.uniform() < 0.5 ? -kind.weight_trend : kind.weight_trend;
+
+  // Slides chosen one after another see those before, reduced to what the plan needs.
+  std::vector<SlideTrack> tracks;
+  std::vector<double> order;
+  std::vector<CalibrationTrial> trials;
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    if (session.planned) angles[i] = next_slide(tracks, order, {}).plate_deg;
+    PersonCondition now = condition;
+    now.person.illusion.tactile_weight +=
+        trend * (static_cast<double>(i) / static_cast<double>(angles.size() - 1) - 0.5);
+    CalibrationTrial trial =
+        simulate_slide(now, angles[i], session.seed, index, static_cast<std::uint32_t>(i));
+    if (draws.uniform() < kind.outlying_share) {
+      const double off_deg = (draws.uniform() < 0.5 ? -1.0 : 1.0) * (15.0 + 25.0 * draws.uniform());
+      for (TimedPoint& sample : trial.samples) {
+        const PlatePoint& p = sample.position;
+        sample.position = {p.right_m * cos_deg(off_deg) - p.away_m * sin_deg(off_deg),
+                           p.right_m * sin_deg(off_deg) + p.away_m * cos_deg(off_deg)};
+      }
+    }
+    if (session.planned) {
+      if (const auto track = track_slide(trial, 0.0)) {
+        tracks.push_back(*track);
+        order.push_back(static_cast<double>(i));
+      }
+    }
+    trials.push_back(std::move(trial));
+  }
+  return trials;
+}
+
+CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& session,
+                               std::uint32_t index) {
+  CoveragePerson person;
+  const auto trials = coverage_slides(kind, session, index, &person.truth);
+  const auto result = calibrate(trials, {.variances = false});
+  const auto* found = std::get_if<Calibration>(&result);
+  person.refused = found == nullptr;
+  if (!found) {
+    for (Interval& unknown : person.found) unknown.known = false;
+    return person;
+  }
+  person.found = {found->tactile_weight, found->bias_deg, found->habit_deg, found->largest_gap_deg};
+  person.lack_of_fit = found->lack_of_fit;
+  return person;
+}
+
+void Tally::add(const Interval& found, double truth, double error_of_value) {
+  known.count(found.known);
+  if (!found.known) return;
+  covered.count(found.lower <= truth && truth <= found.upper);
+  error += error_of_value;
+  width += found.upper - found.lower;
+}
+
+std::string Tally::covered_text(std::size_t columns) const {
+  const PercentInterval range = covered.interval();
+  return cell(covered.percent(), 0, columns) +
+         left(covered.of > 0 ? " (" + between(range.low, range.high, 0) + ")" : "", 9);
+}
+
+void Coverage::add(const CoveragePerson& person) {
+  refused.count(person.refused);
+  angle.count(person.lack_of_fit.angle_p < least_fit_p);
+  order.count(person.lack_of_fit.order_p < least_fit_p);
+  path.count(person.lack_of_fit.path_p < least_fit_p);
+  for (std::size_t i = 0; i < quantities; ++i)
+    of[i].add(person.found[i], person.truth[i], person.found[i].value - person.truth[i]);
+}
+
+}  // namespace hrt::study

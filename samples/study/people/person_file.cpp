@@ -1,0 +1,233 @@
+#include "samples/study/people/person_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <span>
+
+#include <nlohmann/json.hpp>
+
+#include "samples/study/numbers/csv.h"
+#include "samples/study/cli/input.h"
+#include "samples/study/cli/output.h"
+#include "samples/text.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr std::size_t most_bytes = 1 << 20;
+
+using C = PersonCondition;
+
+struct NumberParameter {
+  const char* name;
+  NumberRange range;
+  double (*get)(const C& condition);
+  void (*set)(C& condition, double value);
+};
+
+#define HRT_FIELD(field) [](const C& c) { return c.field; }, [](C& c, double value) { c.field = value; }
+#define HRT_FIELD_MM(field) \
+  [](const C& c) { return 1e3 * c.field; }, [](C& c, double value) { c.field = 1e-3 * value; }
+
+constexpr NumberRange share{0.0, 0.5};
+constexpr NumberRange angle{-45.0, 45.0};
+
+constexpr NumberParameter number_parameters[] = {
+    {"tactile_weight", tactile_weight_range, HRT_FIELD(person.illusion.tactile_weight)},
+    {"illusion_scale_deg", {0.0, 90.0, false}, HRT_FIELD(person.illusion.scale_deg)},
+    {"gain_per_s", {0.5, 20.0}, HRT_FIELD(person.gain_per_s)},
+    {"delay_s", {0.0, 0.25}, HRT_FIELD(person.delay_s)},
+    {"noise_deg2_per_s", {0.0, 1000.0}, HRT_FIELD(person.noise_deg2_per_s)},
+    {"start_direction_deg", angle, HRT_FIELD(person.start_direction_deg)},
+    {"bias_deg", angle, HRT_FIELD(person.bias_deg)},
+    {"own_bias_deg", angle, HRT_FIELD(person.own_bias_deg)},
+    {"habit_deg", angle, HRT_FIELD(person.habit_deg)},
+    {"weight_drift", {-0.5, 0.5}, HRT_FIELD(person.weight_drift)},
+    {"duration_s", {0.3, 20.0}, HRT_FIELD(person.duration_s)},
+    {"path_scale", {0.5, 2.0}, HRT_FIELD(person.path_scale)},
+    {"tracker_rate_hz", {10.0, 1000.0}, HRT_FIELD(tracker.rate_hz)},
+    {"tracker_white_mm", {0.0, 20.0}, HRT_FIELD_MM(tracker.white_m)},
+    {"tracker_correlated_mm", {0.0, 20.0}, HRT_FIELD_MM(tracker.correlated_m)},
+    {"tracker_correlation_s", {0.0, 10.0, false}, HRT_FIELD(tracker.correlation_s)},
+    {"tracker_latency_s", share, HRT_FIELD(tracker.latency_s)},
+    {"tracker_declared_latency_s", share, HRT_FIELD(tracker.declared_latency_s)},
+    {"tracker_outlier_share", share, HRT_FIELD(tracker.outlier_share)},
+    {"tracker_dropout_share", share, HRT_FIELD(tracker.dropout_share)},
+    {"tracker_jitter_share", {0.0, 0.9}, HRT_FIELD(tracker.jitter_share)},
+    {"tracker_turned_deg", angle, HRT_FIELD(tracker.turned_deg)},
+    {"tracker_scale", {0.5, 2.0}, HRT_FIELD(tracker.scale)},
+    {"tracker_shear", {-0.5, 0.5}, HRT_FIELD(tracker.shear)},
+    {"plate_speed_deg_s", {10.0, 10'000.0}, HRT_FIELD(plate.max_speed_deg_s)},
+    {"plate_latency_s", share, [](const C& c) { return static_cast<double>(c.plate.latency_ns) / 1e9; },
+     [](C& c, double value) { c.plate.latency_ns = std::llround(1e9 * value); }},
+    {"plate_offset_deg", {-90.0, 90.0}, HRT_FIELD(plate_offset_deg)},
+    {"real_direction_deg", angle, HRT_FIELD(real_direction_deg)},
+    {"virtual_direction_deg", angle, HRT_FIELD(virtual_direction_deg)},
+    {"distance_mm", {30.0, 500.0}, HRT_FIELD_MM(distance_m)},
+};
+
+#undef HRT_FIELD
+#undef HRT_FIELD_MM
+
+// Words in the order of the enumeration that they stand for.
+constexpr const char* illusions[] = {"linear", "saturating", "sine", "tanh", "dead_band", "unequal"};
+constexpr const char* steerings[] = {"steps", "continuous", "predictive", "place", "heavy_arm", "crossings"};
+constexpr const char* paces[] = {"minimum_jerk", "even",      "skewed",  "stop_and_go",
+                                 "pause",        "two_parts", "reversal"};
+
+struct WordParameter {
+  const char* name;
+  std::span<const char* const> words;
+  std::size_t (*get)(const C& condition);
+  void (*set)(C& condition, std::size_t word);
+};
+
+const WordParameter word_parameters[] = {
+    {"illusion", illusions, [](const C& c) { return static_cast<std::size_t>(c.person.illusion.family); },
+     [](C& c, std::size_t word) { c.person.illusion.family = static_cast<IllusionFamily>(word); }},
+    {"steering", steerings, [](const C& c) { return static_cast<std::size_t>(c.person.steering); },
+     [](C& c, std::size_t word) { c.person.steering = static_cast<Steering>(word); }},
+    {"pace", paces, [](const C& c) { return static_cast<std::size_t>(c.person.pace); },
+     [](C& c, std::size_t word) { c.person.pace = static_cast<Pace>(word); }},
+};
+
+std::string joined(std::span<const char* const> words) {
+  std::string text;
+  for (const char* word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+  return text;
+}
+
+std::string all_names() {
+  std::string text;
+  for (const WordParameter& parameter : word_parameters)
+    text += (text.empty() ? "one of " : ", ") + std::string(parameter.name);
+  for (const NumberParameter& parameter : number_parameters) text += std::string(", ") + parameter.name;
+  return text;
+}
+
+// Collects parameters; `where` is file and line in errors.
+class Taker {
+ public:
+  void take(const std::string& where, std::string_view parameter, std::string_view value) {
+    if (!seen_.insert(std::string(parameter)).second)
+      throw UsageError(not_allowed(where, shown(parameter), "a parameter that no line before has"));
+    for (const WordParameter& known : word_parameters)
+      if (parameter == known.name) return take_word(where, known, value);
+    for (const NumberParameter& known : number_parameters)
+      if (parameter == known.name) return take_number(where, known, value);
+    throw UsageError(not_allowed(where, shown(parameter), all_names()));
+  }
+
+  PersonFile finish(const std::string& name) const {
+    const C& c = file_.condition;
+    if (seen_.empty()) throw UsageError(name + ": there is no parameter; it must have " + all_names());
+    if (c.virtual_direction_deg == c.real_direction_deg)
+      throw UsageError(not_allowed(name + ", real_direction_deg", number(c.real_direction_deg),
+                                   "another direction than virtual_direction_deg"));
+    return file_;
+  }
+
+ private:
+  void take_word(const std::string& where, const WordParameter& parameter, std::string_view value) {
+    const auto found = std::find(parameter.words.begin(), parameter.words.end(), value);
+    if (found == parameter.words.end())
+      throw UsageError(
+          not_allowed(where + ", " + parameter.name, shown(value), "one of " + joined(parameter.words)));
+    parameter.set(file_.condition, static_cast<std::size_t>(found - parameter.words.begin()));
+  }
+
+  void take_number(const std::string& where, const NumberParameter& parameter, std::string_view text) {
+    const std::optional<double> value = parameter.range.parse(text);
+    if (!value)
+      throw UsageError(not_allowed(where + ", " + parameter.name, shown(text), parameter.range.text()));
+    parameter.set(file_.condition, *value);
+    if (std::string_view(parameter.name) == "duration_s") file_.has_duration = true;
+  }
+
+  PersonFile file_;
+  std::set<std::string> seen_;
+};
+
+PersonFile parse_csv(const std::string& name, std::string_view text) {
+  Taker taker;
+  bool has_header = false;
+  for (CsvReader csv(name, text); csv.next();) {
+    if (csv.line().starts_with('#')) continue;
+    const auto& fields = csv.fields();
+    if (has_header) {
+      if (fields.size() != 2)
+        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "a name, a comma and a value"));
+      taker.take(csv.where(), fields[0], fields[1]);
+    } else {
+      has_header = fields.size() == 2 && fields[0] == "name" && fields[1] == "value";
+      if (!has_header)
+        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "the header name,value, or JSON"));
+    }
+  }
+  return taker.finish(name);
+}
+
+std::size_t line_of(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, byte);
+  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+}
+
+PersonFile parse_json(const std::string& name, std::string_view text) {
+  using nlohmann::json;
+  Taker taker;
+  std::string key;
+  std::size_t from = 0;  // of the text: keys come in its order
+  const auto where = [&] { return line_of_file(name, line_of(text, from)); };
+  const auto take = [&](int depth, json::parse_event_t event, json& value) {
+    if (event == json::parse_event_t::key) {
+      key = value.get<std::string>();
+      const std::size_t at = text.find(json(key).dump(), from);
+      from = at == std::string_view::npos ? from : at + 1;
+    } else if (depth >= 1 && (event != json::parse_event_t::value || depth > 1)) {
+      throw UsageError(not_allowed(where(), shown(key), "a number or a word"));
+    } else if (depth == 1) {
+      const bool is_word = value.is_string();
+      if (!is_word && !value.is_number())
+        throw UsageError(not_allowed(where() + ", " + shown(key), shown(value.dump()), "a number or a word"));
+      taker.take(where(), key, is_word ? value.get<std::string>() : value.dump());
+    }
+    return true;
+  };
+  try {
+    [[maybe_unused]] const json page = json::parse(text, take);
+  } catch (const json::parse_error& error) {
+    throw UsageError(line_of_file(name, line_of(text, error.byte == 0 ? 0 : error.byte - 1)) +
+                     ": this is not JSON; it must be an object of names and values");
+  } catch (const json::exception&) {
+    throw UsageError(where() + ": a number is too large or a text is not UTF-8; see the allowed values");
+  }
+  return taker.finish(name);
+}
+
+}  // namespace
+
+PersonFile parse_person(const std::string& name, std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
+  return first < text.size() && text[first] == '{' ? parse_json(name, text) : parse_csv(name, text);
+}
+
+PersonFile read_person(const std::string& argument, const std::string& path) {
+  return parse_person(path, read_input(argument, path, most_bytes));
+}
+
+std::string person_parameters() {
+  const PersonCondition standard;
+  std::string page;
+  for (const WordParameter& parameter : word_parameters)
+    page += "  " + left(parameter.name, 28) + joined(parameter.words) + "; default " +
+            parameter.words[parameter.get(standard)] + '\n';
+  for (const NumberParameter& parameter : number_parameters)
+    page += "  " + left(parameter.name, 28) + parameter.range.text() + "; default " +
+            number(parameter.get(standard)) + '\n';
+  return page;
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,197 @@
+#include "samples/study/people/replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "core/learning.h"
+#include "core/simulation/controllers.h"
+#include "core/math/trigonometry.h"
+#include "samples/study/cli/arguments.h"
+#include "samples/study/cli/input.h"
+#include "samples/study/cli/output.h"
+#include "samples/text.h"
+
+namespace hrt::study {
+namespace {
+
+constexpr std::size_t most_bytes = std::size_t{1} << 29;
+constexpr const char* open_loop_words =
+    "Recorded paths in an open loop: the finger could not answer. A path, its end and its felt error are "
+    "those of the plate that stood there, whatever our controller would have commanded.";
+
+double last_bearing_deg(const RecordedPath& path) {
+  PlatePoint last = path.reach.start;
+  for (const FingerSample& sample : path.samples)
+    if (sample.observation == Observation::position) last = sample.position;
+  return wrap_deg(bearing_deg(path.reach.start, last) - path.reach.real_direction_deg, 360.0);
+}
+
+const char* source_name(PlateSource source) {
+  static constexpr const char* names[] = {"measured", "commanded", "resting"};
+  return names[static_cast<std::size_t>(source)];
+}
+
+std::string flag_words(const ReachSummary& summary) {
+  std::string words;
+  const auto add = [&](bool flag, const char* word) {
+    if (flag) words += (words.empty() ? "" : " ") + std::string(word);
+  };
+  add(summary.unreachable, "unreachable");
+  add(summary.misfit, "misfit");
+  add(summary.off_target, "off_target");
+  return words;
+}
+
+std::string file_name(const ReplayedPath& replayed) {
+  return std::filesystem::path(replayed.path.file).filename().string();
+}
+
+double or_nan(bool known, double value) {
+  return known ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::vector<std::pair<const char*, double>> numbers(const ReplayedPath& replayed) {
+  const ReachSummary& summary = replayed.summary;
+  const bool known = summary.person.has_value();
+  const PersonEstimate person = summary.person.value_or(PersonEstimate{});
+  return {{"samples", static_cast<double>(summary.samples)},
+          {"dropped_samples", static_cast<double>(summary.dropped_samples)},
+          {"gap_deg", replayed.path.reach.virtual_direction_deg - replayed.path.reach.real_direction_deg},
+          {"recorded_bearing_error_deg", replayed.bearing_error_deg},
+          {"tactile_weight", summary.estimate.tactile_weight},
+          {"tactile_weight_sd", summary.estimate.tactile_weight_sd},
+          {"bias_deg", or_nan(known, person.bias_deg)},
+          {"bias_sd_deg", or_nan(known, person.bias_sd_deg)},
+          {"habit_deg", or_nan(known, person.habit_deg)},
+          {"habit_sd_deg", or_nan(known, person.habit_sd_deg)},
+          {"duration_s", or_nan(known, person.duration_s)},
+          {"tracker_noise_mm", 1e3 * summary.estimate.tracker_noise_m},
+          {"peak_felt_error_deg", replayed.peak_felt_error_deg},
+          {"command_change_median_deg", replayed.command_change_deg.value},
+          {"last_command_deg", replayed.last.plate_orientation_deg},
+          {"last_plate_deg", *replayed.path.samples.back().plate_orientation_deg}};
+}
+
+}  // namespace
+
+std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
+  std::vector<ReplayedPath> replayed;
+  RetargeterConfig config = people_controller();
+  config.plate = recorded.plate;
+  config.tracker_latency_ns = recorded.tracker_latency_ns;
+  for (const RecordedPath& path : recorded.paths) {
+    Retargeter retargeter(config);
+    retargeter.begin(path.reach);
+    std::vector<double> changes_deg;
+    PlateCommand last = retargeter.command();
+    for (const FingerSample& sample : path.samples) {
+      last = retargeter.update(sample);
+      changes_deg.push_back(
+          std::abs(wrap_deg(last.plate_orientation_deg - *sample.plate_orientation_deg, 180.0)));
+    }
+    const ReachSummary summary = retargeter.summary();
+    const auto learnt = retargeter.learnt();
+    if (learnt)
+      config.person =
+          carried(config.person, *learnt, summary.unreachable || summary.off_target, unknown_person());
+    replayed.push_back({.path = path,
+                        .bearing_error_deg = last_bearing_deg(path),
+                        .peak_felt_error_deg = summary.peak_felt_error_deg,
+                        .command_change_deg = quantile_of(changes_deg, 0.5),
+                        .last = last,
+                        .summary = summary,
+                        .learnt = learnt.has_value()});
+  }
+  return replayed;
+}
+
+std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, const std::string& folder) {
+  namespace fs = std::filesystem;
+  const auto refuse = [&](const std::string& why) {
+    return UsageError(
+        not_allowed(argument, folder, "a folder with recordings or calibration data, .csv (" + why + ")"));
+  };
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (entry->path().extension() == ".csv") files.push_back(entry->path());
+  if (error) throw refuse(error.message());
+  if (files.empty()) throw refuse("it has no file of that ending");
+  std::sort(files.begin(), files.end());
+  std::vector<RecordedPaths> recorded;
+  for (const fs::path& file : files)
+    recorded.push_back(parse_recorded_paths(file.string(), read_input(argument, file.string(), most_bytes)));
+  return recorded;
+}
+
+std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out) {
+  std::string page =
+      wrapped(
+          std::string(open_loop_words) +
+          " Each file is taken as the reaches of one person, whom the controller does not know at first.") +
+      "\nend: recorded bearing of the end less the real target's\nw_T, bias, habit: believed after the "
+      "reach, +- standard deviation\nfelt: largest felt error, as estimated\nturn: median size of our "
+      "command less where the plate stood\nplate: measured, from recorded commands, or resting: calibration "
+      "data, whose goal is straight ahead;\n  a real target " +
+      number(assumed_gap_deg) + " deg to its right is assumed\n\n" + left("file", 20) + right("reach", 6) +
+      right("end, deg", 10) + right("w_T", 15) + right("bias, deg", 14) + right("habit, deg", 14) +
+      right("felt, deg", 11) + right("turn, deg", 11) + "  plate      flags\n";
+  const auto with_sd = [](double value, double sd, int decimals) {
+    return fixed(value, decimals) + " +- " + fixed(sd, decimals);
+  };
+  for (const ReplayedPath& replayed : paths) {
+    const ReachSummary& summary = replayed.summary;
+    const auto& person = summary.person;
+    page += left(cut_to(file_name(replayed), 19), 20) + right(std::to_string(replayed.path.number), 6) +
+            right(fixed(replayed.bearing_error_deg, 1), 10) +
+            right(with_sd(summary.estimate.tactile_weight, summary.estimate.tactile_weight_sd, 2), 15) +
+            right(person ? with_sd(person->bias_deg, person->bias_sd_deg, 1) : "-", 14) +
+            right(person ? with_sd(person->habit_deg, person->habit_sd_deg, 1) : "-", 14) +
+            right(fixed(replayed.peak_felt_error_deg, 1), 11) +
+            right(fixed(replayed.command_change_deg.value, 1), 11) + "  " +
+            left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
+  }
+  if (!left_out.empty()) page += '\n';
+  for (const std::string& sentence : left_out) page += sentence + '\n';
+  return page;
+}
+
+std::string replay_csv(const std::vector<ReplayedPath>& paths) {
+  std::string page = "# " + std::string(open_loop_words) + "\nfile,reach,plate,learnt";
+  if (!paths.empty())
+    for (const auto& [name, value] : numbers(paths.front())) page += std::string(",") + name;
+  page += ",unreachable,misfit,off_target\n";
+  for (const ReplayedPath& replayed : paths) {
+    std::string file = file_name(replayed);
+    std::replace_if(file.begin(), file.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
+    page += file + ',' + std::to_string(replayed.path.number) + ',' +
+            source_name(replayed.path.plate_source) + (replayed.learnt ? ",1" : ",0");
+    for (const auto& [name, value] : numbers(replayed))
+      page += ',' + (std::isnan(value) ? "" : number(value));
+    for (const bool flag :
+         {replayed.summary.unreachable, replayed.summary.misfit, replayed.summary.off_target})
+      page += flag ? ",1" : ",0";
+    page += '\n';
+  }
+  return page;
+}
+
+std::string replay_json(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out) {
+  nlohmann::ordered_json page{{"open_loop", open_loop_words}, {"left_out", left_out}};
+  for (const ReplayedPath& replayed : paths) {
+    nlohmann::ordered_json entry{{"file", file_name(replayed)},
+                                 {"reach", replayed.path.number},
+                                 {"plate", source_name(replayed.path.plate_source)},
+                                 {"learnt", replayed.learnt}};
+    for (const auto& [name, value] : numbers(replayed)) entry[name] = value;
+    entry["flags"] = flag_words(replayed.summary);
+    page["paths"].push_back(entry);
+  }
+  return page.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace hrt::study

@@ -1,0 +1,35 @@
+// Recorded fingertip paths under our controller, in an open loop: what it would have believed and commanded.
+// The finger cannot answer: a path is as it was recorded, whatever the plate would have done.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "samples/study/people/recorded_paths.h"
+#include "samples/study/numbers/statistics.h"
+
+namespace hrt::study {
+
+/// One path. Angles in degrees.
+struct ReplayedPath {
+  RecordedPath path;
+  double bearing_error_deg;     ///< of the last position from the start, less the real target's: as recorded
+  double peak_felt_error_deg;   ///< as estimated, under the plate that stood there
+  Quantile command_change_deg;  ///< median size, modulo 180, of command less where the plate stood
+  PlateCommand last;            ///< of the controller
+  ReachSummary summary;
+  bool learnt = false;  ///< the reach taught something, which the next one of the file began from
+};
+
+/// Each path of a file under our controller, one after another, as reaches of one person.
+std::vector<ReplayedPath> replay(const RecordedPaths& recorded);
+
+/// Reads all .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if
+/// there is none, or one cannot be read.
+std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, const std::string& folder);
+
+std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out);
+std::string replay_csv(const std::vector<ReplayedPath>& paths);
+std::string replay_json(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out);
+
+}  // namespace hrt::study

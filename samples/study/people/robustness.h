@@ -1,0 +1,123 @@
+// How the controllers do on people who are not their model: every family of core/simulation/people.h, at
+// several paces, without a controller, with the paper's and with ours. Results are of simulation.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/simulation/people.h"
+#include "samples/study/numbers/statistics.h"
+
+namespace hrt::study {
+
+/// The controller of a reach.
+enum class Leading {
+  none,      ///< no controller: the plate stays at 0
+  paper,     ///< the paper's controller, which assumes w_T = 0.15
+  first,     ///< ours, on the first reach of an unknown person
+  fifth,     ///< ours, on the fifth reach, with the knowledge of the four before it
+  informed,  ///< ours, given the person's traits before the first reach
+};
+inline constexpr std::array leadings{Leading::none, Leading::paper, Leading::first, Leading::fifth,
+                                     Leading::informed};
+
+const char* leading_name(Leading leading);   ///< in CSV and JSON
+const char* leading_title(Leading leading);  ///< in text
+
+/// The result of one reach. Angles in degrees.
+struct ReachResult {
+  bool can_hold;               ///< as can_hold() of the person
+  double bearing_error_deg;    ///< true, of the end
+  double miss_mm;              ///< true, across the real direction; >= 0
+  double peak_felt_error_deg;  ///< true
+  bool unreachable = false;    ///< flags of the reach's summary
+  bool found = false;          ///< unreachable in this reach or an earlier one of the person
+  bool misfit = false;
+  bool off_target = false;
+  bool weight_estimated = false;  ///< w_T was estimated, with a standard deviation
+  bool weight_covered = false;    ///< the person's w_T is in the estimate's 95 % interval
+
+  bool near() const;         ///< ends within near_deg of the real target's bearing
+  bool silent() const;       ///< misses, and no flag is raised
+  bool false_alarm() const;  ///< is near, and flagged unreachable or off target
+};
+
+/// Many reaches. Intervals are 95 %.
+struct ReachGroup {
+  Share near;
+  Quantile miss_median_mm;
+  Quantile miss_95_mm;  ///< 95 % of reaches miss by no more
+  Quantile peak_felt_error_median_deg;
+  Quantile peak_felt_error_95_deg;
+  Share unreachable;  ///< in this reach
+  Share found;        ///< unreachable in this reach or one before
+  Share silent;       ///< a miss without a flag
+  Share false_alarm;  ///< near, and flagged unreachable or off target
+};
+
+struct RobustnessCell {
+  ReachGroup can_hold;     ///< of people who can hold the gap
+  ReachGroup cannot_hold;  ///< of those who cannot
+  // Of all.
+  Share misfit;
+  Share off_target;
+  Share weight_covered;  ///< of those whose w_T was estimated
+
+  /// Of people who can hold the gap, or of those who cannot.
+  const ReachGroup& group(bool holds) const { return holds ? can_hold : cannot_hold; }
+};
+
+RobustnessCell summarise(std::span<const ReachResult> results);
+
+/// Where people of a row come from.
+struct SimulatedPeople {
+  std::string name;
+  std::string says;
+  bool tuned = false;      ///< as PeopleFamily
+  bool misplaced = false;  ///< as PeopleFamily
+  std::function<PersonCondition(double duration_s, std::uint64_t seed, std::uint32_t index)> draw;
+};
+
+SimulatedPeople people_of(const PeopleFamily& family);
+
+/// One sort of people at one pace.
+struct RobustnessRow {
+  SimulatedPeople people;
+  double duration_s;
+  std::array<RobustnessCell, leadings.size()> cells;  ///< in the order of `leadings`
+
+  const RobustnessCell& cell(Leading leading) const { return cells[static_cast<std::size_t>(leading)]; }
+};
+
+struct RobustnessOptions {
+  std::uint64_t people = 100;  ///< of each sort at each duration
+  std::vector<double> durations_s{0.8, 1.0, 1.5, 2.0, 3.0};
+  std::uint64_t seed = 1;
+  std::uint64_t threads = 1;
+};
+
+/// All people at every duration, the durations of one sort one after another. Person i of a sort and duration
+/// is the same with every controller. The same for any number of threads. `progress` is called on this
+/// thread.
+std::vector<RobustnessRow> simulate_robustness(
+    std::span<const SimulatedPeople> people, const RobustnessOptions& options,
+    const std::function<void(std::uint64_t done, std::uint64_t total)>& progress = {});
+
+/// The rows of one duration, in their order.
+std::vector<RobustnessRow> at_duration(std::span<const RobustnessRow> rows, double duration_s);
+
+/// Mean over rows of the percentage within near_deg, each row the same; NaN without any who can hold.
+double mean_near_percent(std::span<const RobustnessRow> rows, Leading leading);
+
+/// One share, of all rows together.
+Share pooled(std::span<const RobustnessRow> rows, Leading leading,
+             const std::function<Share(const RobustnessCell&)>& share);
+
+/// Half the width of the widest interval of a share within near_deg, in percentage points; 0 without any.
+double widest_near_interval(std::span<const RobustnessRow> rows);
+
+}  // namespace hrt::study
