@@ -8,21 +8,21 @@
 #include <utility>
 
 #include "samples/format.h"
-#include "samples/reach/at_end.h"
-#include "samples/reach/calibrate.h"
-#include "samples/reach/choice.h"
-#include "samples/reach/conditions.h"
-#include "samples/reach/interrupt.h"
-#include "samples/reach/make_plate.h"
+#include "samples/reach/base/at_end.h"
+#include "samples/reach/run/calibrate.h"
+#include "samples/reach/run/choice.h"
+#include "samples/reach/run/conditions.h"
+#include "samples/reach/base/interrupt.h"
+#include "samples/reach/run/make_plate.h"
 #include "samples/reach/output/calibration_text.h"
 #include "samples/reach/output/run_files.h"
 #include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
-#include "samples/reach/person/attendant.h"
-#include "samples/reach/profile_file.h"
-#include "samples/reach/reach.h"
-#include "samples/reach/registration_file.h"
-#include "samples/reach/scene_place.h"
+#include "samples/reach/run/attendant.h"
+#include "samples/reach/base/profile_file.h"
+#include "samples/reach/run/reach.h"
+#include "samples/reach/run/registration_file.h"
+#include "samples/reach/scene/scene_place.h"
 
 namespace hrt::reach {
 namespace {

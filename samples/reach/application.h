@@ -1,8 +1,8 @@
 // hrt-reach from its command line to its exit code.
 #pragma once
 
-#include "samples/reach/exit_code.h"
-#include "samples/reach/options.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/run/options.h"
 
 namespace hrt::reach {
 

@@ -3,9 +3,9 @@
 #include <iostream>
 
 #include "samples/reach/application.h"
-#include "samples/reach/exit_code.h"
-#include "samples/reach/interrupt.h"
-#include "samples/reach/options.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/interrupt.h"
+#include "samples/reach/run/options.h"
 #include "samples/reach/xr/check.h"
 
 namespace hrt::reach {

@@ -4,7 +4,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "samples/reach/calibrate.h"
+#include "samples/reach/run/calibrate.h"
 
 namespace hrt::reach {
 

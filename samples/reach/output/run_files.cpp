@@ -4,7 +4,7 @@
 #include <cstring>
 #include <utility>
 
-#include "samples/reach/exit_code.h"
+#include "samples/reach/base/exit_code.h"
 
 namespace hrt::reach {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "samples/reach/output/svg_plot.h"
-#include "samples/reach/plugin.h"
+#include "samples/reach/base/plugin.h"
 
 namespace hrt::reach {
 

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "samples/reach/reach.h"
+#include "samples/reach/run/reach.h"
 
 namespace hrt::reach {
 

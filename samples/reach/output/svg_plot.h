@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/reach/reach.h"
+#include "samples/reach/run/reach.h"
 
 namespace hrt::reach {
 

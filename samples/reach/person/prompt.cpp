@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "samples/format.h"
-#include "samples/reach/interrupt.h"
+#include "samples/reach/base/interrupt.h"
 
 namespace hrt::reach {
 namespace {

@@ -13,7 +13,7 @@
 #include <sstream>
 #include <utility>
 
-#include "samples/reach/exit_code.h"
+#include "samples/reach/base/exit_code.h"
 
 namespace hrt::reach {
 namespace {

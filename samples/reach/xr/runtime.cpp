@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "samples/reach/exit_code.h"
+#include "samples/reach/base/exit_code.h"
 
 namespace hrt::reach {
 namespace {

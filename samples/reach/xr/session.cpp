@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "samples/format.h"
-#include "samples/reach/exit_code.h"
-#include "samples/reach/interrupt.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/interrupt.h"
 
 namespace hrt::reach {
 namespace {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "samples/format.h"
-#include "samples/reach/exit_code.h"
-#include "samples/reach/interrupt.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/base/interrupt.h"
 #include "samples/reach/person/keyboard.h"
 
 namespace hrt::reach {

@@ -1,5 +1,5 @@
 // The plate's library, as hrt-reach uses it, against a plate at the other end of a pseudo-terminal.
-#include "samples/reach/device_plate.h"
+#include "samples/reach/plate/device_plate.h"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/reach/exit_code.h"
+#include "samples/reach/base/exit_code.h"
 #include "tests/plugin/plate/pty_plate.h"
 
 namespace hrt::reach {

@@ -1,4 +1,4 @@
-#include "samples/reach/simulated_servo.h"
+#include "samples/reach/plate/simulated_servo.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,31 @@
+#include "samples/reach/base/profile_file.h"
+
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "samples/reach/base/exit_code.h"
+#include "samples/whole_file.h"
+
+namespace hrt::reach {
+
+void load_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  if (!stream || plugin.hrt_profile_load(session, text.data(), text.size()) != HRT_OK)
+    throw Failure(ExitCode::plugin, file.string() + " is not a profile" +
+                                        (stream ? std::string(": ") + plugin.hrt_last_error() : ""));
+}
+
+void save_profile(const Plugin& plugin, hrt_session session, const std::filesystem::path& file) {
+  std::uint64_t length = 0;
+  plugin.check(plugin.hrt_profile_save(session, 0, nullptr, &length));
+  std::string text(length + 1, '\0');
+  plugin.check(plugin.hrt_profile_save(session, text.size(), text.data(), &length));
+  text.back() = '\n';
+  if (const int error = write_whole_file(file, text); error != 0)
+    throw Failure(ExitCode::output, file.string() + " cannot be written: " + std::strerror(error));
+}
+
+}  // namespace hrt::reach

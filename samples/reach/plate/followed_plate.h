@@ -1,0 +1,35 @@
+// Lets a simulated user feel a plate that is not the simulation's own.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "samples/reach/plate/plate.h"
+#include "samples/reach/xr/simulation.h"
+
+namespace hrt::reach {
+
+/// Forwards to `plate`, and copies its orientation to the simulation in every frame.
+class FollowedPlate : public Plate {
+ public:
+  FollowedPlate(std::unique_ptr<Plate> plate, Simulation& simulation)
+      : plate_(std::move(plate)), simulation_(simulation) {}
+
+  std::string description() const override { return plate_->description(); }
+  std::optional<PlateLimits> limits() const override { return plate_->limits(); }
+  void service(XrTime time) override {
+    plate_->service(time);
+    if (const std::optional<double> orientation_deg = plate_->orientation_deg(time))
+      simulation_.set_plate_orientation(*orientation_deg);
+  }
+  void command(XrTime time, double orientation_deg) override { plate_->command(time, orientation_deg); }
+  std::optional<double> orientation_deg(XrTime time) override { return plate_->orientation_deg(time); }
+  void stop(XrTime time) override { plate_->stop(time); }
+
+ private:
+  std::unique_ptr<Plate> plate_;
+  Simulation& simulation_;
+};
+
+}  // namespace hrt::reach

@@ -1,0 +1,57 @@
+#include "samples/reach/run/choice.h"
+
+#include <algorithm>
+
+#include "samples/reach/base/exit_code.h"
+
+namespace hrt::reach {
+
+TargetSet load_targets(const Plugin& plugin, const Options& options) {
+  hrt_session_config config;
+  plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
+  constexpr double paper_tactile_weight = 0.15;
+  if (!options.for_people) config.tactile_weight = paper_tactile_weight;
+  if (options.tactile_weight) config.tactile_weight = *options.tactile_weight;
+  config.adaptation = options.for_people ? HRT_ADAPTATION_CARRIED : HRT_ADAPTATION_OFF;
+  config.guidance = options.for_people ? HRT_GUIDANCE_ARRIVAL : HRT_GUIDANCE_FIXED_DIRECTION;
+  config.motor_variance_deg2 = options.motor_variance_deg2;
+  return load_targets(plugin, options.scene, config);
+}
+
+std::vector<TargetPair> choose(const TargetSet& targets, const Options& options) {
+  std::vector<TargetPair> chosen;
+  if (options.targets.empty()) chosen = targets.pairs;
+  for (const std::string& name : options.targets) {
+    const auto found = std::find_if(targets.pairs.begin(), targets.pairs.end(),
+                                    [&](const TargetPair& pair) { return pair.virtual_name == name; });
+    if (found == targets.pairs.end())
+      throw Failure(ExitCode::scene, "the scene has no virtual target named \"" + name + "\"");
+    chosen.push_back(*found);
+  }
+  if (chosen.empty()) throw Failure(ExitCode::scene, "the scene has no virtual target");
+  std::vector<TargetPair> all;
+  for (int round = 0; round < options.repeat; ++round) all.insert(all.end(), chosen.begin(), chosen.end());
+  return all;
+}
+
+void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& limits) {
+  constexpr double least_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
+  hrt_session_config config{.struct_size = sizeof config};
+  plugin.check(plugin.hrt_session_get_config(session, &config));
+  const hrt_session_config before = config;
+  config.plate_max_speed_deg_s = limits.speed_deg_s;
+  constexpr std::int64_t most_steps = 8;  // of latency, that the plugin can plan with
+  if (limits.latency_ns > 0)
+    config.plate_latency_ns = std::min<std::int64_t>(limits.latency_ns, most_steps * config.step_period_ns);
+  if (limits.most_deg - limits.least_deg >= least_turn_deg) {
+    config.plate_lower_stop_deg = limits.least_deg;
+    config.plate_upper_stop_deg = limits.most_deg;
+  }
+  const bool same = config.plate_max_speed_deg_s == before.plate_max_speed_deg_s &&
+                    config.plate_latency_ns == before.plate_latency_ns &&
+                    config.plate_lower_stop_deg == before.plate_lower_stop_deg &&
+                    config.plate_upper_stop_deg == before.plate_upper_stop_deg;
+  if (!same) plugin.check(plugin.hrt_session_set_config(session, &config));
+}
+
+}  // namespace hrt::reach

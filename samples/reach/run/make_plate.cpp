@@ -1,0 +1,57 @@
+#include "samples/reach/run/make_plate.h"
+
+#include <chrono>
+
+#include "samples/format.h"
+#include "samples/reach/plate/device_plate.h"
+#include "samples/reach/base/exit_code.h"
+#include "samples/reach/plate/followed_plate.h"
+#include "samples/reach/plate/runtime_plate.h"
+#include "samples/reach/plate/simulated_servo.h"
+
+namespace hrt::reach {
+namespace {
+
+// A device turns in real time: frames of a faster clock, as the mock runtime's manual one, would not wait for
+// it.
+void require_real_time(XrHeadlessSession& session, const std::string& runtime_name) {
+  constexpr int frames = 10;
+  const XrTime first = session.next_frame();
+  const auto began = std::chrono::steady_clock::now();
+  XrTime last = first;
+  for (int i = 0; i < frames; ++i) last = session.next_frame();
+  const double passed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  const double frames_s = static_cast<double>(last - first) * 1e-9;
+  if (frames_s <= 2.0 * passed_s + 0.02) return;
+  throw Failure(ExitCode::plate, "a plate on a line needs real time, but the clock of the OpenXR runtime " +
+                                     runtime_name + format(" went %.3f s in %.3f s", frames_s, passed_s) +
+                                     "; the mock runtime takes the script {\"clock\": \"real-time\"}");
+}
+
+std::unique_ptr<Plate> make_chosen(const PlateChoice& choice, Simulation* simulation,
+                                   XrHeadlessSession& session, const std::string& runtime_name) {
+  switch (choice.kind) {
+    case PlateChoice::Kind::servo:
+      return std::make_unique<SimulatedServo>(choice.servo_speed_deg_per_s);
+    case PlateChoice::Kind::device:
+      require_real_time(session, runtime_name);
+      return std::make_unique<DevicePlate>(choice.device);
+    case PlateChoice::Kind::runtime:
+      break;
+  }
+  if (simulation == nullptr)
+    throw Failure(ExitCode::plate,
+                  "the OpenXR runtime " + runtime_name + " has no plate to turn; --plate names another one");
+  return std::make_unique<RuntimePlate>(*simulation);
+}
+
+}  // namespace
+
+std::unique_ptr<Plate> make_plate(const PlateChoice& choice, Simulation* simulation,
+                                  XrHeadlessSession& session, const std::string& runtime_name) {
+  std::unique_ptr<Plate> plate = make_chosen(choice, simulation, session, runtime_name);
+  if (simulation == nullptr || choice.kind == PlateChoice::Kind::runtime) return plate;
+  return std::make_unique<FollowedPlate>(std::move(plate), *simulation);
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,16 @@
+// A registered plate in a file, for the next run.
+#pragma once
+
+#include <filesystem>
+
+#include "samples/reach/run/registration.h"
+
+namespace hrt::reach {
+
+/// Replaces the file as a whole. Throws Failure (ExitCode::output).
+void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate);
+
+/// Throws Failure (ExitCode::registration) naming the line. The plugin checks the numbers when they are used.
+RegisteredPlate read_registration(const std::filesystem::path& file);
+
+}  // namespace hrt::reach
