@@ -5,9 +5,9 @@
 #include <optional>
 #include <utility>
 
-#include "core/paper/estimator.h"
-#include "core/math/time.h"
 #include "core/calibrate/variance_fit.h"
+#include "core/math/time.h"
+#include "core/paper/estimator.h"
 
 namespace hrt {
 namespace {

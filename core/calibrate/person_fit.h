@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "core/math/interval.h"
 #include "core/calibrate/lack_of_fit.h"
+#include "core/math/interval.h"
 
 namespace hrt {
 

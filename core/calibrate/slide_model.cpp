@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/math/exponential.h"
-#include "core/person/steering_delay.h"
 #include "core/math/trigonometry.h"
+#include "core/person/steering_delay.h"
 
 namespace hrt {
 namespace {

@@ -6,10 +6,10 @@
 #include <limits>
 #include <vector>
 
-#include "core/math/exponential.h"
-#include "core/math/linear_algebra.h"
 #include "core/calibrate/person_fit.h"
 #include "core/calibrate/steering_fit.h"
+#include "core/math/exponential.h"
+#include "core/math/linear_algebra.h"
 
 namespace hrt {
 namespace {

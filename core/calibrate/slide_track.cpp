@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/math/median.h"
-#include "core/plate/plate_limits.h"
 #include "core/calibrate/slide_onset.h"
+#include "core/math/median.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 namespace {

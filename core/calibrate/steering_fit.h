@@ -9,8 +9,8 @@
 #include <span>
 
 #include "core/calibrate/curve_fit.h"
-#include "core/math/interval.h"
 #include "core/calibrate/steering_model.h"
+#include "core/math/interval.h"
 #include "core/tracker/tracker_noise.h"
 
 namespace hrt {

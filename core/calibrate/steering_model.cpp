@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/exponential.h"
 #include "core/calibrate/slide_model.h"
-#include "core/person/steering_delay.h"
+#include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
+#include "core/person/steering_delay.h"
 
 namespace hrt {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/person/illusion_curve.h"
 #include "core/calibrate/slide_track.h"
+#include "core/person/illusion_curve.h"
 
 namespace hrt {
 

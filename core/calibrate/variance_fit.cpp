@@ -7,11 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/calibrate/slide_onset.h"
 #include "core/paper/estimator.h"
 #include "core/paper/perception.h"
-#include "core/plate/plate_limits.h"
-#include "core/calibrate/slide_onset.h"
 #include "core/paper/step_clock.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 namespace {

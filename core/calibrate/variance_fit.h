@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <span>
 
+#include "core/calibrate/slide_track.h"
 #include "core/math/interval.h"
 #include "core/paper/participant.h"
-#include "core/calibrate/slide_track.h"
 
 namespace hrt {
 

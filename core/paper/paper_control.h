@@ -5,9 +5,9 @@
 #include <cstdint>
 
 #include "core/paper/mpc.h"
+#include "core/paper/reach_estimator.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
-#include "core/paper/reach_estimator.h"
 
 namespace hrt {
 

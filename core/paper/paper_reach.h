@@ -5,12 +5,12 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/reach/finger_sample.h"
 #include "core/paper/paper_control.h"
+#include "core/paper/reach_estimator.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
+#include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
-#include "core/paper/reach_estimator.h"
 
 namespace hrt {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/plate/plate_limits.h"
 #include "core/math/time.h"
+#include "core/plate/plate_limits.h"
 
 namespace hrt {
 namespace {

@@ -8,11 +8,11 @@
 #include <optional>
 
 #include "core/paper/estimator.h"
+#include "core/paper/perception.h"
+#include "core/paper/step_clock.h"
+#include "core/plate/plate_model.h"
 #include "core/reach/finger_sample.h"
 #include "core/tracker/onset.h"
-#include "core/paper/perception.h"
-#include "core/plate/plate_model.h"
-#include "core/paper/step_clock.h"
 
 namespace hrt {
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/person/arrival.h"
 #include "core/math/exponential.h"
+#include "core/person/arrival.h"
 #include "core/reach/finger_sample.h"
 
 namespace hrt {

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <utility>
 
-#include "core/person/arrival.h"
 #include "core/math/exponential.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
+#include "core/person/arrival.h"
 
 namespace hrt {
 namespace {

@@ -5,14 +5,14 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/reach/finger_sample.h"
-#include "core/plate/frame_error.h"
 #include "core/person/person_estimator.h"
+#include "core/person/reach_control.h"
+#include "core/plate/frame_error.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
 #include "core/plate/plate_trace.h"
+#include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
-#include "core/person/reach_control.h"
 
 namespace hrt {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/person/arrival.h"
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
+#include "core/person/arrival.h"
 
 namespace hrt {
 namespace {

@@ -1,7 +1,7 @@
-// The optimum of core/paper/mpc.h as a function of where the finger moves. Without a rate bound the only state of
-// the problem is p, the finger's offset from the virtual direction, and the gains of a step are the same in
-// every trial. So the plate offset t(p) of one step is a fixed function, continuous and linear in pieces,
-// that a batch can tabulate once and then evaluate in place of a solver.
+// The optimum of core/paper/mpc.h as a function of where the finger moves. Without a rate bound the only
+// state of the problem is p, the finger's offset from the virtual direction, and the gains of a step are the
+// same in every trial. So the plate offset t(p) of one step is a fixed function, continuous and linear in
+// pieces, that a batch can tabulate once and then evaluate in place of a solver.
 //
 // With x = p - p_R and V_i the least cost from step i on, V_N = 0, the optimality principle says
 //     V_i(x) = q_actual x^2 + min over |t| <= L of  q_perceived e^2 + V_i+1(y),   y = x - e,

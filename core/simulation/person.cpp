@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/person/arrival.h"
 #include "core/math/exponential.h"
-#include "core/paper/perception.h"
 #include "core/math/trigonometry.h"
+#include "core/paper/perception.h"
+#include "core/person/arrival.h"
 
 namespace hrt {
 namespace {

@@ -5,8 +5,8 @@
 #include <deque>
 #include <optional>
 
-#include "core/reach/finger_sample.h"
 #include "core/plate/plate_frame.h"
+#include "core/reach/finger_sample.h"
 #include "core/simulation/random.h"
 
 namespace hrt {

@@ -1,5 +1,5 @@
-// A Kalman filter of a tracker's noise over the positions of a finger at rest (core/tracker/tracker_noise.h), whose
-// place is not known.
+// A Kalman filter of a tracker's noise over the positions of a finger at rest (core/tracker/tracker_noise.h),
+// whose place is not known.
 #pragma once
 
 #include <array>

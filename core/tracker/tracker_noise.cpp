@@ -8,8 +8,8 @@
 
 #include "core/math/exponential.h"
 #include "core/math/median.h"
-#include "core/tracker/rest_filter.h"
 #include "core/math/time.h"
+#include "core/tracker/rest_filter.h"
 
 namespace hrt {
 namespace {

@@ -3,9 +3,9 @@
 #include <cmath>
 #include <vector>
 
+#include "core/math/trigonometry.h"
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/math/trigonometry.h"
 #include "fixture.h"
 
 namespace hrt::test {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/assignment.h"
-#include "core/paper/authority.h"
 #include "core/math/trigonometry.h"
+#include "core/paper/authority.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 

@@ -6,14 +6,14 @@
 #include <utility>
 #include <vector>
 
-#include "core/person/calibrated_person.h"
-#include "core/learning.h"
 #include "core/calibrate/retest.h"
 #include "core/calibrate/steering_fit.h"
+#include "core/learning.h"
+#include "core/person/calibrated_person.h"
 #include "core/tracker/tracker_noise.h"
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/recording/recorded_calibration.h"
 
 namespace hrt::plugin {
 

@@ -3,8 +3,8 @@
 #include <cstring>
 
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/recording/json.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/recording/json.h"
 
 using namespace hrt::plugin;
 

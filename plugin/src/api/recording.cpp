@@ -4,8 +4,8 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
-#include "plugin/src/recording/replay.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/recording/replay.h"
 
 namespace hrt::plugin {
 namespace {

@@ -6,15 +6,15 @@
 #include <iterator>
 #include <vector>
 
-#include "core/plate/frame_error.h"
 #include "core/math/linear_algebra.h"
-#include "core/plate/registration.h"
 #include "core/math/time.h"
+#include "core/plate/frame_error.h"
+#include "core/plate/registration.h"
 #include "core/tracker/tracker_latency.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/api/sessions.h"
 #include "plugin/src/session/finger_sample.h"
 #include "plugin/src/session/session_config.h"
-#include "plugin/src/api/sessions.h"
 #include "plugin/src/session/triangle.h"
 
 namespace hrt::plugin {

@@ -5,9 +5,9 @@
 #include <iterator>
 
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/session/reach_numbers.h"
 #include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
+#include "plugin/src/session/reach_numbers.h"
 
 namespace hrt::plugin {
 namespace {

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "plugin/src/abi/host.h"
-#include "plugin/src/session/conditions.h"
 #include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/recording/recorder.h"
 #include "plugin/src/recording/recording_line.h"
+#include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {

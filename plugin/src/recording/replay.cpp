@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "plugin/src/abi/checks.h"
-#include "plugin/src/session/reach_numbers.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/recording/replayed_calibrations.h"
+#include "plugin/src/session/reach_numbers.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {

@@ -2,9 +2,9 @@
 
 #include <cmath>
 
-#include "core/plate/frame_error.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
+#include "core/plate/frame_error.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/finger_sample.h"
 #include "plugin/src/session/reach_numbers.h"

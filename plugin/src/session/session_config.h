@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/plate/frame_error.h"
 #include "core/learning.h"
+#include "core/plate/frame_error.h"
 #include "core/plate/plate_frame.h"
 #include "core/retargeter.h"
 #include "haptic_retargeting/session.h"

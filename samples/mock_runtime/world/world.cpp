@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/simulation/random.h"
 #include "core/math/trigonometry.h"
+#include "core/simulation/random.h"
 
 namespace hrt::mock {
 namespace {

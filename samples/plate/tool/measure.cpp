@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "samples/format.h"
 #include "plugin/src/plate/plate_failure.h"
+#include "samples/format.h"
 
 namespace hrt::plate {
 namespace {

@@ -5,8 +5,8 @@
 #include <fstream>
 #include <vector>
 
-#include "samples/reach/output/svg_plot.h"
 #include "samples/reach/base/plugin.h"
+#include "samples/reach/output/svg_plot.h"
 
 namespace hrt::reach {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "samples/reach/run/options.h"
 #include "samples/reach/plate/plate.h"
+#include "samples/reach/run/options.h"
 #include "samples/reach/scene/targets.h"
 
 namespace hrt::reach {

@@ -3,8 +3,8 @@
 
 #include <string>
 
-#include "samples/reach/run/options.h"
 #include "samples/reach/base/plugin.h"
+#include "samples/reach/run/options.h"
 
 namespace hrt::reach {
 

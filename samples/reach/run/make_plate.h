@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "samples/reach/run/options.h"
 #include "samples/reach/plate/plate.h"
+#include "samples/reach/run/options.h"
 #include "samples/reach/xr/simulation.h"
 
 namespace hrt::reach {

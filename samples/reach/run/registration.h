@@ -4,8 +4,8 @@
 #include <array>
 #include <span>
 
-#include "samples/reach/scene/marks.h"
 #include "samples/reach/run/reach.h"
+#include "samples/reach/scene/marks.h"
 
 namespace hrt::reach {
 

@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 #include "samples/text.h"
 
 namespace hrt::study {

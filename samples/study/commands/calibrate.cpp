@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/study/cli/arguments.h"
+#include "samples/study/cli/input.h"
+#include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/calibration.h"
 #include "samples/study/figures/retest.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/cli/input.h"
-#include "samples/study/cli/output.h"
 #include "samples/study/people/participants.h"
 
 namespace hrt::study {

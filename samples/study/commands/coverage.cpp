@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
 #include "samples/study/numbers/statistics.h"
 #include "samples/text.h"

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 
 namespace hrt::study {
 namespace {

@@ -2,11 +2,11 @@
 #include <memory>
 
 #include "samples/study/cli/arguments.h"
+#include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
 #include "samples/study/figures/page.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/cli/output.h"
 
 namespace hrt::study {
 namespace {

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "samples/study/cli/arguments.h"
+#include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/robustness_page.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/cli/output.h"
 #include "samples/study/people/person_file.h"
 #include "samples/study/people/replay.h"
 #include "samples/text.h"

@@ -6,11 +6,11 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "core/paper/authority.h"
 #include "core/math/trigonometry.h"
+#include "core/paper/authority.h"
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -11,11 +11,11 @@
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
-#include "samples/study/people/coverage.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
 #include "samples/study/numbers/statistics.h"
+#include "samples/study/people/coverage.h"
 #include "samples/text.h"
 
 namespace hrt::study {

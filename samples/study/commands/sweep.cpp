@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "samples/study/cli/arguments.h"
+#include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/paper/grid.h"
-#include "samples/study/cli/output.h"
 #include "samples/study/paper/sweep_file.h"
 
 namespace hrt::study {

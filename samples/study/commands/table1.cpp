@@ -4,8 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/commands/commands.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/commands/commands.h"
 #include "samples/study/paper/paper.h"
 #include "samples/study/paper/table1.h"
 #include "samples/text.h"

@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "core/paper/authority.h"
-#include "samples/study/figures/figures.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/figures.h"
 
 namespace hrt::study {
 namespace {

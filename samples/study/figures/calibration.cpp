@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/person/calibrated_person.h"
 #include "core/learning.h"
+#include "core/person/calibrated_person.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 

@@ -9,9 +9,9 @@
 
 #include "core/calibrate/calibration.h"
 #include "core/paper/perception.h"
-#include "samples/study/figures/figures.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
+#include "samples/study/figures/figures.h"
 
 namespace hrt::study {
 namespace {

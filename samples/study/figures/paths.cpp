@@ -2,12 +2,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/paper/authority.h"
 #include "core/math/trigonometry.h"
-#include "samples/study/figures/figures.h"
+#include "core/paper/authority.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/paper/paper.h"
 #include "samples/study/cli/parameters.h"
+#include "samples/study/figures/figures.h"
+#include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "samples/study/figures/html.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/html.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -6,8 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/figures/robustness_page.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/robustness_page.h"
 #include "samples/text.h"
 
 namespace hrt::study {

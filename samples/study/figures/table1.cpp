@@ -1,6 +1,6 @@
 // Table I as a figure.
-#include "samples/study/figures/figures.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/figures.h"
 
 namespace hrt::study {
 namespace {

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "samples/study/cli/arguments.h"
-#include "samples/study/figures/gnuplot.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/figures/gnuplot.h"
 
 namespace hrt::study {
 

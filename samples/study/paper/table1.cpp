@@ -6,8 +6,8 @@
 
 #include "core/paper/authority.h"
 #include "samples/study/cli/output.h"
-#include "samples/study/paper/paper.h"
 #include "samples/study/cli/parameters.h"
+#include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {

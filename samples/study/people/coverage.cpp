@@ -4,9 +4,9 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/simulation/calibration_trial.h"
 #include "core/calibrate/slide_plan.h"
 #include "core/math/trigonometry.h"
+#include "core/simulation/calibration_trial.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 

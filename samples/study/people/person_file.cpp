@@ -8,9 +8,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "samples/study/numbers/csv.h"
 #include "samples/study/cli/input.h"
 #include "samples/study/cli/output.h"
+#include "samples/study/numbers/csv.h"
 #include "samples/text.h"
 
 namespace hrt::study {

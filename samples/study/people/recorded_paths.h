@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/reach/finger_sample.h"
 #include "core/plate/plate_model.h"
+#include "core/reach/finger_sample.h"
 #include "core/reach/reach.h"
 
 namespace hrt::study {

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/learning.h"
-#include "core/simulation/controllers.h"
 #include "core/math/trigonometry.h"
+#include "core/simulation/controllers.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/input.h"
 #include "samples/study/cli/output.h"

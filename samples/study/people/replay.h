@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "samples/study/people/recorded_paths.h"
 #include "samples/study/numbers/statistics.h"
+#include "samples/study/people/recorded_paths.h"
 
 namespace hrt::study {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/simulation/calibration_trial.h"
 #include "core/math/trigonometry.h"
+#include "core/simulation/calibration_trial.h"
 
 namespace hrt {
 namespace {

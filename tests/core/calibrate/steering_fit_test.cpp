@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/calibrate/calibration.h"
-#include "core/simulation/calibration_trial.h"
 #include "core/calibrate/slide_plan.h"
+#include "core/simulation/calibration_trial.h"
 
 namespace hrt {
 namespace {

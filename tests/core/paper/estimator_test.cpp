@@ -7,12 +7,12 @@
 #include <limits>
 #include <vector>
 
-#include "core/tracker/onset.h"
+#include "core/math/time.h"
+#include "core/math/trigonometry.h"
 #include "core/paper/perception.h"
 #include "core/simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/math/time.h"
-#include "core/math/trigonometry.h"
+#include "core/tracker/onset.h"
 
 namespace hrt {
 namespace {

@@ -1,5 +1,5 @@
-#include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
+#include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
 
 #include <gtest/gtest.h>

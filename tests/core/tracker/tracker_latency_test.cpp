@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "core/math/exponential.h"
+#include "core/math/trigonometry.h"
 #include "core/plate/plate_model.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"
-#include "core/math/trigonometry.h"
 
 namespace hrt {
 namespace {
