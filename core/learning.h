@@ -3,7 +3,7 @@
 
 #include "core/paper/estimator.h"
 #include "core/person/person_belief.h"
-#include "core/retargeter.h"
+#include "core/retargeter_config.h"
 
 namespace hrt {
 

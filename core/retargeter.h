@@ -8,35 +8,9 @@
 
 #include "core/paper/paper_reach.h"
 #include "core/person/person_reach.h"
+#include "core/retargeter_config.h"
 
 namespace hrt {
-
-/// The controller of the plate's orientation.
-enum class ControlMode {
-  mpc,          ///< the controller of paper section III
-  reach,        ///< the controller for people, where positions are streamed; with directions alone, as mpc
-  fixed_plate,  ///< none: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
-};
-
-/// The defaults are the paper's controller.
-struct RetargeterConfig {
-  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
-  MpcConfig mpc;
-  ControlMode mode = ControlMode::mpc;
-  double fixed_plate_orientation_deg = 0.0;   ///< finite
-  EstimatorConfig estimator;                  ///< of the paper's person
-  PlateDynamics plate;                        ///< its latency at most `max_lead` model steps
-  std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
-  PersonBelief person = unknown_person();     ///< as assumed by the controller for people
-  ReachControlConfig reach;
-  /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
-  std::int64_t tracker_latency_ns = 0;
-  bool plate_waits = false;  ///< do not turn the plate before the finger moves; of ControlMode::reach
-  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
-};
-
-/// True if every field is in its range.
-bool is_valid(const RetargeterConfig& config);
 
 /// Runs one reach after another. No heap, no lock, no exception. One thread at a time.
 class Retargeter {
@@ -44,11 +18,11 @@ class Retargeter {
   /// Requires is_valid(config).
   explicit Retargeter(RetargeterConfig config);
 
-  /// Starts a reach anew. Requires is_valid(reach, config.participant).
+  /// Starts a reach anew. Requires is_valid(reach) for the goal of config.participant.
   void begin(const Reach& reach);
 
   /// The reach starts elsewhere, where the finger is seen for the first time: anew, but the plate runs on.
-  /// Requires begin(), is_valid(reach, config.participant).
+  /// Requires begin(), and is_valid(reach) as there.
   void begin_here(const Reach& reach);
 
   /// Takes one sample in and returns the command that holds now. Requires begin(); the sample's time must

@@ -11,6 +11,7 @@
 
 #include "core/paper/participant.h"
 #include "core/plate/plate_frame.h"
+#include "core/reach/reach.h"
 
 namespace hrt {
 
@@ -33,20 +34,6 @@ struct EstimatorConfig {
 
 /// True if every field is in its range.
 bool is_valid(const EstimatorConfig& config);
-
-/// The present estimate. Standard deviations are the filter's own.
-struct FingerEstimate {
-  PlatePoint position;
-  double speed_m_s = 0.0;
-  double direction_deg = 0.0;
-  double tactile_weight = 0.0;
-  double tactile_weight_sd = 0.0;
-  double tracker_noise_m = 0.0;
-  /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
-  /// if the reach cannot determine them.
-  double motor_variance_deg2 = 0.0;
-  double motor_variance_sd_deg2 = 0.0;
-};
 
 /// One reach. No heap, no lock, no exception. One thread at a time.
 class Estimator {

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <optional>
 
-#include "core/paper/estimator.h"
-#include "core/paper/participant.h"
 #include "core/plate/plate_frame.h"
 #include "core/plate/plate_limits.h"
 #include "core/plate/plate_model.h"
@@ -22,8 +20,8 @@ struct Reach {
   double duration_s = 0.0;             ///< that the motion is expected to take, 0.1 to 20; 0: unknown
 };
 
-/// True if every field is in its range, for this participant.
-bool is_valid(const Reach& reach, const Participant& participant);
+/// True if every field is in its range, for a person with this goal direction.
+bool is_valid(const Reach& reach, double goal_direction_deg);
 
 /// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
 struct ReachSoFar {
@@ -62,6 +60,20 @@ struct PlateCommand {
 
 /// Within this of the real target's bearing, a reach ends on it.
 inline constexpr double near_deg = 1.5;
+
+/// The finger of the paper's person, as estimated in a reach. Standard deviations are the filter's own.
+struct FingerEstimate {
+  PlatePoint position;
+  double speed_m_s = 0.0;
+  double direction_deg = 0.0;
+  double tactile_weight = 0.0;
+  double tactile_weight_sd = 0.0;
+  double tracker_noise_m = 0.0;
+  /// sigma_u^2 as corrected by this reach, and its standard deviation: about the configured one
+  /// if the reach cannot determine them.
+  double motor_variance_deg2 = 0.0;
+  double motor_variance_sd_deg2 = 0.0;
+};
 
 /// A person as estimated in a reach; standard deviations are the filter's own.
 struct PersonEstimate {

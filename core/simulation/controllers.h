@@ -1,7 +1,7 @@
 // Controllers as people meet them: without knowledge of the person, with all of it, and the paper's.
 #pragma once
 
-#include "core/retargeter.h"
+#include "core/retargeter_config.h"
 #include "core/simulation/people.h"
 
 namespace hrt {

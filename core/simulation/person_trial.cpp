@@ -1,4 +1,5 @@
 #include "core/simulation/person_trial.h"
+#include "core/retargeter.h"
 
 #include <algorithm>
 #include <cmath>

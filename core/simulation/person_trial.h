@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/retargeter.h"
+#include "core/retargeter_config.h"
 #include "core/simulation/people.h"
 
 namespace hrt {

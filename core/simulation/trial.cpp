@@ -1,4 +1,5 @@
 #include "core/simulation/trial.h"
+#include "core/retargeter.h"
 
 #include <cmath>
 

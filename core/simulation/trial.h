@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/retargeter.h"
+#include "core/retargeter_config.h"
 
 namespace hrt {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <variant>
 
-#include "core/retargeter.h"
+#include "core/reach/reach.h"
 #include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/target.h"

@@ -85,11 +85,10 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) c
   // The short way round from the virtual direction.
   reach.real_direction_deg = seen.direction_deg - wrap_deg(seen.direction_deg - real.direction_deg, 360.0);
   reach.real_distance_m = real.distance_m;
-  const Participant participant = to_core(config_).participant;
-  if (!is_valid(reach, participant))
+  const double goal_deg = goal_direction_deg(to_core(config_).participant, reach.virtual_direction_deg);
+  if (!is_valid(reach, goal_deg))
     return fail(HRT_ERROR_OUT_OF_RANGE, "the real target is at ", reach.real_direction_deg,
-                " degrees, the virtual at ", goal_direction_deg(participant, reach.virtual_direction_deg),
-                config_.bias_deg != 0.0 ? " with the user's bias" : "",
+                " degrees, the virtual at ", goal_deg, config_.bias_deg != 0.0 ? " with the user's bias" : "",
                 "; allowed: less than 90 degrees apart");
   *out = reach;
   return HRT_OK;

@@ -6,7 +6,7 @@
 #include "core/learning.h"
 #include "core/plate/frame_error.h"
 #include "core/plate/plate_frame.h"
-#include "core/retargeter.h"
+#include "core/retargeter_config.h"
 #include "haptic_retargeting/session.h"
 #include "scene/plate_coordinates.h"
 

@@ -1,5 +1,6 @@
 // hrt-study authority: the gaps that the plate can sustain, over the tactile weight.
 #include "core/paper/authority.h"
+#include "core/person/person_authority.h"
 
 #include <cmath>
 

@@ -99,7 +99,7 @@ class Reader {
     reach.virtual_direction_deg = number_in("virtual_direction_deg", direction_range);
     reach.start = {number_in("start_right_m", place_range), number_in("start_away_m", place_range)};
     reach.real_distance_m = number_in("real_distance_m", place_range);
-    if (!is_valid(reach, Participant{})) why_ = "its targets are not those of a reach";
+    if (!is_valid(reach, reach.virtual_direction_deg)) why_ = "its targets are not those of a reach";
   }
 
   void update() {

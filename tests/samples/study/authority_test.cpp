@@ -1,4 +1,5 @@
 #include "core/paper/authority.h"
+#include "core/person/person_authority.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,44 @@
+// What a retargeter is made of: its controller, and who and what it assumes.
+#pragma once
+
+#include <cstdint>
+
+#include "core/paper/estimator.h"
+#include "core/paper/mpc_config.h"
+#include "core/paper/participant.h"
+#include "core/person/person_belief.h"
+#include "core/person/reach_control.h"
+#include "core/plate/frame_error.h"
+#include "core/plate/plate_limits.h"
+#include "core/plate/plate_model.h"
+
+namespace hrt {
+
+/// The controller of the plate's orientation.
+enum class ControlMode {
+  mpc,          ///< the controller of paper section III
+  reach,        ///< the controller for people, where positions are streamed; with directions alone, as mpc
+  fixed_plate,  ///< none: the plate stays at RetargeterConfig::fixed_plate_orientation_deg (paper Fig. 8)
+};
+
+/// The defaults are the paper's controller.
+struct RetargeterConfig {
+  Participant participant;  ///< as assumed by the controller; adaptation starts at its w_T
+  MpcConfig mpc;
+  ControlMode mode = ControlMode::mpc;
+  double fixed_plate_orientation_deg = 0.0;   ///< finite
+  EstimatorConfig estimator;                  ///< of the paper's person
+  PlateDynamics plate;                        ///< its latency at most `max_lead` model steps
+  std::int64_t step_period_ns = 100'000'000;  ///< 1 ms to 10 s
+  PersonBelief person = unknown_person();     ///< as assumed by the controller for people
+  ReachControlConfig reach;
+  /// From a motion to its sample's time, 0 to 0.5 s; of ControlMode::reach.
+  std::int64_t tracker_latency_ns = 0;
+  bool plate_waits = false;  ///< do not turn the plate before the finger moves; of ControlMode::reach
+  FrameCovariance frame = FrameCovariance::Zero();  ///< of the plate's pose; of ControlMode::reach
+};
+
+/// True if every field is in its range.
+bool is_valid(const RetargeterConfig& config);
+
+}  // namespace hrt
