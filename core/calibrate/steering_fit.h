@@ -2,7 +2,7 @@
 //
 // A plate that rests shows the steering only as the person sets out, where it cannot be separated from the
 // direction in which they do. A plate that turns in the middle of a slide turns what they feel, and the path
-// shows how late and how fast they answer (core/README.md).
+// shows how late and how fast they answer (core/calibrate/README.md).
 #pragma once
 
 #include <array>

@@ -6,7 +6,7 @@
 //     e_i = K_i (w_T t_i + (1 - w_T) p_i),    p_i+1 = p_i - e_i
 // and the cost over the window of N steps (paper equation 1, with weights) is
 //     sum over i = k .. k+N-1 of  q_perceived e_i^2 + q_actual (p_i - p_R)^2,
-// subject to |t_i| <= L and |t_i - t_i-1| <= R. The method is derived in core/README.md.
+// subject to |t_i| <= L and |t_i - t_i-1| <= R. The method is derived in core/paper/README.md.
 #pragma once
 
 #include <array>

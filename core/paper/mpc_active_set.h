@@ -1,6 +1,6 @@
 // An exact solver of the controller's problem with any mixture of plate and rate bounds: a dual active-set
 // method (Goldfarb and Idnani, Mathematical Programming 27, 1983) whose every equality-constrained
-// problem is solved along the window in O(N). See core/README.md for the derivation.
+// problem is solved along the window in O(N). See core/paper/README.md for the derivation.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // The fast exact solver of the controller's problem when the plate bound is its only one. See
-// core/README.md for the derivation.
+// core/paper/README.md for the derivation.
 #pragma once
 
 #include <array>

@@ -9,7 +9,7 @@ namespace {
 
 using T = PersonTrait;
 
-// Every number here was tuned on simulated people (core/README.md).
+// Every number here was tuned on simulated people (core/person/README.md).
 // How the unknown person's illusion goes with the standard deviation of a linear one's weight.
 constexpr double weight_excess = 0.9;  // of w over tactile_weight, in deviations
 constexpr double weight_sd_ratio = 1.7;

@@ -13,7 +13,7 @@
 //
 // Unknown besides place x, z, direction phi and phase u: w, b and f of the illusion, the gain k, the bias d,
 // the habit c of curving, the evenness a of the pace, rho, and the share of the goal's direction in which the
-// person sets out. core/README.md has the derivatives and the source of every number.
+// person sets out. core/person/README.md has the derivatives and the source of every number.
 #pragma once
 
 #include <Eigen/Core>
