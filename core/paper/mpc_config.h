@@ -5,6 +5,9 @@
 
 namespace hrt {
 
+/// The longest window of steps that a controller looks ahead.
+inline constexpr int max_horizon = 50;
+
 /// The controller's settings; is_valid() checks the ranges.
 struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon

@@ -5,12 +5,10 @@
 #include <array>
 #include <cstddef>
 
+#include "core/paper/mpc_config.h"
 #include "core/paper/participant.h"
 
 namespace hrt {
-
-/// The longest window of steps that a controller looks ahead.
-inline constexpr int max_horizon = 50;
 
 /// The most steps that a command may take to reach the finger.
 inline constexpr int max_lead = 8;

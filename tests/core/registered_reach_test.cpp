@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/plate/frame_error.h"
+#include "core/retargeter.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "core/simulation/person_trial.h"

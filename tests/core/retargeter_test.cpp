@@ -19,8 +19,8 @@ FingerSample direction(int i) {
 // A person with a bias of 3 who sees the target at -1 goes for 2.
 TEST(Retargeter, TargetsMustBeWithinNinetyDegreesOfTheGoal) {
   const Reach wide{.real_direction_deg = 90, .virtual_direction_deg = -1};
-  EXPECT_FALSE(is_valid(wide, Participant{}));
-  EXPECT_TRUE(is_valid(wide, Participant{.bias_deg = 3.0}));
+  EXPECT_FALSE(is_valid(wide, goal_direction_deg(Participant{}, -1)));
+  EXPECT_TRUE(is_valid(wide, goal_direction_deg(Participant{.bias_deg = 3.0}, -1)));
 }
 
 TEST(Retargeter, PositionsAreLedByTheControllerForPeople) {

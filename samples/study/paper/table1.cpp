@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/paper/authority.h"
+#include "core/paper/perception.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/paper/paper.h"

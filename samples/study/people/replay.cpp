@@ -9,6 +9,7 @@
 
 #include "core/learning.h"
 #include "core/math/trigonometry.h"
+#include "core/retargeter.h"
 #include "core/simulation/controllers.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/input.h"

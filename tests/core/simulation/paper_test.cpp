@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/paper/perception.h"
 #include "core/simulation/batch.h"
 
 namespace hrt {
