@@ -8,6 +8,9 @@ namespace hrt {
 /// The longest window of steps that a controller looks ahead.
 inline constexpr int max_horizon = 50;
 
+/// The most steps that a command may take to reach the finger.
+inline constexpr int max_lead = 8;
+
 /// The controller's settings; is_valid() checks the ranges.
 struct MpcConfig {
   int horizon = 3;                ///< N, steps in the window, 1 to max_horizon

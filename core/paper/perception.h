@@ -10,9 +10,6 @@
 
 namespace hrt {
 
-/// The most steps that a command may take to reach the finger.
-inline constexpr int max_lead = 8;
-
 /// One step of the filter.
 struct FilterGain {
   double gain;           ///< K, in (0, 1] (0 only if both variances before it are 0)
