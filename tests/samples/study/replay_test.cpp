@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/retargeter.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/people.h"
 #include "samples/study/cli/arguments.h"
