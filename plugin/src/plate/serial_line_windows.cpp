@@ -26,7 +26,7 @@ std::wstring full_name(const std::string& device) {
   std::wstring name(static_cast<std::size_t>(size), L'\0');
   MultiByteToWideChar(CP_UTF8, 0, device.c_str(), -1, name.data(), size);
   name.pop_back();
-  return name.rfind(L"\\\\", 0) == 0 ? name : L"\\\\.\\" + name;
+  return name.starts_with(L"\\\\") ? name : L"\\\\.\\" + name;
 }
 
 // One read or write at a time, on its way while the driver does other things.

@@ -18,7 +18,7 @@ constexpr auto heartbeat_limit = 300ms;
 EmulatedPlate::EmulatedPlate(Behaviour behaviour) : behaviour_(std::move(behaviour)) {}
 
 bool EmulatedPlate::is_first_version() const {
-  return behaviour_.greeting.rfind("PLATE 1", 0) == 0;
+  return behaviour_.greeting.starts_with("PLATE 1");
 }
 
 std::string EmulatedPlate::sealed(const std::string& body) const {
@@ -59,7 +59,7 @@ void EmulatedPlate::hear(std::string_view bytes, Time now) {
 
 void EmulatedPlate::hear_body(std::string body) {
   const bool first = is_first_version();
-  if (body.rfind("HELLO", 0) == 0) {
+  if (body.starts_with("HELLO")) {
     if (body != (first ? "HELLO 1" : "HELLO 2") || !behaviour_.answers || is_silent_) return;
     is_greeted_ = true;
     output_ += behaviour_.noise + sealed(behaviour_.greeting);
@@ -73,7 +73,7 @@ void EmulatedPlate::hear_body(std::string body) {
     body.resize(body.rfind(' '));
   }
   heard_.push_back(body);
-  if (body.rfind("SET ", 0) == 0) {
+  if (body.starts_with("SET ")) {
     target_deg_ = std::stod(body.substr(4));
     if (target_deg_ != orientation_deg_) is_allowed_ = true;
   }

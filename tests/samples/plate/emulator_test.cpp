@@ -196,8 +196,8 @@ TEST_F(Firmware, DamagedLinesMoveNothing) {
     const auto lines = board_.take_lines();
     ASSERT_TRUE(contains(lines, "AT +000.00 " + beat_body("", Version::two, sequence_).substr(1))) << i;
     for (const std::string& line : lines) {
-      const bool is_report = line.rfind("AT ", 0) == 0;
-      EXPECT_TRUE(!is_report || line.rfind("AT +000.00 ", 0) == 0) << i << " " << line;
+      const bool is_report = line.starts_with("AT ");
+      EXPECT_TRUE(!is_report || line.starts_with("AT +000.00 ")) << i << " " << line;
     }
   }
   for (std::size_t i = before; i < board_.pulses().size(); ++i)
@@ -216,7 +216,7 @@ TEST_F(Firmware, NamesWhatItRefuses) {
     board_.run_for(30ms);
     std::string named;
     for (const std::string& line : board_.take_lines())
-      if (line.rfind("ERROR ", 0) == 0 || line.rfind("STOPPED ", 0) == 0) named += line + ";";
+      if (line.starts_with("ERROR ") || line.starts_with("STOPPED ")) named += line + ";";
     return named;
   };
   const auto line = [](const std::string& body) { return encode_line(body, Version::two); };
@@ -317,7 +317,7 @@ TEST_F(Firmware, KeepsItsSettingsInEeprom) {
     board.run_for(30ms);
     std::string text;
     for (const std::string& line : board.take_lines())
-      if (line.rfind("PLATE", 0) == 0 || line.rfind("INFO", 0) == 0) text += line + ";";
+      if (line.starts_with("PLATE") || line.starts_with("INFO")) text += line + ";";
     return text;
   };
   // 10 us more at 0: the upper limit is where the pulse ends, 990 / 2000 * 180 degrees.
@@ -335,7 +335,7 @@ TEST_F(Firmware, TestsItself) {
   board_.run_for(30ms);
   std::vector<std::string> lines;
   for (const std::string& line : board_.take_lines())
-    if (line.rfind("TEST", 0) == 0) lines.push_back(line);
+    if (line.starts_with("TEST")) lines.push_back(line);
   ASSERT_EQ(lines.size(), 6U);
   EXPECT_EQ(lines[0], "TEST settings default");
   EXPECT_EQ(lines[1], "TEST emergency closed");

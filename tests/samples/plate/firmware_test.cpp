@@ -215,7 +215,7 @@ TEST_F(FirmwareLogic, ListsItsSettings) {
   say("CONF");
   pass(30);
   int count = 0;
-  for (const std::string& line : take_lines()) count += line.rfind("CONF ", 0) == 0 ? 1 : 0;
+  for (const std::string& line : take_lines()) count += line.starts_with("CONF ") ? 1 : 0;
   EXPECT_EQ(count, SETTING_COUNT);
 }
 

@@ -63,12 +63,12 @@ TEST(PlateLine, OfTheDocumentedExamplesIsValid) {
   std::ifstream page(HRT_PLATE_SOURCE "/protocol.md");
   int lines = 0;
   for (std::string line; std::getline(page, line);) {
-    if (line.rfind("    host    ", 0) != 0 && line.rfind("    plate   ", 0) != 0) continue;
+    if (!line.starts_with("    host    ") && !line.starts_with("    plate   ")) continue;
     ++lines;
     const auto decoded = decode_line(std::string_view(line).substr(12));
     ASSERT_TRUE(decoded) << line;
     const bool is_message = parse_plate_message(decoded->body, decoded->version).has_value();
-    EXPECT_EQ(line.rfind("    plate", 0) == 0, is_message) << line;
+    EXPECT_EQ(line.starts_with("    plate"), is_message) << line;
   }
   EXPECT_EQ(lines, 20);
 }

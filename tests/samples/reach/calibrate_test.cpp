@@ -196,7 +196,7 @@ TEST(ReachCalibrate, TurnsASerialPlateToEachAngle) {
   EXPECT_NE(outcome.out.find("slide   1"), std::string::npos) << outcome.out << outcome.err;
   const std::vector<std::string> heard = plate.heard();
   EXPECT_TRUE(std::any_of(heard.begin(), heard.end(),
-                          [](const std::string& line) { return line.rfind("SET", 0) == 0; }));
+                          [](const std::string& line) { return line.starts_with("SET"); }));
 }
 
 }  // namespace

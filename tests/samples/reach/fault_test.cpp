@@ -249,7 +249,7 @@ TEST(ReachFault, FramesHaveNoTimes) {
   std::vector<double> times_s;
   std::istringstream recording(read_file(file));
   for (std::string line; std::getline(recording, line);)
-    if (line.rfind("update,0,", 0) == 0) times_s.push_back(1e-9 * std::stod(line.substr(9)));
+    if (line.starts_with("update,0,")) times_s.push_back(1e-9 * std::stod(line.substr(9)));
   ASSERT_GT(times_s.size(), 30U);
   EXPECT_TRUE(std::is_sorted(times_s.begin(), times_s.end()));
   EXPECT_NEAR(times_s.back() - times_s.front(), 3.0, 0.7);
