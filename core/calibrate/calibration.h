@@ -1,6 +1,7 @@
 // Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
-// plate that stands still (paper section V, "calibration"; the method is ours, derived in core/calibrate/README.md),
-// and whether that account fits the slides at all. Slides within which the plate turns show the steering.
+// plate that stands still (paper section V, "calibration"; the method is ours, derived in
+// core/calibrate/README.md), and whether that account fits the slides at all. Slides within which the plate
+// turns show the steering.
 //
 // Off-line work: it allocates and takes as long as it needs. Any thread.
 #pragma once

@@ -1,8 +1,9 @@
 // The state of this finger and this participant: tracked samples in, motion and w_T out.
 //
-// An extended Kalman filter whose process is the participant of paper section II-A (core/paper/README.md has the
-// equations): position on the plate, speed, direction of motion and w_T, with their covariance. Directions
-// are taken as exact, the paper's way; positions carry the tracker's noise, which is learnt on the way.
+// An extended Kalman filter whose process is the participant of paper section II-A (core/paper/README.md has
+// the equations): position on the plate, speed, direction of motion and w_T, with their covariance.
+// Directions are taken as exact, the paper's way; positions carry the tracker's noise, which is learnt on the
+// way.
 #pragma once
 
 #include <Eigen/Core>
