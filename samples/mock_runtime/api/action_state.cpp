@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <array>
 
-#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/space.h"
-#include "samples/mock_runtime/api/two_call.h"
+#include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {

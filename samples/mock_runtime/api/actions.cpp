@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "samples/mock_runtime/api/paths.h"
 #include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/abi/object.h"
 #include "samples/mock_runtime/playback/recording.h"
 #include "samples/mock_runtime/world/pose_path.h"
 

@@ -1,4 +1,5 @@
-// XR_HRTX_mock_control, except the call log.
+// XR_HRTX_mock_control.
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 
 namespace hrt::mock {
@@ -24,6 +25,20 @@ void advance_time(XrInstance handle, XrDuration duration) {
           "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
   runtime().fire_due_events();
+}
+
+void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
+                  XrCallRecordHRTX* records) {
+  runtime().registry.get_even_lost<Instance>(handle);
+  two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
+           [](XrCallRecordHRTX& to, const CallRecord& from) {
+             to.time = from.time;
+             to.result = from.result;
+             std::snprintf(to.function, sizeof(to.function), "%s", from.function);
+             std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
+             to.thread = from.thread;
+             std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
+           });
 }
 
 }  // namespace hrt::mock

@@ -6,8 +6,8 @@
 #include <thread>
 #include <type_traits>
 
-#include "samples/mock_runtime/api/call_text.h"
 #include "samples/mock_runtime/api/runtime.h"
+#include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/functions.h"
 
 namespace hrt::mock {

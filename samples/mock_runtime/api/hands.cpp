@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "samples/mock_runtime/api/chain.h"
+#include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/world/hand_model.h"
 

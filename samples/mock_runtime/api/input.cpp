@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "samples/mock_runtime/api/actions.h"
-#include "samples/mock_runtime/api/paths.h"
 #include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {

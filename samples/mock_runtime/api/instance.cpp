@@ -7,8 +7,8 @@
 #include <cstring>
 #include <string_view>
 
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
-#include "samples/mock_runtime/api/two_call.h"
 
 namespace hrt::mock {
 namespace {

@@ -5,9 +5,9 @@
 #include <deque>
 
 #include "samples/mock_runtime/api/actions.h"
-#include "samples/mock_runtime/api/paths.h"
 #include "samples/mock_runtime/api/runtime.h"
 #include "samples/mock_runtime/extensions.h"
+#include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/world/clock.h"
 
 namespace hrt::mock {

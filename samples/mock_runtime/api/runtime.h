@@ -4,8 +4,8 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "samples/mock_runtime/api/call_log.h"
-#include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/abi/object.h"
+#include "samples/mock_runtime/calls/call_log.h"
 #include "samples/mock_runtime/script/script.h"
 
 namespace hrt::mock {

@@ -1,7 +1,7 @@
 #include "samples/mock_runtime/api/space.h"
 
-#include "samples/mock_runtime/api/chain.h"
-#include "samples/mock_runtime/api/two_call.h"
+#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/views.h"
 
 namespace hrt::mock {

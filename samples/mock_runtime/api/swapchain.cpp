@@ -1,8 +1,8 @@
 // Swapchains: a headless session has none.
 #include <array>
 
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
-#include "samples/mock_runtime/api/two_call.h"
 
 namespace hrt::mock {
 namespace {

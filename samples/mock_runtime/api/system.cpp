@@ -1,9 +1,9 @@
 // The system, its blend modes and its views.
 #include <cstdio>
 
-#include "samples/mock_runtime/api/chain.h"
+#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/instance.h"
-#include "samples/mock_runtime/api/two_call.h"
 #include "samples/mock_runtime/api/views.h"
 
 namespace hrt::mock {

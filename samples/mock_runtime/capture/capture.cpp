@@ -6,7 +6,7 @@
 #include <cstring>
 #include <iterator>
 
-#include "samples/mock_runtime/api/chain.h"
+#include "samples/mock_runtime/abi/chain.h"
 
 namespace hrt::capture {
 namespace {

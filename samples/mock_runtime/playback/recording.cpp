@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "samples/mock_runtime/openxr_1_1.h"
-#include "samples/mock_runtime/script/members.h"
+#include "samples/mock_runtime/playback/members.h"
 
 namespace hrt::mock {
 

@@ -38,7 +38,7 @@
 #include <utility>
 #include <vector>
 
-#include "samples/mock_runtime/script/faults.h"
+#include "samples/mock_runtime/calls/faults.h"
 
 namespace hrt::mock {
 

@@ -1,6 +1,6 @@
 // The events and the call faults of a script.
-#include "samples/mock_runtime/api/call_log.h"
-#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/calls/call_log.h"
+#include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/parts.h"
 
 namespace hrt::mock {

@@ -1,7 +1,7 @@
 // The parts of a script, one reader each.
 #pragma once
 
-#include "samples/mock_runtime/script/members.h"
+#include "samples/mock_runtime/playback/members.h"
 #include "samples/mock_runtime/script/script.h"
 
 namespace hrt::mock {

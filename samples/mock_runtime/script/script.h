@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "samples/mock_runtime/calls/faults.h"
 #include "samples/mock_runtime/extensions.h"
 #include "samples/mock_runtime/playback/recording.h"
-#include "samples/mock_runtime/script/faults.h"
 #include "samples/mock_runtime/world/clock.h"
 #include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/settings.h"

@@ -8,8 +8,8 @@
 #include <set>
 #include <sstream>
 
+#include "samples/mock_runtime/calls/registry_errors.h"
 #include "samples/mock_runtime/functions.h"
-#include "samples/mock_runtime/script/registry_errors.h"
 #include "tests/samples/mock_runtime/negotiation.h"
 #include "tests/samples/process.h"
 

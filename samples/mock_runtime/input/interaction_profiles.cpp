@@ -3,7 +3,7 @@
 #include <array>
 #include <map>
 
-#include "samples/mock_runtime/api/paths.h"
+#include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
 namespace {

@@ -1,4 +1,4 @@
-#include "samples/mock_runtime/script/faults.h"
+#include "samples/mock_runtime/calls/faults.h"
 
 #include <algorithm>
 

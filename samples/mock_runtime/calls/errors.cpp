@@ -5,8 +5,8 @@
 #include <map>
 #include <string>
 
-#include "samples/mock_runtime/script/faults.h"
-#include "samples/mock_runtime/script/registry_errors.h"
+#include "samples/mock_runtime/calls/faults.h"
+#include "samples/mock_runtime/calls/registry_errors.h"
 
 namespace hrt::mock {
 namespace {

@@ -1,11 +1,9 @@
-#include "samples/mock_runtime/api/call_log.h"
+#include "samples/mock_runtime/calls/call_log.h"
 
 #include <openxr/openxr_reflection.h>
 
 #include <cstdlib>
 
-#include "samples/mock_runtime/api/instance.h"
-#include "samples/mock_runtime/api/two_call.h"
 #include "samples/mock_runtime/openxr_1_1.h"
 
 namespace hrt::mock {
@@ -50,20 +48,6 @@ void CallLog::append(CallRecord record) {
                  record.why.empty() ? "" : ": ", record.why.c_str());
   records_.push_back(std::move(record));
   if (records_.size() > remembered_calls) records_.pop_front();
-}
-
-void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
-                  XrCallRecordHRTX* records) {
-  runtime().registry.get_even_lost<Instance>(handle);
-  two_call(runtime().log.records(), capacity, count, records, XR_TYPE_CALL_RECORD_HRTX, "records",
-           [](XrCallRecordHRTX& to, const CallRecord& from) {
-             to.time = from.time;
-             to.result = from.result;
-             std::snprintf(to.function, sizeof(to.function), "%s", from.function);
-             std::snprintf(to.arguments, sizeof(to.arguments), "%s", from.arguments.c_str());
-             to.thread = from.thread;
-             std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
-           });
 }
 
 }  // namespace hrt::mock

@@ -1,4 +1,4 @@
-#include "samples/mock_runtime/api/object.h"
+#include "samples/mock_runtime/abi/object.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "samples/mock_runtime/api/call_text.h"
+#include "samples/mock_runtime/calls/call_text.h"
 
 namespace hrt::mock {
 namespace {

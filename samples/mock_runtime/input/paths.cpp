@@ -1,0 +1,45 @@
+#include "samples/mock_runtime/input/paths.h"
+
+#include <algorithm>
+
+#include "samples/mock_runtime/error.h"
+
+namespace hrt::mock {
+namespace {
+
+void require_well_formed(std::string_view path) {
+  const auto refuse = [](const char* why) { throw Error{XR_ERROR_PATH_FORMAT_INVALID, why}; };
+  if (path.empty() || path.front() != '/') refuse("a path begins with a slash");
+  if (path.size() >= XR_MAX_PATH_LENGTH) refuse("a path is at most 255 characters long");
+  for (std::size_t begin = 1; begin <= path.size();) {
+    const std::size_t end = std::min(path.find('/', begin), path.size());
+    if (!is_path_component(path.substr(begin, end - begin)))
+      refuse("a component is empty or has other characters");
+    begin = end + 1;
+  }
+  if (path.back() == '/') refuse("a path does not end with a slash");
+}
+
+}  // namespace
+
+bool is_path_component(std::string_view name) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), allowed) &&
+         name.find_first_not_of('.') != std::string_view::npos;
+}
+
+XrPath PathTable::intern(std::string_view text) {
+  require_well_formed(text);
+  const auto [found, is_new] = atoms_.try_emplace(std::string(text), texts_.size() + 1);
+  if (is_new) texts_.emplace_back(text);
+  return found->second;
+}
+
+const std::string& PathTable::text(XrPath path) const {
+  require(path >= 1 && path <= texts_.size(), XR_ERROR_PATH_INVALID, "no such path");
+  return texts_[path - 1];
+}
+
+}  // namespace hrt::mock
