@@ -353,10 +353,10 @@ int main(int argc, char** argv) {
   for (const LoopConfig& loop : loops) {
     for (const int horizon : horizons) {
       benchmark::RegisterBenchmark(
-          name_of("controller", loop, horizon).c_str(),
+          name_of("controller", loop, horizon).c_str(),  // NOLINT(readability-redundant-string-cstr)
           [&loop, horizon](benchmark::State& state) { run_controller(state, loop, horizon); });
       benchmark::RegisterBenchmark(
-          name_of("ALGLIB", loop, horizon).c_str(),
+          name_of("ALGLIB", loop, horizon).c_str(),  // NOLINT(readability-redundant-string-cstr)
           [&loop, horizon](benchmark::State& state) { run_general(state, loop, horizon); });
     }
   }
