@@ -110,11 +110,11 @@ std::vector<std::size_t> assign_exclusively(std::span<const double> costs, std::
   if (limits.empty()) return std::vector<std::size_t>(columns == 0 ? 0 : costs.size() / columns, unserved);
   std::sort(limits.begin(), limits.end());
   limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
-  const std::size_t most = Matching(costs, columns, limits.back()).size();
-  const auto least = std::partition_point(limits.begin(), limits.end() - 1, [&](double limit) {
-    return Matching(costs, columns, limit).size() < most;
+  const std::size_t max = Matching(costs, columns, limits.back()).size();
+  const auto min = std::partition_point(limits.begin(), limits.end() - 1, [&](double limit) {
+    return Matching(costs, columns, limit).size() < max;
   });
-  return Matching(costs, columns, *least).column_of();
+  return Matching(costs, columns, *min).column_of();
 }
 
 }  // namespace hrt

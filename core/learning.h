@@ -8,10 +8,10 @@
 namespace hrt {
 
 /// People change: carried deviations are at least these.
-inline constexpr double least_carried_weight_sd = 0.01;
-inline constexpr double least_carried_motor_variance_sd_deg2 = 0.1;
+inline constexpr double min_carried_weight_sd = 0.01;
+inline constexpr double min_carried_motor_variance_sd_deg2 = 0.1;
 /// And at most this, of w_T.
-inline constexpr double most_weight_sd = 0.49;
+inline constexpr double max_weight_sd = 0.49;
 
 /// The configuration for the next reach, after one with `config` that has learnt `learnt`: w_T, the motor
 /// variance and their deviations. The variance is clamped to a factor of 2; if clamped, its deviation is

@@ -10,12 +10,12 @@ namespace hrt {
 namespace {
 
 // Nearer than this a direction says nothing, and what the tracker's noise adds to a way is not small.
-constexpr double least_leg_m = 0.01;
+constexpr double min_leg_m = 0.01;
 // As the finger passes the real target its direction turns to anywhere.
-constexpr double largest_seen_gap_deg = 89.0;
-constexpr double least_seen_distance_m = 0.001;
+constexpr double max_seen_gap_deg = 89.0;
+constexpr double min_seen_distance_m = 0.001;
 // No part of a tracker's noise is known to be less: without any a filter takes every trace for the person.
-constexpr double least_known_noise_mm = 0.02;
+constexpr double min_known_noise_mm = 0.02;
 
 PaperReachConfig paper_config(const RetargeterConfig& config) {
   PaperReachConfig paper{.participant = config.participant,
@@ -33,8 +33,8 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
 // up to it: correlated noise that is absent costs little, and unmodelled noise becomes a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
   if (config.correlated_noise_m > 0.0)
-    return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, least_known_noise_mm),
-                        .correlated_mm = std::max(mm_per_m * config.correlated_noise_m, least_known_noise_mm),
+    return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, min_known_noise_mm),
+                        .correlated_mm = std::max(mm_per_m * config.correlated_noise_m, min_known_noise_mm),
                         .correlation_s = config.correlation_s};
   if (config.tracker_noise_m <= 0.0) return std::nullopt;
   const double known_mm = std::max(mm_per_m * config.tracker_noise_m, 0.01);
@@ -125,17 +125,17 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   // They turn to the target as they see it once they answer.
   const double speed_m_s = std::visit([](const auto& leader) { return leader.speed_m_s(); }, *leader_);
   const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, answer_s * speed_m_s);
-  if (passed_m > least_leg_m) {
+  if (passed_m > min_leg_m) {
     passed_ = seen.start;
     felt_passed_ = felt;
   }
-  if (distance_m(answers_from, virtual_place) > least_leg_m)
+  if (distance_m(answers_from, virtual_place) > min_leg_m)
     seen.virtual_direction_deg +=
         wrap_deg(bearing_deg(answers_from, virtual_place) - seen.virtual_direction_deg, 360.0);
   const double goal_deg = goal_direction_deg(config_.participant, seen.virtual_direction_deg);
   const double gap_deg = wrap_deg(goal_deg - bearing_deg(seen.start, real), 360.0);
-  seen.real_direction_deg = goal_deg - std::clamp(gap_deg, -largest_seen_gap_deg, largest_seen_gap_deg);
-  seen.real_distance_m = std::max(distance_m(seen.start, real), least_seen_distance_m);
+  seen.real_direction_deg = goal_deg - std::clamp(gap_deg, -max_seen_gap_deg, max_seen_gap_deg);
+  seen.real_distance_m = std::max(distance_m(seen.start, real), min_seen_distance_m);
   return seen;
 }
 

@@ -14,17 +14,17 @@ Quaternion quaternion_of(const Axes& axes) {
   const double four_x2 = 1.0 + xx - yy - zz;
   const double four_y2 = 1.0 - xx + yy - zz;
   const double four_z2 = 1.0 - xx - yy + zz;
-  const double largest = std::max({four_w2, four_x2, four_y2, four_z2});
+  const double max = std::max({four_w2, four_x2, four_y2, four_z2});
   Quaternion q;
-  if (largest == four_w2)
+  if (max == four_w2)
     q = {axes.y.z - axes.z.y, axes.z.x - axes.x.z, axes.x.y - axes.y.x, four_w2};
-  else if (largest == four_x2)
+  else if (max == four_x2)
     q = {four_x2, axes.y.x + axes.x.y, axes.z.x + axes.x.z, axes.y.z - axes.z.y};
-  else if (largest == four_y2)
+  else if (max == four_y2)
     q = {axes.y.x + axes.x.y, four_y2, axes.z.y + axes.y.z, axes.z.x - axes.x.z};
   else
     q = {axes.z.x + axes.x.z, axes.z.y + axes.y.z, four_z2, axes.x.y - axes.y.x};
-  const double scale = (q.w < 0.0 ? -0.5 : 0.5) / std::sqrt(largest);
+  const double scale = (q.w < 0.0 ? -0.5 : 0.5) / std::sqrt(max);
   return {q.x * scale, q.y * scale, q.z * scale, q.w * scale};
 }
 

@@ -16,14 +16,14 @@ namespace {
 
 // A map that flattens space: nodes below it have no place.
 bool is_degenerate(const Axes& axes) {
-  constexpr double least_length = 1e-9;
-  constexpr double least_volume = 1e-9;
+  constexpr double min_length = 1e-9;
+  constexpr double min_volume = 1e-9;
   const double x = length(axes.x);
   const double y = length(axes.y);
   const double z = length(axes.z);
-  if (!(x > least_length && y > least_length && z > least_length)) return true;
+  if (!(x > min_length && y > min_length && z > min_length)) return true;
   const double volume = dot(cross(axes.x * (1.0 / x), axes.y * (1.0 / y)), axes.z * (1.0 / z));
-  return !(std::abs(volume) > least_volume);
+  return !(std::abs(volume) > min_volume);
 }
 
 // Walks one scene from its roots, and keeps the haptic nodes. Indices are in range and the nodes are a

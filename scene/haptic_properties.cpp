@@ -13,10 +13,10 @@
 namespace hrt {
 namespace {
 
-constexpr std::size_t longest_text = 255;
-constexpr double least_number = 0.001;  // metres, or degrees a second: what a session takes as a radius
-constexpr double largest_radius_m = 10.0;
-constexpr double largest_speed_deg_s = 1e5;
+constexpr std::size_t max_text = 255;
+constexpr double min_number = 0.001;  // metres, or degrees a second: what a session takes as a radius
+constexpr double max_radius_m = 10.0;
+constexpr double speed_limit_deg_s = 1e5;
 constexpr std::string_view nested_key = "haptic";
 constexpr std::string_view flat_prefix = "haptic_";
 
@@ -60,9 +60,9 @@ class PropertyReader {
       else if (property.key == "served_by")
         result.served_by = text(property);
       else if (property.key == "radius_m")
-        result.radius_m = number(property, largest_radius_m);
+        result.radius_m = number(property, max_radius_m);
       else
-        result.max_speed_deg_s = number(property, largest_speed_deg_s);
+        result.max_speed_deg_s = number(property, speed_limit_deg_s);
     }
     if (result.role == HapticRole::plate && !result.radius_m)
       refuse(where_, "{} is missing: a plate needs its radius in metres", label_of("radius_m"));
@@ -85,18 +85,18 @@ class PropertyReader {
   std::string text(const Property& property) const {
     if (!property.value.is_string()) refuse(where_, "{} is not a string", property.label);
     std::string value(property.value.string());
-    if (value.empty() || value.size() > longest_text)
-      refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), longest_text);
+    if (value.empty() || value.size() > max_text)
+      refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), max_text);
     if (value != printable(value))
       refuse(where_, "{} is {}, with a control character in it", property.label, in_quotes(value));
     return value;
   }
 
-  double number(const Property& property, double largest) const {
+  double number(const Property& property, double max) const {
     if (!property.value.is_number()) refuse(where_, "{} is not a number", property.label);
     const double value = property.value.number();
-    if (!(value >= least_number && value <= largest))
-      refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, least_number, largest);
+    if (!(value >= min_number && value <= max))
+      refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, min_number, max);
     return value;
   }
 

@@ -30,7 +30,7 @@ Bearing bearing_from(Vec3 start_m, Vec3 point_m) {
   const double distance = distance_m(start, point);
   return {.direction_deg = bearing_deg(start, point),
           .distance_m = distance,
-          .at_start = distance < least_distance_m};
+          .at_start = distance < min_distance_m};
 }
 
 bool is_valid(const Pose& pose) {

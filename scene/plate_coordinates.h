@@ -8,7 +8,7 @@
 namespace hrt {
 
 /// Closer to the start than this (along the plate) there is no direction: a tracker's noise is larger.
-inline constexpr double least_distance_m = 1e-3;
+inline constexpr double min_distance_m = 1e-3;
 
 /// The plate's geometry that locate_finger() needs.
 struct PlateSurface {
@@ -20,7 +20,7 @@ struct PlateSurface {
 struct Bearing {
   double direction_deg;  ///< in (-180, 180]; 0 at the start itself
   double distance_m;     ///< along the plate, >= 0
-  bool at_start;         ///< nearer than least_distance_m: the direction says nothing
+  bool at_start;         ///< nearer than min_distance_m: the direction says nothing
 };
 
 /// Of a point from the start, both in plate coordinates. [real-time]

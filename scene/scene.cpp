@@ -11,7 +11,7 @@ namespace hrt {
 namespace {
 
 // Between a plate's +Y and -Z, as a cosine: the rounding of single-precision files.
-constexpr double largest_shear = 1e-4;
+constexpr double max_shear = 1e-4;
 constexpr double max_plate_coordinate_m = 1000.0;  // as of a session
 
 class SceneBuilder {
@@ -64,7 +64,7 @@ class SceneBuilder {
   void place_plate(const HapticNode& node) {
     const Vec3 up = node.axes.y * (1.0 / length(node.axes.y));
     const Vec3 back = node.axes.z * (1.0 / length(node.axes.z));
-    if (!(std::abs(dot(up, back)) < largest_shear)) {
+    if (!(std::abs(dot(up, back)) < max_shear)) {
       refuse(where(node),
              "its transform is sheared: the plate's normal (+Y) and mid-line (-Z) are not perpendicular");
     }

@@ -37,7 +37,7 @@ struct SceneTarget {
   Vec3 world_position_m;           ///< of the node's origin
   Vec3 position_m;                 ///< the same in plate coordinates; y is the height above the plate
   double direction_deg;            ///< from the start, in (-180, 180]
-  double distance_m;               ///< from the start along the plate, >= least_distance_m
+  double distance_m;               ///< from the start along the plate, >= min_distance_m
   std::optional<double> radius_m;  ///< if the file has it
   std::optional<std::size_t>
       served_by;  ///< of a virtual target, always: the real one's index in Scene::targets

@@ -12,13 +12,13 @@
 namespace hrt {
 namespace {
 
-constexpr double least_plate_span_deg = 40.0;
-constexpr int least_plate_angles = 3;
+constexpr double min_plate_span_deg = 40.0;
+constexpr int min_plate_angles = 3;
 // The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
-constexpr double least_offset_deg = 60.0;
+constexpr double min_offset_deg = 60.0;
 // An interval that is wider says nothing of a person.
-constexpr double most_weight_width = 0.1;
-constexpr double most_angle_width_deg = 10.0;
+constexpr double max_weight_width = 0.1;
+constexpr double max_angle_width_deg = 10.0;
 constexpr int band_steps = 15;  // to either side, of 5 degrees
 // A slow start is no noise of a finger at rest.
 constexpr std::int64_t before_onset_ns = 50'000'000;
@@ -104,7 +104,7 @@ Calibration described(const PersonFit& person) {
   calibration.tactile_weight = person.value([](const auto& p) { return curve_weight(p.curve); });
   calibration.bias_deg = person.value([](const auto& p) { return p.bias_deg; });
   calibration.habit_deg = person.value([](const auto& p) { return p.habit_deg; });
-  calibration.largest_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
+  calibration.max_gap_deg = person.value([](const auto& p) { return weaker_peak(p.curve).shift_deg; });
   calibration.peak_offset_deg = weaker_peak(calibration.illusion).offset_deg;
   describe_controllers_curve(person, &calibration);
   for (int step = -band_steps; step <= band_steps; ++step) {
@@ -114,25 +114,25 @@ Calibration described(const PersonFit& person) {
   }
 
   const bool fits = calibration.fits();
-  const bool reaches = std::min(person.largest_left_deg, person.largest_right_deg) >= least_offset_deg;
+  const bool reaches = std::min(person.max_left_deg, person.max_right_deg) >= min_offset_deg;
   const bool curved = calibration.families.size() > 1;
   const auto is_within = [](const Interval& interval, double width) {
     return interval.upper - interval.lower <= width;
   };
-  calibration.tactile_weight.known = fits && is_within(calibration.tactile_weight, most_weight_width);
+  calibration.tactile_weight.known = fits && is_within(calibration.tactile_weight, max_weight_width);
   calibration.slope.known = fits;
-  calibration.bias_deg.known = fits && is_within(calibration.bias_deg, most_angle_width_deg);
-  calibration.habit_deg.known = fits && is_within(calibration.habit_deg, most_angle_width_deg);
+  calibration.bias_deg.known = fits && is_within(calibration.bias_deg, max_angle_width_deg);
+  calibration.habit_deg.known = fits && is_within(calibration.habit_deg, max_angle_width_deg);
   calibration.curve.known = fits && curved;
-  calibration.largest_gap_deg.known =
-      fits && curved && reaches && is_within(calibration.largest_gap_deg, most_angle_width_deg);
+  calibration.max_gap_deg.known =
+      fits && curved && reaches && is_within(calibration.max_gap_deg, max_angle_width_deg);
   return calibration;
 }
 
 }  // namespace
 
 bool Calibration::fits() const {
-  return std::min({lack_of_fit.angle_p, lack_of_fit.order_p, lack_of_fit.path_p}) >= least_fit_p;
+  return std::min({lack_of_fit.angle_p, lack_of_fit.order_p, lack_of_fit.path_p}) >= min_fit_p;
 }
 
 std::size_t Calibration::count(SlideVerdict verdict) const {
@@ -142,29 +142,29 @@ std::size_t Calibration::count(SlideVerdict verdict) const {
 
 std::vector<std::string> Calibration::advice() const {
   std::vector<std::string> sentences;
-  if (lack_of_fit.angle_p < least_fit_p)
+  if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
         "no family of curves fits the directions over the plate's angle: check the plate's "
         "angles and the target's direction, then add slides at the angles that are off");
-  if (lack_of_fit.order_p < least_fit_p)
+  if (lack_of_fit.order_p < min_fit_p)
     sentences.emplace_back(
         "the person changed from the first slide to the last: let them practise, or rest, and "
         "repeat the calibration");
-  if (lack_of_fit.path_p < least_fit_p)
+  if (lack_of_fit.path_p < min_fit_p)
     sentences.emplace_back(
         "the paths bend in a way that neither a habit nor the steering law explains: ask for "
         "one even motion, slower and longer, and repeat the calibration");
   if (families.size() == 1)
     sentences.emplace_back("the illusion was taken for linear: a curve takes slides at " +
-                           std::to_string(least_curve_angles) + " plate angles or more");
-  else if (fits() && !largest_gap_deg.known)
+                           std::to_string(min_curve_angles) + " plate angles or more");
+  else if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
         "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
         "both sides");
-  if (steering.slides > 0 && steering.slides < least_turning_slides)
-    sentences.emplace_back("the steering takes " + std::to_string(least_turning_slides) +
+  if (steering.slides > 0 && steering.slides < min_turning_slides)
+    sentences.emplace_back("the steering takes " + std::to_string(min_turning_slides) +
                            " slides within which the plate turns");
-  else if (steering.law_p < least_fit_p)
+  else if (steering.law_p < min_fit_p)
     sentences.emplace_back(
         "the paths over a turning plate are unlike every law of steering that is known here: let the person "
         "practise, and repeat these slides");
@@ -192,24 +192,24 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
     tracks.push_back(*track);
     order.push_back(static_cast<double>(i));
   }
-  if (tracks.size() < least_trials) {
+  if (tracks.size() < min_trials) {
     return CalibrationRefusal{std::to_string(tracks.size()) + " of " + std::to_string(trials.size()) +
                               " trials have a slide of at least 30 mm over a plate at rest; at least " +
-                              std::to_string(least_trials) + " are needed"};
+                              std::to_string(min_trials) + " are needed"};
   }
   const std::vector<SlideVerdict> verdicts = slide_verdicts(tracks);
   std::vector<SlideTrack> counting;
   for (std::size_t i = 0; i < tracks.size(); ++i)
     if (verdicts[i] == SlideVerdict::used) counting.push_back(tracks[i]);
-  if (counting.size() < least_trials)
+  if (counting.size() < min_trials)
     return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(tracks.size()) +
-                              " slides are not along the ridges; at least " + std::to_string(least_trials) +
+                              " slides are not along the ridges; at least " + std::to_string(min_trials) +
                               " are needed: bring the plate nearer to the goal"};
   const int angles = different_angles(counting);
   const auto [low, high] =
       std::minmax_element(counting.begin(), counting.end(),
                           [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
-  if (angles < least_plate_angles || high->plate_deg - low->plate_deg < least_plate_span_deg) {
+  if (angles < min_plate_angles || high->plate_deg - low->plate_deg < min_plate_span_deg) {
     return CalibrationRefusal{
         "the plate stood at " + std::to_string(angles) +
         " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
@@ -221,7 +221,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
                               " slides are like one another; at least 8 are needed: check the tracker"};
   Calibration calibration = described(person);
   const Interval& w = calibration.tactile_weight;
-  if (!(w.lower > Estimator::least_tactile_weight && w.upper < Estimator::most_tactile_weight)) {
+  if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight)) {
     return CalibrationRefusal{
         "w_T is " + three_digits(w.value) + " with a 95 % interval of " + three_digits(w.lower) + " to " +
         three_digits(w.upper) +
@@ -244,14 +244,14 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
                          return p.time_ns >= tracks[i].onset_ns ||
                                 elapsed_ns(p.time_ns, tracks[i].onset_ns) < before_onset_ns;
                        }));
-    calibration.largest_plate_deg = std::max(calibration.largest_plate_deg, std::abs(tracks[i].plate_deg));
+    calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(tracks[i].plate_deg));
   }
   calibration.noise = fit_rest_noise(rests);
   calibration.steering.slides = static_cast<int>(turning.size());
-  if (calibration.steering.slides >= least_turning_slides) {
+  if (calibration.steering.slides >= min_turning_slides) {
     calibration.steering = fit_steering(turning, person.best(), calibration.noise);
     for (Interval* interval : {&calibration.steering.rate_per_s, &calibration.steering.delay_s})
-      interval->known = interval->known && calibration.fits() && calibration.steering.law_p >= least_fit_p;
+      interval->known = interval->known && calibration.fits() && calibration.steering.law_p >= min_fit_p;
   }
   if (config.variances) {
     const Variances variances =

@@ -48,10 +48,10 @@ struct FamilyScore {
 
 /// `known` of an estimate is false if the slides do not fit the model (fits() is false) or do not show it.
 struct Calibration {
-  Interval tactile_weight;   ///< felt shift over offset at 60 degrees, mean of both sides
-  Interval bias_deg;         ///< goal at the middle of the path less target direction, left positive
-  Interval habit_deg;        ///< how far the goal turns over the path, halved
-  Interval largest_gap_deg;  ///< largest felt shift within 75 degrees, on the weaker side
+  Interval tactile_weight;  ///< felt shift over offset at 60 degrees, mean of both sides
+  Interval bias_deg;        ///< goal at the middle of the path less target direction, left positive
+  Interval habit_deg;       ///< how far the goal turns over the path, halved
+  Interval max_gap_deg;     ///< largest felt shift within 75 degrees, on the weaker side
   double peak_offset_deg = curve_bound_deg;  ///< smallest offset that gives it
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
   Interval curve;                            ///< b of it
@@ -67,7 +67,7 @@ struct Calibration {
   std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
-  double largest_plate_deg = 0.0;       ///< of the slides used; published human data cover 60
+  double max_plate_deg = 0.0;           ///< of the slides used; published human data cover 60
 
   /// No pattern is left in the residuals.
   bool fits() const;
@@ -81,14 +81,14 @@ struct CalibrationRefusal {
   std::string reason;
 };
 
-/// Needs at least `least_trials` slides of at least 30 mm that count, at three plate angles or more that span
-/// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `least_curve_angles`; with
-/// fewer the illusion is taken for linear. The steering takes `least_turning_slides` slides more, within
+/// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
+/// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `min_curve_angles`; with
+/// fewer the illusion is taken for linear. The steering takes `min_turning_slides` slides more, within
 /// which the plate turns; they count for nothing else. Refuses a w_T whose interval is not within the usable
 /// range (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         const CalibrationConfig& config = {});
 
-inline constexpr int least_trials = 10;
+inline constexpr int min_trials = 10;
 
 }  // namespace hrt

@@ -29,20 +29,20 @@ constexpr double habit_as_bias = 0.04;
 // People who steer to a place, not in a direction, turn back what they have felt: as by a curve that is
 // larger by twice this share. Half of it is allowed for, since most people need none.
 constexpr double place_as_curve = 0.005;
-constexpr double least_log_gain = 0.5;
-constexpr double most_log_gain = 3.6;
+constexpr double min_log_gain = 0.5;
+constexpr double max_log_gain = 3.6;
 
 enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, first, second };
 
 struct Limits {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 Limits limits(CurveFamily family, int parameter) {
   switch (parameter) {
     case log_gain:
-      return {least_log_gain, most_log_gain};
+      return {min_log_gain, max_log_gain};
     case delay:
       return {0.0, 0.2};
     case goal_delay:
@@ -53,7 +53,7 @@ Limits limits(CurveFamily family, int parameter) {
       return {-0.2, 0.8};
     case second: {
       const CurveRange range = second_range(family);
-      return {range.least, range.most};
+      return {range.min, range.max};
     }
     default:
       return {-60.0, 60.0};
@@ -63,7 +63,7 @@ Limits limits(CurveFamily family, int parameter) {
 FitVector clamped(CurveFamily family, FitVector parameters) {
   for (int i = 0; i < parameters.size(); ++i) {
     const Limits range = limits(family, i);
-    parameters(i) = std::clamp(parameters(i), range.least, range.most);
+    parameters(i) = std::clamp(parameters(i), range.min, range.max);
   }
   return parameters;
 }
@@ -73,7 +73,7 @@ Prior prior(CurveFamily family, int parameter) {
       {{0.0, 100.0}, {0.0, 20.0}, {0.0, 10.0}, {2.2, 1.0}, {0.06, 0.2}, {0.0, 0.05}, {0.0, 0.3}, {0.2, 1.0}}};
   if (parameter < second) return priors[static_cast<std::size_t>(parameter)];
   const CurveRange range = second_range(family);
-  return {0.5 * (range.least + range.most), range.most - range.least};
+  return {0.5 * (range.min + range.max), range.max - range.min};
 }
 
 // By family, in the parameters' order.

@@ -12,7 +12,7 @@ namespace hrt {
 
 /// Parameters of a fit, in this order: bias, habit, start, log_gain, delay, goal delay, curve.first,
 /// curve.second if there is one.
-inline constexpr int most_fit_parameters = 9;
+inline constexpr int max_fit_parameters = 9;
 using FitVector = Eigen::VectorXd;
 using FitMatrix = Eigen::MatrixXd;
 using SlideJacobian = Eigen::Matrix<double, slide_parts, Eigen::Dynamic>;
@@ -56,8 +56,8 @@ template <class Function>
 FitValue fit_value(const CurveFit& fit, const Function& function);
 
 // Steps of numerical derivatives, in the parameters' order.
-inline constexpr double fit_step[most_fit_parameters] = {0.05,  0.05, 0.05,  0.02, 0.003,
-                                                         0.003, 0.01, 0.002, 0.002};
+inline constexpr double fit_step[max_fit_parameters] = {0.05,  0.05, 0.05,  0.02, 0.003,
+                                                        0.003, 0.01, 0.002, 0.002};
 double fit_derivative_step(CurveFamily family, int parameter);
 
 template <class Function>

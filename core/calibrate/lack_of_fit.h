@@ -17,7 +17,7 @@ struct LackOfFit {
 };
 
 /// Below this a pattern is held to be there; of people without one, 1 in 100 have a test that says so.
-inline constexpr double least_fit_p = 0.01;
+inline constexpr double min_fit_p = 0.01;
 
 /// `order`: the number of each slide in the session. `degree`: of the polynomials.
 LackOfFit lack_of_fit(const CurveFit& fit, std::span<const SlideTrack> slides, std::span<const double> order,

@@ -64,12 +64,12 @@ std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {
   }
   std::vector<SlideTrack> within;
   for (std::size_t i = 0; i < slides.size(); ++i)
-    if (offsets[i] <= most_offset_deg) within.push_back(slides[i]);
+    if (offsets[i] <= max_offset_deg) within.push_back(slides[i]);
   const bool enough = within.size() >= enough_slides && different_angles(within) >= enough_angles;
-  const double most_deg = enough ? most_offset_deg : most_needed_offset_deg;
+  const double max_deg = enough ? max_offset_deg : max_needed_offset_deg;
   std::vector<SlideVerdict> verdicts;
   for (const double offset_deg : offsets)
-    verdicts.push_back(offset_deg > most_deg ? SlideVerdict::along_ridges : SlideVerdict::used);
+    verdicts.push_back(offset_deg > max_deg ? SlideVerdict::along_ridges : SlideVerdict::used);
   return verdicts;
 }
 
@@ -95,11 +95,11 @@ PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double>
     fitted.push_back(tracks[i]);
     fitted_order.push_back(order[counting[i]]);
     const double offset_deg = tracks[i].plate_deg - settled_direction_deg(tracks[i].direction_deg);
-    person.largest_left_deg = std::max(person.largest_left_deg, offset_deg);
-    person.largest_right_deg = std::max(person.largest_right_deg, -offset_deg);
+    person.max_left_deg = std::max(person.max_left_deg, offset_deg);
+    person.max_right_deg = std::max(person.max_right_deg, -offset_deg);
   }
 
-  const int compared = different_angles(fitted) >= least_curve_angles ? curve_families : 1;
+  const int compared = different_angles(fitted) >= min_curve_angles ? curve_families : 1;
   for (int i = 0; i < compared; ++i)
     person.families.push_back(
         {fit_curve(static_cast<CurveFamily>(i), fitted, person.scatter.covariance), 0.0});

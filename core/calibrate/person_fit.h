@@ -28,8 +28,8 @@ struct PersonFit {
   SlideScatter scatter;                ///< of those, and of the outliers among them
   std::vector<FamilyFit> families;     ///< the likeliest first; linear alone with few angles
   LackOfFit lack_of_fit;               ///< of the likeliest
-  double largest_left_deg = 0.0;       ///< settled offset from motion to ridge normal, over the slides used
-  double largest_right_deg = 0.0;
+  double max_left_deg = 0.0;           ///< settled offset from motion to ridge normal, over the slides used
+  double max_right_deg = 0.0;
 
   const CurveFit& best() const { return families.front().fit; }
   /// A number's median over the families' estimates, and the 95 % interval of their mixture.
@@ -37,11 +37,11 @@ struct PersonFit {
 };
 
 /// A curve, not a line, takes at least this many different plate angles.
-inline constexpr int least_curve_angles = 7;
+inline constexpr int min_curve_angles = 7;
 /// Beyond this offset from motion to ridge normal a slide does not count: a person who overshoots crosses 90.
 /// If that leaves fewer than 10 slides or 5 angles, the second limit holds.
-inline constexpr double most_offset_deg = 78.0;
-inline constexpr double most_needed_offset_deg = 85.0;
+inline constexpr double max_offset_deg = 78.0;
+inline constexpr double max_needed_offset_deg = 85.0;
 
 /// Slides that count for `track`: the settled motion stays away from the ridges' own direction.
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);

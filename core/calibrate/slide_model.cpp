@@ -10,7 +10,7 @@
 namespace hrt {
 namespace {
 
-// The tangent within most_direction_deg, by its continued fraction; to 1e-5.
+// The tangent within max_direction_deg, by its continued fraction; to 1e-5.
 double tangent(double angle_deg) {
   const double x = rad_per_deg * angle_deg;
   const double xx = x * x;
@@ -30,9 +30,9 @@ double share_at(const SlideTrack& track, double step) {
 }  // namespace
 
 SlideDirections predicted_directions(const SlideTrack& track, const SlidingPersonModel& person) {
-  SteeringDelay steering(std::clamp(person.delay_s / track.step_s, 0.0, SteeringDelay::longest_steps));
+  SteeringDelay steering(std::clamp(person.delay_s / track.step_s, 0.0, SteeringDelay::max_steps));
   const double gain = std::min(exponential(person.log_gain) * track.step_s, 1.0);
-  const double least_advance_m = SteeringDelay::least_felt_speed_m_s * track.step_s;
+  const double min_advance_m = SteeringDelay::min_felt_speed_m_s * track.step_s;
   SlideDirections left_m = SlideDirections::Zero();
   double direction_deg = person.start_deg + person.start_share * settled_direction_deg(track.direction_deg);
   double here_m = 0.0;
@@ -42,7 +42,7 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
     const double across_m = step.advance_m * tangent(direction_deg);
     if (step.samples > 0.0) left_m(step.window) += step.samples * (here_m + 0.5 * across_m);
     here_m += across_m;
-    if (step.advance_m < least_advance_m) {
+    if (step.advance_m < min_advance_m) {
       steering.rest();
       continue;
     }
@@ -52,7 +52,7 @@ SlideDirections predicted_directions(const SlideTrack& track, const SlidingPerso
         person.habit_deg * (1.0 - 2.0 * share_at(track, static_cast<double>(i) - goal_delay));
     if (const auto answer = steering.feel(felt_deg))
       direction_deg = std::clamp(direction_deg - gain * answer->share * (answer->felt_deg - goal_deg),
-                                 -most_direction_deg, most_direction_deg);
+                                 -max_direction_deg, max_direction_deg);
   }
   left_m = left_m.cwiseQuotient(track.window_samples);
   SlideDirections directions;

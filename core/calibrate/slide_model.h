@@ -7,7 +7,7 @@
 namespace hrt {
 
 /// Nobody steers further from the goal.
-inline constexpr double most_direction_deg = 60.0;
+inline constexpr double max_direction_deg = 60.0;
 
 /// Angles are relative to the goal direction.
 struct SlidingPersonModel {

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<double, 9> opening{-0.4, 0.8, 0.0, -0.8, 0.4, -0.6, 0.2, 0.6, -0.2};
 constexpr double candidate_step_deg = 5.0;
 // The motion stays this far from along the ridges, as far as the fit shows.
-constexpr double most_planned_offset_deg = 74.0;
+constexpr double max_planned_offset_deg = 74.0;
 // The largest gap counts half as much as the weight.
 constexpr double gap_share = 0.5;
 
@@ -114,15 +114,15 @@ NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double>
 
   SlideTrack candidate = slides[person.used.back()];
   double best_deg = middle_deg;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   const auto count = std::max(1, static_cast<int>(std::ceil(2.0 * half_deg / candidate_step_deg)));
   for (int i = 0; i <= count; ++i) {
     candidate.plate_deg = plan.lower_plate_deg + 2.0 * half_deg * i / count;
     if (last_side != 0.0 && side_of(candidate.plate_deg - middle_deg) == last_side) continue;
     const double settled_deg = settled_model_deg(person.best().person, candidate.plate_deg);
-    if (std::abs(candidate.plate_deg - settled_deg) > most_planned_offset_deg) continue;
+    if (std::abs(candidate.plate_deg - settled_deg) > max_planned_offset_deg) continue;
     double left = 0.0;
-    if (angles < least_curve_angles) {
+    if (angles < min_curve_angles) {
       // A curve needs more angles first: the one farthest from all so far.
       double nearest_deg = std::numeric_limits<double>::infinity();
       for (const SlideTrack& slide : fitted)
@@ -131,17 +131,17 @@ NextSlide next_slide(std::span<const SlideTrack> slides, std::span<const double>
     } else {
       left = expected_variance(prospects, person.families, candidate, weight);
     }
-    if (left < least) {
-      least = left;
+    if (left < min) {
+      min = left;
       best_deg = candidate.plate_deg;
     }
   }
 
   const Interval w = person.value([](const SlidingPersonModel& p) { return curve_weight(p.curve); });
   const LackOfFit& lack = person.lack_of_fit;
-  const bool enough = person.used.size() >= static_cast<std::size_t>(least_trials) &&
-                      angles >= least_curve_angles && w.upper - w.lower <= plan.enough_weight_width &&
-                      std::min({lack.angle_p, lack.order_p, lack.path_p}) >= least_fit_p;
+  const bool enough = person.used.size() >= static_cast<std::size_t>(min_trials) &&
+                      angles >= min_curve_angles && w.upper - w.lower <= plan.enough_weight_width &&
+                      std::min({lack.angle_p, lack.order_p, lack.path_p}) >= min_fit_p;
   return {best_deg, enough};
 }
 

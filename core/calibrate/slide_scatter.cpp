@@ -9,14 +9,14 @@
 namespace hrt {
 namespace {
 
-constexpr int most_degree = 5;
+constexpr int max_degree = 5;
 constexpr double same_angle_deg = 3.0;
 constexpr int passes = 12;
 // Of a normal slide, squared and over all parts: far beyond what chi-squared with four degrees exceeds once
 // in 100000 slides (28.5), since the first part of a path has heavier tails.
-constexpr double most_distance = 40.0;
+constexpr double max_distance = 40.0;
 // A slide's direction is never more certain than this.
-constexpr double least_deviation_deg = 0.02;
+constexpr double min_deviation_deg = 0.02;
 constexpr double rank_threshold = 1e-12;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
@@ -48,7 +48,7 @@ PartsMatrix covariance_of(const Rows& residuals, const std::vector<bool>& outlyi
   const double apart = std::min(1.0, 2.0 / degrees);
   const PartsMatrix alone = covariance.diagonal().asDiagonal();
   covariance = (1.0 - apart) * covariance + apart * alone;
-  covariance.diagonal().array() += least_deviation_deg * least_deviation_deg;
+  covariance.diagonal().array() += min_deviation_deg * min_deviation_deg;
   return covariance;
 }
 
@@ -70,7 +70,7 @@ int different_angles(std::span<const SlideTrack> slides) {
 
 int polynomial_degree(std::span<const SlideTrack> slides) {
   const int by_slides = static_cast<int>(slides.size()) / 4 - 1;
-  return std::clamp(std::min(different_angles(slides) - 2, by_slides), 1, most_degree);
+  return std::clamp(std::min(different_angles(slides) - 2, by_slides), 1, max_degree);
 }
 
 Eigen::VectorXd plate_powers(double plate_deg, int degree) {
@@ -106,7 +106,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
     const double deviation =
         std::max(mad_to_deviation * median({sizes.begin(), sizes.end()}) *
                      std::sqrt(static_cast<double>(count) / static_cast<double>(count - scatter.degree - 1)),
-                 least_deviation_deg);
+                 min_deviation_deg);
     covariance(part, part) = deviation * deviation;
   }
 
@@ -116,7 +116,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
     const PartsMatrix weight = inverse(covariance);
     for (Eigen::Index i = 0; i < count; ++i) {
       const SlideDirections off = residuals.row(i).transpose();
-      scatter.outlying[static_cast<std::size_t>(i)] = off.dot(weight * off) > most_distance;
+      scatter.outlying[static_cast<std::size_t>(i)] = off.dot(weight * off) > max_distance;
     }
     for (Eigen::Index i = 0; i < count; ++i)
       weights.row(i).setConstant(scatter.outlying[static_cast<std::size_t>(i)] ? 1e-9 : 1.0);

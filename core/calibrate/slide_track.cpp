@@ -13,14 +13,14 @@
 namespace hrt {
 namespace {
 
-constexpr double least_step_s = 0.01;
+constexpr double min_step_s = 0.01;
 constexpr double steps_a_slide = 200.0;
 // Half the width of the lines that smooth the pace.
 constexpr double smoothing_s = 0.075;
 constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
-constexpr double most_gap_s = 5.0;
+constexpr double max_gap_s = 5.0;
 constexpr int median_reach = 5;
-constexpr double most_deviations = 6.0;
+constexpr double max_deviations = 6.0;
 
 // A position relative to where the finger rested: along the goal, and to its left.
 struct Place {
@@ -44,9 +44,9 @@ std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
     off_m[static_cast<std::size_t>(i)] =
         distance_m({median(right_m), median(away_m)}, samples[static_cast<std::size_t>(i)].position);
   }
-  const double most_m = std::max(0.001, most_deviations * mad_to_deviation * median(off_m));
+  const double max_m = std::max(0.001, max_deviations * mad_to_deviation * median(off_m));
   std::vector<bool> keep;
-  for (const double off : off_m) keep.push_back(off <= most_m);
+  for (const double off : off_m) keep.push_back(off <= max_m);
   return keep;
 }
 
@@ -99,7 +99,7 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
     if (sample.time_ns < onset->time_ns) continue;
     // The slide is over where the tracker was away for long.
     const double time_s = elapsed_s(onset->time_ns, sample.time_ns);
-    if (!places.empty() && time_s - places.back().time_s > most_gap_s) break;
+    if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
     const double right_m = sample.position.right_m - onset->place.right_m;
     const double away_m = sample.position.away_m - onset->place.away_m;
     places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
@@ -110,14 +110,14 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   track.plate_deg = ridge_normal_deg(trial.plate_orientation_deg, goal_direction_deg) - goal_direction_deg;
   track.onset_ns = onset->time_ns;
   const double duration_s = places.back().time_s;
-  track.step_s = std::max(least_step_s, duration_s / steps_a_slide);
+  track.step_s = std::max(min_step_s, duration_s / steps_a_slide);
   const auto count = static_cast<std::size_t>(duration_s / track.step_s);
   std::vector<double> along_m{0.0};
   std::size_t first = 0;
   for (std::size_t i = 1; i <= count; ++i)
     along_m.push_back(smooth_along_m(places, static_cast<double>(i) * track.step_s, &first));
   const double length_m = *std::max_element(along_m.begin(), along_m.end());
-  if (!(length_m >= least_slide_m)) return std::nullopt;
+  if (!(length_m >= min_slide_m)) return std::nullopt;
 
   for (std::size_t i = 0; i < count; ++i) {
     const double share = 0.5 * (along_m[i] + along_m[i + 1]) / length_m;

@@ -50,9 +50,9 @@ inline double settled_direction_deg(const SlideDirections& directions) {
   return 0.5 * (directions(2) + directions(3));
 }
 
-inline constexpr double least_slide_m = 0.03;
+inline constexpr double min_slide_m = 0.03;
 
-/// None without a motion of `least_slide_m` towards the goal that was seen in all of its parts. Positions
+/// None without a motion of `min_slide_m` towards the goal that was seen in all of its parts. Positions
 /// that the tracker made up are left out.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
 

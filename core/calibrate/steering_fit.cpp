@@ -22,7 +22,7 @@ constexpr double usual_rate_per_s = 8.0;
 constexpr double usual_log_rate = 2.08;
 constexpr double start_deviation_deg = 3.0;
 constexpr double start_place_deviation_m = 0.0003;
-constexpr double least_noise_m = 0.0003;
+constexpr double min_noise_m = 0.0003;
 // The values of slides over a plate at rest hold within this many of their deviations.
 constexpr double rest_deviations = 1.5;
 // What the laws may get wrong.
@@ -30,13 +30,13 @@ constexpr double law_log_rate = 0.05;
 constexpr double law_delay_s = 0.004;
 // The law is tested where the turned plate is felt.
 constexpr double first_tested_share = 0.2;
-constexpr Eigen::Index most_tested_parts = 4;
+constexpr Eigen::Index max_tested_parts = 4;
 // What the laws may get wrong of it, in units of the weights: seen on people of little noise who steer by
 // one.
 constexpr double allowed_mean = 0.1;
 // An interval that is wider says nothing of a person.
-constexpr double most_rate_ratio = 2.5;
-constexpr double most_delay_width_s = 0.1;
+constexpr double max_rate_ratio = 2.5;
+constexpr double max_delay_width_s = 0.1;
 
 using Vector = Eigen::VectorXd;
 constexpr std::array<double, steering_parameters> derivative_step{0.02, 0.002, 0.05, 0.05, 0.05, 0.01};
@@ -52,11 +52,11 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
   const SlideTrack& track = slide.track;
   Observed observed{.slide = &slide, .bins = {}, .left_m = {}, .whitening = {}};
   std::vector<double> left_m;
-  const auto least_steps = static_cast<std::size_t>(std::ceil(bin_s / track.step_s));
+  const auto min_steps = static_cast<std::size_t>(std::ceil(bin_s / track.step_s));
   for (std::size_t i = 0; i < track.steps.size();) {
     SlideBin bin{.begin = i, .end = i, .seen = 0.0};
     double sum_m = 0.0;
-    while (bin.end < track.steps.size() && (bin.end - bin.begin < least_steps || !(bin.seen > 0.0))) {
+    while (bin.end < track.steps.size() && (bin.end - bin.begin < min_steps || !(bin.seen > 0.0))) {
       const SlideTrack::Step& step = track.steps[bin.end++];
       bin.seen += step.seen;
       sum_m += step.seen * step.left_m;
@@ -90,7 +90,7 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
   Eigen::MatrixXd covariance = noise_deg2_per_s * track.step_s * product(kicks, kicks.transpose()) +
                                product(first_kick, first_kick.transpose());
   covariance.array() += start_place_deviation_m * start_place_deviation_m;
-  const double white_m = std::max(noise.white_m.value, least_noise_m);
+  const double white_m = std::max(noise.white_m.value, min_noise_m);
   const double correlated_m = noise.correlated_m.value;
   const auto middle_s = [&](Eigen::Index b) {
     const SlideBin& bin = observed.bins[static_cast<std::size_t>(b)];
@@ -215,7 +215,7 @@ Eigen::MatrixXd SteeringFitter::jacobian(const Observed& observed, const Vector&
 // side, is 0 if the law holds: Hotelling's test, with the scatter of the slides themselves.
 double SteeringFitter::law_p(const Vector& person, SteeringLaw law) const {
   const auto slides = static_cast<Eigen::Index>(observed_.size());
-  const Eigen::Index parts = std::min<Eigen::Index>(most_tested_parts, slides / 3);
+  const Eigen::Index parts = std::min<Eigen::Index>(max_tested_parts, slides / 3);
   Eigen::MatrixXd means = Eigen::MatrixXd::Zero(slides, parts);
   for (Eigen::Index i = 0; i < slides; ++i) {
     const Observed& observed = observed_[static_cast<std::size_t>(i)];
@@ -272,14 +272,14 @@ SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& p
   steering.slides = static_cast<int>(slides.size());
   const SteeringFitter fit(slides, person, noise);
   std::array<LawFit, steering_laws> fits;
-  double least = std::numeric_limits<double>::infinity();
+  double min = std::numeric_limits<double>::infinity();
   for (int law = 0; law < steering_laws; ++law) {
     fits[static_cast<std::size_t>(law)] = fit.fit(static_cast<SteeringLaw>(law));
-    least = std::min(least, fits[static_cast<std::size_t>(law)].misfit);
+    min = std::min(min, fits[static_cast<std::size_t>(law)].misfit);
   }
   double sum = 0.0;
   for (std::size_t law = 0; law < fits.size(); ++law)
-    sum += steering.probability[law] = exponential(std::max(-0.5 * (fits[law].misfit - least), -700.0));
+    sum += steering.probability[law] = exponential(std::max(-0.5 * (fits[law].misfit - min), -700.0));
   for (double& probability : steering.probability) probability /= sum;
   const auto likeliest = std::max_element(steering.probability.begin(), steering.probability.end());
   const auto law = static_cast<std::size_t>(likeliest - steering.probability.begin());
@@ -289,8 +289,8 @@ SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& p
   steering.rate_per_s = {exponential(log_rates.value), exponential(log_rates.lower),
                          exponential(log_rates.upper), true};
   steering.delay_s = mixture(fits, steering.probability, steering_delay_s, widening);
-  steering.rate_per_s.known = steering.rate_per_s.upper <= most_rate_ratio * steering.rate_per_s.lower;
-  steering.delay_s.known = steering.delay_s.upper - steering.delay_s.lower <= most_delay_width_s;
+  steering.rate_per_s.known = steering.rate_per_s.upper <= max_rate_ratio * steering.rate_per_s.lower;
+  steering.delay_s.known = steering.delay_s.upper - steering.delay_s.lower <= max_delay_width_s;
   return steering;
 }
 

@@ -25,13 +25,13 @@ struct SteeringFit {
 };
 
 /// Of a delay that is known: 0 says in profiles that it is not.
-inline constexpr double least_known_delay_s = 1e-3;
+inline constexpr double min_known_delay_s = 1e-3;
 
 /// Fewest slides over a turning plate that show the steering.
-inline constexpr int least_turning_slides = 6;
+inline constexpr int min_turning_slides = 6;
 
 /// `person`: from slides over a plate at rest: the curve, bias and habit, and their covariance. At least
-/// least_turning_slides slides. Medians and 95 % intervals of the mixture of all laws.
+/// min_turning_slides slides. Medians and 95 % intervals of the mixture of all laws.
 SteeringFit fit_steering(std::span<const TurningSlide> slides, const CurveFit& person,
                          const RestNoise& noise);
 

@@ -13,7 +13,7 @@ namespace hrt {
 namespace {
 
 // Nearer to the target, as a share of the path, nobody turns after its place.
-constexpr double least_place_share = 0.15;
+constexpr double min_place_share = 0.15;
 
 }  // namespace
 
@@ -21,8 +21,8 @@ std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const S
                                           double goal_direction_deg) {
   if (trial.plate_deg.size() != trial.samples.size() || trial.samples.empty()) return std::nullopt;
   TurningSlide slide{.track = track, .plate_deg = {}};
-  double least_deg = std::numeric_limits<double>::infinity();
-  double most_deg = -least_deg;
+  double min_deg = std::numeric_limits<double>::infinity();
+  double max_deg = -min_deg;
   std::size_t before = 0;
   for (std::size_t i = 0; i < track.steps.size(); ++i) {
     const std::int64_t time_ns =
@@ -37,10 +37,10 @@ std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const S
     }
     slide.plate_deg.push_back(plate_deg - goal_direction_deg);
     if (track.steps[i].share < 0.02 || track.steps[i].share > 0.98) continue;
-    least_deg = std::min(least_deg, plate_deg);
-    most_deg = std::max(most_deg, plate_deg);
+    min_deg = std::min(min_deg, plate_deg);
+    max_deg = std::max(max_deg, plate_deg);
   }
-  if (!(most_deg - least_deg > least_turn_deg)) return std::nullopt;
+  if (!(max_deg - min_deg > min_turn_deg)) return std::nullopt;
   return slide;
 }
 
@@ -49,14 +49,13 @@ Eigen::VectorXd predicted_left_m(const TurningSlide& slide, const std::vector<Sl
   const SlideTrack& track = slide.track;
   const double gain = std::min(exponential(person(steering_log_rate)) * track.step_s, 1.0);
   // Directions are those of the steps' middles, so an answer is of half a step before the next one.
-  SteeringDelay steering(
-      std::min(person(steering_delay_s) / track.step_s - 0.5, SteeringDelay::longest_steps));
+  SteeringDelay steering(std::min(person(steering_delay_s) / track.step_s - 0.5, SteeringDelay::max_steps));
   const bool predicts = law == SteeringLaw::predicted;
   double length_m = 0.0;
   for (const SlideTrack::Step& step : track.steps) length_m += step.advance_m;
   double felt_along_m = 0.0;
   double felt_left_m = 0.0;
-  const double least_advance_m = SteeringDelay::least_felt_speed_m_s * track.step_s;
+  const double min_advance_m = SteeringDelay::min_felt_speed_m_s * track.step_s;
   Eigen::VectorXd left_m = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(bins.size()));
   double direction_deg = person(steering_start_deg);
   double here_m = 0.0;
@@ -68,7 +67,7 @@ Eigen::VectorXd predicted_left_m(const TurningSlide& slide, const std::vector<Sl
     if (bin < bins.size() && i >= bins[bin].begin && step.seen > 0.0)
       left_m(static_cast<Eigen::Index>(bin)) += step.seen / bins[bin].seen * (here_m + 0.5 * across_m);
     here_m += across_m;
-    if (step.advance_m < least_advance_m) {
+    if (step.advance_m < min_advance_m) {
       steering.rest();
       continue;
     }
@@ -77,7 +76,7 @@ Eigen::VectorXd predicted_left_m(const TurningSlide& slide, const std::vector<Sl
     double goal_deg = person(steering_bias_deg) + person(steering_habit_deg) * (1.0 - 2.0 * step.share);
     if (law == SteeringLaw::place) {
       const double ahead_m = length_m - felt_along_m;
-      if (ahead_m > least_place_share * length_m) goal_deg -= atan2_deg(felt_left_m, ahead_m);
+      if (ahead_m > min_place_share * length_m) goal_deg -= atan2_deg(felt_left_m, ahead_m);
       felt_along_m += step.advance_m;
       felt_left_m += rad_per_deg * step.advance_m * (direction_deg + shift_deg);
     }
@@ -87,7 +86,7 @@ Eigen::VectorXd predicted_left_m(const TurningSlide& slide, const std::vector<Sl
     const double own = predicts ? 0.5 * gain * answer->share : 0.0;
     const double delayed_deg = answer->felt_deg + (predicts ? direction_deg : 0.0);
     direction_deg = std::clamp(direction_deg - gain * answer->share * (delayed_deg - goal_deg) / (1.0 + own),
-                               -most_direction_deg, most_direction_deg);
+                               -max_direction_deg, max_direction_deg);
   }
   return left_m;
 }

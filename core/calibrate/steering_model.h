@@ -17,10 +17,10 @@ struct TurningSlide {
   std::vector<double> plate_deg;  ///< one a step of the track, relative to the goal, continuous
 };
 
-/// The trial if its plate turned by more than `least_turn_deg` while the finger moved; none if it rested.
+/// The trial if its plate turned by more than `min_turn_deg` while the finger moved; none if it rested.
 std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const SlideTrack& track,
                                           double goal_direction_deg);
-inline constexpr double least_turn_deg = 5.0;
+inline constexpr double min_turn_deg = 5.0;
 
 /// Laws of steering that are compared.
 enum class SteeringLaw {

@@ -17,7 +17,7 @@ namespace hrt {
 namespace {
 
 // A position that the tracker made up counts for no more than this.
-constexpr double most_surprise = 25.0;
+constexpr double max_surprise = 25.0;
 
 // A slide with its motion found: samples from `moving` on are after the onset.
 struct Slide {
@@ -28,7 +28,7 @@ struct Slide {
 
 std::optional<Slide> find_slide(const CalibrationTrial& trial) {
   const std::optional<SlideOnset> onset = find_onset(trial.samples);
-  if (!onset || distance_m(onset->place, trial.samples.back().position) < least_slide_m) return std::nullopt;
+  if (!onset || distance_m(onset->place, trial.samples.back().position) < min_slide_m) return std::nullopt;
   const auto moving = std::find_if(trial.samples.begin(), trial.samples.end(),
                                    [&](const TimedPoint& sample) { return sample.time_ns > onset->time_ns; });
   return Slide{&trial, static_cast<std::size_t>(moving - trial.samples.begin()), *onset};
@@ -58,7 +58,7 @@ double log_likelihood(const Slide& slide, const Participant& participant, double
     });
     move_to(sample.time_ns);
     estimator.observe_position(sample.position);
-    sum -= 0.5 * (std::min(estimator.normalised_innovation(), most_surprise) +
+    sum -= 0.5 * (std::min(estimator.normalised_innovation(), max_surprise) +
                   std::log(estimator.innovation_determinant_mm4()));
   }
   return sum;
@@ -66,10 +66,9 @@ double log_likelihood(const Slide& slide, const Participant& participant, double
 
 // Values from `least` to `most` in equal ratios.
 template <std::size_t n>
-std::array<double, n> ratios(double least, double most) {
+std::array<double, n> ratios(double min, double max) {
   std::array<double, n> values{};
-  for (std::size_t i = 0; i < n; ++i)
-    values[i] = least * std::pow(most / least, static_cast<double>(i) / (n - 1));
+  for (std::size_t i = 0; i < n; ++i) values[i] = min * std::pow(max / min, static_cast<double>(i) / (n - 1));
   return values;
 }
 

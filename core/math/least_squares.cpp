@@ -7,12 +7,12 @@
 namespace hrt {
 namespace {
 
-constexpr int most_passes = 25;
-constexpr int most_attempts = 8;
-constexpr double least_gain = 1e-5;
+constexpr int max_passes = 25;
+constexpr int max_attempts = 8;
+constexpr double min_gain = 1e-5;
 // A residual grows by this factor at most when its group is left out: a group that alone shows a parameter
 // leaves nothing to predict it from.
-constexpr double most_growth = 5.0;
+constexpr double max_growth = 5.0;
 
 double misfit_of(const std::vector<Eigen::VectorXd>& residuals) {
   double sum = 0.0;
@@ -36,7 +36,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& firs
   fit.misfit = misfit_of(residuals);
   fit.penalty = penalty_of(problem, first);
   double damping = 1e-3;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < max_passes; ++pass) {
     const std::vector<Eigen::MatrixXd> derivatives = problem.derivatives(fit.parameters);
     Eigen::MatrixXd damped = information_of(derivatives, problem.prior_deviation);
     const Eigen::VectorXd diagonal = damped.diagonal();
@@ -45,7 +45,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& firs
     for (std::size_t i = 0; i < derivatives.size(); ++i)
       gradient += product(derivatives[i].transpose(), residuals[i]);
     double gained = 0.0;
-    for (int attempt = 0; attempt < most_attempts && !(gained > 0.0); ++attempt) {
+    for (int attempt = 0; attempt < max_attempts && !(gained > 0.0); ++attempt) {
       damped.diagonal() = (1.0 + damping) * diagonal;
       const Eigen::VectorXd next = problem.clamped(fit.parameters + solve_symmetric(damped, gradient));
       std::vector<Eigen::VectorXd> then = problem.residuals(next);
@@ -59,7 +59,7 @@ LeastSquaresFit descend(const LeastSquares& problem, const Eigen::VectorXd& firs
         damping *= 10.0;
       }
     }
-    if (!(gained > least_gain)) break;
+    if (!(gained > min_gain)) break;
   }
   return fit;
 }
@@ -81,7 +81,7 @@ Eigen::MatrixXd jackknife_covariance(const std::vector<Eigen::VectorXd>& residua
     const Eigen::MatrixXd kept =
         Eigen::MatrixXd::Identity(residuals[i].size(), residuals[i].size()) - product(derivatives[i], answer);
     Eigen::VectorXd predicted_residual = solve(kept, residuals[i]);
-    const double growth = predicted_residual.norm() / (most_growth * residuals[i].norm());
+    const double growth = predicted_residual.norm() / (max_growth * residuals[i].norm());
     if (growth > 1.0) predicted_residual /= growth;
     const Eigen::VectorXd change = product(answer, predicted_residual);
     sum += product(change, change.transpose());

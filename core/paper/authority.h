@@ -9,9 +9,9 @@ namespace hrt {
 
 /// The largest gap |theta_V - P_R| that a plate bounded to `plate_bound_deg` about theta_V can hold.
 /// `tactile_weight` in (0, 0.5), `plate_bound_deg` in (0, 90].
-double largest_gap_deg(double tactile_weight, double plate_bound_deg);
+double max_gap_deg(double tactile_weight, double plate_bound_deg);
 
-/// Authority over the pair of directions, any finite degrees. Ranges as for largest_gap_deg().
+/// Authority over the pair of directions, any finite degrees. Ranges as for max_gap_deg().
 Authority steering_authority(double real_direction_deg, double virtual_direction_deg, double tactile_weight,
                              double plate_bound_deg);
 

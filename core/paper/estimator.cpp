@@ -22,7 +22,7 @@ constexpr double weight_drift_sd = 0.001;
 constexpr double exact_direction_variance_deg2 = 1e-12;
 // Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
 constexpr double initial_noise_mm2 = 0.3 * 0.3;
-constexpr double least_noise_mm2 = 0.01 * 0.01;
+constexpr double min_noise_mm2 = 0.01 * 0.01;
 // Positions beyond five standard deviations are left out.
 constexpr double outlier_innovation = 25.0;
 
@@ -126,8 +126,8 @@ bool Estimator::observe_position(const PlatePoint& position) {
       (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
        a * away_innovation_mm * away_innovation_mm) /
       innovation_determinant_mm4_;
-  if (normalised_innovation_ > outlier_innovation && ++outliers_ <= most_outliers) return false;
-  if (outliers_ > most_outliers) {
+  if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
+  if (outliers_ > max_outliers) {
     // The tracker has jumped, or the finger has been moved: the believed place is void.
     covariance_.row(right).setZero();
     covariance_.col(right).setZero();
@@ -161,7 +161,7 @@ void Estimator::learn_tracker_noise(std::int64_t time_ns, const PlatePoint& posi
     // A jump is no noise: it counts for nine times the variance at most.
     noise_variance_mm2_ +=
         (std::min(seen_mm2, 9.0 * noise_variance_mm2_) - noise_variance_mm2_) / noise_weight_;
-    noise_variance_mm2_ = std::max(noise_variance_mm2_, least_noise_mm2);
+    noise_variance_mm2_ = std::max(noise_variance_mm2_, min_noise_mm2);
   }
   last_but_one_ = last_;
   last_ = {time_ns, position};
@@ -173,7 +173,7 @@ void Estimator::correct(Index measured, double innovation, double noise_variance
   const State gain = column / (column(measured) + noise_variance);
   state_ += gain * innovation;
   covariance_ -= gain * column.transpose();
-  state_(weight) = std::clamp(state_(weight), least_tactile_weight, most_tactile_weight);
+  state_(weight) = std::clamp(state_(weight), min_tactile_weight, max_tactile_weight);
   state_(speed) = std::max(state_(speed), 0.0);
 }
 
@@ -186,7 +186,7 @@ FingerEstimate Estimator::estimate() const {
           .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m,
           .motor_variance_deg2 =
               std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
-                         least_motor_variance_deg2, most_motor_variance_deg2),
+                         min_motor_variance_deg2, max_motor_variance_deg2),
           .motor_variance_sd_deg2 = 1.0 / std::sqrt(motor_variance_information_)};
 }
 

@@ -62,7 +62,7 @@ class Estimator {
   void observe_direction(double direction_deg);
 
   /// Takes a position in. False if it lies so far off that it is
-  /// left out (five standard deviations; at most `most_outliers` samples in a row).
+  /// left out (five standard deviations; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
   /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
@@ -78,13 +78,13 @@ class Estimator {
   /// Determinant of that innovation's covariance, mm^4.
   double innovation_determinant_mm4() const { return innovation_determinant_mm4_; }
 
-  static constexpr int most_outliers = 5;
+  static constexpr int max_outliers = 5;
   /// sigma_u^2 as learnt is kept in this range.
-  static constexpr double least_motor_variance_deg2 = 0.05;
-  static constexpr double most_motor_variance_deg2 = 5.0;
+  static constexpr double min_motor_variance_deg2 = 0.05;
+  static constexpr double max_motor_variance_deg2 = 5.0;
   /// w_T is kept in this range.
-  static constexpr double least_tactile_weight = 0.02;
-  static constexpr double most_tactile_weight = 0.48;
+  static constexpr double min_tactile_weight = 0.02;
+  static constexpr double max_tactile_weight = 0.48;
 
  private:
   enum Index { right, away, speed, direction, weight, size };  // mm, mm, mm/s, degrees, 1

@@ -41,7 +41,7 @@ class DualActiveSet {
   void find_multipliers();
 
   bool make_dual_feasible();
-  Constraint most_violated() const;
+  Constraint max_violated() const;
   bool add(Constraint constraint);
   bool depends_on_held(Constraint constraint) const;
   void push_to_ground(int i, double flow);
@@ -113,7 +113,7 @@ DualActiveSet::DualActiveSet(const WindowProblem& problem, WorkingSet& working_s
 void DualActiveSet::run() {
   solution_.optimal = make_dual_feasible();
   while (solution_.optimal) {
-    const Constraint violated = most_violated();
+    const Constraint violated = max_violated();
     if (violated.sign == 0) break;
     solution_.optimal = add(violated);
   }
@@ -258,14 +258,14 @@ bool DualActiveSet::make_dual_feasible() {
   return !dropped;
 }
 
-Constraint DualActiveSet::most_violated() const {
-  Constraint most{false, 0, 0};
-  double largest_deg = plate_tolerance_deg_;
+Constraint DualActiveSet::max_violated() const {
+  Constraint max{false, 0, 0};
+  double max_deg = plate_tolerance_deg_;
   const auto consider = [&](double excess_deg, bool is_link, int i, double sign) {
     const double effect_deg = excess_deg * gain_[i];
-    if (effect_deg <= largest_deg) return;
-    largest_deg = effect_deg;
-    most = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
+    if (effect_deg <= max_deg) return;
+    max_deg = effect_deg;
+    max = {is_link, i, static_cast<std::int8_t>(sign < 0.0 ? -1 : 1)};
   };
   double last_deg = problem_.last_plate_deg;
   for (int i = 0; i < steps_; ++i) {
@@ -274,7 +274,7 @@ Constraint DualActiveSet::most_violated() const {
     if (!set_.link[i]) consider(std::abs(u - last_deg) - rate_deg_[i], true, i, u - last_deg);
     last_deg = u;
   }
-  return most;
+  return max;
 }
 
 // Whether the constraints held already determine the value that `constraint` would set.

@@ -126,10 +126,10 @@ ReachSoFar PaperReach::so_far() const {
 PaperReach::Aim PaperReach::aim(const ReachState& state) const {
   const double bound_deg = config_.mpc.plate_bound_deg;
   const double weight = state.finger.tactile_weight;
-  const double most_weight =
-      std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::most_tactile_weight);
+  const double max_weight =
+      std::min(weight + 2.0 * state.finger.tactile_weight_sd, Estimator::max_tactile_weight);
   const bool unreachable =
-      std::abs(goal_deg_ - reach_.real_direction_deg) > largest_gap_deg(most_weight, bound_deg);
+      std::abs(goal_deg_ - reach_.real_direction_deg) > max_gap_deg(max_weight, bound_deg);
   if (!unreachable || !config_.estimator.adapt) return {reach_.real_direction_deg, unreachable};
   return {steering_authority(reach_.real_direction_deg, goal_deg_, weight, bound_deg).settling_direction_deg,
           unreachable};

@@ -7,30 +7,30 @@ namespace {
 
 using T = PersonTrait;
 
-constexpr double least_weight_sd = 0.01;
-constexpr double least_curve_sd = 0.015;
-constexpr double least_bias_sd_deg = 0.5;
-constexpr double least_habit_sd_deg = 0.4;
-constexpr double most_correlation = 0.95;
+constexpr double min_weight_sd = 0.01;
+constexpr double min_curve_sd = 0.015;
+constexpr double min_bias_sd_deg = 0.5;
+constexpr double min_habit_sd_deg = 0.4;
+constexpr double max_correlation = 0.95;
 
 }  // namespace
 
 PersonBelief calibrated_person(const CalibratedTraits& traits) {
   PersonBelief belief = unknown_person();
-  const auto know = [&belief](int trait, const Interval& interval, double least_sd) {
-    const double sd = std::max(deviation_of_interval(interval.lower, interval.upper), least_sd);
-    belief.mean(trait) = std::clamp(interval.value, trait_range[trait].least, trait_range[trait].most);
+  const auto know = [&belief](int trait, const Interval& interval, double min_sd) {
+    const double sd = std::max(deviation_of_interval(interval.lower, interval.upper), min_sd);
+    belief.mean(trait) = std::clamp(interval.value, trait_range[trait].min, trait_range[trait].max);
     belief.covariance.row(trait).setZero();
     belief.covariance.col(trait).setZero();
     belief.covariance(trait, trait) = sd * sd;
     return sd;
   };
-  const double weight_sd = know(T::weight, traits.weight, least_weight_sd);
-  const double curve_sd = know(T::curve, traits.curve, least_curve_sd);
-  know(T::bias, traits.bias_deg, least_bias_sd_deg);
-  know(T::habit, traits.habit_deg, least_habit_sd_deg);
+  const double weight_sd = know(T::weight, traits.weight, min_weight_sd);
+  const double curve_sd = know(T::curve, traits.curve, min_curve_sd);
+  know(T::bias, traits.bias_deg, min_bias_sd_deg);
+  know(T::habit, traits.habit_deg, min_habit_sd_deg);
   belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
-      std::clamp(traits.weight_curve_correlation, -most_correlation, most_correlation) * weight_sd * curve_sd;
+      std::clamp(traits.weight_curve_correlation, -max_correlation, max_correlation) * weight_sd * curve_sd;
   return belief;
 }
 

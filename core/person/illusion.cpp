@@ -49,7 +49,7 @@ FeltShift felt_shift(const Illusion& illusion, double offset_deg) {
           .by_fading = -full_deg * lost.share};
 }
 
-LargestShift largest_shift(const Illusion& illusion, double bound_deg) {
+MaxShift max_shift(const Illusion& illusion, double bound_deg) {
   double offset_deg = std::min(bound_deg, 89.0);
   if (illusion.curve > 0.0) {
     // g' = 0
@@ -66,13 +66,13 @@ LargestShift largest_shift(const Illusion& illusion, double bound_deg) {
 }
 
 double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg) {
-  const LargestShift largest = largest_shift(illusion, bound_deg);
+  const MaxShift max = max_shift(illusion, bound_deg);
   const double wanted_deg = std::abs(shift_deg);
-  if (wanted_deg >= largest.shift_deg) return std::copysign(largest.offset_deg, shift_deg);
+  if (wanted_deg >= max.shift_deg) return std::copysign(max.offset_deg, shift_deg);
   // Newton's steps from the chord, kept between the ends: g is concave for b > 0 and convex for b < 0.
   double low_deg = 0.0;
-  double high_deg = largest.offset_deg;
-  double offset_deg = largest.offset_deg * wanted_deg / largest.shift_deg;
+  double high_deg = max.offset_deg;
+  double offset_deg = max.offset_deg * wanted_deg / max.shift_deg;
   for (int i = 0; i < 8; ++i) {
     const FeltShift g = felt_shift(illusion, offset_deg);
     (g.shift_deg < wanted_deg ? low_deg : high_deg) = offset_deg;

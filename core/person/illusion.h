@@ -35,13 +35,13 @@ struct FeltShift {
 FeltShift felt_shift(const Illusion& illusion, double offset_deg);
 
 /// The largest shift with the ridge normal within `bound_deg` of the motion, and the offset that gives it.
-struct LargestShift {
+struct MaxShift {
   double shift_deg;
   double offset_deg;
 };
 
 /// `bound_deg` in (0, 90]; weight > 0.
-LargestShift largest_shift(const Illusion& illusion, double bound_deg);
+MaxShift max_shift(const Illusion& illusion, double bound_deg);
 
 /// The offset on the rising branch, within `bound_deg`, that gives `shift_deg`, or comes nearest to it.
 double offset_for_shift(const Illusion& illusion, double shift_deg, double bound_deg);

@@ -30,8 +30,8 @@ struct IllusionCurve {
 /// Number of parameters of a family, 1 or 2, and where the second one is searched.
 int curve_parameters(CurveFamily family);
 struct CurveRange {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 CurveRange second_range(CurveFamily family);
 

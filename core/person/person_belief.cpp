@@ -30,7 +30,7 @@ PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, dou
   belief.mean << tactile_weight + weight_excess * tactile_weight_sd, curve_mean_ratio * tactile_weight_sd,
       17.0, bias_deg, 0.0, 0.05, 0.2, -0.65, fading_mean;
   for (int i = 0; i < T::count; ++i)
-    belief.mean(i) = std::clamp(belief.mean(i), trait_range[i].least, trait_range[i].most);
+    belief.mean(i) = std::clamp(belief.mean(i), trait_range[i].min, trait_range[i].max);
   PersonBelief::Vector sd;
   sd << weight_sd_ratio * tactile_weight_sd, curve_sd_ratio * tactile_weight_sd, 1.5, 1.5, 2.0, 0.35, 0.45,
       0.55, fading_sd;
@@ -60,7 +60,7 @@ LinearIllusion linear_illusion(const PersonBelief& belief) {
 
 bool is_valid(const PersonBelief& belief) {
   for (int i = 0; i < T::count; ++i) {
-    if (!(belief.mean(i) >= trait_range[i].least && belief.mean(i) <= trait_range[i].most)) return false;
+    if (!(belief.mean(i) >= trait_range[i].min && belief.mean(i) <= trait_range[i].max)) return false;
   }
   if (!belief.covariance.allFinite()) return false;
   if (!(belief.wander_sd_deg > 0.0 && belief.wander_sd_deg <= 10.0)) return false;

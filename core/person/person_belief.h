@@ -23,8 +23,8 @@ struct PersonTrait {
 
 /// Where a trait is kept during a reach; a belief's mean lies there.
 struct TraitRange {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 inline constexpr TraitRange trait_range[PersonTrait::count] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
                                                                {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},

@@ -12,23 +12,23 @@ namespace hrt {
 namespace {
 
 // Positions that come faster than this are averaged.
-constexpr double least_spacing_s = 0.004;
-constexpr double longest_step_s = 0.012;
+constexpr double min_spacing_s = 0.004;
+constexpr double max_step_s = 0.012;
 // A sample further off than five standard deviations is left out; after this many in a row, the finger is
 // there.
 constexpr double gate = 25.0;
-constexpr int most_outliers = 4;
+constexpr int max_outliers = 4;
 // Samples since the onset that the filter takes in at each new one: bounds the time of an update.
-constexpr int most_replayed = 6;
+constexpr int max_replayed = 6;
 // The finger moves once the mean of three samples is this many deviations of the noise from where it rested.
 constexpr double onset_deviations = 3.3;
-constexpr double least_onset_mm = 1.0;
+constexpr double min_onset_mm = 1.0;
 constexpr double onset_sd_s = 0.02;
 constexpr double fit_spacing_s = 0.02;
 // Samples at rest that the assumed noise is worth.
 constexpr double assumed_noise_samples = 30.0;
 // Departures beyond this are motion, such as that of a finger which never rested.
-constexpr double most_departure_mm = 4.0;
+constexpr double max_departure_mm = 4.0;
 // A finger further from the mean than this many deviations of the noise is about to leave.
 constexpr double resting_deviations = 3.0;
 // Where the finger rests is the mean over this time.
@@ -36,7 +36,7 @@ constexpr double origin_memory_s = 1.0;
 // A start this far from the configured one is believed only from a finger at rest.
 constexpr double start_tolerance_mm = 15.0;
 constexpr int still_samples = 10;
-constexpr double least_pausing_speed_mm_s = 25.0;
+constexpr double min_pausing_speed_mm_s = 25.0;
 constexpr double pause_clock_sd_s = 0.07;
 // A finger beyond this share of the time has come to rest.
 constexpr double arrived_phase = 0.97;
@@ -84,7 +84,7 @@ bool PersonEstimator::observe(double time_s, const PlaceMm& position, const Plat
       count_ = 1;
     }
     const double moved_mm2 =
-        square(std::max(least_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
+        square(std::max(min_onset_mm, onset_deviations * std::sqrt(noise_.variance_mm2())));
     if (rested_ > 0 && count_ >= 3 && square_distance(mean_of_last(3), origin_) > moved_mm2) {
       begin_motion();
       return catch_up(plate);
@@ -140,7 +140,7 @@ PlaceMm PersonEstimator::place() const {
 
 // False if the position was merged into the last sample.
 bool PersonEstimator::store(double time_s, const PlaceMm& position) {
-  if (count_ > 0 && merged_ > 0 && time_s - recent(0).time_s < least_spacing_s) {
+  if (count_ > 0 && merged_ > 0 && time_s - recent(0).time_s < min_spacing_s) {
     ++merged_;
     Sample& last = samples_[static_cast<std::size_t>(last_)];
     last.place.right_mm += (position.right_mm - last.place.right_mm) / merged_;
@@ -191,7 +191,7 @@ void PersonEstimator::learn_noise() {
   if (noise_known_ || departures_ < 5) return;
   const double step_mm2 = step_sum_mm2_ / steps_;
   const double total_mm2 =
-      std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(most_departure_mm)));
+      std::max(step_mm2, std::min(square_sum_mm2_ / departures_, square(max_departure_mm)));
   const double kept = std::max(0.1, exponential(-spacing_sum_s_ / steps_ / 0.1));
   const double correlated_mm2 = std::min((total_mm2 - step_mm2) / kept, total_mm2);
   const double share = steps_ / (steps_ + assumed_noise_samples);
@@ -220,7 +220,7 @@ void PersonEstimator::begin_motion() {
   // A sample each fit_spacing_s is enough to distinguish paces.
   const double spacing_s = (recent(0).time_s - recent(count_ - 1).time_s) / (count_ - 1);
   const int stride = static_cast<int>(std::clamp(std::ceil(fit_spacing_s / spacing_s), 1.0, 5.0));
-  double least_cost = 1e300;
+  double min_cost = 1e300;
   MotionFit best{belief_.mean(T::log_rate), likely_evenness, seen_s};
   for (int i = 0; i < 3; ++i) {
     const double evenness = std::min(1.0, likely_evenness + 1.3 * i * evenness_sd);
@@ -229,7 +229,7 @@ void PersonEstimator::begin_motion() {
     for (int j = -6; j <= 6; ++j) {
       const double deviations = 0.4 * j;
       const double log_rate = std::clamp(belief_.mean(T::log_rate) + deviations * log_rate_sd,
-                                         trait_range[T::log_rate].least, trait_range[T::log_rate].most);
+                                         trait_range[T::log_rate].min, trait_range[T::log_rate].max);
       const double rate = exponential(log_rate);
       const double onset_s = seen_s - phase / rate;
       double cost = square(deviations) + square((evenness - likely_evenness) / evenness_sd);
@@ -241,8 +241,8 @@ void PersonEstimator::begin_motion() {
             path_mm_ * progress(evenness, (recent(back).time_s - onset_s) * rate).share;
         cost += square(along_mm - expected_mm) / noise_.variance_mm2();
       }
-      if (cost < least_cost) {
-        least_cost = cost;
+      if (cost < min_cost) {
+        min_cost = cost;
         best = {log_rate, evenness, onset_s};
       }
     }
@@ -260,7 +260,7 @@ void PersonEstimator::begin_motion() {
 
 bool PersonEstimator::catch_up(const PlateTrace& plate) {
   bool taken = true;
-  for (int i = 0; i < most_replayed && backlog_ > 0; ++i) taken = take(recent(--backlog_), plate);
+  for (int i = 0; i < max_replayed && backlog_ > 0; ++i) taken = take(recent(--backlog_), plate);
   return taken;
 }
 
@@ -275,7 +275,7 @@ void PersonEstimator::carry_to(double time_s, const PlateTrace& plate) {
   if (motion_ == FingerMotion::paused) {
     filter_.rest(left_s);
   } else {
-    const int steps = static_cast<int>(std::ceil(left_s / longest_step_s));
+    const int steps = static_cast<int>(std::ceil(left_s / max_step_s));
     const double step_s = left_s / steps;
     for (int i = 0; i < steps; ++i) {
       filter_.move(step_s, plate.at(time_s - left_s + (i + 0.5) * step_s - sensory_delay_s));
@@ -305,12 +305,12 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     const double size = 0.5 * (square(innovation.right_mm) + square(innovation.away_mm) +
                                square(last_innovation_.right_mm) + square(last_innovation_.away_mm));
     // Below the noise a deviation from the model is no misfit, however steady.
-    const double least_mm2 = noise_floor_share * noise_.variance_mm2();
-    fit_.correlation += fit_share * (product / std::max(size, least_mm2) - fit_.correlation);
+    const double min_mm2 = noise_floor_share * noise_.variance_mm2();
+    fit_.correlation += fit_share * (product / std::max(size, min_mm2) - fit_.correlation);
     last_innovation_ = innovation;
   }
   PlaceMm still{};
-  if (backlog_ == 0 && nis > 6.0 && speed_mm_s > least_pausing_speed_mm_s && stands_still(still)) {
+  if (backlog_ == 0 && nis > 6.0 && speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
     motion_ = FingerMotion::paused;
     pause_ = still;
     filter_.place_at(still.right_mm - origin_.right_mm, still.away_mm - origin_.away_mm);
@@ -320,7 +320,7 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     return true;
   }
   if (nis <= gate) return true;
-  if (++outliers_ > most_outliers) {
+  if (++outliers_ > max_outliers) {
     filter_.place_at(place.right_mm, place.away_mm);
     filter_.loosen_clock(pause_clock_sd_s);
     outliers_ = 0;

@@ -14,7 +14,7 @@ namespace {
 constexpr double direction_density_deg2_s = 14.0;
 // A slow finger wanders more: the noise of its direction doubles at this speed.
 constexpr double slow_speed_mm_s = 20.0;
-constexpr double least_speed_mm_s = 5.0;
+constexpr double min_speed_mm_s = 5.0;
 constexpr double bias_density_deg2_s = 0.05;
 constexpr double illusion_density_s = 2e-5;
 constexpr double fading_density_s = 1e-4;
@@ -25,8 +25,8 @@ constexpr double resting_density_mm2_s = 0.5;
 // Of a target that moves: the share of the turn that is uncertain, how much longer one motion gets,
 // and when another one begins.
 constexpr double turn_sd_share = 0.5;
-constexpr double longest_stretch = 1.5;
-constexpr double least_path_mm = 1.0;
+constexpr double max_stretch = 1.5;
+constexpr double min_path_mm = 1.0;
 constexpr double another_motion_sd_s = 0.15;
 // Of the first direction about its share of the goal's.
 constexpr double first_direction_sd_deg = 2.0;
@@ -152,7 +152,7 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   state_(noise_away) *= noise_kept;
 
   const double speed_mm_s = travel_mm / seconds;
-  const double slowness = 1.0 + slow_speed_mm_s / std::max(speed_mm_s, least_speed_mm_s);
+  const double slowness = 1.0 + slow_speed_mm_s / std::max(speed_mm_s, min_speed_mm_s);
   covariance_(direction, direction) += direction_density_deg2_s * slowness * seconds;
   covariance_(bias, bias) += bias_density_deg2_s * seconds;
   covariance_(weight, weight) += illusion_density_s * seconds;
@@ -229,8 +229,8 @@ void PersonFilter::retarget(double virtual_direction_deg, double longer_mm, bool
   virtual_direction_deg_ = virtual_direction_deg;
 
   const double left = 1.0 - progress(state_(evenness), state_(phase)).share;
-  const double left_mm = std::max(path_mm_ * left + longer_mm, least_path_mm);
-  if (left_mm <= longest_stretch * path_mm_ * left) {  // the same motion, stretched or cut
+  const double left_mm = std::max(path_mm_ * left + longer_mm, min_path_mm);
+  if (left_mm <= max_stretch * path_mm_ * left) {  // the same motion, stretched or cut
     const double stretch = left_mm / (path_mm_ * left);
     covariance_(log_rate, log_rate) += (stretch - 1.0) * (stretch - 1.0);
     path_mm_ *= stretch;
@@ -260,7 +260,7 @@ PersonBelief PersonFilter::belief() const {
 
 void PersonFilter::keep_in_range() {
   for (int i = 0; i < PersonTrait::count; ++i)
-    state_(state_of[i]) = std::clamp(state_(state_of[i]), trait_range[i].least, trait_range[i].most);
+    state_(state_of[i]) = std::clamp(state_(state_of[i]), trait_range[i].min, trait_range[i].max);
   state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
 }
 

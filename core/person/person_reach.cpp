@@ -12,19 +12,19 @@
 namespace hrt {
 namespace {
 
-constexpr double most_ns = 9e18;  // of an std::int64_t
+constexpr double max_ns = 9e18;  // of an std::int64_t
 // Beyond this share of the time nothing that the plate does is answered any more.
 constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
 constexpr double first_judged_phase = 0.5;
-constexpr double longest_slew_s = 0.25;
+constexpr double max_slew_s = 0.25;
 // The gap counts as out of reach once the margin is below 0.3 degrees less 0.9 of its standard deviations:
 // few who can hold it are then said not to (hrt-study robustness counts both).
-constexpr double least_margin_deg = 0.3;
+constexpr double min_margin_deg = 0.3;
 constexpr double margin_deviations = 0.9;
 constexpr double given_duration_log_sd = 0.12;
 // Below this share of the time a reach teaches nothing.
-constexpr double least_taught_phase = 0.7;
+constexpr double min_taught_phase = 0.7;
 
 PlaceMm to_mm(const PlatePoint& point) {
   return {mm_per_m * point.right_m, mm_per_m * point.away_m};
@@ -177,7 +177,7 @@ PersonReach::Decision PersonReach::decide(double now_s) {
   // On average a turn is half done after half its time.
   slew_s_ =
       0.5 * std::min(std::abs(wrap_deg(plan.plate_deg - later_deg, 180.0)) / config_.plate.max_speed_deg_s,
-                     longest_slew_s);
+                     max_slew_s);
   const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
                             : plan.plate_deg < later_deg ? ActiveBound::lower
                                                          : ActiveBound::upper;
@@ -211,16 +211,16 @@ bool PersonReach::can_be_held() const {
   using F = PersonFilter;
   const F& filter = estimator_.filter();
   const Illusion illusion = filter.mean_illusion();
-  const LargestShift largest = largest_shift(illusion, config_.control.bound_deg);
+  const MaxShift max = max_shift(illusion, config_.control.bound_deg);
   const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - aimed_direction_deg_;
-  const FeltShift g = felt_shift(illusion, largest.offset_deg);
+  const FeltShift g = felt_shift(illusion, max.offset_deg);
   const double slopes[] = {g.by_weight, g.by_curve, g.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
   const F::Index unknowns[] = {F::weight, F::curve, F::fading, F::bias};
   double variance = frame_sd_deg_ * frame_sd_deg_;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j)
       variance += slopes[i] * slopes[j] * filter.covariance()(unknowns[i], unknowns[j]);
-  return largest.shift_deg - std::abs(gap_deg) > least_margin_deg - margin_deviations * deviation(variance);
+  return max.shift_deg - std::abs(gap_deg) > min_margin_deg - margin_deviations * deviation(variance);
 }
 
 // Of the finger across the line to the target: as the filter knows its place, and as the frame is known.
@@ -268,7 +268,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .predicted_miss_deg = miss_deg,
       .bearing_error_sd_deg = bearing_error_sd_deg(),
       .nis = estimator_.fit().nis,
-      .step = begun ? static_cast<std::int64_t>(std::min(1e9 * (now_s - estimator_.onset_s()), most_ns)) /
+      .step = begun ? static_cast<std::int64_t>(std::min(1e9 * (now_s - estimator_.onset_s()), max_ns)) /
                           config_.step_period_ns
                     : -1,
       .active = decision_.plate.active,
@@ -342,7 +342,7 @@ ReachSoFar PersonReach::so_far() const {
 
 std::optional<PersonBelief> PersonReach::learnt() const {
   const bool ended = estimator_.motion() != FingerMotion::resting &&
-                     estimator_.filter().state()(PersonFilter::phase) > least_taught_phase;
+                     estimator_.filter().state()(PersonFilter::phase) > min_taught_phase;
   if (!ended || counts_.misfit) return std::nullopt;
   return estimator_.filter().belief();
 }

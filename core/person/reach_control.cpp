@@ -17,7 +17,7 @@ constexpr double change_weight_mm_deg = 0.08;
 // w is taken lower by this share of its deviation: too little shift misses, too much is corrected.
 constexpr double weight_caution = 0.2;
 // The illusion is inverted for no less than this share of the mean speed.
-constexpr double least_speed_share = 0.2;
+constexpr double min_speed_share = 0.2;
 
 // The finger as a plan carries it forward.
 struct Motion {
@@ -126,10 +126,10 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
   // At rest nothing is felt: the plate stands for the motion to come.
   const double mean_mm_s = filter.mean_speed_mm_s();
-  Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, least_speed_share), filter.path_mm());
+  Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, min_speed_share), filter.path_mm());
   cautious.weight = std::max(0.03, cautious.weight - weight_caution * weight_sd);
-  const double largest_deg = largest_shift(cautious, config.bound_deg).shift_deg;
-  const double given_deg = std::clamp(shift_deg, -largest_deg, largest_deg);
+  const double max_deg = max_shift(cautious, config.bound_deg).shift_deg;
+  const double given_deg = std::clamp(shift_deg, -max_deg, max_deg);
   return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,

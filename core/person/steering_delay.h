@@ -11,10 +11,10 @@ namespace hrt {
 class SteeringDelay {
  public:
   /// Below it, in the direction of the goal, a finger feels no motion to steer.
-  static constexpr double least_felt_speed_m_s = 0.002;
-  static constexpr double longest_steps = 62.0;
+  static constexpr double min_felt_speed_m_s = 0.002;
+  static constexpr double max_steps = 62.0;
 
-  /// `steps`: from what is felt to its answer, -0.5 to longest_steps; between steps what is felt is linear.
+  /// `steps`: from what is felt to its answer, -0.5 to max_steps; between steps what is felt is linear.
   explicit SteeringDelay(double steps)
       : whole_(steps > 0.0 ? static_cast<std::size_t>(steps) : 0),
         part_(steps - static_cast<double>(whole_)) {}

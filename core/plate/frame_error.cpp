@@ -9,7 +9,7 @@ namespace hrt {
 namespace {
 
 constexpr double rounding = 1e-9;
-constexpr double most_deg = 180.0;
+constexpr double max_deg = 180.0;
 
 }  // namespace
 
@@ -40,7 +40,7 @@ FrameCovariance frame_covariance(const Registration& registration) {
 double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint& start,
                             const PlatePoint& target) {
   const double length_m = distance_m(start, target);
-  if (!(length_m > 0.0)) return most_deg;
+  if (!(length_m > 0.0)) return max_deg;
   // Across the line, to the left.
   const double direction_deg = bearing_deg(start, target);
   const double across_right = -cos_deg(direction_deg);
@@ -48,7 +48,7 @@ double frame_bearing_sd_deg(const FrameCovariance& covariance, const PlatePoint&
   const Eigen::Vector3d by{across_away * target.right_m - across_right * target.away_m, across_right,
                            across_away};
   const double variance_m2 = by.dot(covariance * by);
-  return std::min(most_deg, deg_per_rad * std::sqrt(std::max(0.0, variance_m2)) / length_m);
+  return std::min(max_deg, deg_per_rad * std::sqrt(std::max(0.0, variance_m2)) / length_m);
 }
 
 }  // namespace hrt

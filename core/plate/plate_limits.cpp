@@ -58,12 +58,12 @@ double half_turns_between_stops(double lowest_deg, double highest_deg, double cu
                                 const PlateStops& stops) {
   const double nearest = std::floor((current_deg - 0.5 * (lowest_deg + highest_deg)) / 180.0 + 0.5);
   const double fewest = std::ceil((stops.lower_deg - lowest_deg) / 180.0);
-  const double most = std::floor((stops.upper_deg - highest_deg) / 180.0);
-  if (fewest <= most) return std::clamp(nearest, fewest, most);
-  const double cut_below_deg = stops.lower_deg - (lowest_deg + 180.0 * most);
+  const double max = std::floor((stops.upper_deg - highest_deg) / 180.0);
+  if (fewest <= max) return std::clamp(nearest, fewest, max);
+  const double cut_below_deg = stops.lower_deg - (lowest_deg + 180.0 * max);
   const double cut_above_deg = highest_deg + 180.0 * fewest - stops.upper_deg;
-  if (cut_below_deg == cut_above_deg) return std::clamp(nearest, most, fewest);
-  return cut_below_deg < cut_above_deg ? most : fewest;
+  if (cut_below_deg == cut_above_deg) return std::clamp(nearest, max, fewest);
+  return cut_below_deg < cut_above_deg ? max : fewest;
 }
 
 PlateLimits::PlateLimits(const PlateStops& stops, double goal_direction_deg)

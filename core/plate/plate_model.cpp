@@ -10,7 +10,7 @@ namespace {
 
 // Motion with an acceleration limit is integrated in steps of this; over a long gap in no more than so many.
 constexpr std::int64_t tick_ns = 4'000'000;
-constexpr std::uint64_t most_ticks = 500;
+constexpr std::uint64_t max_ticks = 500;
 
 }  // namespace
 
@@ -31,7 +31,7 @@ void PlateModel::advance(std::int64_t time_ns) {
   }
   if (time_ns <= now_ns_) return;
   const std::int64_t step_ns =
-      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns) / most_ticks));
+      std::max(tick_ns, static_cast<std::int64_t>(elapsed_ns(now_ns_, time_ns) / max_ticks));
   while (now_ns_ < time_ns) {
     int due = 0;
     while (due < pending_count_ && pending_[due].effective_ns <= now_ns_)

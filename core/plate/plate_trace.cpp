@@ -3,7 +3,7 @@
 namespace hrt {
 
 void PlateTrace::add(double time_s, double orientation_deg) {
-  const bool crowded = count_ >= 2 && time_s - entry(count_ - 2).time_s < least_spacing_s;
+  const bool crowded = count_ >= 2 && time_s - entry(count_ - 2).time_s < min_spacing_s;
   if (crowded) {
     --count_;
   } else if (count_ == capacity) {

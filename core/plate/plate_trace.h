@@ -26,7 +26,7 @@ class PlateTrace {
 
   static constexpr int capacity = 128;
   // Of every other entry: together they span a second.
-  static constexpr double least_spacing_s = 0.016;
+  static constexpr double min_spacing_s = 0.016;
   std::array<Entry, capacity> entries_{};
   int first_ = 0;
   int count_ = 0;

@@ -13,14 +13,14 @@ namespace {
 using Jacobian = Eigen::Matrix<double, 3, 7>;
 using Information = Eigen::Matrix<double, 7, 7>;
 
-constexpr double least_spread_m = 0.01;
+constexpr double min_spread_m = 0.01;
 // Of the touch's deviation: so many squares is the assumed one worth.
 constexpr double assumed_squares = 6.0;
-constexpr double most_offset_sd_m = 0.005;
-constexpr double least_cosine_up = 0.5;
+constexpr double max_offset_sd_m = 0.005;
+constexpr double min_cosine_up = 0.5;
 // A tracker's unit of length is off by less.
-constexpr double least_scale = 0.5;
-constexpr double most_scale = 2.0;
+constexpr double min_scale = 0.5;
+constexpr double max_scale = 2.0;
 constexpr int touches_to_leave_one_out = 5;
 // Standard normal quantile of 99.9 %.
 constexpr double sure = 3.0902;
@@ -83,7 +83,7 @@ Moments moments_of(const Touches& touches) {
 // The second largest deviation of the marks from their mean: 0 on a line.
 bool is_degenerate(const Touches& touches) {
   const double spread_m2 = singular_values(moments_of(touches).marks_m2).values(1);
-  return !(std::sqrt(spread_m2 / touches.count()) >= least_spread_m);
+  return !(std::sqrt(spread_m2 / touches.count()) >= min_spread_m);
 }
 
 Eigen::Vector3d predicted(const Registration& registration, const Eigen::Vector3d& mark_m) {
@@ -119,7 +119,7 @@ Fit fit(const RegistrationConfig& config, const Touches& touches) {
   Registration& found = result.registration;
   found.rotation = left * signs.asDiagonal() * right.transpose();
   const double scale = svd.values.dot(signs) / moments.marks_m2.trace();
-  if (config.fit_scale && scale >= least_scale && scale <= most_scale) found.scale = scale;
+  if (config.fit_scale && scale >= min_scale && scale <= max_scale) found.scale = scale;
   found.position_m = moments.touched_m - found.scale * (found.rotation * moments.mark_m);
   touches.for_each(
       [&](const MarkTouch& touch) { result.square_sum_m2 += std::pow(residual_m(found, touch), 2); });
@@ -151,7 +151,7 @@ Registration finished(const RegistrationConfig& config, const Fit& fit, const To
 
 bool is_upside_down(const RegistrationConfig& config, const Registration& found) {
   const double length = config.up.norm();
-  return length > 0.0 && found.rotation.col(1).dot(config.up) < least_cosine_up * length;
+  return length > 0.0 && found.rotation.col(1).dot(config.up) < min_cosine_up * length;
 }
 
 Registration fit_any(const RegistrationConfig& config, std::span<const MarkTouch> given) {
@@ -235,7 +235,7 @@ FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const 
   const double variance_m2 = variance_of(config.touch_sd_m, square_sum_m2, freedom);
   result.offset_m = solution.head<3>();
   result.sd_m = (variance_m2 * inverted.diagonal().head<3>()).cwiseSqrt();
-  result.known = result.sd_m.maxCoeff() < most_offset_sd_m;
+  result.known = result.sd_m.maxCoeff() < max_offset_sd_m;
   return result;
 }
 

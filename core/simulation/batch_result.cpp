@@ -7,14 +7,13 @@ namespace {
 
 constexpr double units_per_deg = 0x1p20;
 // 2^32 trials of at most this many units keep the sum within 63 bits.
-constexpr double largest_deg = 1000.0;
+constexpr double max_deg = 1000.0;
 
 }  // namespace
 
 void AngleSums::add(double angle_deg) {
   // Written so that a NaN counts as a miss of the largest size.
-  const double clamped_deg =
-      angle_deg >= largest_deg ? largest_deg : (angle_deg > -largest_deg ? angle_deg : -largest_deg);
+  const double clamped_deg = angle_deg >= max_deg ? max_deg : (angle_deg > -max_deg ? angle_deg : -max_deg);
   const auto units =
       static_cast<std::int64_t>(clamped_deg * units_per_deg + (clamped_deg < 0.0 ? -0.5 : 0.5));
   const auto square = static_cast<std::uint64_t>(units * units);

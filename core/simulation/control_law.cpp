@@ -30,12 +30,12 @@ Nodes simplified(const Nodes& nodes) {
   return kept;
 }
 
-// Between -largest and largest.
-Nodes restricted(const PiecewiseLinear& function, double largest) {
-  Nodes nodes{{-largest, function(-largest)}};
+// Between -max and largest.
+Nodes restricted(const PiecewiseLinear& function, double max) {
+  Nodes nodes{{-max, function(-max)}};
   for (const Node& node : function.nodes())
-    if (std::abs(node.x) < largest) nodes.push_back(node);
-  nodes.push_back({largest, function(largest)});
+    if (std::abs(node.x) < max) nodes.push_back(node);
+  nodes.push_back({max, function(max)});
   return nodes;
 }
 
@@ -82,10 +82,10 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
   const double q_actual = config.actual_weight;
   const double w = problem.tactile_weight;
   const double bound_deg = config.plate_bound_deg;
-  const double largest_deg = largest_law_offset_deg + 180.0;
+  const double max_deg = max_law_offset_deg + 180.0;
 
-  PiecewiseLinear derivative({{-largest_deg, 0.0}, {largest_deg, 0.0}});  // D_i+1
-  Nodes plate;                                                            // t_i of x
+  PiecewiseLinear derivative({{-max_deg, 0.0}, {max_deg, 0.0}});  // D_i+1
+  Nodes plate;                                                    // t_i of x
   for (int i = config.horizon - 1; i >= 0; --i) {
     const double gain = problem.gains[i];
     if (!(gain > 0.0)) return std::nullopt;
@@ -94,7 +94,7 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     Nodes next_of_x;  // y without the bound
     for (const Node& node : derivative.nodes())
       next_of_x.push_back({node.x + node.value / q_perceived, node.x});
-    plate = restricted(PiecewiseLinear(next_of_x), largest_deg);
+    plate = restricted(PiecewiseLinear(next_of_x), max_deg);
     for (Node& node : plate) node.value = ((node.x - node.value) / gain - felt_by_finger(node.x)) / w;
     plate = simplified(clamped(plate, bound_deg));
     if (i == 0) break;
@@ -104,7 +104,7 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     const PiecewiseLinear x_of_next(swapped(next));
     for (const Node& node : derivative.nodes()) {
       const double x = x_of_next(node.x);
-      if (std::abs(x) < largest_deg) next.push_back({x, node.x});
+      if (std::abs(x) < max_deg) next.push_back({x, node.x});
     }
     std::sort(next.begin(), next.end(), [](const Node& a, const Node& b) { return a.x < b.x; });
     const double held_slope = 1.0 - gain * (1.0 - w);

@@ -49,10 +49,10 @@ class PiecewiseLinear {
 };
 
 /// Finger offsets up to this size, degrees, are within the reach of a law.
-inline constexpr double largest_law_offset_deg = 1e5;
+inline constexpr double max_law_offset_deg = 1e5;
 
 struct ControlLaw {
-  /// t_k of p_k, both relative to the virtual direction, |p_k| <= largest_law_offset_deg.
+  /// t_k of p_k, both relative to the virtual direction, |p_k| <= max_law_offset_deg.
   PiecewiseLinear plate_offset_deg;
   /// t_k is at a bound for p_k at or below the first and at or above the second; infinite: never.
   double saturated_below_deg;

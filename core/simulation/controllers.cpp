@@ -30,7 +30,7 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   const auto know = [&belief](int trait, double mean, double sd) {
     belief.covariance.row(trait).setZero();
     belief.covariance.col(trait).setZero();
-    belief.mean(trait) = std::clamp(mean, trait_range[trait].least, trait_range[trait].most);
+    belief.mean(trait) = std::clamp(mean, trait_range[trait].min, trait_range[trait].max);
     belief.covariance(trait, trait) = sd * sd;
   };
   // The cubic that has the person's shift at 35 and at 70 degrees, to the side of the gap.

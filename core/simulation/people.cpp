@@ -173,18 +173,18 @@ bool can_hold(const PersonCondition& condition) {
   const double gap_deg =
       condition.virtual_direction_deg + person.bias_deg - person.own_bias_deg - condition.real_direction_deg;
   if (person.steering != Steering::crossings)
-    return largest_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
+    return max_shift_deg(person.illusion, bound_deg, gap_deg) > std::abs(gap_deg);
   // A shift is felt anew at each ridge and fades until the next one: its mean at the mean speed.
-  double largest_deg = 0.0;
+  double max_deg = 0.0;
   for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
     const double t = 0.5 * half;
     const double between_s =
         ridge_spacing_m / (condition.distance_m / person.duration_s * std::max(cos_deg(t), 1e-6));
     const double mean_share = touch_memory_s / between_s * (1.0 - exponential(-between_s / touch_memory_s));
-    largest_deg = std::max(largest_deg,
-                           mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
+    max_deg =
+        std::max(max_deg, mean_share * std::abs(felt_shift_deg(person.illusion, std::copysign(t, gap_deg))));
   }
-  return largest_deg > std::abs(gap_deg);
+  return max_deg > std::abs(gap_deg);
 }
 
 }  // namespace hrt

@@ -12,7 +12,7 @@ namespace hrt {
 namespace {
 
 constexpr double tick_s = 0.001;
-constexpr double least_felt_speed_m_s = 0.0005;
+constexpr double min_felt_speed_m_s = 0.0005;
 
 double minimum_jerk(double u) {
   return hrt::progress(0.0, u).share;
@@ -46,13 +46,13 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg) {
   return 0.0;
 }
 
-double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
-  double largest = 0.0;
+double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign) {
+  double max = 0.0;
   for (int half = 0; half <= static_cast<int>(2.0 * bound_deg); ++half) {
     const double shift_deg = felt_shift_deg(illusion, std::copysign(0.5 * half, sign));
-    largest = std::max(largest, std::copysign(1.0, sign) * shift_deg);
+    max = std::max(max, std::copysign(1.0, sign) * shift_deg);
   }
-  return largest;
+  return max;
 }
 
 SlidingPerson::SlidingPerson(const Person& person, const PlatePoint& start, double virtual_direction_deg,
@@ -180,7 +180,7 @@ void SlidingPerson::advance(double plate_orientation_deg) {
 
   const double noise_deg = std::sqrt(person_.noise_deg2_per_s * tick_s) * draws_.normal();
   // A finger at rest feels no motion to steer.
-  if (std::abs(speed_m_s_) < least_felt_speed_m_s) {
+  if (std::abs(speed_m_s_) < min_felt_speed_m_s) {
     felt_history_.fill(person_.steering == Steering::predictive ? felt_deg_ - motion_deg : felt_deg_);
   } else if (person_.steering == Steering::steps) {
     if (millisecond_ % 100 == 0) {

@@ -35,7 +35,7 @@ double felt_shift_deg(const SimulatedIllusion& illusion, double offset_deg);
 
 /// The largest shift with the plate within `bound_deg` of the motion that raises the felt direction (`sign` >
 /// 0) or lowers it.
-double largest_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
+double max_shift_deg(const SimulatedIllusion& illusion, double bound_deg, double sign);
 
 enum class Steering {
   steps,       ///< paper section II-A, every 100 ms

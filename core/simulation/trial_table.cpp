@@ -15,7 +15,7 @@ namespace hrt {
 namespace {
 
 // A draw beyond this many standard deviations cannot occur (random_lanes.h).
-constexpr double largest_draw = 8.0;
+constexpr double max_draw = 8.0;
 
 // |f_k(p)| <= max(|p|, 90): the participant alone never runs away, so noise bounds where a trial can get.
 bool stays_in_range(const Condition& condition) {
@@ -23,7 +23,7 @@ bool stays_in_range(const Condition& condition) {
   const double variance_deg2 = participant.motor_variance_deg2 +
                                std::max(participant.initial_variance_deg2, participant.sensory_variance_deg2);
   const double start_deg = std::max(std::abs(condition.virtual_direction_deg), 90.0);
-  return start_deg + condition.steps * largest_draw * std::sqrt(variance_deg2) < largest_law_offset_deg;
+  return start_deg + condition.steps * max_draw * std::sqrt(variance_deg2) < max_law_offset_deg;
 }
 
 // Whether the Retargeter, stepped with exact directions, chooses T_k from P_k and the gains of step k alone.
@@ -36,8 +36,7 @@ bool looks_at_direction_alone(const RetargeterConfig& controller) {
 // t_k for every direction of the finger.
 ControlLaw constant_law(double plate_offset_deg) {
   const double infinity = std::numeric_limits<double>::infinity();
-  return {PiecewiseLinear(
-              {{-largest_law_offset_deg, plate_offset_deg}, {largest_law_offset_deg, plate_offset_deg}}),
+  return {PiecewiseLinear({{-max_law_offset_deg, plate_offset_deg}, {max_law_offset_deg, plate_offset_deg}}),
           -infinity, infinity};
 }
 

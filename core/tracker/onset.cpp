@@ -19,14 +19,14 @@ bool Onset::observe(std::int64_t time_ns, const PlatePoint& position, double noi
     return false;
   }
   last_ = {last_[1], last_[2], position};
-  const double threshold_m = std::max(4.0 * (noise_m + unknown_noise_m / samples_), least_travel_m);
+  const double threshold_m = std::max(4.0 * (noise_m + unknown_noise_m / samples_), min_travel_m);
   if (distance_m(place_, averaged_ ? mean_of_last() : position) > threshold_m) return true;
   const double travel_m = distance_m(place_, position);
-  if (travel_m < std::max(noise_m, 0.5 * least_travel_m)) rest_ns_ = time_ns;
+  if (travel_m < std::max(noise_m, 0.5 * min_travel_m)) rest_ns_ = time_ns;
   ++samples_;
   // Where a mean decides, the rest's place need not be kept from single positions: with fewer of them it
   // would stay at a first one that is off.
-  if (travel_m < std::max((averaged_ ? 3.0 : 2.0) * noise_m, 0.5 * least_travel_m)) {
+  if (travel_m < std::max((averaged_ ? 3.0 : 2.0) * noise_m, 0.5 * min_travel_m)) {
     ++rested_;
     place_.right_m += (position.right_m - place_.right_m) / rested_;
     place_.away_m += (position.away_m - place_.away_m) / rested_;

@@ -17,7 +17,7 @@ class Onset {
   explicit Onset(bool averaged = false) : averaged_(averaged) {}
 
   /// Takes one position in; `noise_m` is the standard deviation of its coordinates as far as it is
-  /// known. Returns true once the finger is four of them, and at least `least_travel_m`, from where it
+  /// known. Returns true once the finger is four of them, and at least `min_travel_m`, from where it
   /// rested; more while there are but a few samples.
   bool observe(std::int64_t time_ns, const PlatePoint& position, double noise_m);
 
@@ -27,7 +27,7 @@ class Onset {
   /// Where it rested.
   const PlatePoint& place() const { return place_; }
 
-  static constexpr double least_travel_m = 0.0002;
+  static constexpr double min_travel_m = 0.0002;
 
  private:
   PlatePoint mean_of_last() const;

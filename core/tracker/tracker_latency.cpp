@@ -19,19 +19,19 @@ constexpr int halvings = 8;
 constexpr double stride_s = 0.005;
 // Noise of trackers is correlated over less.
 constexpr double noise_memory_s = 0.8;
-constexpr double most_memory_samples = 400.0;
+constexpr double max_memory_samples = 400.0;
 // Latencies that are this far apart are different answers; this many variances make one clearly worse.
 constexpr double apart_s = 0.05;
 constexpr double clearly_worse = 100.0;
-constexpr double least_duration_s = 2.0;
+constexpr double min_duration_s = 2.0;
 constexpr int min_pairs = 50;
-constexpr double least_radius_m = 0.02;
-constexpr double most_residual_share = 0.1;
-constexpr double most_width_s = 0.04;
+constexpr double min_radius_m = 0.02;
+constexpr double max_residual_share = 0.1;
+constexpr double max_width_s = 0.04;
 constexpr double normal_quantile = 1.96;
 constexpr double unknowns = 10.0;
 // Turns that differ by less than this leave the circle unknown.
-constexpr double least_pivot = 1e-6;
+constexpr double min_pivot = 1e-6;
 
 using Samples = std::span<const CarriedSample>;
 using Three = Eigen::Matrix3d;
@@ -74,8 +74,8 @@ template <class Body>
 void for_each(Samples samples, double latency_s, Body&& body) {
   PlateReports reports(samples);
   for (const CarriedSample& sample : samples) {
-    if (sample.time_s - samples.front().time_s < most_latency_s) continue;
-    if (samples.back().time_s - sample.time_s < -least_latency_s) break;
+    if (sample.time_s - samples.front().time_s < max_latency_s) continue;
+    if (samples.back().time_s - sample.time_s < -min_latency_s) break;
     body(sample, regressors(reports.at_deg(sample.time_s - latency_s)));
   }
 }
@@ -93,7 +93,7 @@ std::optional<Circle> fit_circle(Samples samples, double latency_s) {
     count += 1.0;
   });
   const Eigen::LDLT<Three> solver(information);
-  if (!(solver.vectorD().minCoeff() > least_pivot * count)) return std::nullopt;
+  if (!(solver.vectorD().minCoeff() > min_pivot * count)) return std::nullopt;
   Circle circle{.square_sum_m2 = 0.0, .count = count, .radius_m = 0.0, .coefficients = solver.solve(moment)};
   circle.square_sum_m2 = std::max(0.0, square_sum_m2 - circle.coefficients.cwiseProduct(moment).sum());
   circle.radius_m = std::sqrt(0.5 * circle.coefficients.bottomRows<2>().squaredNorm());
@@ -141,7 +141,7 @@ std::optional<double> half_interval_s(Samples samples, double latency_s, const C
   if (!(information > 0.0)) return std::nullopt;
   const double spacing_s =
       (samples.back().time_s - samples.front().time_s) / static_cast<double>(samples.size() - 1);
-  const auto memory = static_cast<std::size_t>(std::min(noise_memory_s / spacing_s, most_memory_samples));
+  const auto memory = static_cast<std::size_t>(std::min(noise_memory_s / spacing_s, max_memory_samples));
   // At least that of white noise. The quantile grows with the share of the samples that a memory is (Kiefer
   // and Vogelsang, Econometric Theory 21, 2005).
   const double share = static_cast<double>(memory + 1) / static_cast<double>(scores.size());
@@ -167,9 +167,9 @@ bool is_ambiguous(const std::vector<Tried>& tried, double best_s, const Circle& 
 
 TrackerLatency fit_tracker_latency(Samples samples) {
   TrackerLatency result;
-  if (samples.size() < min_pairs || samples.back().time_s - samples.front().time_s < least_duration_s)
+  if (samples.size() < min_pairs || samples.back().time_s - samples.front().time_s < min_duration_s)
     return result;
-  double best_s = least_latency_s;
+  double best_s = min_latency_s;
   std::optional<Circle> best;
   std::vector<Tried> tried;
   const auto try_out = [&](double latency_s) {
@@ -180,8 +180,8 @@ TrackerLatency fit_tracker_latency(Samples samples) {
     best = circle;
     best_s = latency_s;
   };
-  const auto intervals = static_cast<int>(std::lround((most_latency_s - least_latency_s) / grid_s));
-  for (int i = 0; i <= intervals; ++i) try_out(least_latency_s + i * grid_s);
+  const auto intervals = static_cast<int>(std::lround((max_latency_s - min_latency_s) / grid_s));
+  for (int i = 0; i <= intervals; ++i) try_out(min_latency_s + i * grid_s);
   double step_s = grid_s;
   for (int i = 0; i < halvings; ++i) {
     step_s *= 0.5;
@@ -198,9 +198,9 @@ TrackerLatency fit_tracker_latency(Samples samples) {
   result.residual_m = std::sqrt(best->square_sum_m2 / (3.0 * best->count - unknowns));
   result.radius_m = best->radius_m;
   result.known =
-      result.upper_s - result.lower_s <= most_width_s && result.lower_s > least_latency_s + stride_s &&
-      result.upper_s < most_latency_s - stride_s && result.radius_m >= least_radius_m &&
-      result.residual_m <= most_residual_share * result.radius_m && !is_ambiguous(tried, best_s, *best);
+      result.upper_s - result.lower_s <= max_width_s && result.lower_s > min_latency_s + stride_s &&
+      result.upper_s < max_latency_s - stride_s && result.radius_m >= min_radius_m &&
+      result.residual_m <= max_residual_share * result.radius_m && !is_ambiguous(tried, best_s, *best);
   return result;
 }
 

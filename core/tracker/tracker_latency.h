@@ -35,8 +35,8 @@ struct TrackerLatency {
 };
 
 /// Where the latency is searched.
-inline constexpr double least_latency_s = -0.1;
-inline constexpr double most_latency_s = 0.5;
+inline constexpr double min_latency_s = -0.1;
+inline constexpr double max_latency_s = 0.5;
 
 /// Allocates. Needs 2 s of samples or more, of which the first 0.5 s only say where the plate stood. Unknown
 /// with fewer than 50 samples, a circle below 2 cm, or residuals beyond a tenth of it.

@@ -16,20 +16,20 @@ namespace {
 
 // Of two coordinates; a smaller number determines nothing.
 constexpr std::size_t min_noise_samples = 60;
-constexpr double longest_correlation_s = 2.0;
+constexpr double max_correlation_s = 2.0;
 constexpr double shortest_correlation_s = 0.01;
 // An interval from 0 says something if it ends below this share of all noise.
 constexpr double little = 0.7;
 // A sample period that shows correlation: e^(-1 / 0.7) is about a quarter.
-constexpr double least_periods = 0.7;
+constexpr double min_periods = 0.7;
 // Nothing is known of the parts of noise that may decay within fewer.
-constexpr double least_separate_periods = 1.5;
+constexpr double min_separate_periods = 1.5;
 // A place further than this many deviations off, in two coordinates, is made up.
 constexpr double grossly_outlying = 6.0;
 // Twice the log-likelihood drops by this at the ends of a 95 % interval: chi-squared with one degree.
 constexpr double likelihood_drop = 3.841458820694124;
 // Successive innovations of noise of this kind are independent: 99.9 % point of chi-squared with 10 degrees.
-constexpr double most_dependence = 29.588;
+constexpr double max_dependence = 29.588;
 
 // Positions about the middle of their rest, without those that are grossly off.
 std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
@@ -48,13 +48,13 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
     all.insert(all.end(), distances[r].begin(), distances[r].end());
   }
   // Half of the distances are within 1.18 deviations.
-  const double most_m = grossly_outlying * median(std::move(all)) / 1.1774;
+  const double max_m = grossly_outlying * median(std::move(all)) / 1.1774;
   std::vector<Rest> kept;
   for (std::size_t r = 0; r < rests.size(); ++r) {
     Rest rest;
     std::int64_t last_ns = 0;
     for (std::size_t i = 0; i < rests[r].size(); ++i) {
-      if (distances[r][i] > most_m) continue;
+      if (distances[r][i] > max_m) continue;
       const TimedPoint& sample = rests[r][i];
       const double since_s = rest.empty() ? 0.0 : elapsed_s(last_ns, sample.time_ns);
       rest.push_back(
@@ -90,8 +90,8 @@ struct Surface {
 };
 
 struct Box {
-  double least_share, most_share;
-  double least_s, most_s;
+  double min_share, max_share;
+  double min_s, max_s;
 };
 
 Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) {
@@ -101,11 +101,11 @@ Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) 
   Surface surface;
   for (std::size_t i = 0; i < n; ++i) {
     const double along = static_cast<double>(i) / static_cast<double>(n - 1);
-    const double correlation_s = box.least_s * exponential(along * logarithm(box.most_s / box.least_s));
+    const double correlation_s = box.min_s * exponential(along * logarithm(box.max_s / box.min_s));
     const std::vector<double> kept = kept_between(rests, correlation_s);
     for (std::size_t k = 0; k < n; ++k) {
-      const double share = box.least_share + (box.most_share - box.least_share) * static_cast<double>(k) /
-                                                 static_cast<double>(n - 1);
+      const double share = box.min_share + (box.max_share - box.min_share) * static_cast<double>(k) /
+                                               static_cast<double>(n - 1);
       surface.points.push_back({share, correlation_s, rest_likelihood(rests, share, kept), count});
       if (surface.points.back().peak() > surface.peak()) surface.best = surface.points.size() - 1;
     }
@@ -116,20 +116,20 @@ Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) 
 // The part of `box` that 99.8 % intervals do not reach beyond, and a step of the grid more.
 Box zoomed(const Surface& surface, const Box& box, std::size_t n) {
   const double floor = surface.peak() - 5.0;
-  Box inner{1.0, 0.0, box.most_s, box.least_s};
+  Box inner{1.0, 0.0, box.max_s, box.min_s};
   for (const Point& point : surface.points) {
     if (point.peak() < floor) continue;
-    inner.least_share = std::min(inner.least_share, point.share);
-    inner.most_share = std::max(inner.most_share, point.share);
-    inner.least_s = std::min(inner.least_s, point.correlation_s);
-    inner.most_s = std::max(inner.most_s, point.correlation_s);
+    inner.min_share = std::min(inner.min_share, point.share);
+    inner.max_share = std::max(inner.max_share, point.share);
+    inner.min_s = std::min(inner.min_s, point.correlation_s);
+    inner.max_s = std::max(inner.max_s, point.correlation_s);
   }
   const auto steps = static_cast<double>(n - 1);
-  const double share_step = (box.most_share - box.least_share) / steps;
-  const double ratio = exponential(logarithm(box.most_s / box.least_s) / steps);
-  return {std::max(inner.least_share - share_step, box.least_share),
-          std::min(inner.most_share + share_step, box.most_share),
-          std::max(inner.least_s / ratio, box.least_s), std::min(inner.most_s * ratio, box.most_s)};
+  const double share_step = (box.max_share - box.min_share) / steps;
+  const double ratio = exponential(logarithm(box.max_s / box.min_s) / steps);
+  return {std::max(inner.min_share - share_step, box.min_share),
+          std::min(inner.max_share + share_step, box.max_share), std::max(inner.min_s / ratio, box.min_s),
+          std::min(inner.max_s * ratio, box.max_s)};
 }
 
 Surface search(const std::vector<Rest>& rests, const Box& whole) {
@@ -143,16 +143,16 @@ Surface search(const std::vector<Rest>& rests, const Box& whole) {
 Interval deviation_interval(const Surface& surface, double drop,
                             const std::function<double(const Point&)>& part) {
   const auto profile = [&](double deviation) {
-    double most = -std::numeric_limits<double>::infinity();
+    double max = -std::numeric_limits<double>::infinity();
     for (const Point& point : surface.points) {
       const double share = part(point);
       if (deviation > 0.0 && share > 0.0) {
-        most = std::max(most, point.log_likelihood(deviation * deviation / share));
+        max = std::max(max, point.log_likelihood(deviation * deviation / share));
       } else if (deviation == 0.0 && share == 0.0) {
-        most = std::max(most, point.peak());
+        max = std::max(max, point.peak());
       }
     }
-    return most;
+    return max;
   };
   const Point& best = surface.best_point();
   const double total_m = std::sqrt(best.variance_m2());
@@ -173,11 +173,11 @@ Interval deviation_interval(const Surface& surface, double drop,
     }
     return inside;
   };
-  const double least_m = 0.001 * total_m;
-  Interval interval{value, 0.0, end(std::max(value, least_m), 1.1, 3.0 * total_m), true};
-  if (value > least_m && profile(0.0) < floor) {
-    interval.lower = end(value, 1.0 / 1.1, least_m);
-    if (interval.lower <= least_m) interval.lower = 0.0;
+  const double min_m = 0.001 * total_m;
+  Interval interval{value, 0.0, end(std::max(value, min_m), 1.1, 3.0 * total_m), true};
+  if (value > min_m && profile(0.0) < floor) {
+    interval.lower = end(value, 1.0 / 1.1, min_m);
+    if (interval.lower <= min_m) interval.lower = 0.0;
   }
   interval.known = interval.lower > 0.0 || interval.upper < little * total_m;
   return interval;
@@ -199,7 +199,7 @@ CorrelationTime correlation_time(const Surface& surface, double drop, const Box&
     profile.back() = std::max(profile.back(), point.peak());
   }
   const double floor = surface.peak() - 0.5 * drop;
-  Interval interval{surface.best_point().correlation_s, whole.least_s, whole.most_s, false};
+  Interval interval{surface.best_point().correlation_s, whole.min_s, whole.max_s, false};
   std::size_t low = 0;
   while (profile[low] < floor) ++low;
   std::size_t high = profile.size() - 1;
@@ -226,10 +226,10 @@ double quantum_m(const std::vector<Rest>& rests) {
     for (std::size_t i = 1; i < rest.size(); ++i)
       for (std::size_t a = 0; a < 2; ++a)
         values.push_back(std::abs(rest[i].place_m[a] - rest[i - 1].place_m[a]));
-  double least_m = std::numeric_limits<double>::infinity();
+  double min_m = std::numeric_limits<double>::infinity();
   for (const double value : values)
-    if (value > 1e-9) least_m = std::min(least_m, value);
-  return least_m;
+    if (value > 1e-9) min_m = std::min(min_m, value);
+  return min_m;
 }
 
 }  // namespace
@@ -245,12 +245,12 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   for (const Rest& rest : kept)
     for (std::size_t i = 1; i < rest.size(); ++i) periods_s.push_back(rest[i].since_s);
   const double period_s = median(std::move(periods_s));
-  Box whole{0.0, 1.0, std::max(shortest_correlation_s, least_periods * period_s), longest_correlation_s};
+  Box whole{0.0, 1.0, std::max(shortest_correlation_s, min_periods * period_s), max_correlation_s};
   const double quantum = quantum_m(kept);
-  const bool searchable = whole.least_s < whole.most_s && quantum < 1.0;
+  const bool searchable = whole.min_s < whole.max_s && quantum < 1.0;
   RestNoise unknown{{0.0, 0.0, 0.0, false},
                     {0.0, 0.0, 0.0, false},
-                    {shortest_correlation_s, shortest_correlation_s, longest_correlation_s, false}};
+                    {shortest_correlation_s, shortest_correlation_s, max_correlation_s, false}};
   if (count() < min_noise_samples || !searchable) return unknown;
 
   Surface surface = search(kept, whole);
@@ -277,10 +277,10 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   // Noise that decays from one sample to the next cannot be separated from white noise.
   if (is_correlated && !(noise.white_m.known && time.beyond_shortest))
     noise.correlated_m.known = noise.correlation_s.known = false;
-  if (is_correlated && time.interval_s.lower < least_separate_periods * period_s)
+  if (is_correlated && time.interval_s.lower < min_separate_periods * period_s)
     noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
   const double total_m = std::sqrt(surface.best_point().variance_m2());
-  if (left.dependence > most_dependence || quantum > total_m)
+  if (left.dependence > max_dependence || quantum > total_m)
     noise.white_m.known = noise.correlated_m.known = noise.correlation_s.known = false;
   return noise;
 }

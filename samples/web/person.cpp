@@ -212,9 +212,9 @@ double hrt_web_felt_shift_deg(double plate_deg, double finger_deg) {
 }
 
 /// The largest gap that a plate within `bound_deg` of the motion can sustain for the person.
-HRT_WEB_EXPORT(largest_gap_deg)
-double hrt_web_largest_gap_deg(double bound_deg) {
-  return hrt::largest_shift_deg(world.condition.person.illusion, bound_deg, 1.0);
+HRT_WEB_EXPORT(max_gap_deg)
+double hrt_web_max_gap_deg(double bound_deg) {
+  return hrt::max_shift_deg(world.condition.person.illusion, bound_deg, 1.0);
 }
 
 }  // extern "C"

@@ -240,7 +240,7 @@ void run_general(benchmark::State& state, const LoopConfig& loop_config, int hor
 // problem, else in the order of the loop.
 std::vector<double> single_times_us(const MpcConfig& config, const std::vector<MpcProblem>& problems,
                                     bool cold) {
-  std::vector<double> least_us(problems.size(), std::numeric_limits<double>::infinity());
+  std::vector<double> min_us(problems.size(), std::numeric_limits<double>::infinity());
   for (int repetition = 0; repetition < 5; ++repetition) {
     Mpc mpc(config);
     for (std::size_t k = 0; k < problems.size(); ++k) {
@@ -248,11 +248,11 @@ std::vector<double> single_times_us(const MpcConfig& config, const std::vector<M
       const auto start = std::chrono::steady_clock::now();
       benchmark::DoNotOptimize(mpc.solve(problems[k]));
       const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - start;
-      least_us[k] = std::min(least_us[k], time.count());
+      min_us[k] = std::min(min_us[k], time.count());
     }
   }
-  std::sort(least_us.begin(), least_us.end());
-  return least_us;
+  std::sort(min_us.begin(), min_us.end());
+  return min_us;
 }
 
 void print_single_times(const char* name, int horizon, const char* start,
@@ -315,7 +315,7 @@ class Reporter : public benchmark::ConsoleReporter {
     for (const Run& run : runs) {
       if (run.run_type != Run::RT_Iteration) continue;
       const double time_ns = run.GetAdjustedCPUTime();
-      const auto [entry, added] = least_ns_.emplace(run.run_name.function_name, time_ns);
+      const auto [entry, added] = min_ns_.emplace(run.run_name.function_name, time_ns);
       if (!added) entry->second = std::min(entry->second, time_ns);
     }
   }
@@ -325,8 +325,8 @@ class Reporter : public benchmark::ConsoleReporter {
     std::printf("\nleast of all repetitions  horizon  controller ns  ALGLIB ns  ratio\n");
     for (const LoopConfig& loop : loops) {
       for (const int horizon : horizons) {
-        const double ours_ns = least_ns(name_of("controller", loop, horizon));
-        const double general_ns = least_ns(name_of("ALGLIB", loop, horizon));
+        const double ours_ns = min_ns(name_of("controller", loop, horizon));
+        const double general_ns = min_ns(name_of("ALGLIB", loop, horizon));
         std::printf("%-24s  %7d  %13.1f  %9.0f  %5.0f\n", loop.name, horizon, ours_ns, general_ns,
                     general_ns / ours_ns);
       }
@@ -334,12 +334,12 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
  private:
-  double least_ns(const std::string& name) const {
-    const auto entry = least_ns_.find(name);
-    return entry == least_ns_.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
+  double min_ns(const std::string& name) const {
+    const auto entry = min_ns_.find(name);
+    return entry == min_ns_.end() ? std::numeric_limits<double>::quiet_NaN() : entry->second;
   }
 
-  std::map<std::string, double> least_ns_;
+  std::map<std::string, double> min_ns_;
 };
 
 }  // namespace

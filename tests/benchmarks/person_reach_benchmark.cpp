@@ -22,7 +22,7 @@ double elapsed_us(std::chrono::steady_clock::time_point from) {
 }
 
 // Half a second of rest and a reach, the same in each run.
-void time_reach(std::uint32_t person, int period_ms, std::vector<double>& least_us) {
+void time_reach(std::uint32_t person, int period_ms, std::vector<double>& min_us) {
   const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
   const Reach reach{.real_direction_deg = condition.real_direction_deg,
                     .virtual_direction_deg = condition.virtual_direction_deg};
@@ -41,8 +41,8 @@ void time_reach(std::uint32_t person, int period_ms, std::vector<double>& least_
     const auto begun = std::chrono::steady_clock::now();
     controller.update(sample);
     const double us = elapsed_us(begun);
-    if (update == least_us.size()) least_us.push_back(us);
-    least_us[update] = std::min(least_us[update], us);
+    if (update == min_us.size()) min_us.push_back(us);
+    min_us[update] = std::min(min_us[update], us);
     ++update;
   }
 }
@@ -50,9 +50,9 @@ void time_reach(std::uint32_t person, int period_ms, std::vector<double>& least_
 void report(const char* rate, int period_ms) {
   std::vector<double> all_us;
   for (std::uint32_t person = 0; person < people; ++person) {
-    std::vector<double> least_us;
-    for (int run = 0; run < runs; ++run) time_reach(person, period_ms, least_us);
-    all_us.insert(all_us.end(), least_us.begin(), least_us.end());
+    std::vector<double> min_us;
+    for (int run = 0; run < runs; ++run) time_reach(person, period_ms, min_us);
+    all_us.insert(all_us.end(), min_us.begin(), min_us.end());
   }
   std::sort(all_us.begin(), all_us.end());
   const auto share = [&](double of) {

@@ -130,7 +130,7 @@ constexpr int runs = 5;
 
 // Fingers that go anywhere within 30 degrees at each step, now and then after a gap of several; plates that
 // turn by half a degree to 90 degrees a step. The same in each run.
-void time_reach(int horizon, unsigned seed, double* least_us) {
+void time_reach(int horizon, unsigned seed, double* min_us) {
   std::mt19937 random(seed);
   const auto uniform = [&](double from, double to) {
     return from + (to - from) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
@@ -149,7 +149,7 @@ void time_reach(int horizon, unsigned seed, double* least_us) {
     const auto begun = std::chrono::steady_clock::now();
     require(frames.direction(elapsed_ns, direction_deg));
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - begun;
-    least_us[i] = std::min(least_us[i], time.count());
+    min_us[i] = std::min(min_us[i], time.count());
   }
 }
 
@@ -157,12 +157,12 @@ void time_reach(int horizon, unsigned seed, double* least_us) {
 void print_single_updates() {
   std::printf("\nsingle updates  horizon  median us  p99 us  worst us\n");
   for (const int horizon : {3, 10, 20, 50}) {
-    std::vector<double> least_us(std::size_t{reaches} * updates, 1e9);
+    std::vector<double> min_us(std::size_t{reaches} * updates, 1e9);
     for (int run = 0; run < runs; ++run)
-      for (unsigned i = 0; i < reaches; ++i) time_reach(horizon, i, &least_us[std::size_t{i} * updates]);
-    std::sort(least_us.begin(), least_us.end());
-    std::printf("                %7d  %9.2f  %6.2f  %8.2f\n", horizon, least_us[least_us.size() / 2],
-                least_us[least_us.size() * 99 / 100], least_us.back());
+      for (unsigned i = 0; i < reaches; ++i) time_reach(horizon, i, &min_us[std::size_t{i} * updates]);
+    std::sort(min_us.begin(), min_us.end());
+    std::printf("                %7d  %9.2f  %6.2f  %8.2f\n", horizon, min_us[min_us.size() / 2],
+                min_us[min_us.size() * 99 / 100], min_us.back());
   }
 }
 

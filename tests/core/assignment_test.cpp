@@ -15,7 +15,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 
 struct Quality {
   std::size_t served = 0;
-  double largest = 0.0;
+  double max = 0.0;
   bool operator==(const Quality&) const = default;
 };
 
@@ -31,7 +31,7 @@ Quality quality(const std::vector<double>& costs, std::size_t columns,
     taken[column] = true;
     EXPECT_NE(costs[row * columns + column], never);
     ++found.served;
-    found.largest = std::max(found.largest, costs[row * columns + column]);
+    found.max = std::max(found.max, costs[row * columns + column]);
   }
   return found;
 }
@@ -40,8 +40,7 @@ Quality quality(const std::vector<double>& costs, std::size_t columns,
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
              const Quality& so_far, Quality& best) {
   if (row * columns == costs.size()) {
-    if (so_far.served > best.served || (so_far.served == best.served && so_far.largest < best.largest))
-      best = so_far;
+    if (so_far.served > best.served || (so_far.served == best.served && so_far.max < best.max)) best = so_far;
     return;
   }
   try_all(costs, columns, row + 1, taken, so_far, best);
@@ -49,7 +48,7 @@ void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t 
     const double cost = costs[row * columns + column];
     if (taken[column] || cost == never) continue;
     taken[column] = true;
-    try_all(costs, columns, row + 1, taken, {so_far.served + 1, std::max(so_far.largest, cost)}, best);
+    try_all(costs, columns, row + 1, taken, {so_far.served + 1, std::max(so_far.max, cost)}, best);
     taken[column] = false;
   }
 }
@@ -79,7 +78,7 @@ TEST(Assignment, NothingCanBeServed) {
 
 TEST(Assignment, IsAsGoodAsTheBestOfAll) {
   Draws draws(1, 0, 0, 0);
-  const auto up_to = [&](int most) { return 1 + static_cast<std::size_t>(draws.uniform() * most); };
+  const auto up_to = [&](int max) { return 1 + static_cast<std::size_t>(draws.uniform() * max); };
   for (int i = 0; i < 3000; ++i) {
     const std::size_t rows = up_to(6), columns = up_to(6);
     const double impossible = draws.uniform();
@@ -95,7 +94,7 @@ TEST(Assignment, IsAsGoodAsTheBestOfAll) {
     ASSERT_EQ(column_of.size(), rows);
     const Quality found = quality(costs, columns, column_of), best = best_of_all(costs, columns);
     ASSERT_EQ(found.served, best.served);
-    ASSERT_EQ(found.largest, best.largest);
+    ASSERT_EQ(found.max, best.max);
   }
 }
 

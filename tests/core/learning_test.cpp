@@ -24,8 +24,8 @@ TEST(Learning, WhatIsCarriedIsNeverTooSure) {
                                              .tactile_weight_sd = 1e-6,
                                              .motor_variance_deg2 = 0.5,
                                              .motor_variance_sd_deg2 = 1e-6});
-  EXPECT_EQ(next.estimator.tactile_weight_sd, least_carried_weight_sd);
-  EXPECT_EQ(next.estimator.motor_variance_sd_deg2, least_carried_motor_variance_sd_deg2);
+  EXPECT_EQ(next.estimator.tactile_weight_sd, min_carried_weight_sd);
+  EXPECT_EQ(next.estimator.motor_variance_sd_deg2, min_carried_motor_variance_sd_deg2);
 }
 
 // From 0.5 to 1 at most; its deviation stays as it was.

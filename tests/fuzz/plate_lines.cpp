@@ -26,8 +26,8 @@ void require(bool condition) {
 
 void check_message(const PlateMessage& message) {
   if (const auto* greeting = std::get_if<PlateGreeting>(&message)) {
-    require(greeting->least_deg < greeting->most_deg);
-    require(greeting->least_deg >= -360.0 && greeting->most_deg <= 360.0);
+    require(greeting->min_deg < greeting->max_deg);
+    require(greeting->min_deg >= -360.0 && greeting->max_deg <= 360.0);
     require(greeting->speed_deg_s > 0.0 && greeting->speed_deg_s <= 1e6);
     require(greeting->latency_ms >= 0.0 && greeting->latency_ms <= 1000.0);
   }
@@ -142,9 +142,9 @@ void drive(const char* name, const std::string& bytes) {
     const auto device = device_named(name)(open, Start::hold);
     for (int i = 0; i < 100; ++i) {
       const DeviceLimits limits = device->limits();
-      require(limits.least_deg < limits.most_deg && limits.speed_deg_s > 0.0);
+      require(limits.min_deg < limits.max_deg && limits.speed_deg_s > 0.0);
       require(std::isfinite(device->orientation_deg().value_or(0.0)));
-      if (i % 10 == 0) device->turn_to(i % 20 == 0 ? limits.least_deg : limits.most_deg);
+      if (i % 10 == 0) device->turn_to(i % 20 == 0 ? limits.min_deg : limits.max_deg);
       if (i % 10 == 5) device->stop();
       device->wait(std::chrono::milliseconds(5));
     }

@@ -23,7 +23,7 @@ void check_scene(const hrt::Scene& scene) {
   for (const hrt::SceneTarget& target : scene.targets) {
     require(!target.name.empty() && !target.node_path.empty());
     require(std::abs(target.direction_deg) <= 180.0);
-    require(target.distance_m >= hrt::least_distance_m && std::isfinite(target.distance_m));
+    require(target.distance_m >= hrt::min_distance_m && std::isfinite(target.distance_m));
     require(std::isfinite(target.position_m.y));
     require(target.served_by.has_value() == (target.kind == hrt::TargetKind::virtual_object));
     if (target.served_by) {

@@ -108,7 +108,7 @@ void expect_same(const hrt_calibration_result& streamed, const std::vector<Calib
   expect_same(streamed.sensory_variance_deg2, whole.sensory_variance_deg2);
   expect_same(streamed.tracker_noise_m, whole.noise.white_m);
   expect_same(streamed.habit_deg, whole.habit_deg);
-  expect_same(streamed.largest_gap_deg, whole.largest_gap_deg);
+  expect_same(streamed.max_gap_deg, whole.max_gap_deg);
   expect_same(streamed.person_weight, whole.slope);
   expect_same(streamed.person_curve, whole.curve);
   EXPECT_EQ(streamed.angle_p, whole.lack_of_fit.angle_p);
@@ -604,7 +604,7 @@ constexpr hrt_interval known(double value, double width) {
 hrt_calibration_result result_of(double tactile_weight) {
   auto result = output<hrt_calibration_result>();
   result.tactile_weight = known(tactile_weight, 0.02);
-  result.largest_gap_deg = known(10.0, 1.0);
+  result.max_gap_deg = known(10.0, 1.0);
   result.bias_deg = known(1.0, 0.5);
   result.tracker_noise_m = known(0.001, 0.0001);
   return result;
@@ -620,7 +620,7 @@ TEST(CalibrationComparison, NamesWhatDiffers) {
   EXPECT_NEAR(comparison.tactile_weight.value, 0.05, 1e-12);
   EXPECT_NEAR(comparison.tactile_weight.lower, 0.05 - 0.01 * std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(comparison.tactile_weight.upper, 0.05 + 0.01 * std::sqrt(2.0), 1e-12);
-  EXPECT_EQ(comparison.largest_gap_deg.value, 0.0);
+  EXPECT_EQ(comparison.max_gap_deg.value, 0.0);
   EXPECT_EQ(comparison.habit_deg.known, 0u) << "known to neither";
   EXPECT_EQ(comparison.steering_rate_per_s.known, 0u);
   ASSERT_OK(hrt_calibration_compare(&first, &first, &comparison));
@@ -666,7 +666,7 @@ TEST(CalibrationComparison, BadResultsAreRefusedByField) {
   hrt_calibration_result former = good;
   former.struct_size = 176;
   ASSERT_OK(hrt_calibration_compare(&former, &good, &comparison));
-  EXPECT_EQ(comparison.largest_gap_deg.known, 0u);
+  EXPECT_EQ(comparison.max_gap_deg.known, 0u);
   EXPECT_EQ(comparison.tactile_weight.known, 1u);
 }
 

@@ -69,11 +69,11 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 #if defined(HRT_MEASURES_MEMORY)
 
 // In bytes, on 64-bit machines.
-constexpr std::size_t most_of_session = 14'000;
-constexpr std::size_t most_of_target = 300;
-constexpr std::size_t most_of_recording = 7'100'000;
-constexpr std::size_t most_real_time_stack = 32'000;
-constexpr std::size_t most_stack = 64'000;
+constexpr std::size_t max_of_session = 14'000;
+constexpr std::size_t max_of_target = 300;
+constexpr std::size_t max_of_recording = 7'100'000;
+constexpr std::size_t max_real_time_stack = 32'000;
+constexpr std::size_t max_stack = 64'000;
 
 /// An allocator that counts bytes.
 class ByteCounter {
@@ -110,18 +110,18 @@ TEST(Process, MemoryIsAsDocumented) {
   hrt_session session{};
   ASSERT_OK(hrt_session_create(&config, &session));
   RecordProperty("session", static_cast<int>(memory.held));
-  EXPECT_LE(memory.held, most_of_session);
+  EXPECT_LE(memory.held, max_of_session);
   const std::size_t before_target = memory.held;
   const hrt_target_config target = target_config(HRT_TARGET_REAL, 1.0, "a name too long for its string");
   hrt_target id{};
   ASSERT_OK(hrt_target_add(session, &target, &id));
   RecordProperty("target", static_cast<int>(memory.held - before_target));
-  EXPECT_LE(memory.held - before_target, most_of_target);
+  EXPECT_LE(memory.held - before_target, max_of_target);
   const std::size_t before_recording = memory.held;
   const std::string path = testing::TempDir() + "hrt_process.csv";
   ASSERT_OK(hrt_recording_start(session, path.c_str()));
   RecordProperty("recording", static_cast<int>(memory.held - before_recording));
-  EXPECT_LE(memory.held - before_recording, most_of_recording);
+  EXPECT_LE(memory.held - before_recording, max_of_recording);
   ASSERT_OK(hrt_session_destroy(session));
   std::remove(path.c_str());
   EXPECT_EQ(memory.held, 0u);
@@ -167,7 +167,7 @@ class Stack : public SessionTest {
 TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
   hrt_session_config config = session_config();
   config.horizon = 50;
-  std::size_t most = 0;
+  std::size_t max = 0;
   for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
     config.guidance = guidance;
     create(config);
@@ -175,28 +175,28 @@ TEST_F(Stack, OfRealTimeCallsIsAsDocumented) {
     ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
     reach.real_target = add(HRT_TARGET_REAL, -5.0);
     reach.virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
-    most = std::max(most, used([&] {
-                      (void)hrt_reach_begin(session, &reach);
-                      auto command = output<hrt_command>();
-                      for (int i = 0; i < 200; ++i) {
-                        const hrt_sample sample =
-                            position_sample(std::int64_t{i} * 11'111'111, 0.0, -0.05 + 0.0005 * i);
-                        (void)hrt_reach_update(session, &sample, &command);
-                        if (i % 20 == 0)
-                          (void)hrt_reach_retarget(session, reach.real_target, reach.virtual_target);
-                      }
-                      auto summary = output<hrt_reach_summary>();
-                      (void)hrt_reach_end(session, &summary);
-                    }));
+    max = std::max(max, used([&] {
+                     (void)hrt_reach_begin(session, &reach);
+                     auto command = output<hrt_command>();
+                     for (int i = 0; i < 200; ++i) {
+                       const hrt_sample sample =
+                           position_sample(std::int64_t{i} * 11'111'111, 0.0, -0.05 + 0.0005 * i);
+                       (void)hrt_reach_update(session, &sample, &command);
+                       if (i % 20 == 0)
+                         (void)hrt_reach_retarget(session, reach.real_target, reach.virtual_target);
+                     }
+                     auto summary = output<hrt_reach_summary>();
+                     (void)hrt_reach_end(session, &summary);
+                   }));
   }
-  RecordProperty("bytes", static_cast<int>(most));
-  EXPECT_LE(most, most_real_time_stack);
+  RecordProperty("bytes", static_cast<int>(max));
+  EXPECT_LE(max, max_real_time_stack);
 }
 
 TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
   const std::string text = golden_recording();
   const std::string path = testing::TempDir() + "hrt_stack.csv";
-  const std::size_t most = used([&] {
+  const std::size_t max = used([&] {
     auto report = output<hrt_replay_report>();
     (void)hrt_replay_text(text.data(), text.size(), &report);
     hrt_scene scene{};
@@ -214,8 +214,8 @@ TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
     (void)hrt_replay_file(path.c_str(), &report);
   });
   std::remove(path.c_str());
-  RecordProperty("bytes", static_cast<int>(most));
-  EXPECT_LE(most, most_stack);
+  RecordProperty("bytes", static_cast<int>(max));
+  EXPECT_LE(max, max_stack);
 }
 
 #endif

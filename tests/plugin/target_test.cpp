@@ -162,7 +162,7 @@ TEST_F(AuthorityTest, OfAPairIsAsDerivedByHand) {
   ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
   EXPECT_EQ(authority.reachable, 1u);
   EXPECT_DOUBLE_EQ(authority.gap_deg, 10.0);
-  EXPECT_NEAR(authority.largest_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
+  EXPECT_NEAR(authority.max_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
   EXPECT_NEAR(authority.margin_deg, 84.5 * 0.15 / 0.85 - 10.0, 1e-12);
   EXPECT_NEAR(authority.plate_orientation_deg, 5.0 + 10.0 * 0.85 / 0.15, 1e-12);
   EXPECT_NEAR(authority.settling_direction_deg, -5.0, 1e-12);
@@ -180,11 +180,11 @@ TEST_F(AuthorityTest, IsAboutTheMotionUnderArrival) {
   auto authority = output<hrt_authority>();
   ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
   EXPECT_EQ(authority.reachable, 1u);
-  EXPECT_NEAR(authority.largest_gap_deg, 11.25, 1e-9);
+  EXPECT_NEAR(authority.max_gap_deg, 11.25, 1e-9);
   EXPECT_NEAR(authority.margin_deg, 1.25, 1e-9);
   EXPECT_NEAR(authority.plate_orientation_deg, -5.0 + 10.0 / 0.15, 1e-6);
   EXPECT_NEAR(authority.settling_direction_deg, -5.0, 1e-12);
-  EXPECT_NEAR(authority.paper_largest_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
+  EXPECT_NEAR(authority.paper_max_gap_deg, 84.5 * 0.15 / 0.85, 1e-12);
   ASSERT_OK(hrt_authority_query(session, add(HRT_TARGET_REAL, -7.0), virtual_target, &authority));
   EXPECT_EQ(authority.reachable, 0u);
   EXPECT_NEAR(authority.settling_direction_deg, 5.0 - 11.25, 1e-9);
@@ -200,8 +200,8 @@ TEST_F(AuthorityTest, IsAboutTheMotionUnderArrival) {
   ASSERT_OK(hrt_session_set_config(session, &config));
   ASSERT_OK(hrt_authority_query(session, real, virtual_target, &authority));
   EXPECT_NEAR(authority.gap_deg, 12.0, 1e-12);
-  EXPECT_NEAR(authority.largest_gap_deg, 11.25, 1e-9);
-  EXPECT_NEAR(authority.paper_largest_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
+  EXPECT_NEAR(authority.max_gap_deg, 11.25, 1e-9);
+  EXPECT_NEAR(authority.paper_max_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
 }
 
 // A caller that was compiled against version 0.2, whose elements are this far apart.
@@ -209,7 +209,7 @@ TEST_F(AuthorityTest, SmallerElementsAreFilledAsFarAsTheyGo) {
   add(HRT_TARGET_REAL, -5.0);
   add(HRT_TARGET_VIRTUAL, 5.0);
   add(HRT_TARGET_VIRTUAL, 4.0);
-  constexpr std::size_t size_0_2 = offsetof(hrt_authority, paper_largest_gap_deg);
+  constexpr std::size_t size_0_2 = offsetof(hrt_authority, paper_max_gap_deg);
   alignas(hrt_authority) unsigned char all[3 * size_0_2];
   std::memset(all, 0xff, sizeof all);
   const std::uint32_t size = size_0_2;

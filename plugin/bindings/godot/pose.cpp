@@ -33,10 +33,10 @@ std::array<double, 4> to_quaternion(const Pose& pose) {
       {z.x + x.z, y.z + z.y, 1 - x.x - y.y + z.z, x.y - y.x},
       {y.z - z.y, z.x - x.z, x.y - y.x, 1 + x.x + y.y + z.z},
   }};
-  size_t largest = 0;
+  size_t max = 0;
   for (size_t i = 1; i < 4; ++i)
-    if (rows[i][i] > rows[largest][largest]) largest = i;
-  std::array<double, 4> quaternion = rows[largest];
+    if (rows[i][i] > rows[max][max]) max = i;
+  std::array<double, 4> quaternion = rows[max];
   double square = 0;
   for (const double part : quaternion) square += part * part;
   for (double& part : quaternion) part /= std::sqrt(square);

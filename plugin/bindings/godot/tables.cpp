@@ -111,11 +111,11 @@ constexpr Field kAuthority[] = {
     {"real_target", FieldKind::kInt64, offsetof(hrt_authority, real_target)},
     {"virtual_target", FieldKind::kInt64, offsetof(hrt_authority, virtual_target)},
     {"gap_deg", FieldKind::kDouble, offsetof(hrt_authority, gap_deg)},
-    {"largest_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, largest_gap_deg)},
+    {"max_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, max_gap_deg)},
     {"margin_deg", FieldKind::kDouble, offsetof(hrt_authority, margin_deg)},
     {"plate_orientation_deg", FieldKind::kDouble, offsetof(hrt_authority, plate_orientation_deg)},
     {"settling_direction_deg", FieldKind::kDouble, offsetof(hrt_authority, settling_direction_deg)},
-    {"paper_largest_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, paper_largest_gap_deg)},
+    {"paper_max_gap_deg", FieldKind::kDouble, offsetof(hrt_authority, paper_max_gap_deg)},
 };
 
 constexpr Field kCalibration[] = {
@@ -136,7 +136,7 @@ constexpr Field kCalibration[] = {
     INTERVAL(hrt_calibration_result, person_weight),
     INTERVAL(hrt_calibration_result, person_curve),
     {"weight_curve_correlation", FieldKind::kDouble, offsetof(hrt_calibration_result, weight_curve_correlation)},
-    INTERVAL(hrt_calibration_result, largest_gap_deg),
+    INTERVAL(hrt_calibration_result, max_gap_deg),
     INTERVAL(hrt_calibration_result, habit_deg),
     INTERVAL(hrt_calibration_result, correlated_noise_m),
     INTERVAL(hrt_calibration_result, noise_correlation_s),
@@ -160,7 +160,7 @@ constexpr Field kSlide[] = {
 constexpr Field kComparison[] = {
     {"differing", FieldKind::kUint32, offsetof(hrt_calibration_comparison, differing)},
     INTERVAL(hrt_calibration_comparison, tactile_weight),
-    INTERVAL(hrt_calibration_comparison, largest_gap_deg),
+    INTERVAL(hrt_calibration_comparison, max_gap_deg),
     INTERVAL(hrt_calibration_comparison, bias_deg),
     INTERVAL(hrt_calibration_comparison, habit_deg),
     INTERVAL(hrt_calibration_comparison, tracker_noise_m),
@@ -229,7 +229,7 @@ constexpr Constant kConstants[] = {
     {"Slide", "SLIDE_OUTLYING", 1, false},
     {"Slide", "SLIDE_ALONG_RIDGES", 2, false},
     {"Differs", "DIFFERS_TACTILE_WEIGHT", 1, true},
-    {"Differs", "DIFFERS_LARGEST_GAP", 2, true},
+    {"Differs", "DIFFERS_MAX_GAP", 2, true},
     {"Differs", "DIFFERS_BIAS", 4, true},
     {"Differs", "DIFFERS_HABIT", 8, true},
     {"Differs", "DIFFERS_TRACKER_NOISE", 16, true},

@@ -81,7 +81,7 @@ export declare const HRT_SLIDE_ALONG_RIDGES = 2;
 
 /** Values of two calibrations that differ: hrt_calibration_comparison::differing. */
 export declare const HRT_DIFFERS_TACTILE_WEIGHT = 1;
-export declare const HRT_DIFFERS_LARGEST_GAP = 2;
+export declare const HRT_DIFFERS_MAX_GAP = 2;
 export declare const HRT_DIFFERS_BIAS = 4;
 export declare const HRT_DIFFERS_HABIT = 8;
 export declare const HRT_DIFFERS_TRACKER_NOISE = 16;
@@ -446,15 +446,15 @@ export interface hrt_authority {
   /** The virtual direction plus the person's bias, minus the real direction; in [-180, 180). */
   gap_deg: number;
   /** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
-  largest_gap_deg: number;
-  /** largest_gap_deg minus the size of the gap; negative: unreachable. */
+  max_gap_deg: number;
+  /** max_gap_deg minus the size of the gap; negative: unreachable. */
   margin_deg: number;
   /** Plate orientation (base.h) that sustains the gap; at the bound if unreachable. */
   plate_orientation_deg: number;
   /** Direction in which the finger settles: the real target's, if reachable. */
   settling_direction_deg: number;
-  /** largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
-  paper_largest_gap_deg: number;
+  /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
+  paper_max_gap_deg: number;
 }
 
 /** Configuration of a reach. hrt_reach_config_default() fills every field. */
@@ -642,7 +642,7 @@ export interface hrt_calibration_result {
   person_curve: hrt_interval;
   weight_curve_correlation: number;
   /** Largest gap between real and virtual direction that can be held, on the weaker side, with the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to both sides, and the interval is at most 10 degrees wide. */
-  largest_gap_deg: hrt_interval;
+  max_gap_deg: hrt_interval;
   /** How far the user's goal turns over a path, halved (HRT_PERSON_HABIT). Known as bias_deg. */
   habit_deg: hrt_interval;
   /** Correlated part of the tracker's noise, and the time in which it decays to 1/e. */
@@ -680,7 +680,7 @@ export interface hrt_calibration_comparison {
   /** HRT_DIFFERS_*, by Holm's procedure over the known values: if nothing has changed, any of them is set in 5 % of comparisons. 0 is no proof that nothing has changed: see the intervals. */
   differing: number;
   tactile_weight: hrt_interval;
-  largest_gap_deg: hrt_interval;
+  max_gap_deg: hrt_interval;
   bias_deg: hrt_interval;
   habit_deg: hrt_interval;
   tracker_noise_m: hrt_interval;

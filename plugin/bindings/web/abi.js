@@ -37,7 +37,7 @@ export const HRT_SLIDE_USED = 0;
 export const HRT_SLIDE_OUTLYING = 1;
 export const HRT_SLIDE_ALONG_RIDGES = 2;
 export const HRT_DIFFERS_TACTILE_WEIGHT = 1;
-export const HRT_DIFFERS_LARGEST_GAP = 2;
+export const HRT_DIFFERS_MAX_GAP = 2;
 export const HRT_DIFFERS_BIAS = 4;
 export const HRT_DIFFERS_HABIT = 8;
 export const HRT_DIFFERS_TRACKER_NOISE = 16;
@@ -193,11 +193,11 @@ export const structs = Object.freeze({
     real_target: {"offset": 8, "type": "u64"},
     virtual_target: {"offset": 16, "type": "u64"},
     gap_deg: {"offset": 24, "type": "f64"},
-    largest_gap_deg: {"offset": 32, "type": "f64"},
+    max_gap_deg: {"offset": 32, "type": "f64"},
     margin_deg: {"offset": 40, "type": "f64"},
     plate_orientation_deg: {"offset": 48, "type": "f64"},
     settling_direction_deg: {"offset": 56, "type": "f64"},
-    paper_largest_gap_deg: {"offset": 64, "type": "f64"},
+    paper_max_gap_deg: {"offset": 64, "type": "f64"},
   } },
   hrt_reach_config: { size: 40, fields: {
     struct_size: {"offset": 0, "type": "u32"},
@@ -307,7 +307,7 @@ export const structs = Object.freeze({
     person_weight: {"offset": 208, "type": "hrt_interval"},
     person_curve: {"offset": 240, "type": "hrt_interval"},
     weight_curve_correlation: {"offset": 272, "type": "f64"},
-    largest_gap_deg: {"offset": 280, "type": "hrt_interval"},
+    max_gap_deg: {"offset": 280, "type": "hrt_interval"},
     habit_deg: {"offset": 312, "type": "hrt_interval"},
     correlated_noise_m: {"offset": 344, "type": "hrt_interval"},
     noise_correlation_s: {"offset": 376, "type": "hrt_interval"},
@@ -332,7 +332,7 @@ export const structs = Object.freeze({
     struct_size: {"offset": 0, "type": "u32"},
     differing: {"offset": 4, "type": "u32"},
     tactile_weight: {"offset": 8, "type": "hrt_interval"},
-    largest_gap_deg: {"offset": 40, "type": "hrt_interval"},
+    max_gap_deg: {"offset": 40, "type": "hrt_interval"},
     bias_deg: {"offset": 72, "type": "hrt_interval"},
     habit_deg: {"offset": 104, "type": "hrt_interval"},
     tracker_noise_m: {"offset": 136, "type": "hrt_interval"},

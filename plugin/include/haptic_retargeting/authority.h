@@ -26,15 +26,15 @@ typedef struct hrt_authority {
   /** The virtual direction plus the person's bias, minus the real direction; in [-180, 180). */
   double gap_deg;
   /** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
-  double largest_gap_deg;
-  /** largest_gap_deg minus the size of the gap; negative: unreachable. */
+  double max_gap_deg;
+  /** max_gap_deg minus the size of the gap; negative: unreachable. */
   double margin_deg;
   /** Plate orientation (base.h) that sustains the gap; at the bound if unreachable. */
   double plate_orientation_deg;
   /** Direction in which the finger settles: the real target's, if reachable. */
   double settling_direction_deg;
-  /** largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
-  double paper_largest_gap_deg;
+  /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
+  double paper_max_gap_deg;
 } hrt_authority;
 
 /** Computes the authority over a pair. [one-thread] */
@@ -63,7 +63,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_authority_query_best(hrt_session session, h
 
 /** Assigns a real target to each virtual one. As many virtual targets as possible are served, and of all such
  *  assignments the largest share of the authority that a pair needs, the size of gap_deg over
- *  largest_gap_deg, is the smallest; exactly so. `out_authorities[i]` is the authority over
+ *  max_gap_deg, is the smallest; exactly so. `out_authorities[i]` is the authority over
  * virtual_targets[i] and the real target that serves it; `out_authorities[0].struct_size` is the size of
  * every element. A virtual target that cannot be served has `reachable` 0 and a null real_target, and the
  * other numbers are those of the nearest real target, of the first among equals. Takes up to half a second

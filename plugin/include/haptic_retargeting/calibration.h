@@ -124,7 +124,7 @@ typedef struct hrt_calibration_result {
   /** Largest gap between real and virtual direction that can be held, on the weaker side, with the plate
    *  within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to both
    *  sides, and the interval is at most 10 degrees wide. */
-  hrt_interval largest_gap_deg;
+  hrt_interval max_gap_deg;
   /** How far the user's goal turns over a path, halved (HRT_PERSON_HABIT). Known as bias_deg. */
   hrt_interval habit_deg;
   /** Correlated part of the tracker's noise, and the time in which it decays to 1/e. */
@@ -168,7 +168,7 @@ typedef struct hrt_calibration_slide {
 
 /** Values of two calibrations that differ: hrt_calibration_comparison::differing. */
 #define HRT_DIFFERS_TACTILE_WEIGHT UINT32_C(1)
-#define HRT_DIFFERS_LARGEST_GAP UINT32_C(2)
+#define HRT_DIFFERS_MAX_GAP UINT32_C(2)
 #define HRT_DIFFERS_BIAS UINT32_C(4)
 #define HRT_DIFFERS_HABIT UINT32_C(8)
 #define HRT_DIFFERS_TRACKER_NOISE UINT32_C(16)
@@ -184,7 +184,7 @@ typedef struct hrt_calibration_comparison {
    *  5 % of comparisons. 0 is no proof that nothing has changed: see the intervals. */
   uint32_t differing;
   hrt_interval tactile_weight;
-  hrt_interval largest_gap_deg;
+  hrt_interval max_gap_deg;
   hrt_interval bias_deg;
   hrt_interval habit_deg;
   hrt_interval tracker_noise_m;

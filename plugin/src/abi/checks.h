@@ -31,20 +31,20 @@ inline constexpr std::uint32_t first_size<hrt_authority> = 64;
 template <>
 inline constexpr std::uint32_t first_size<hrt_replay_report> = 32;
 static_assert(first_size<hrt_replay_report> == offsetof(hrt_replay_report, ending));
-static_assert(first_size<hrt_authority> == offsetof(hrt_authority, paper_largest_gap_deg));
+static_assert(first_size<hrt_authority> == offsetof(hrt_authority, paper_max_gap_deg));
 static_assert(first_size<hrt_reach_config> == offsetof(hrt_reach_config, duration_s));
 static_assert(first_size<hrt_command> == offsetof(hrt_command, time_to_go_s));
 static_assert(first_size<hrt_session_config> == offsetof(hrt_session_config, bias_deg));
 static_assert(first_size<hrt_reach_summary> == offsetof(hrt_reach_summary, motor_variance_deg2));
 
 /// No version of any struct is larger: a number beyond this is not a size.
-inline constexpr std::uint32_t largest_struct_size = 4096;
+inline constexpr std::uint32_t max_struct_size = 4096;
 
 template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
   // Every version ends with a whole field, and so at a multiple of this: 8, or 4 for pointers of 4 bytes.
   constexpr std::uint32_t alignment = alignof(Struct);
-  if (size >= first_size<Struct> && size <= largest_struct_size && size % alignment == 0) return HRT_OK;
+  if (size >= first_size<Struct> && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
               ", at least ", first_size<Struct>, " and a multiple of ", alignment, " is needed");
 }
@@ -116,10 +116,10 @@ inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
 }
 
 /// Of the plate: ten turns either way.
-inline constexpr double most_orientation_deg = 3600.0;
+inline constexpr double max_orientation_deg = 3600.0;
 
 inline hrt_result check_plate_orientation(double orientation_deg) {
-  return check_range("plate_orientation_deg", orientation_deg, -most_orientation_deg, most_orientation_deg);
+  return check_range("plate_orientation_deg", orientation_deg, -max_orientation_deg, max_orientation_deg);
 }
 
 /// A name that a host gives; what is behind its zero is cleared.
@@ -137,13 +137,13 @@ inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   return HRT_OK;
 }
 
-inline constexpr double largest_coordinate_m = 1000.0;
+inline constexpr double max_coordinate_m = 1000.0;
 
 inline hrt_result check_position(const char* field, const double (&position_m)[3]) {
   for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(position_m[axis]) <= largest_coordinate_m) continue;  // not a number is not
+    if (std::abs(position_m[axis]) <= max_coordinate_m) continue;  // not a number is not
     return fail(HRT_ERROR_OUT_OF_RANGE, field, "[", axis, "] is ", position_m[axis],
-                "; allowed: ", -largest_coordinate_m, " to ", largest_coordinate_m);
+                "; allowed: ", -max_coordinate_m, " to ", max_coordinate_m);
   }
   return HRT_OK;
 }

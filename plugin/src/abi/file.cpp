@@ -126,7 +126,7 @@ bool means_taken() {
 
 #endif
 
-constexpr std::size_t most_at_once = INT_MAX;
+constexpr std::size_t max_at_once = INT_MAX;
 
 hrt_result fail_as_not_regular(const char* path) {
   return fail(HRT_ERROR_SYSTEM, Shown{path}, ": not a regular file");
@@ -173,14 +173,14 @@ hrt_result File::create(const char* path, File* out) {
 
 std::ptrdiff_t File::read(std::span<char> out) {
   for (;;) {
-    const std::ptrdiff_t n = read_some(descriptor_, out.data(), std::min(out.size(), most_at_once));
+    const std::ptrdiff_t n = read_some(descriptor_, out.data(), std::min(out.size(), max_at_once));
     if (n >= 0 || errno != EINTR) return n;
   }
 }
 
 int File::write(std::string_view text) {
   while (!text.empty()) {
-    const std::ptrdiff_t n = write_some(descriptor_, text.data(), std::min(text.size(), most_at_once));
+    const std::ptrdiff_t n = write_some(descriptor_, text.data(), std::min(text.size(), max_at_once));
     if (n < 0 && errno == EINTR) continue;
     if (n <= 0) return n < 0 && errno != 0 ? errno : EIO;
     text.remove_prefix(static_cast<std::size_t>(n));

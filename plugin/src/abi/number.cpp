@@ -7,7 +7,7 @@
 
 namespace hrt::plugin {
 
-std::size_t write_number(double number, char (&out)[longest_number]) {
+std::size_t write_number(double number, char (&out)[max_number]) {
   return static_cast<std::size_t>(fmt::format_to(out, "{}", number) - out);
 }
 

@@ -8,10 +8,10 @@
 namespace hrt::plugin {
 
 /// Room for any number that write_number() writes.
-inline constexpr std::size_t longest_number = 32;
+inline constexpr std::size_t max_number = 32;
 
 /// Writes the shortest text that reads back as the same finite number. Returns its length.
-std::size_t write_number(double number, char (&out)[longest_number]);
+std::size_t write_number(double number, char (&out)[max_number]);
 
 /// Whether all of `text` is a number that a double can hold: digits with at most one point, with or without
 /// an exponent; or inf, nan. `*out` changes only then.

@@ -45,7 +45,7 @@ class Text {
     if constexpr (std::is_floating_point_v<Number>) {
       if (std::isnan(number)) return *this << std::string_view("NaN");
       if (std::isinf(number)) return *this << std::string_view(number > 0 ? "Inf" : "-Inf");
-      char digits[longest_number];
+      char digits[max_number];
       return *this << std::string_view(digits, write_number(double{number}, digits));
     } else {
       char digits[32];

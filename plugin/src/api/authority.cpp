@@ -36,11 +36,11 @@ hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_t
       .real_target = real_target,
       .virtual_target = virtual_target,
       .gap_deg = authority.gap_deg,
-      .largest_gap_deg = authority.largest_gap_deg,
+      .max_gap_deg = authority.max_gap_deg,
       .margin_deg = authority.margin_deg,
       .plate_orientation_deg = authority.plate_orientation_deg,
       .settling_direction_deg = authority.settling_direction_deg,
-      .paper_largest_gap_deg = paper.largest_gap_deg,
+      .paper_max_gap_deg = paper.max_gap_deg,
   };
 }
 
@@ -68,7 +68,7 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
 
 double needed_share(const hrt_authority& authority) {
   if (!authority.reachable) return std::numeric_limits<double>::infinity();
-  return authority.gap_deg == 0.0 ? 0.0 : std::abs(authority.gap_deg) / authority.largest_gap_deg;
+  return authority.gap_deg == 0.0 ? 0.0 : std::abs(authority.gap_deg) / authority.max_gap_deg;
 }
 
 }  // namespace
@@ -158,12 +158,12 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
     std::vector<double> shares;
     std::vector<std::size_t> nearest(virtuals.size(), 0), serves(virtuals.size(), unserved);
     for (std::size_t i = 0; i < virtual_count; ++i) {
-      double least_gap_deg = std::numeric_limits<double>::infinity();
+      double min_gap_deg = std::numeric_limits<double>::infinity();
       for (std::size_t j = 0; j < real_count; ++j) {
         const hrt_authority pair = authority(i, j);
         shares.push_back(needed_share(pair));
-        if (!(std::abs(pair.gap_deg) < least_gap_deg)) continue;
-        least_gap_deg = std::abs(pair.gap_deg);
+        if (!(std::abs(pair.gap_deg) < min_gap_deg)) continue;
+        min_gap_deg = std::abs(pair.gap_deg);
         nearest[i] = j;
         if (pair.reachable) serves[i] = j;
       }

@@ -70,20 +70,20 @@ void write_noise(const hrt_calibration_result& result, hrt_session_config* confi
 void write_steering(const hrt_calibration_result& result, hrt_session_config* config) {
   if (result.steering_rate_per_s.known) config->steering_rate_per_s = result.steering_rate_per_s.value;
   if (result.steering_delay_s.known)
-    config->steering_delay_s = std::max(result.steering_delay_s.value, least_known_delay_s);
+    config->steering_delay_s = std::max(result.steering_delay_s.value, min_known_delay_s);
 }
 
 // What a checked result makes of a configuration.
 hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_result& result) {
   if (result.tactile_weight.known) {
     config.tactile_weight = result.tactile_weight.value;
-    config.tactile_weight_sd = std::max(sd_of(result.tactile_weight), least_carried_weight_sd);
+    config.tactile_weight_sd = std::max(sd_of(result.tactile_weight), min_carried_weight_sd);
   }
   if (result.bias_deg.known) config.bias_deg = result.bias_deg.value;
   if (result.motor_variance_deg2.known) {
     config.motor_variance_deg2 = result.motor_variance_deg2.value;
     config.motor_variance_sd_deg2 =
-        std::max(sd_of(result.motor_variance_deg2), least_carried_motor_variance_sd_deg2);
+        std::max(sd_of(result.motor_variance_deg2), min_carried_motor_variance_sd_deg2);
   }
   if (result.sensory_variance_deg2.known) config.sensory_variance_deg2 = result.sensory_variance_deg2.value;
   write_noise(result, &config);
@@ -140,7 +140,7 @@ using R = hrt_calibration_result;
 using D = hrt_calibration_comparison;
 constexpr ComparedValue compared_values[] = {
     {"tactile_weight", &R::tactile_weight, &D::tactile_weight, HRT_DIFFERS_TACTILE_WEIGHT},
-    {"largest_gap_deg", &R::largest_gap_deg, &D::largest_gap_deg, HRT_DIFFERS_LARGEST_GAP},
+    {"max_gap_deg", &R::max_gap_deg, &D::max_gap_deg, HRT_DIFFERS_MAX_GAP},
     {"bias_deg", &R::bias_deg, &D::bias_deg, HRT_DIFFERS_BIAS},
     {"habit_deg", &R::habit_deg, &D::habit_deg, HRT_DIFFERS_HABIT},
     {"tracker_noise_m", &R::tracker_noise_m, &D::tracker_noise_m, HRT_DIFFERS_TRACKER_NOISE},
@@ -154,9 +154,9 @@ hrt_result check_compared(const hrt_calibration_result& result) {
     const hrt_interval& interval = result.*value.value;
     HRT_RETURN_IF_FAILED(check_interval(value.name, interval));
     if (interval.known == 0) continue;
-    constexpr double most = 1e6;
-    HRT_RETURN_IF_FAILED(check_range(value.name, interval.lower, -most, most));
-    HRT_RETURN_IF_FAILED(check_range(value.name, interval.upper, -most, most));
+    constexpr double max = 1e6;
+    HRT_RETURN_IF_FAILED(check_range(value.name, interval.lower, -max, max));
+    HRT_RETURN_IF_FAILED(check_range(value.name, interval.upper, -max, max));
   }
   return HRT_OK;
 }

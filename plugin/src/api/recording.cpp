@@ -10,7 +10,7 @@
 namespace hrt::plugin {
 namespace {
 
-constexpr std::size_t largest_file = std::size_t{1} << 30;
+constexpr std::size_t max_file = std::size_t{1} << 30;
 constexpr std::size_t block_size = 65536;
 
 hrt_recording_status to_abi(const RecorderStatus& status) {
@@ -25,14 +25,14 @@ hrt_recording_status to_abi(const RecorderStatus& status) {
 hrt_result read_file(const char* path, std::string* out) {
   File file;
   HRT_RETURN_IF_FAILED(File::open(path, &file));
-  for (std::size_t size = 0; size <= largest_file;) {
+  for (std::size_t size = 0; size <= max_file;) {
     out->resize(size + block_size);
     const std::ptrdiff_t n = file.read({out->data() + size, block_size});
     if (n < 0) return fail_of_file(path);
     out->resize(size += static_cast<std::size_t>(n));
     if (n == 0) return HRT_OK;
   }
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", largest_file, " bytes");
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", max_file, " bytes");
 }
 
 }  // namespace

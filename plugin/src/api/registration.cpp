@@ -148,7 +148,7 @@ hrt_result read_registration(const hrt_registration* given, Registration* out) {
     return fail(HRT_ERROR_OUT_OF_RANGE, "verdict is ", known.verdict, "; allowed: HRT_REGISTRATION_HOLDS, ",
                 HRT_REGISTRATION_HOLDS);
   HRT_RETURN_IF_FAILED(check_plate_pose(known.plate_position_m, known.plate_rotation));
-  HRT_RETURN_IF_FAILED(check_range("plate_scale", known.plate_scale, least_plate_scale, most_plate_scale));
+  HRT_RETURN_IF_FAILED(check_range("plate_scale", known.plate_scale, min_plate_scale, max_plate_scale));
   HRT_RETURN_IF_FAILED(check_range("touch_sd_m", known.touch_sd_m, 1e-9, 1.0));
   *out = {.verdict = RegistrationVerdict::holds,
           .rotation = rotation_of(known.plate_rotation),

@@ -18,8 +18,8 @@ namespace hrt::plate {
 
 /// What a device says of itself, and what was seen of it.
 struct DeviceLimits {
-  double least_deg;  ///< stops; both 0: it turns freely
-  double most_deg;
+  double min_deg;  ///< stops; both 0: it turns freely
+  double max_deg;
   double speed_deg_s;                ///< its own, or less if it was seen to turn slower
   std::chrono::nanoseconds latency;  ///< from a command to the motion
 };
@@ -84,7 +84,7 @@ struct DeviceName {
   /// Throws std::invalid_argument, naming it, if there is another option, or one twice.
   void allow(std::initializer_list<std::string_view> known) const;
   /// A whole number; throws std::invalid_argument, naming what is allowed, if it is none or out of range.
-  int number(std::string_view option, int otherwise, int least, int most) const;
+  int number(std::string_view option, int otherwise, int min, int max) const;
 };
 
 using LineOpener = std::function<std::unique_ptr<Line>(const std::string& path, int baud)>;

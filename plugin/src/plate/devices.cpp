@@ -71,14 +71,14 @@ void DeviceName::allow(std::initializer_list<std::string_view> known) const {
   }
 }
 
-int DeviceName::number(std::string_view option, int otherwise, int least, int most) const {
+int DeviceName::number(std::string_view option, int otherwise, int min, int max) const {
   for (const auto& [word, text] : options) {
     if (word != option) continue;
     int value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
-      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(least) + " to " +
-             std::to_string(most));
+    if (error != std::errc() || end != text.data() + text.size() || value < min || value > max)
+      refuse("option " + word + " is \"" + text + "\"; allowed: " + std::to_string(min) + " to " +
+             std::to_string(max));
     return value;
   }
   return otherwise;

@@ -20,12 +20,12 @@ static_assert(offsetof(hrt_plate_report, description) == 88);
 
 namespace {
 
-constexpr std::size_t most_plates = 16;
+constexpr std::size_t max_plates = 16;
 constexpr std::uint8_t plates_kind = 'p';
-constexpr std::size_t longest_name = 1024;
-constexpr std::int64_t least_timeout_ns = 50'000'000, most_timeout_ns = 10'000'000'000;
+constexpr std::size_t max_name = 1024;
+constexpr std::int64_t min_timeout_ns = 50'000'000, max_timeout_ns = 10'000'000'000;
 
-using Plates = HandleTable<PlateDriver, most_plates, plates_kind>;
+using Plates = HandleTable<PlateDriver, max_plates, plates_kind>;
 Plates plates;
 
 constexpr hrt_plate_options defaults{
@@ -44,7 +44,7 @@ hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* optio
   if (!given) return HRT_OK;
   HRT_RETURN_IF_FAILED(read_struct("options", given, options));
   HRT_RETURN_IF_FAILED(check_zero("reserved", options->reserved));
-  return check_range("host_timeout_ns", options->host_timeout_ns, least_timeout_ns, most_timeout_ns);
+  return check_range("host_timeout_ns", options->host_timeout_ns, min_timeout_ns, max_timeout_ns);
 }
 
 // Behind the kind, as in "/dev/ttyACM0?id=1": without the options.
@@ -74,8 +74,8 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
     if (!device) return fail(HRT_ERROR_NULL_ARGUMENT, "device is null");
     if (!out_plate) return fail(HRT_ERROR_NULL_ARGUMENT, "out_plate is null");
     const std::string_view name(device);
-    if (name.size() > longest_name)
-      return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: ", longest_name);
+    if (name.size() > max_name)
+      return fail(HRT_ERROR_OUT_OF_RANGE, "device has ", name.size(), " bytes; allowed: ", max_name);
     hrt_plate_options checked;
     HRT_RETURN_IF_FAILED(read_options(options, &checked));
     hrt::plate::DeviceMaker maker;
@@ -88,7 +88,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                 std::chrono::nanoseconds(checked.host_timeout_ns));
     const std::uint64_t handle = plates.insert(std::move(driver));
     if (handle == 0)
-      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", most_plates, " plates; close one first");
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates; close one first");
     out_plate->value = handle;
     return HRT_OK;
   });
@@ -97,7 +97,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
 hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
   return with_plate("hrt_plate_set", plate, [&](PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(
-        check_range("orientation_deg", orientation_deg, -most_orientation_deg, most_orientation_deg));
+        check_range("orientation_deg", orientation_deg, -max_orientation_deg, max_orientation_deg));
     HRT_RETURN_IF_FAILED(check_ready(driver));
     driver.set(orientation_deg);
     return HRT_OK;

@@ -152,7 +152,7 @@ void PlateDriver::follow_host(Device& device, Time now) {
   const double wanted_deg = wanted_deg_.load(std::memory_order_acquire);
   if (!std::isnan(wanted_deg)) {
     const DeviceLimits limits = device.limits();
-    const double within_deg = orientation_within(limits.least_deg, limits.most_deg, wanted_deg,
+    const double within_deg = orientation_within(limits.min_deg, limits.max_deg, wanted_deg,
                                                  device.orientation_deg().value_or(wanted_deg));
     device.turn_to(within_deg);
     now_known_.report.command_deg = within_deg;
@@ -176,8 +176,8 @@ void PlateDriver::publish(const Device& device) {
   report.latency_ns = limits.latency.count();
   report.round_trip_ns = device.round_trip().value_or(0ns).count();
   report.max_speed_deg_s = limits.speed_deg_s;
-  report.lower_stop_deg = limits.least_deg;
-  report.upper_stop_deg = limits.most_deg;
+  report.lower_stop_deg = limits.min_deg;
+  report.upper_stop_deg = limits.max_deg;
   report.refused_messages = device.refusals();
   now_known_.reported_ns = device.reported().time_since_epoch() / 1ns;
   published_.publish(now_known_);

@@ -10,9 +10,9 @@ namespace hrt::plate {
 namespace {
 
 constexpr std::size_t max_number = 12;
-constexpr double most_angle_deg = 360.0;
-constexpr double most_speed_deg_s = 1e6;
-constexpr double most_latency_ms = 1000.0;
+constexpr double max_angle_deg = 360.0;
+constexpr double max_speed_deg_s = 1e6;
+constexpr double max_latency_ms = 1000.0;
 constexpr char hex_digits[] = "0123456789ABCDEF";
 
 std::string sum_of(std::string_view body, Version version) {
@@ -51,7 +51,7 @@ std::optional<double> number_of(std::string_view word) {
 
 std::optional<double> angle_of(std::string_view word) {
   const std::optional<double> angle_deg = number_of(word);
-  return angle_deg && std::abs(*angle_deg) <= most_angle_deg ? angle_deg : std::nullopt;
+  return angle_deg && std::abs(*angle_deg) <= max_angle_deg ? angle_deg : std::nullopt;
 }
 
 bool are_digits(std::string_view text) {
@@ -76,13 +76,13 @@ std::optional<std::uint16_t> sequence_of(std::string_view word) {
 std::optional<PlateMessage> parse_greeting(const Words& words, Version version) {
   if (words.size() != (version == Version::two ? 7U : 5U)) return std::nullopt;
   if (words[1] != (version == Version::two ? "2" : "1")) return std::nullopt;
-  const auto least = angle_of(words[2]), most = angle_of(words[3]), speed = number_of(words[4]);
-  if (!least || !most || !speed || *least >= *most || *speed <= 0.0 || *speed > most_speed_deg_s)
+  const auto min = angle_of(words[2]), max = angle_of(words[3]), speed = number_of(words[4]);
+  if (!min || !max || !speed || *min >= *max || *speed <= 0.0 || *speed > max_speed_deg_s)
     return std::nullopt;
-  PlateGreeting greeting{version, *least, *most, *speed, 0.0, false};
+  PlateGreeting greeting{version, *min, *max, *speed, 0.0, false};
   if (version == Version::two) {
     const auto latency = number_of(words[5]);
-    if (!latency || *latency < 0.0 || *latency > most_latency_ms) return std::nullopt;
+    if (!latency || *latency < 0.0 || *latency > max_latency_ms) return std::nullopt;
     if (words[6] != "measured" && words[6] != "assumed") return std::nullopt;
     greeting.latency_ms = *latency;
     greeting.is_measured = words[6] == "measured";

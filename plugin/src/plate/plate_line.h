@@ -16,8 +16,8 @@ enum class Version { one = 1, two = 2 };
 /// Messages from a plate.
 struct PlateGreeting {
   Version version;
-  double least_deg;
-  double most_deg;
+  double min_deg;
+  double max_deg;
   double speed_deg_s;
   double latency_ms;  ///< from a line to the servo's motion; 0 in version one
   bool is_measured;   ///< reports come from a sensor, not from the plate's own commands; false in version one

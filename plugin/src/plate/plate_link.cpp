@@ -49,7 +49,7 @@ std::string PlateLink::description() const {
 
 DeviceLimits PlateLink::limits() const {
   const auto own = std::chrono::duration<double, std::milli>(greeting_->latency_ms);
-  return {greeting_->least_deg, greeting_->most_deg,
+  return {greeting_->min_deg, greeting_->max_deg,
           std::min(greeting_->speed_deg_s, watch_->speed_deg_s().value_or(greeting_->speed_deg_s)),
           std::chrono::duration_cast<std::chrono::nanoseconds>(own) + round_trip().value_or(0ns) / 2};
 }
@@ -87,7 +87,7 @@ void PlateLink::measure_line() {
 }
 
 void PlateLink::hold_place() {
-  turn_to(std::clamp(orientation_deg_.value_or(0.0), greeting_->least_deg, greeting_->most_deg));
+  turn_to(std::clamp(orientation_deg_.value_or(0.0), greeting_->min_deg, greeting_->max_deg));
 }
 
 void PlateLink::serve_for(std::chrono::milliseconds time) {

@@ -12,8 +12,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double least_pulse_us = 500.0, most_pulse_us = 2500.0;
-constexpr double most_zero_step_us = 20.0;  // that the firmware takes while the servo holds
+constexpr double min_pulse_us = 500.0, max_pulse_us = 2500.0;
+constexpr double max_zero_step_us = 20.0;  // that the firmware takes while the servo holds
 
 std::string shown(double value) {
   std::array<char, 32> text{};
@@ -72,7 +72,7 @@ double PlateLink::pulse_setting(const std::string& name) {
   if (version_ != Version::two)
     throw PlateFailure(Fault::protocol, "speaks protocol 1, which has no trim: turn the plate on its shaft");
   const double width_us = setting(name);
-  if (std::abs(width_us) < least_pulse_us || std::abs(width_us) > most_pulse_us)
+  if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
     throw PlateFailure(Fault::protocol,
                        "has a " + name + " of " + shown(width_us) + " us; allowed: 500 to 2500 either way");
   return width_us;
@@ -86,18 +86,18 @@ double PlateLink::zero_deg() {
 void PlateLink::set_zero(double zero_deg) {
   double at_us = pulse_setting("zero");
   const double to_us = std::round(zero_deg * pulse_setting("span") / 180.0);
-  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / most_zero_step_us)); steps > 0;
+  for (int steps = static_cast<int>(std::ceil(std::abs(to_us - at_us) / max_zero_step_us)); steps > 0;
        --steps) {
-    at_us += std::clamp(to_us - at_us, -most_zero_step_us, most_zero_step_us);
+    at_us += std::clamp(to_us - at_us, -max_zero_step_us, max_zero_step_us);
     change_setting("zero", at_us);
     serve_for(50ms);
   }
 }
 
 void PlateLink::keep_plan(double latency_ms, std::optional<double> speed_deg_s) {
-  constexpr double most_latency_ms = 200.0, least_speed_deg_s = 1.0;
-  change_setting("latency", std::min(most_latency_ms, latency_ms));
-  if (speed_deg_s) change_setting("speed", std::max(least_speed_deg_s, *speed_deg_s));
+  constexpr double max_latency_ms = 200.0, min_speed_deg_s = 1.0;
+  change_setting("latency", std::min(max_latency_ms, latency_ms));
+  if (speed_deg_s) change_setting("speed", std::max(min_speed_deg_s, *speed_deg_s));
   save_settings();
 }
 

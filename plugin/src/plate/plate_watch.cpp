@@ -18,8 +18,8 @@ constexpr double limit_slack_deg = 3.0;  // of a sensor
 constexpr double far_deg = 10.0;         // from the command: a plate so far away has to move
 constexpr auto stuck_limit = 1000ms;
 constexpr double moved_deg = 1.0;  // in that time, or a quarter of what the plate's speed allows
-constexpr auto longest_pause = 250ms;
-constexpr auto shortest_motion = 100ms, longest_motion = 1000ms;
+constexpr auto max_pause = 250ms;
+constexpr auto shortest_motion = 100ms, max_motion = 1000ms;
 
 std::string degrees(double angle_deg) {
   std::array<char, 32> text{};
@@ -47,17 +47,17 @@ void PlateWatch::stopped() {
 
 void PlateWatch::reported(Time time, double orientation_deg) {
   // After a pause of the host, reports of the pause arrive at once: their own times are unknown.
-  if (time - reported_ > longest_pause) {
+  if (time - reported_ > max_pause) {
     motion_.clear();
     moved_.reset();
   }
   has_reported_ = true;
   reported_ = time;
-  if (orientation_deg < greeting_.least_deg - limit_slack_deg ||
-      orientation_deg > greeting_.most_deg + limit_slack_deg)
+  if (orientation_deg < greeting_.min_deg - limit_slack_deg ||
+      orientation_deg > greeting_.max_deg + limit_slack_deg)
     throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
-                                          degrees(greeting_.least_deg) + " to " +
-                                          degrees(greeting_.most_deg) + " deg");
+                                          degrees(greeting_.min_deg) + " to " + degrees(greeting_.max_deg) +
+                                          " deg");
   const bool far = command_deg_ && std::abs(*command_deg_ - orientation_deg) > far_deg;
   if (!far) {
     motion_.clear();
@@ -75,7 +75,7 @@ void PlateWatch::check(Time now) const {
 }
 
 void PlateWatch::measure_speed(const Place& now) {
-  while (!motion_.empty() && now.time - motion_.front().time > longest_motion) motion_.pop_front();
+  while (!motion_.empty() && now.time - motion_.front().time > max_motion) motion_.pop_front();
   if (!motion_.empty() && now.time - motion_.front().time >= shortest_motion) {
     const double seconds = std::chrono::duration<double>(now.time - motion_.front().time).count();
     const double speed_deg_s = std::abs(now.orientation_deg - motion_.front().orientation_deg) / seconds;
@@ -85,27 +85,27 @@ void PlateWatch::measure_speed(const Place& now) {
 }
 
 void PlateWatch::expect_motion(const Place& now) {
-  const double least_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
-  if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= least_deg) moved_ = now;
+  const double min_deg = std::min(moved_deg, 0.25 * greeting_.speed_deg_s);
+  if (!moved_ || std::abs(now.orientation_deg - moved_->orientation_deg) >= min_deg) moved_ = now;
   if (now.time - moved_->time > stuck_limit)
     throw PlateFailure(Fault::stuck, "is stuck at " + degrees(now.orientation_deg) +
                                          " deg; it was commanded to " + degrees(*command_deg_) + " deg");
 }
 
 void RoundTrips::sent(Time time, std::uint16_t sequence) {
-  constexpr std::size_t most = 64;
+  constexpr std::size_t max = 64;
   sent_.push_back({time, sequence});
-  if (sent_.size() > most) sent_.pop_front();
+  if (sent_.size() > max) sent_.pop_front();
 }
 
 void RoundTrips::echoed(Time time, std::uint16_t sequence) {
   const auto found =
       std::find_if(sent_.begin(), sent_.end(), [&](const Sent& line) { return line.sequence == sequence; });
   if (found == sent_.end()) return;
-  constexpr std::size_t most = 1000;
+  constexpr std::size_t max = 1000;
   const Time found_time = found->time;
   sent_.erase(sent_.begin(), found + 1);
-  if (times_.size() == most) return;
+  if (times_.size() == max) return;
   times_.push_back(time - found_time);
   auto sorted = times_;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);

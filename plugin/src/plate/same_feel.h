@@ -6,16 +6,16 @@
 
 namespace hrt::plate {
 
-/// Of the orientations in [least_deg, most_deg] that feel like `orientation_deg` (ridges repeat every 180
+/// Of the orientations in [min_deg, max_deg] that feel like `orientation_deg` (ridges repeat every 180
 /// degrees), the nearest to `from_deg`; if there is none, the limit nearest to one.
-inline double orientation_within(double least_deg, double most_deg, double orientation_deg, double from_deg) {
-  const double turns = std::ceil((least_deg - orientation_deg) / 180.0);
+inline double orientation_within(double min_deg, double max_deg, double orientation_deg, double from_deg) {
+  const double turns = std::ceil((min_deg - orientation_deg) / 180.0);
   const double lowest_deg = orientation_deg + 180.0 * turns;  // the first one that is not below the range
-  if (lowest_deg > most_deg) {
-    const double below_by_deg = least_deg - (lowest_deg - 180.0);
-    return lowest_deg - most_deg < below_by_deg ? most_deg : least_deg;
+  if (lowest_deg > max_deg) {
+    const double below_by_deg = min_deg - (lowest_deg - 180.0);
+    return lowest_deg - max_deg < below_by_deg ? max_deg : min_deg;
   }
-  const double highest_deg = lowest_deg + 180.0 * std::floor((most_deg - lowest_deg) / 180.0);
+  const double highest_deg = lowest_deg + 180.0 * std::floor((max_deg - lowest_deg) / 180.0);
   const double nearest_deg = lowest_deg + 180.0 * std::round((from_deg - lowest_deg) / 180.0);
   return std::min(std::max(nearest_deg, lowest_deg), highest_deg);
 }

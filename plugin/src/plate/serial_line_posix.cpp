@@ -15,8 +15,8 @@
 namespace hrt::plate {
 namespace {
 
-constexpr std::size_t most_unsent = 1024;
-constexpr int most_reads = 16;  // at a time, however much the plate sends
+constexpr std::size_t max_unsent = 1024;
+constexpr int max_reads = 16;  // at a time, however much the plate sends
 
 std::string reason() {
   return std::strerror(errno);
@@ -68,7 +68,7 @@ class SerialLine : public Line {
 
   void receive(std::string& bytes) override {
     std::array<char, 256> some{};
-    for (int i = 0; i < most_reads; ++i) {
+    for (int i = 0; i < max_reads; ++i) {
       const ssize_t count = read(line_, some.data(), some.size());
       if (count < 0 && errno == EINTR) continue;
       if (count < 0 && must_wait()) return;
@@ -79,7 +79,7 @@ class SerialLine : public Line {
 
   void send(std::string_view bytes) override {
     unsent_ += bytes;
-    if (unsent_.size() > most_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
+    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
     flush();
   }
 

@@ -13,7 +13,7 @@
 namespace hrt::plate {
 namespace {
 
-constexpr std::size_t most_unsent = 1024;
+constexpr std::size_t max_unsent = 1024;
 
 std::string reason() {
   return "Windows error " + std::to_string(GetLastError());
@@ -122,7 +122,7 @@ class SerialLine : public Line {
 
   void send(std::string_view bytes) override {
     unsent_ += bytes;
-    if (unsent_.size() > most_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
+    if (unsent_.size() > max_unsent) throw PlateFailure(Fault::unplugged, "takes nothing in");
     flush();
   }
 

@@ -19,7 +19,7 @@ constexpr IntervalName intervals[] = {
     {"tracker_noise_m", &R::tracker_noise_m},
     {"person_weight", &R::person_weight},
     {"person_curve", &R::person_curve},
-    {"largest_gap_deg", &R::largest_gap_deg},
+    {"max_gap_deg", &R::max_gap_deg},
     {"habit_deg", &R::habit_deg},
     {"correlated_noise_m", &R::correlated_noise_m},
     {"noise_correlation_s", &R::noise_correlation_s},

@@ -23,8 +23,8 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char* profile_format = "haptic retargeting profile";
-constexpr std::size_t largest_text = 65536;
-constexpr std::size_t most_fields = 64;
+constexpr std::size_t max_text = 65536;
+constexpr std::size_t max_fields = 64;
 
 // The fields of each struct in JSON, in their order: `visit` gets each one's key and value.
 void visit_fields(hrt_session_config& config, auto&& visit) {
@@ -133,7 +133,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool end_object() override { return true; }
   bool key(string_t& name) override {
     fields.push_back({.key = name});
-    return fields.size() <= most_fields;
+    return fields.size() <= max_fields;
   }
   bool start_array(std::size_t) override {
     if (depth_ == 0 || fields.empty() || in_array_) return false;
@@ -183,8 +183,8 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
 };
 
 hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
-  if (text.size() > largest_text)
-    return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", largest_text);
+  if (text.size() > max_text)
+    return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
   FlatObjectReader reader;
   if (!Json::sax_parse(text, &reader))
     return fail(HRT_ERROR_BAD_FORMAT,

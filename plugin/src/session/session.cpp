@@ -73,12 +73,12 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
 hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) const {
   const Bearing real = view_from(start, config_, pair.real);
   const Bearing seen = view_from(start, config_, pair.virtual_target);
-  if (!(real.distance_m >= least_distance_m))
+  if (!(real.distance_m >= min_distance_m))
     return fail(HRT_ERROR_OUT_OF_RANGE, "real_target is ", real.distance_m, " m from the start; at least ",
-                least_distance_m, " is needed");
+                min_distance_m, " is needed");
   if (seen.at_start)
     return fail(HRT_ERROR_OUT_OF_RANGE, "virtual_target is ", seen.distance_m, " m from the start; at least ",
-                least_distance_m, " is needed");
+                min_distance_m, " is needed");
   Reach reach = *out;
   reach.start = start;
   reach.virtual_direction_deg = seen.direction_deg;
@@ -180,8 +180,8 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
 
 bool Session::is_registration_doubtful(std::int64_t time_ns) const {
   if (registration_poor_) return true;
-  const std::int64_t most_ns = config_.max_registration_age_ns;
-  return most_ns > 0 && time_ns > later_ns(config_.registration_time_ns, most_ns);
+  const std::int64_t max_ns = config_.max_registration_age_ns;
+  return max_ns > 0 && time_ns > later_ns(config_.registration_time_ns, max_ns);
 }
 
 hrt_command Session::command(std::uint32_t flags) const {

@@ -20,22 +20,22 @@ constexpr NumberField all_number_fields[] = {
     {"plate_bound_deg", &C::plate_bound_deg, 0.1, 90.0, false},
     {"plate_max_speed_deg_s", &C::plate_max_speed_deg_s, 0.0, 1e6, false},
     {"plate_max_acceleration_deg_s2", &C::plate_max_acceleration_deg_s2, 0.0, 1e8, false},
-    {"plate_lower_stop_deg", &C::plate_lower_stop_deg, -most_orientation_deg, most_orientation_deg, false},
-    {"plate_upper_stop_deg", &C::plate_upper_stop_deg, -most_orientation_deg, most_orientation_deg, false},
+    {"plate_lower_stop_deg", &C::plate_lower_stop_deg, -max_orientation_deg, max_orientation_deg, false},
+    {"plate_upper_stop_deg", &C::plate_upper_stop_deg, -max_orientation_deg, max_orientation_deg, false},
     {"fixed_plate_orientation_deg", &C::fixed_plate_orientation_deg, -180.0, 180.0, false},
     {"tactile_weight", &C::tactile_weight, 0.001, 0.499, true},
-    {"tactile_weight_sd", &C::tactile_weight_sd, 0.001, most_weight_sd, true},
+    {"tactile_weight_sd", &C::tactile_weight_sd, 0.001, max_weight_sd, true},
     {"bias_deg", &C::bias_deg, -45.0, 45.0, true},
     {"motor_variance_deg2", &C::motor_variance_deg2, 1e-9, 1e4, true},
     {"motor_variance_sd_deg2", &C::motor_variance_sd_deg2, 0.001, 10.0, true},
     {"sensory_variance_deg2", &C::sensory_variance_deg2, 1e-9, 1e4, true},
     {"initial_variance_deg2", &C::initial_variance_deg2, 0.0, 1e4, true},
     {"tracker_noise_m", &C::tracker_noise_m, 0.0, 0.1, true},
-    {"plate_radius_m", &C::plate_radius_m, 1e-3, largest_coordinate_m, false},
-    {"lift_height_m", &C::lift_height_m, 1e-4, largest_coordinate_m, false},
+    {"plate_radius_m", &C::plate_radius_m, 1e-3, max_coordinate_m, false},
+    {"lift_height_m", &C::lift_height_m, 1e-4, max_coordinate_m, false},
     {"max_felt_error_deg", &C::max_felt_error_deg, 0.1, 45.0, false},
     {"motion_bound_deg", &C::motion_bound_deg, 1.0, 89.0, false},
-    {"plate_scale", &C::plate_scale, least_plate_scale, most_plate_scale, false},
+    {"plate_scale", &C::plate_scale, min_plate_scale, max_plate_scale, false},
     {"max_registration_sd_deg", &C::max_registration_sd_deg, 0.0, 180.0, false},
     {"tracker_correlated_noise_m", &C::tracker_correlated_noise_m, 0.0, 0.1, true,
      &C::tracker_correlated_noise_m},
@@ -49,7 +49,7 @@ bool turns_freely(const C& config) {
 }
 
 // The core squares it; the square of less would lose its digits, or be 0.
-constexpr double least_tracker_noise_m = 1e-9;
+constexpr double min_tracker_noise_m = 1e-9;
 
 constexpr double default_tactile_weight = 0.2;
 
@@ -87,7 +87,7 @@ hrt_result check_person(const hrt_session_config& config) {
   }
   for (int i = 0; i < PersonTrait::count; ++i)
     HRT_RETURN_IF_FAILED(
-        check_range(person_names[i], config.person_mean[i], trait_range[i].least, trait_range[i].most));
+        check_range(person_names[i], config.person_mean[i], trait_range[i].min, trait_range[i].max));
   if (holds_belief(config)) return HRT_OK;
   return fail(
       HRT_ERROR_OUT_OF_RANGE,
@@ -239,7 +239,7 @@ RetargeterConfig to_core(const hrt_session_config& config) {
                     .tactile_weight_sd = config.tactile_weight_sd,
                     .motor_variance_sd_deg2 = config.motor_variance_sd_deg2,
                     .tracker_noise_m = config.tracker_noise_m > 0.0
-                                           ? std::max(config.tracker_noise_m, least_tracker_noise_m)
+                                           ? std::max(config.tracker_noise_m, min_tracker_noise_m)
                                            : 0.0,
                     .correlated_noise_m = config.tracker_correlated_noise_m,
                     .correlation_s = config.tracker_correlation_s},
@@ -263,7 +263,7 @@ void write_person(const PersonBelief& belief, hrt_session_config* config) {
   write_triangle<PersonTrait::count>(belief.covariance, config->person_covariance);
   const LinearIllusion linear = linear_illusion(belief);
   config->tactile_weight = linear.weight;
-  config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, most_weight_sd);
+  config->tactile_weight_sd = std::clamp(linear.weight_sd, 0.001, max_weight_sd);
 }
 
 Illusion illusion_of(const hrt_session_config& config, double distance_m) {

@@ -49,8 +49,8 @@ void write_person(const PersonBelief& belief, hrt_session_config* config);
 /// something.
 Illusion illusion_of(const hrt_session_config& config, double distance_m);
 
-inline constexpr double least_plate_scale = 0.5;
-inline constexpr double most_plate_scale = 2.0;
+inline constexpr double min_plate_scale = 0.5;
+inline constexpr double max_plate_scale = 2.0;
 
 /// Between plate_covariance and the core's matrix.
 FrameCovariance frame_covariance_of(const hrt_session_config& config);

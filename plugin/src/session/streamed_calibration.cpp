@@ -11,12 +11,12 @@
 namespace hrt::plugin {
 namespace {
 
-constexpr std::uint32_t least_max_trials = 10;
-constexpr std::uint32_t most_max_trials = 10'000;
-constexpr std::uint32_t least_max_samples = 100;
-constexpr std::uint32_t most_max_samples = 1'000'000;
+constexpr std::uint32_t max_trials_min = 10;
+constexpr std::uint32_t max_trials_max = 10'000;
+constexpr std::uint32_t max_samples_min = 100;
+constexpr std::uint32_t max_samples_max = 1'000'000;
 
-constexpr double least_plate_range_deg = 40.0;
+constexpr double min_plate_range_deg = 40.0;
 
 constexpr hrt_calibration_config defaults{
     .struct_size = sizeof(hrt_calibration_config),
@@ -30,15 +30,15 @@ constexpr hrt_calibration_config defaults{
 };
 
 std::uint32_t illusion_of(const Calibration& calibration) {
-  return calibration.lack_of_fit.angle_p < least_fit_p
+  return calibration.lack_of_fit.angle_p < min_fit_p
              ? HRT_ILLUSION_NONE
              : static_cast<std::uint32_t>(calibration.illusion.family);
 }
 
 std::uint32_t lack_of_fit_flags(const LackOfFit& lack) {
-  return (lack.angle_p < least_fit_p ? HRT_LACK_OF_FIT_ANGLE : 0) |
-         (lack.order_p < least_fit_p ? HRT_LACK_OF_FIT_ORDER : 0) |
-         (lack.path_p < least_fit_p ? HRT_LACK_OF_FIT_PATH : 0);
+  return (lack.angle_p < min_fit_p ? HRT_LACK_OF_FIT_ANGLE : 0) |
+         (lack.order_p < min_fit_p ? HRT_LACK_OF_FIT_ORDER : 0) |
+         (lack.path_p < min_fit_p ? HRT_LACK_OF_FIT_PATH : 0);
 }
 
 double scale_of(const IllusionCurve& curve) {
@@ -58,13 +58,13 @@ hrt_calibration_config default_calibration_config() {
 }
 
 hrt_result check_calibration_config(const hrt_calibration_config& config) {
-  HRT_RETURN_IF_FAILED(check_range("max_trials", config.max_trials, least_max_trials, most_max_trials));
-  HRT_RETURN_IF_FAILED(check_range("max_samples", config.max_samples, least_max_samples, most_max_samples));
+  HRT_RETURN_IF_FAILED(check_range("max_trials", config.max_trials, max_trials_min, max_trials_max));
+  HRT_RETURN_IF_FAILED(check_range("max_samples", config.max_samples, max_samples_min, max_samples_max));
   HRT_RETURN_IF_FAILED(check_zero("reserved", config.reserved));
   HRT_RETURN_IF_FAILED(check_range("goal_direction_deg", config.goal_direction_deg, -180.0, 180.0));
   HRT_RETURN_IF_FAILED(check_range("lower_plate_deg", config.lower_plate_deg, -89.0, 89.0));
   HRT_RETURN_IF_FAILED(check_range("upper_plate_deg", config.upper_plate_deg, -89.0, 89.0));
-  if (config.upper_plate_deg - config.lower_plate_deg < least_plate_range_deg)
+  if (config.upper_plate_deg - config.lower_plate_deg < min_plate_range_deg)
     return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", config.upper_plate_deg,
                 "; allowed: at least 40 above lower_plate_deg, ", config.lower_plate_deg);
   return check_range("enough_weight_width", config.enough_weight_width, 0.001, 0.5);
@@ -176,7 +176,7 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
       .person_weight = to_abi(calibration.slope),
       .person_curve = to_abi(calibration.curve),
       .weight_curve_correlation = calibration.slope_curve_correlation,
-      .largest_gap_deg = to_abi(calibration.largest_gap_deg),
+      .max_gap_deg = to_abi(calibration.max_gap_deg),
       .habit_deg = to_abi(calibration.habit_deg),
       .correlated_noise_m = to_abi(calibration.noise.correlated_m),
       .noise_correlation_s = to_abi(calibration.noise.correlation_s),

@@ -30,8 +30,7 @@ hrt_result check_target_fields(hrt_target_config* config) {
   HRT_RETURN_IF_FAILED(check_zero("reserved", config->reserved));
   if (config->place == HRT_PLACE_DIRECTION) {
     HRT_RETURN_IF_FAILED(check_range("direction_deg", config->direction_deg, -180.0, 180.0));
-    HRT_RETURN_IF_FAILED(
-        check_range("distance_m", config->distance_m, least_distance_m, largest_coordinate_m));
+    HRT_RETURN_IF_FAILED(check_range("distance_m", config->distance_m, min_distance_m, max_coordinate_m));
   } else {
     HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
   }
@@ -43,7 +42,7 @@ hrt_result check_target_config(const hrt_session_config& session_config, hrt_tar
   const Bearing bearing = view(session_config, *config);
   if (bearing.at_start)
     return fail(HRT_ERROR_OUT_OF_RANGE, "position_m is ", bearing.distance_m,
-                " m from the start in the plane of the plate; at least ", least_distance_m, " is needed");
+                " m from the start in the plane of the plate; at least ", min_distance_m, " is needed");
   return HRT_OK;
 }
 

@@ -6,10 +6,10 @@
 namespace hrt::mock {
 namespace {
 
-constexpr double longest_m = 10.0;
+constexpr double max_m = 10.0;
 
 void require_length(double length_m, const char* why) {
-  require(length_m > 0.0 && length_m <= longest_m, XR_ERROR_VALIDATION_FAILURE, why);
+  require(length_m > 0.0 && length_m <= max_m, XR_ERROR_VALIDATION_FAILURE, why);
 }
 
 void require_hand(XrHandEXT hand) {
@@ -73,7 +73,7 @@ void instruct_reach(XrSession handle, const XrReachInstructionHRTX* instruction)
   require_struct(instruction, XR_TYPE_REACH_INSTRUCTION_HRTX, "instruction");
   require_hand(instruction->hand);
   const Eigen::Vector3d start_m = from_xr(instruction->start);
-  require(start_m.allFinite() && start_m.norm() <= longest_m, XR_ERROR_VALIDATION_FAILURE,
+  require(start_m.allFinite() && start_m.norm() <= max_m, XR_ERROR_VALIDATION_FAILURE,
           "start must be within 10 m of the plate");
   require(std::abs(instruction->goalDirection) <= 180.0, XR_ERROR_VALIDATION_FAILURE,
           "goalDirection must be within 180 degrees");

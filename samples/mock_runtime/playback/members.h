@@ -59,18 +59,18 @@ class Members {
     return object_[key];
   }
 
-  double number(const std::string& key, double otherwise, double least, double most) {
-    return has(key) ? checked_number(object_[key], where(key), least, most) : otherwise;
+  double number(const std::string& key, double otherwise, double min, double max) {
+    return has(key) ? checked_number(object_[key], where(key), min, max) : otherwise;
   }
-  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double least_ms = 0.0,
-                           double most_ms = hour_ms) {
-    return std::llround(number(key, otherwise_ms, least_ms, most_ms) * 1e6);
+  std::int64_t nanoseconds(const std::string& key, double otherwise_ms, double min_ms = 0.0,
+                           double max_ms = hour_ms) {
+    return std::llround(number(key, otherwise_ms, min_ms, max_ms) * 1e6);
   }
-  std::uint64_t count(const std::string& key, std::uint64_t otherwise, std::uint64_t least) {
+  std::uint64_t count(const std::string& key, std::uint64_t otherwise, std::uint64_t min) {
     if (!has(key)) return otherwise;
     const Json& value = object_[key];
-    if (!value.is_number_unsigned() || value.get<std::uint64_t>() < least)
-      refuse(where(key), "must be a whole number from " + std::to_string(least));
+    if (!value.is_number_unsigned() || value.get<std::uint64_t>() < min)
+      refuse(where(key), "must be a whole number from " + std::to_string(min));
     return value.get<std::uint64_t>();
   }
   template <typename Value>
@@ -85,28 +85,28 @@ class Members {
     if (!object_[key].is_boolean()) refuse(where(key), "must be true or false");
     return object_[key].get<bool>();
   }
-  std::vector<double> numbers(const std::string& key, std::size_t size, double least, double most) {
+  std::vector<double> numbers(const std::string& key, std::size_t size, double min, double max) {
     const Json& value = at(key);
     if (!value.is_array() || value.size() != size)
       refuse(where(key), "must be an array of " + std::to_string(size) + " numbers");
     std::vector<double> result;
-    for (const Json& element : value) result.push_back(checked_number(element, where(key), least, most));
+    for (const Json& element : value) result.push_back(checked_number(element, where(key), min, max));
     return result;
   }
-  Eigen::Vector3d vector(const std::string& key, double most) {
-    const std::vector<double> xyz = numbers(key, 3, -most, most);
+  Eigen::Vector3d vector(const std::string& key, double max) {
+    const std::vector<double> xyz = numbers(key, 3, -max, max);
     return {xyz[0], xyz[1], xyz[2]};
   }
 
   // A number, or two between which it is drawn; `scale` converts to the unit of `range`.
-  bool range(const std::string& key, Range& range, double least, double most, double scale = 1.0) {
+  bool range(const std::string& key, Range& range, double min, double max, double scale = 1.0) {
     if (!has(key)) return false;
     std::vector<double> ends;
     if (object_[key].is_array()) {
-      ends = numbers(key, 2, least, most);
+      ends = numbers(key, 2, min, max);
       if (ends[0] > ends[1]) refuse(where(key), "must have the smaller number first");
     } else {
-      ends.assign(2, checked_number(object_[key], where(key), least, most));
+      ends.assign(2, checked_number(object_[key], where(key), min, max));
     }
     range = {ends[0] * scale, ends[1] * scale};
     return true;
@@ -151,10 +151,10 @@ class Members {
   }
 
  private:
-  static double checked_number(const Json& value, const std::string& where, double least, double most) {
-    if (!value.is_number() || !(value.get<double>() >= least && value.get<double>() <= most)) {
+  static double checked_number(const Json& value, const std::string& where, double min, double max) {
+    if (!value.is_number() || !(value.get<double>() >= min && value.get<double>() <= max)) {
       std::ostringstream why;
-      why << "must be a number from " << least << " to " << most;
+      why << "must be a number from " << min << " to " << max;
       refuse(where, why.str());
     }
     return value.get<double>();

@@ -63,13 +63,13 @@ XrVector3f turned(const Pose& by, const XrVector3f& vector) {
 template <typename Map, typename Fits, typename Exact>
 auto choose(const Map& streams, XrTime time, Fits fits, Exact exact) {
   auto best = streams.end();
-  std::uint64_t least = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t min = std::numeric_limits<std::uint64_t>::max();
   for (auto each = streams.begin(); each != streams.end(); ++each) {
     if (!fits(each->first)) continue;
     const std::uint64_t away = distance(nearest_time(each->second, time), time);
-    if (best != streams.end() && (away > least || (away == least && !exact(each->first)))) continue;
+    if (best != streams.end() && (away > min || (away == min && !exact(each->first)))) continue;
     best = each;
-    least = away;
+    min = away;
   }
   return best;
 }

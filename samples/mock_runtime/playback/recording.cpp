@@ -13,9 +13,9 @@ namespace hrt::mock {
 
 namespace {
 
-constexpr std::uint64_t most_sessions = 10'000;
-constexpr std::size_t most_joints = 64;
-constexpr std::size_t most_views = 8;
+constexpr std::uint64_t max_sessions = 10'000;
+constexpr std::size_t max_joints = 64;
+constexpr std::size_t max_views = 8;
 
 template <typename Bits>
 std::optional<Bits> bits_of(const Json& value) {
@@ -44,14 +44,14 @@ class Fields {
   }
 
   template <typename Integer>
-  Integer whole(Integer least, Integer most) {
+  Integer whole(Integer min, Integer max) {
     const Json& value = next();
     // Beyond the signed range there are only unsigned ones.
     const bool fits = value.is_number_unsigned()
-                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(most)
+                          ? value.get<std::uint64_t>() <= static_cast<std::uint64_t>(max)
                           : value.is_number_integer() && std::is_signed_v<Integer> &&
-                                value.get<std::int64_t>() >= static_cast<std::int64_t>(least);
-    if (!fits || value.get<Integer>() < least || value.get<Integer>() > most)
+                                value.get<std::int64_t>() >= static_cast<std::int64_t>(min);
+    if (!fits || value.get<Integer>() < min || value.get<Integer>() > max)
       wrong("a whole number in its range");
     return value.get<Integer>();
   }
@@ -131,7 +131,7 @@ RecordedJoints read_joints(Fields& fields) {
   RecordedJoints joints{fields.boolean(), fields.whole<std::int32_t>(), {}, {}};
   if (!joints.active) return joints;
   fields.nested([&](Fields& each) {
-    while (each.more() && joints.locations.size() < most_joints) {
+    while (each.more() && joints.locations.size() < max_joints) {
       const auto flags = each.whole<XrSpaceLocationFlags>();
       const XrPosef pose = each.pose();
       joints.locations.push_back({flags, pose, each.single()});
@@ -139,7 +139,7 @@ RecordedJoints read_joints(Fields& fields) {
   });
   if (fields.more())
     fields.nested([&](Fields& each) {
-      while (each.more() && joints.velocities.size() < most_joints) {
+      while (each.more() && joints.velocities.size() < max_joints) {
         const auto flags = each.whole<XrSpaceVelocityFlags>();
         const XrVector3f linear = each.vector();
         joints.velocities.push_back({flags, linear, each.vector()});
@@ -164,7 +164,7 @@ RecordedLocation read_location(Fields& fields) {
 RecordedViews read_views(Fields& fields) {
   RecordedViews result{fields.whole<XrViewStateFlags>(), {}};
   fields.nested([&](Fields& each) {
-    while (each.more() && result.views.size() < most_views) {
+    while (each.more() && result.views.size() < max_views) {
       XrView view{XR_TYPE_VIEW};
       view.pose = each.pose();
       for (float* angle : {&view.fov.angleLeft, &view.fov.angleRight, &view.fov.angleUp, &view.fov.angleDown})
@@ -252,7 +252,7 @@ StateCall read_call_kind(Fields& fields) {
 
 CallFault read_failure(Fields& fields) {
   CallFault fault{};
-  fault.scope.session = fields.whole<std::uint64_t>(1, most_sessions);
+  fault.scope.session = fields.whole<std::uint64_t>(1, max_sessions);
   const auto function = find_function(fields.text());
   if (!function) refuse(fields.where(), "names a function that this runtime does not have");
   fault.function = *function;
@@ -277,7 +277,7 @@ void sort_by_time(std::map<Key, Stream<Value>>& streams) {
 }  // namespace
 
 RecordedSession& Recording::session(std::uint64_t number, const std::string& where) {
-  if (number < 1 || number > most_sessions) refuse(where, "has no number of a session");
+  if (number < 1 || number > max_sessions) refuse(where, "has no number of a session");
   if (sessions.size() < number) sessions.resize(number);
   return sessions[number - 1];
 }

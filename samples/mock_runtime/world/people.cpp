@@ -22,7 +22,7 @@ Range usual_scale_deg(IllusionFamily family) {
 }
 
 double within(const Range& range, Draws& draws) {
-  return range.least + draws.uniform() * (range.most - range.least);
+  return range.min + draws.uniform() * (range.max - range.min);
 }
 
 template <typename Value>

@@ -10,8 +10,8 @@ namespace hrt::mock {
 
 /// A uniform draw between two numbers; equal ones fix it.
 struct Range {
-  double least;
-  double most;
+  double min;
+  double max;
 };
 
 /// Ranges that a person is drawn from. The defaults are people at a natural pace.

@@ -29,7 +29,7 @@ Reach::Reach(const DrawnPerson& drawn, const ReachInstruction& instruction, std:
 
 double Reach::outermost_direction_deg(double sign) const {
   // Felt and intended direction agree here with the ridges turned as far as allowed to the other side.
-  const double shift_deg = largest_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
+  const double shift_deg = max_shift_deg(simulated_.illusion, plate_bound_deg, -sign);
   return goal_direction_deg_ + simulated_.bias_deg - simulated_.own_bias_deg + std::copysign(shift_deg, sign);
 }
 

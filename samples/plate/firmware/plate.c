@@ -16,8 +16,8 @@ enum {
   TRIM_TICKS = 40 /* largest jump of the pulse by a changed setting, in half microseconds */
 };
 
-static int32_t clamp(int32_t value, int32_t least, int32_t most) {
-  return value < least ? least : value > most ? most : value;
+static int32_t clamp(int32_t value, int32_t min, int32_t max) {
+  return value < min ? min : value > max ? max : value;
 }
 
 static bool is_measured(const Plate* plate) {

@@ -5,7 +5,7 @@
 typedef struct Range {
   char name[10];
   bool whole; /* no decimals */
-  int32_t least, most, preset;
+  int32_t min, max, preset;
 } Range;
 
 /* clang-format off */
@@ -23,7 +23,7 @@ static const Range ranges[SETTING_COUNT] = {
 };
 /* clang-format on */
 
-static const int32_t least_span = 50000, least_adc_span = 5000;
+static const int32_t min_span = 50000, min_adc_span = 5000;
 
 enum { VERSION = 1 };
 
@@ -54,14 +54,14 @@ Settings settings_default(void) {
 bool settings_valid(const Settings* settings) {
   for (int i = 0; i < SETTING_COUNT; ++i) {
     const int32_t value = settings->value[i];
-    if (value < ranges[i].least || value > ranges[i].most) return false;
+    if (value < ranges[i].min || value > ranges[i].max) return false;
     if (ranges[i].whole && value % 100 != 0) return false;
   }
   const int32_t span = settings->value[SETTING_SPAN_US];
-  if (span > -least_span && span < least_span) return false;
-  if (settings->value[SETTING_MOST_DEG] - settings->value[SETTING_LEAST_DEG] < 100) return false;
+  if (span > -min_span && span < min_span) return false;
+  if (settings->value[SETTING_MAX_DEG] - settings->value[SETTING_MIN_DEG] < 100) return false;
   const int32_t adc = settings->value[SETTING_ADC_MOST] - settings->value[SETTING_ADC_LEAST];
-  return adc == 0 || adc <= -least_adc_span || adc >= least_adc_span;
+  return adc == 0 || adc <= -min_adc_span || adc >= min_adc_span;
 }
 
 void settings_pack(const Settings* settings, uint8_t bytes[SETTINGS_BYTES]) {
@@ -113,14 +113,14 @@ static int32_t reach_of(const Settings* settings, int32_t pulse_us) {
 }
 
 int32_t settings_least(const Settings* settings) {
-  const int32_t set = settings->value[SETTING_LEAST_DEG];
+  const int32_t set = settings->value[SETTING_MIN_DEG];
   const int32_t reach =
       reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_LEAST_US : PULSE_MOST_US);
   return reach > set ? reach : set;
 }
 
 int32_t settings_most(const Settings* settings) {
-  const int32_t set = settings->value[SETTING_MOST_DEG];
+  const int32_t set = settings->value[SETTING_MAX_DEG];
   const int32_t reach =
       reach_of(settings, settings->value[SETTING_SPAN_US] > 0 ? PULSE_MOST_US : PULSE_LEAST_US);
   return reach < set ? reach : set;
@@ -133,10 +133,10 @@ bool settings_has_feedback(const Settings* settings) {
 int32_t settings_measured_millideg(const Settings* settings, uint16_t reading_16ths) {
   const int32_t at_least = settings->value[SETTING_ADC_LEAST] / 100 * 16;
   const int32_t at_most = settings->value[SETTING_ADC_MOST] / 100 * 16;
-  const int32_t least = settings->value[SETTING_LEAST_DEG];
-  const int32_t width = settings->value[SETTING_MOST_DEG] - least;
+  const int32_t min = settings->value[SETTING_MIN_DEG];
+  const int32_t width = settings->value[SETTING_MAX_DEG] - min;
   /* In hundredths: at most 16368 * 36000 = 6e8, which fits. */
-  const int32_t place = least + ((int32_t)reading_16ths - at_least) * width / (at_most - at_least);
+  const int32_t place = min + ((int32_t)reading_16ths - at_least) * width / (at_most - at_least);
   const int32_t turn = 36000;
   return (place < -turn ? -turn : place > turn ? turn : place) * 10;
 }

@@ -13,10 +13,10 @@ enum { PULSE_LEAST_US = 500, PULSE_MOST_US = 2500 };
 
 /** Every setting has a name for CONF lines, a range and a default (settings.c). */
 typedef enum Setting {
-  SETTING_ZERO_US,   /**< pulse at orientation 0: the trim */
-  SETTING_SPAN_US,   /**< change of the pulse over 180 degrees; negative: the servo turns clockwise */
-  SETTING_LEAST_DEG, /**< limits of the orientation */
-  SETTING_MOST_DEG,
+  SETTING_ZERO_US, /**< pulse at orientation 0: the trim */
+  SETTING_SPAN_US, /**< change of the pulse over 180 degrees; negative: the servo turns clockwise */
+  SETTING_MIN_DEG, /**< limits of the orientation */
+  SETTING_MAX_DEG,
   SETTING_SPEED_DEG_S, /**< speed of the motion */
   SETTING_LATENCY_MS,  /**< from a line to the servo's motion: half of a frame and the servo's dead time */
   SETTING_ADC_LEAST,   /**< readings of the servo's potentiometer at the two limits; equal: there is none */

@@ -73,8 +73,8 @@ int find(const Options& options, const Surroundings& around) {
 int show(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::quiet);
   const DeviceLimits limits = device->limits();
-  around.out << device->description() << "\nrange " << limits.least_deg << " to " << limits.most_deg
-             << " deg, " << limits.speed_deg_s << " deg/s, latency "
+  around.out << device->description() << "\nrange " << limits.min_deg << " to " << limits.max_deg << " deg, "
+             << limits.speed_deg_s << " deg/s, latency "
              << std::chrono::duration_cast<std::chrono::milliseconds>(limits.latency).count()
              << " ms with half of the line, orientation " << (device->is_measured() ? "measured" : "assumed")
              << "\n";

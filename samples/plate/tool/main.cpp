@@ -37,8 +37,8 @@ Entry read_entry() {
     char byte = 0;
     if (read(STDIN_FILENO, &byte, 1) != 1) return {.ended = true};
     unread += byte;
-    constexpr std::size_t most = 1000;
-    if (unread.size() > most) return {.ended = true};
+    constexpr std::size_t max = 1000;
+    if (unread.size() > max) return {.ended = true};
   }
 }
 

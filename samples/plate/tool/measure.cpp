@@ -66,17 +66,16 @@ double settle_at(Device& device, double orientation_deg) {
 }
 
 void sweep(Device& device, Measurements& found) {
-  const double least_deg = found.limits.least_deg, most_deg = found.limits.most_deg;
-  const int count = std::max(2, static_cast<int>(std::ceil((most_deg - least_deg) / sweep_step_deg)));
+  const double min_deg = found.limits.min_deg, max_deg = found.limits.max_deg;
+  const int count = std::max(2, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
-    const double commanded_deg = least_deg + (most_deg - least_deg) * i / count;
+    const double commanded_deg = min_deg + (max_deg - min_deg) * i / count;
     found.sweep.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
   };
   for (int i = 0; i <= count; ++i) visit(i, true);
   for (int i = count - 1; i >= 0; --i) visit(i, false);
   for (const SweepPoint& point : found.sweep)
-    found.largest_error_deg =
-        std::max(found.largest_error_deg, std::abs(point.reported_deg - point.commanded_deg));
+    found.max_error_deg = std::max(found.max_error_deg, std::abs(point.reported_deg - point.commanded_deg));
 }
 
 // Of the sweep's inner points, which were visited from both sides; the last one up was visited once.
@@ -134,9 +133,9 @@ Step step_to(Device& device, double orientation_deg) {
 
 void time_steps(Device& device, Measurements& found) {
   std::vector<double> onsets_ms, speeds_deg_s;
-  settle_at(device, found.limits.least_deg);
+  settle_at(device, found.limits.min_deg);
   for (int i = 0; i < steps; ++i) {
-    const Step step = step_to(device, i % 2 == 0 ? found.limits.most_deg : found.limits.least_deg);
+    const Step step = step_to(device, i % 2 == 0 ? found.limits.max_deg : found.limits.min_deg);
     if (step.onset_ms) onsets_ms.push_back(*step.onset_ms);
     if (step.speed_deg_s && std::isfinite(*step.speed_deg_s)) speeds_deg_s.push_back(*step.speed_deg_s);
   }
@@ -157,13 +156,13 @@ Measurements measure(Device& device, const std::function<void(const std::string&
   found.round_trip = *device.round_trip();
   note("Homing");
   settle_at(device, 0.0);
-  note("Sweeping from " + std::to_string(std::lround(found.limits.least_deg)) + " to " +
-       std::to_string(std::lround(found.limits.most_deg)) + " deg and back");
+  note("Sweeping from " + std::to_string(std::lround(found.limits.min_deg)) + " to " +
+       std::to_string(std::lround(found.limits.max_deg)) + " deg and back");
   sweep(device, found);
   if (found.is_measured) {
     found.backlash_deg = backlash_of(found.sweep);
     note("Returning to 0");
-    found.repeatability_deg = repeatability_of(device, found.limits.least_deg / 2.0);
+    found.repeatability_deg = repeatability_of(device, found.limits.min_deg / 2.0);
     note("Timing steps");
     time_steps(device, found);
   }

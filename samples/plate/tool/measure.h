@@ -25,7 +25,7 @@ struct Measurements {
   bool is_measured = false;
   std::chrono::nanoseconds round_trip{};  ///< of a message and its answer, median
   std::vector<SweepPoint> sweep;
-  double largest_error_deg = 0.0;           ///< reported less commanded, in the sweep
+  double max_error_deg = 0.0;               ///< reported less commanded, in the sweep
   std::optional<double> backlash_deg;       ///< mean difference of the two directions of the sweep
   std::optional<double> repeatability_deg;  ///< standard deviation of returns to 0 from below
   std::optional<double> speed_deg_s;        ///< median of steps, from 20 to 80 % of each

@@ -35,11 +35,11 @@ nlohmann::ordered_json or_null(const std::optional<double>& value) {
 }
 
 std::string polyline(const Measurements& found, bool upwards, double scale) {
-  const double least_deg = found.limits.least_deg, width_deg = found.limits.most_deg - least_deg;
+  const double min_deg = found.limits.min_deg, width_deg = found.limits.max_deg - min_deg;
   std::string points;
   for (const SweepPoint& point : found.sweep)
     if (point.upwards == upwards)
-      points += format("%.1f,%.1f ", 60.0 + 520.0 * (point.commanded_deg - least_deg) / width_deg,
+      points += format("%.1f,%.1f ", 60.0 + 520.0 * (point.commanded_deg - min_deg) / width_deg,
                        150.0 - scale * (point.reported_deg - point.commanded_deg));
   return std::string(R"(<polyline fill="none" stroke-width="2" stroke=")") +
          (upwards ? "#0072b2" : "#d55e00") + R"(" points=")" + points + "\"/>\n";
@@ -53,11 +53,11 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 
 std::string text_of(const Measurements& found) {
   std::string text = "device        " + found.device + "\n";
-  text += format("range         %g to %g deg\n", found.limits.least_deg, found.limits.most_deg);
+  text += format("range         %g to %g deg\n", found.limits.min_deg, found.limits.max_deg);
   text += std::string("orientation   ") +
           (found.is_measured ? "measured by a sensor\n" : "assumed: the plate reports its own commands\n");
   text += format("line          %.1f ms there and back\n", milliseconds(found.round_trip));
-  text += format("largest error %.2f deg\n", found.largest_error_deg);
+  text += format("largest error %.2f deg\n", found.max_error_deg);
   text += line_of("backlash", found.backlash_deg, "%+.2f deg");
   text += line_of("repeatability", found.repeatability_deg, "%.2f deg (standard deviation)");
   text += line_of("speed", found.speed_deg_s, "%.0f deg/s");
@@ -71,27 +71,27 @@ std::string json_of(const Measurements& found) {
     sweep.push_back({{"commanded_deg", point.commanded_deg},
                      {"reported_deg", point.reported_deg},
                      {"from", point.upwards ? "below" : "above"}});
-  const bool has_stops = found.limits.most_deg - found.limits.least_deg >= 180.0;
+  const bool has_stops = found.limits.max_deg - found.limits.min_deg >= 180.0;
   nlohmann::ordered_json file;
   file["device"] = found.device;
   file["orientation"] = found.is_measured ? "measured" : "assumed";
   file["round_trip_ms"] = milliseconds(found.round_trip);
-  file["largest_error_deg"] = found.largest_error_deg;
+  file["max_error_deg"] = found.max_error_deg;
   file["backlash_deg"] = or_null(found.backlash_deg);
   file["repeatability_deg"] = or_null(found.repeatability_deg);
   file["speed_deg_s"] = or_null(found.speed_deg_s);
   file["latency_ms"] = or_null(found.latency_ms);
   file["session"] = {{"plate_max_speed_deg_s", plan_speed_deg_s(found)},
                      {"plate_latency_ns", std::llround(plan_latency_ms(found) * 1e6)},
-                     {"plate_lower_stop_deg", has_stops ? found.limits.least_deg : 0.0},
-                     {"plate_upper_stop_deg", has_stops ? found.limits.most_deg : 0.0}};
+                     {"plate_lower_stop_deg", has_stops ? found.limits.min_deg : 0.0},
+                     {"plate_upper_stop_deg", has_stops ? found.limits.max_deg : 0.0}};
   file["scene"] = {{"haptic", {{"role", "plate"}, {"max_speed_deg_s", plan_speed_deg_s(found)}}}};
   file["sweep"] = sweep;
   return file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
 std::string svg_of(const Measurements& found) {
-  const double range_deg = std::max(1.0, std::ceil(found.largest_error_deg));
+  const double range_deg = std::max(1.0, std::ceil(found.max_error_deg));
   const double scale = 110.0 / range_deg;
   std::string svg =
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 330" font-family="sans-serif" font-size="12">)"
@@ -99,8 +99,8 @@ std::string svg_of(const Measurements& found) {
       "<path d=\"M60 40V260M60 150H580\" stroke=\"#888\" fill=\"none\"/>\n";
   svg += label(52.0, 44.0, "end", format("%+g", range_deg)) + label(52.0, 154.0, "end", "0") +
          label(52.0, 264.0, "end", format("%+g", -range_deg));
-  svg += label(60.0, 280.0, "start", format("%g", found.limits.least_deg)) +
-         label(580.0, 280.0, "end", format("%g", found.limits.most_deg)) +
+  svg += label(60.0, 280.0, "start", format("%g", found.limits.min_deg)) +
+         label(580.0, 280.0, "end", format("%g", found.limits.max_deg)) +
          label(320.0, 300.0, "middle", "commanded orientation, deg");
   svg += label(60.0, 24.0, "start",
                "reported less commanded orientation, deg: from below (blue), from above (red)");

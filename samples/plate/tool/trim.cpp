@@ -7,12 +7,12 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr double most_offset_deg = 30.0;
+constexpr double max_offset_deg = 30.0;
 constexpr auto settle_time = 1000ms;
 
 std::optional<double> offset_of(std::string_view entry) {
   if (entry.starts_with('+')) entry.remove_prefix(1);
-  return number_in(entry, -most_offset_deg, most_offset_deg);
+  return number_in(entry, -max_offset_deg, max_offset_deg);
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace hrt::reach {
 namespace {
 
 constexpr double normal_975 = 1.959964;
-constexpr double least_fit_p = 0.01;  // of calibration.h
+constexpr double min_fit_p = 0.01;  // of calibration.h
 
 std::string illusion_text(const hrt_calibration_result& result) {
   constexpr const char* families[] = {"in proportion to the offset",
@@ -101,7 +101,7 @@ void print_calibration(std::ostream& out, const CalibrationOutcome& outcome) {
   out << format("%-34s %s\n", "illusion", illusion_text(result).c_str());
   print_curve(out, result);
   print_interval(out, "share of touch (w_T) at 60 deg", result.tactile_weight, 1.0, "");
-  print_interval(out, "largest gap that a plate can hold", result.largest_gap_deg, 1.0, "deg");
+  print_interval(out, "largest gap that a plate can hold", result.max_gap_deg, 1.0, "deg");
   if (result.person_curve.known != 0)
     out << format("%-34s %8.0f deg from the motion; the plate is not turned farther\n", "illusion largest at",
                   result.peak_offset_deg);
@@ -113,7 +113,7 @@ void print_calibration(std::ostream& out, const CalibrationOutcome& outcome) {
   if (result.slides_turning > 0) {
     print_interval(out, "steering, rate", result.steering_rate_per_s, 1.0, "1/s");
     print_interval(out, "steering, delay", result.steering_delay_s, 1e3, "ms");
-    if (result.steering_p < least_fit_p)
+    if (result.steering_p < min_fit_p)
       out << format("No law of steering fits the slides over a turning plate (p = %.4f).\n",
                     result.steering_p);
   }
@@ -132,8 +132,8 @@ std::string calibration_in_words(const CalibrationOutcome& outcome) {
     words += format("The share of touch is %.0f percent, between %.0f and %.0f. ",
                     1e2 * result.tactile_weight.value, 1e2 * result.tactile_weight.lower,
                     1e2 * result.tactile_weight.upper);
-  if (result.largest_gap_deg.known != 0)
-    words += format("The largest gap that a plate can hold is %.0f degrees. ", result.largest_gap_deg.value);
+  if (result.max_gap_deg.known != 0)
+    words += format("The largest gap that a plate can hold is %.0f degrees. ", result.max_gap_deg.value);
   return words + (result.lack_of_fit == 0 ? "The model fits the slides."
                                           : "The model does not fit the slides: the printed text says why.");
 }

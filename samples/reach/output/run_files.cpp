@@ -20,7 +20,7 @@ RunFiles::RunFiles(const Plugin& plugin, const TargetSet& targets, std::filesyst
 }
 
 void RunFiles::add(const TargetPair& pair, const ReachResult& result) {
-  if (picture_.is_open() && plotted_.size() <= most_plotted) plotted_.push_back({pair, result});
+  if (picture_.is_open() && plotted_.size() <= max_plotted) plotted_.push_back({pair, result});
 }
 
 void RunFiles::finish(const std::string& note) {

@@ -161,7 +161,7 @@ constexpr const char* style =
 
 std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& targets,
                    const std::string& note) {
-  const std::size_t drawn = std::min(reaches.size(), most_plotted);
+  const std::size_t drawn = std::min(reaches.size(), max_plotted);
   const std::size_t rows = std::max<std::size_t>(1, (drawn + columns - 1) / columns);
   const double width = panel_px * static_cast<double>(std::clamp<std::size_t>(drawn, 1, columns));
   const double panels_px = static_cast<double>(rows) * (panel_px + title_px);

@@ -14,10 +14,10 @@ struct PlottedReach {
 };
 
 /// One panel a reach: plate, ridges under the finger at five moments, true path, felt path, both targets.
-/// `note` stands below. At most `most_plotted` reaches are drawn; the note then says so.
+/// `note` stands below. At most `max_plotted` reaches are drawn; the note then says so.
 std::string svg_of(const std::vector<PlottedReach>& reaches, const TargetSet& targets,
                    const std::string& note);
 
-inline constexpr std::size_t most_plotted = 12;
+inline constexpr std::size_t max_plotted = 12;
 
 }  // namespace hrt::reach

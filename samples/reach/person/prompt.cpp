@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto longest_finish = 30s;
+constexpr auto max_finish = 30s;
 constexpr auto hint_period = 5s;
 
 // Units as words, which voices would spell.
@@ -107,7 +107,7 @@ std::optional<double> Prompt::ask_number(const std::string& question, double low
 
 void Prompt::finish() {
   if (!speech_) return;
-  for (const auto give_up = std::chrono::steady_clock::now() + longest_finish;
+  for (const auto give_up = std::chrono::steady_clock::now() + max_finish;
        speech_->is_speaking() && !is_interrupted() && std::chrono::steady_clock::now() < give_up;)
     speech_->finish(50ms);
 }

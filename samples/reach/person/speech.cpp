@@ -21,9 +21,9 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t most_waiting = 5;
-constexpr std::size_t longest_text = 2000;  // fits into a pipe at once
-constexpr auto longest_speech = 30s;
+constexpr std::size_t max_waiting = 5;
+constexpr std::size_t max_text = 2000;  // fits into a pipe at once
+constexpr auto max_speech = 30s;
 constexpr auto look_period = 10ms;
 
 std::vector<std::string> words_of(const std::string& command) {
@@ -44,7 +44,7 @@ bool is_program(const std::string& name) {
 
 // Speech programs read marks of their own in what they speak; quotes only name things.
 std::string one_line(const std::string& text) {
-  std::string line = text.substr(0, longest_text);
+  std::string line = text.substr(0, max_text);
   for (char& c : line)
     if (static_cast<unsigned char>(c) < 0x20 || c == '"' || c == '<' || c == '&') c = ' ';
   return line + "\n";
@@ -105,7 +105,7 @@ void Speech::say(const std::string& text) {
   {
     const std::lock_guard lock(mutex_);
     waiting_.push_back(text);
-    while (waiting_.size() > most_waiting) waiting_.pop_front();
+    while (waiting_.size() > max_waiting) waiting_.pop_front();
   }
   changed_.notify_all();
 }
@@ -156,7 +156,7 @@ void Speech::speak() {
 std::optional<std::string> Speech::speak(const std::string& text) {
   pid_t child = 0;
   if (const int error = spawn(words_, one_line(text), child); error != 0) return std::strerror(error);
-  const auto give_up = Clock::now() + longest_speech;
+  const auto give_up = Clock::now() + max_speech;
   int status = 0;
   while (waitpid(child, &status, WNOHANG) == 0) {
     std::unique_lock lock(mutex_);

@@ -29,8 +29,8 @@ DevicePlate::~DevicePlate() {
 
 std::optional<PlateLimits> DevicePlate::limits() const {
   return PlateLimits{.speed_deg_s = report_.max_speed_deg_s,
-                     .least_deg = report_.lower_stop_deg,
-                     .most_deg = report_.upper_stop_deg,
+                     .min_deg = report_.lower_stop_deg,
+                     .max_deg = report_.upper_stop_deg,
                      .latency_ns = report_.latency_ns};
 }
 

@@ -15,8 +15,8 @@ using plate::orientation_within;
 /// Limits that a device reports.
 struct PlateLimits {
   double speed_deg_s;  ///< maximum
-  double least_deg;    ///< stops; both 0: it turns freely
-  double most_deg;
+  double min_deg;      ///< stops; both 0: it turns freely
+  double max_deg;
   XrDuration latency_ns;  ///< from a command to the motion; 0: unknown
 };
 

@@ -7,8 +7,8 @@ namespace hrt::reach {
 
 void SimulatedServo::turn_until(XrTime time) {
   if (time <= time_) return;
-  const double most_deg = time_ == 0 ? 0.0 : speed_deg_per_s_ * static_cast<double>(time - time_) * 1e-9;
-  orientation_deg_ += std::clamp(goal_deg_ - orientation_deg_, -most_deg, most_deg);
+  const double max_deg = time_ == 0 ? 0.0 : speed_deg_per_s_ * static_cast<double>(time - time_) * 1e-9;
+  orientation_deg_ += std::clamp(goal_deg_ - orientation_deg_, -max_deg, max_deg);
   time_ = time;
 }
 

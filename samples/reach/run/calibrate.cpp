@@ -15,7 +15,7 @@ namespace {
 
 // The target is straight ahead, where the range of plate angles is even.
 constexpr double goal_direction_deg = 0.0;
-constexpr double longest_slide_m = 0.1;
+constexpr double max_slide_m = 0.1;
 constexpr double shortest_slide_m = 0.05;
 constexpr double margin_m = 0.01;  // left to the rim
 constexpr double plate_tolerance_deg = 1.0;
@@ -34,7 +34,7 @@ double slide_distance_m(const TargetSet& targets) {
   const double towards_user_m = targets.start_m[2];
   const double half_m =
       std::sqrt(std::max(0.0, targets.plate_radius_m * targets.plate_radius_m - right_m * right_m));
-  const double distance_m = std::min(longest_slide_m, towards_user_m + half_m - margin_m);
+  const double distance_m = std::min(max_slide_m, towards_user_m + half_m - margin_m);
   if (distance_m < shortest_slide_m)
     throw Failure(ExitCode::scene,
                   format("the plate has %.0f mm straight ahead of the start; a calibration needs %.0f",

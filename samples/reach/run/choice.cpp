@@ -35,17 +35,17 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
 }
 
 void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& limits) {
-  constexpr double least_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
+  constexpr double min_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
   hrt_session_config config{.struct_size = sizeof config};
   plugin.check(plugin.hrt_session_get_config(session, &config));
   const hrt_session_config before = config;
   config.plate_max_speed_deg_s = limits.speed_deg_s;
-  constexpr std::int64_t most_steps = 8;  // of latency, that the plugin can plan with
+  constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
   if (limits.latency_ns > 0)
-    config.plate_latency_ns = std::min<std::int64_t>(limits.latency_ns, most_steps * config.step_period_ns);
-  if (limits.most_deg - limits.least_deg >= least_turn_deg) {
-    config.plate_lower_stop_deg = limits.least_deg;
-    config.plate_upper_stop_deg = limits.most_deg;
+    config.plate_latency_ns = std::min<std::int64_t>(limits.latency_ns, max_steps * config.step_period_ns);
+  if (limits.max_deg - limits.min_deg >= min_turn_deg) {
+    config.plate_lower_stop_deg = limits.min_deg;
+    config.plate_upper_stop_deg = limits.max_deg;
   }
   const bool same = config.plate_max_speed_deg_s == before.plate_max_speed_deg_s &&
                     config.plate_latency_ns == before.plate_latency_ns &&

@@ -14,14 +14,14 @@ namespace hrt::reach {
 namespace {
 
 constexpr XrPosef world{{0.0f, 0.0f, 0.0f, 1.0f}, {0.0f, 0.0f, 0.0f}};
-constexpr int most_attempts = 3;
+constexpr int max_attempts = 3;
 constexpr XrDuration mark_rest_ns = 700'000'000;
 // A finger counts once it has moved by more since it was asked for, as it may rest elsewhere until then.
-constexpr double least_moved_m = 0.015;
+constexpr double min_moved_m = 0.015;
 // Of a resting finger: root mean square distance from its mean, and from the first half of the time to the
 // second.
-constexpr double most_spread_m = 0.004;
-constexpr double most_drift_m = 0.003;
+constexpr double max_spread_m = 0.004;
+constexpr double max_drift_m = 0.003;
 constexpr double millimetres = 1000.0;
 
 double distance_m(const Point& a, const Point& b) {
@@ -39,7 +39,7 @@ class RestDetector {
       return std::nullopt;
     }
     if (!asked_at_) asked_at_ = tip.position_m;
-    moved_ = moved_ || distance_m(tip.position_m, *asked_at_) > least_moved_m;
+    moved_ = moved_ || distance_m(tip.position_m, *asked_at_) > min_moved_m;
     seen_.push_back({time, tip.position_m});
     const XrTime since = time - mark_rest_ns;
     if (seen_.front().time > since) return std::nullopt;
@@ -48,10 +48,10 @@ class RestDetector {
     const Point mean_m = mean(0, seen_.size());
     double square_sum_m2 = 0.0;
     for (const Seen& seen : seen_) square_sum_m2 += std::pow(distance_m(seen.position_m, mean_m), 2);
-    const bool near = std::sqrt(square_sum_m2 / static_cast<double>(seen_.size())) <= most_spread_m;
+    const bool near = std::sqrt(square_sum_m2 / static_cast<double>(seen_.size())) <= max_spread_m;
     // The finger may have come in the first half; where it was in the second half is where it rests.
     const Point rested_m = mean(seen_.size() / 2, seen_.size());
-    const bool still = distance_m(mean(0, seen_.size() / 2), rested_m) <= most_drift_m;
+    const bool still = distance_m(mean(0, seen_.size() / 2), rested_m) <= max_drift_m;
     return near && still ? std::optional(rested_m) : std::nullopt;
   }
 
@@ -116,7 +116,7 @@ constexpr const char* attitudes[] = {"flat",
 hrt_fingertip find_fingertip(Stage& stage, const Mark& mark, Hand hand) {
   const std::string finger = hand == Hand::left ? "left index finger" : "right index finger";
   const auto count = static_cast<int>(std::size(attitudes));
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     const int recentrings = stage.session.recentrings();
     std::vector<hrt_joint_touch> touches;
     for (const char* attitude : attitudes) {
@@ -192,7 +192,7 @@ RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool f
     for (const Hand hand : stage.hands)
       plate.fingertips[static_cast<std::size_t>(hand)] = find_fingertip(stage, marks.front(), hand);
   stage.fingertips = plate.fingertips;
-  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+  for (int attempt = 0; attempt < max_attempts; ++attempt) {
     stage.session.begin_coordinates(plate.space);
     stage.session.place_plate(plate.space, world);
     const int recentrings = stage.session.recentrings();

@@ -19,7 +19,7 @@ namespace hrt::reach {
 namespace {
 
 constexpr const char* first_line = "hrt-reach registration, version 1";
-constexpr std::size_t longest_line = 2000;
+constexpr std::size_t max_line = 2000;
 
 struct SpaceName {
   const char* name;
@@ -58,7 +58,7 @@ class Reader {
     std::string text;
     if (!std::getline(stream_, text)) refuse("the file ends here");
     if (!text.empty() && text.back() == '\r') text.pop_back();
-    if (text.size() > longest_line) refuse("the line is too long");
+    if (text.size() > max_line) refuse("the line is too long");
     return text;
   }
 

@@ -89,10 +89,10 @@ Hand await_finger_at_start(Stage& stage) {
                                        ". " + sightings.why_not_begun(stage));
 }
 
-bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double least_m,
+bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double min_m,
                 XrDuration rest_ns) {
   const Moment& last = moments.back();
-  if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < least_m) return false;
+  if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < min_m) return false;
   for (auto moment = moments.rbegin(); moment != moments.rend() && moment->time >= finger_came; ++moment) {
     if (!moment->tracked) continue;
     if (distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;

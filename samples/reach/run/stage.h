@@ -74,9 +74,9 @@ XrTime next_frame(Stage& stage);
 /// (ExitCode::no_hand) after the stage's time limit.
 Hand await_finger_at_start(Stage& stage);
 
-/// True if the finger, farther than `least_m` from the start, has stayed in place for `rest_ns`. Moments
+/// True if the finger, farther than `min_m` from the start, has stayed in place for `rest_ns`. Moments
 /// before `finger_came` do not count.
-bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double least_m,
+bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double min_m,
                 XrDuration rest_ns);
 
 }  // namespace hrt::reach

@@ -11,9 +11,9 @@
 namespace hrt::reach {
 namespace {
 
-constexpr std::size_t least_marks = 3;
-constexpr std::size_t most_marks = 40;
-constexpr std::size_t longest_line = 200;
+constexpr std::size_t min_marks = 3;
+constexpr std::size_t max_marks = 40;
+constexpr std::size_t max_line = 200;
 constexpr double farthest_m = 1.0;
 
 [[noreturn]] void refuse(const std::filesystem::path& file, std::size_t line, const std::string& what) {
@@ -46,8 +46,7 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
   for (std::string line; std::getline(stream, line);) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
-    if (line.size() > longest_line || !is_printable(line))
-      refuse(file, number, "this is not a line of marks");
+    if (line.size() > max_line || !is_printable(line)) refuse(file, number, "this is not a line of marks");
     if (number == 1) {
       if (line != "name,x_m,y_m,z_m" && !line.starts_with("name,x_m,y_m,z_m,"))
         refuse(file, number, "the columns are to begin with name,x_m,y_m,z_m");
@@ -66,9 +65,9 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
       coordinate_m = *value_m;
     }
     marks.push_back(mark);
-    if (marks.size() > most_marks) refuse(file, number, "there are more than 40 marks");
+    if (marks.size() > max_marks) refuse(file, number, "there are more than 40 marks");
   }
-  if (marks.size() < least_marks) refuse(file, number, "there are fewer than 3 marks");
+  if (marks.size() < min_marks) refuse(file, number, "there are fewer than 3 marks");
   return marks;
 }
 

@@ -10,7 +10,7 @@
 
 namespace hrt::study {
 
-std::string read_input(const std::string& argument, const std::string& path, std::size_t most_bytes) {
+std::string read_input(const std::string& argument, const std::string& path, std::size_t max_bytes) {
   const auto refuse = [&](const std::string& why) {
     return UsageError(not_allowed(argument, path, "a file that can be read (" + why + ")"));
   };
@@ -24,8 +24,8 @@ std::string read_input(const std::string& argument, const std::string& path, std
   do {
     file.read(block.data(), static_cast<std::streamsize>(block.size()));
     text.append(block.data(), static_cast<std::size_t>(file.gcount()));
-    if (text.size() > most_bytes)
-      throw refuse("this one is larger than " + std::to_string(most_bytes >> 20) + " MiB");
+    if (text.size() > max_bytes)
+      throw refuse("this one is larger than " + std::to_string(max_bytes >> 20) + " MiB");
   } while (file);
   if (file.bad()) throw refuse("reading fails");
   return text;

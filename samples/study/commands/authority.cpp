@@ -62,8 +62,8 @@ std::string text(const Options& options) {
   page += '\n';
   for (const double tactile_weight : options.tactile_weights) {
     const Point any = at(options, tactile_weight, 0.0);
-    page += right(number(tactile_weight), 7) + right(fixed(any.motion.largest_gap_deg, 2), 7) +
-            right(fixed(any.paper.largest_gap_deg, 2), 9);
+    page += right(number(tactile_weight), 7) + right(fixed(any.motion.max_gap_deg, 2), 7) +
+            right(fixed(any.paper.max_gap_deg, 2), 9);
     for (const double gap_deg : options.gaps_deg) {
       const Point point = at(options, tactile_weight, gap_deg);
       page += right(point.motion.reachable ? (point.beyond_human_data() ? "*" : "") +
@@ -78,13 +78,13 @@ std::string text(const Options& options) {
 
 std::string csv(const Options& options) {
   std::string page =
-      "tactile_weight,gap_deg,motion_bound_deg,largest_gap_deg,reachable,margin_deg,plate_offset_deg,"
-      "settling_offset_deg,beyond_human_data,paper_plate_bound_deg,paper_largest_gap_deg,paper_reachable,"
+      "tactile_weight,gap_deg,motion_bound_deg,max_gap_deg,reachable,margin_deg,plate_offset_deg,"
+      "settling_offset_deg,beyond_human_data,paper_plate_bound_deg,paper_max_gap_deg,paper_reachable,"
       "paper_margin_deg,paper_plate_offset_deg,paper_settling_offset_deg\n";
   const auto fields = [](double bound_deg, const Authority& authority) {
-    return number(bound_deg) + ',' + number(authority.largest_gap_deg) +
-           (authority.reachable ? ",1," : ",0,") + number(authority.margin_deg) + ',' +
-           number(authority.plate_orientation_deg) + ',' + number(authority.settling_direction_deg);
+    return number(bound_deg) + ',' + number(authority.max_gap_deg) + (authority.reachable ? ",1," : ",0,") +
+           number(authority.margin_deg) + ',' + number(authority.plate_orientation_deg) + ',' +
+           number(authority.settling_direction_deg);
   };
   for (const double tactile_weight : options.tactile_weights)
     for (const double gap_deg : options.gaps_deg) {
@@ -102,7 +102,7 @@ std::string json(const Options& options) {
                               {"human_data_deg", human_data_deg},
                               {"paper_plate_bound_deg", options.plate_bound_deg}};
   const auto put = [](nlohmann::ordered_json& entry, const std::string& prefix, const Authority& authority) {
-    entry[prefix + "largest_gap_deg"] = authority.largest_gap_deg;
+    entry[prefix + "max_gap_deg"] = authority.max_gap_deg;
     entry[prefix + "reachable"] = authority.reachable;
     entry[prefix + "margin_deg"] = authority.margin_deg;
     entry[prefix + "plate_offset_deg"] = authority.plate_orientation_deg;

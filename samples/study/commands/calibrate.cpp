@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A thousand slides of a minute at 90 Hz have half of this.
-constexpr std::size_t most_bytes = std::size_t{1} << 29;
+constexpr std::size_t max_bytes = std::size_t{1} << 29;
 
 struct Options {
   std::string data;
@@ -71,7 +71,7 @@ std::string draw(const Figure& figure, const std::string& path) {
 
 CalibrationReport calibrated(const std::string& data, const CalibrationConfig& config) {
   CalibrationReport report{.name = data, .config = config};
-  const auto trials = parse_calibration_csv(data, read_input("FILE", data, most_bytes));
+  const auto trials = parse_calibration_csv(data, read_input("FILE", data, max_bytes));
   report.trials = trials.size();
   const auto result = calibrate(trials, config);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))

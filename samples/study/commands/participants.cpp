@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double most_rows = 1e7;
+constexpr double max_rows = 1e7;
 
 struct Options {
   Session session;
@@ -29,9 +29,9 @@ void check_size(const Options& options) {
                             static_cast<double>(options.session.trials_per_angle) +
                         static_cast<double>(options.session.turning_trials);
   const double rows = trials * (condition.rest_s + condition.duration_s) * condition.tracker_rate_hz;
-  if (rows > most_rows)
+  if (rows > max_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
-                                 "few enough for " + fixed(most_rows, 0) +
+                                 "few enough for " + fixed(max_rows, 0) +
                                      " rows with these angles, rate and times; this makes " +
                                      fixed(rows, 0)));
 }

@@ -111,7 +111,7 @@ std::string json(const Scene& scene, const Options& options) {
                                {"real", real_of(scene, target).name},
                                {"tactile_weight", tactile_weight},
                                {"gap_deg", authority.gap_deg},
-                               {"largest_gap_deg", authority.largest_gap_deg},
+                               {"max_gap_deg", authority.max_gap_deg},
                                {"reachable", authority.reachable},
                                {"plate_orientation_deg", authority.plate_orientation_deg}});
     }

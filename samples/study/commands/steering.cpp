@@ -86,7 +86,7 @@ struct SteeringTally {
     const Interval found_ms = in_thousandths(steering.delay_s);
     rate.add(steering.rate_per_s, rate_per_s, 100.0 * (steering.rate_per_s.value / rate_per_s - 1.0));
     delay.add(found_ms, delay_ms, found_ms.value - delay_ms);
-    unlike.count(steering.law_p < least_fit_p);
+    unlike.count(steering.law_p < min_fit_p);
   }
   std::string line(const std::string& name, bool has_truth) const {
     return left(name, 14) + text_of(rate, has_truth) + text_of(delay, has_truth) +
@@ -154,7 +154,7 @@ bool ends_near(const PersonCondition& condition, Given given, std::uint64_t seed
     belief.covariance.col(gain).setZero();
     belief.covariance(gain, gain) = 0.25;
     belief.mean(gain) =
-        std::clamp(given_rate(condition.person, given), trait_range[gain].least, trait_range[gain].most);
+        std::clamp(given_rate(condition.person, given), trait_range[gain].min, trait_range[gain].max);
   }
   return std::abs(simulate_person(condition, &config, 1, seed, index).front().bearing_error_deg) <= near_deg;
 }

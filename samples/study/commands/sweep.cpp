@@ -24,7 +24,7 @@ struct Part {
   std::uint64_t end(std::uint64_t points) const { return points * number / count; }
 };
 
-constexpr std::uint64_t most_parts = 1'000'000;
+constexpr std::uint64_t max_parts = 1'000'000;
 
 struct Options {
   Grid grid;
@@ -42,7 +42,7 @@ std::optional<Part> parse_part(const std::string& text) {
   if (first.ec != std::errc() || first.ptr == end || *first.ptr != '/') return std::nullopt;
   const auto second = std::from_chars(first.ptr + 1, end, part.count);
   if (second.ec != std::errc() || second.ptr != end) return std::nullopt;
-  if (part.number < 1 || part.number > part.count || part.count > most_parts) return std::nullopt;
+  if (part.number < 1 || part.number > part.count || part.count > max_parts) return std::nullopt;
   return part;
 }
 
@@ -82,9 +82,9 @@ void simulate(const Options& options, std::uint64_t first, std::uint64_t last,
 }
 
 void check_gaps(const Grid& grid) {
-  const auto [smallest, largest] = std::minmax_element(grid.gaps_deg.begin(), grid.gaps_deg.end());
+  const auto [smallest, max] = std::minmax_element(grid.gaps_deg.begin(), grid.gaps_deg.end());
   for (const double virtual_deg : grid.virtual_directions_deg)
-    for (const double gap_deg : {*smallest, *largest})
+    for (const double gap_deg : {*smallest, *max})
       // The real direction is rounded, so that a gap of nearly 90 may become one of 90.
       if (std::abs(virtual_deg - (virtual_deg - gap_deg)) >= gap_range.high)
         throw UsageError(not_allowed("--gap", number(gap_deg), gap_range.text()));
@@ -145,7 +145,7 @@ Examples:
   add_trials(command, &options->trials, "Trials of each point.");
   add_seed(command, &options->seed);
   add_threads(command, &options->threads);
-  add_value(command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(most_parts), "1/1",
+  add_value(command, "--part", "i/n, whole numbers with 1 <= i <= n <= " + std::to_string(max_parts), "1/1",
             "Which part of how many to do.", [options](const std::string& text) {
               const std::optional<Part> part = parse_part(text);
               if (part) options->part = *part;

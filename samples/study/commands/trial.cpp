@@ -93,10 +93,10 @@ Examples:
                           "No controller: the plate stays at this orientation, deg."),
                "");
   add_seed(command, &options->seed);
-  const auto largest = std::numeric_limits<std::uint32_t>::max();
-  add_integer(command, "--condition", &options->condition, 0, largest,
+  const auto max = std::numeric_limits<std::uint32_t>::max();
+  add_integer(command, "--condition", &options->condition, 0, max,
               "Which condition's random numbers to take.");
-  add_integer(command, "--trial", &options->trial, 0, largest, "Which trial's random numbers to take.");
+  add_integer(command, "--trial", &options->trial, 0, max, "Which trial's random numbers to take.");
   add_out(command, &options->out);
 }
 

@@ -13,7 +13,7 @@ std::string curve(const std::string& name, double offset_deg) {
   std::string block = '$' + name + " << EOD\n";
   for (int i = 1; i <= 100; ++i) {
     const double tactile_weight = 0.00499 * i;
-    block += number(tactile_weight) + ' ' + number(largest_gap_deg(tactile_weight, offset_deg)) + '\n';
+    block += number(tactile_weight) + ' ' + number(max_gap_deg(tactile_weight, offset_deg)) + '\n';
   }
   return block + "EOD\n";
 }

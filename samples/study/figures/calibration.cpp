@@ -43,7 +43,7 @@ std::string family_text(const Calibration& calibration) {
 std::string fit_text(const Calibration& calibration) {
   const LackOfFit& lack = calibration.lack_of_fit;
   const auto line = [](const char* over, double p) {
-    return row(std::string("  ") + over, fixed(p, 3), p < least_fit_p ? "a pattern" : "none");
+    return row(std::string("  ") + over, fixed(p, 3), p < min_fit_p ? "a pattern" : "none");
   };
   std::string text = "\nPatterns in what the fit leaves, probability by chance\n" +
                      line("over the plate's angle", lack.angle_p) +
@@ -60,8 +60,8 @@ std::string fit_text(const Calibration& calibration) {
   if (const std::size_t along = calibration.count(SlideVerdict::along_ridges); along > 0)
     text += "  left out: " + std::to_string(along) +
             " slides nearly along the ridges, where the illusion flips\n";
-  if (calibration.largest_plate_deg > 60.0)
-    text += "  slides used reach plate angles of " + fixed(calibration.largest_plate_deg, 0) +
+  if (calibration.max_plate_deg > 60.0)
+    text += "  slides used reach plate angles of " + fixed(calibration.max_plate_deg, 0) +
             " deg; published human data cover 60\n";
   for (const std::string& advice : calibration.advice()) text += "Next: " + advice + ".\n";
   return text;
@@ -88,7 +88,7 @@ std::vector<Quantity> quantities(const Calibration& calibration) {
       {"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
       {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
       {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
-      {"largest_gap_deg", "largest gap, °", calibration.largest_gap_deg, 1},
+      {"max_gap_deg", "largest gap, °", calibration.max_gap_deg, 1},
       {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
       {"person_curve", "curve b of it", calibration.curve, 3},
       {"motor_variance_deg2", "motor variance σ_u², (°)²", calibration.motor_variance_deg2, 3, true},
@@ -118,9 +118,9 @@ std::string calibration_text(const CalibrationReport& report) {
   const SteeringFit& steering = calibration.steering;
   if (steering.slides > 0)
     for (const Quantity& quantity : steering_quantities(steering))
-      text += quantity_row(quantity, steering.slides < least_turning_slides
-                                         ? "too few slides over a turning plate"
-                                         : best_fit(quantity));
+      text +=
+          quantity_row(quantity, steering.slides < min_turning_slides ? "too few slides over a turning plate"
+                                                                      : best_fit(quantity));
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
@@ -178,7 +178,7 @@ std::string calibration_profile(const Calibration& calibration, const MeasuredWi
   if (weight.known) {
     profile["tactile_weight"] = weight.value;
     profile["tactile_weight_sd"] =
-        std::max(deviation_of_interval(weight.lower, weight.upper), least_carried_weight_sd);
+        std::max(deviation_of_interval(weight.lower, weight.upper), min_carried_weight_sd);
   }
   if (calibration.bias_deg.known) profile["bias_deg"] = calibration.bias_deg.value;
   if (const auto noise = known_noise(calibration.noise)) {
@@ -191,7 +191,7 @@ std::string calibration_profile(const Calibration& calibration, const MeasuredWi
   const SteeringFit& steering = calibration.steering;
   if (steering.rate_per_s.known) profile["steering_rate_per_s"] = steering.rate_per_s.value;
   if (steering.delay_s.known)
-    profile["steering_delay_s"] = std::max(steering.delay_s.value, least_known_delay_s);
+    profile["steering_delay_s"] = std::max(steering.delay_s.value, min_known_delay_s);
   if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known &&
       calibration.habit_deg.known) {
     const PersonBelief belief =
@@ -262,7 +262,7 @@ Figure calibration_figure(const CalibrationReport& report) {
   };
   const LackOfFit& lack = calibration.lack_of_fit;
   const auto said = [](double p) {
-    return std::string("p = ") + fixed(p, 3) + (p < least_fit_p ? ": a pattern" : "");
+    return std::string("p = ") + fixed(p, 3) + (p < min_fit_p ? ": a pattern" : "");
   };
   figure.script +=
       "EOD\nset grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset offsets graph 0.03, graph 0.03, graph 0.05, "

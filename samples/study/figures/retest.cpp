@@ -54,7 +54,7 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
   RetestReport report{std::move(first), std::move(second), {}};
   const Calibration& a = report.first.calibration;
   const Calibration& b = report.second.calibration;
-  std::vector<const char*> names{"tactile_weight", "largest_gap_deg", "bias_deg", "habit_deg",
+  std::vector<const char*> names{"tactile_weight", "max_gap_deg", "bias_deg", "habit_deg",
                                  "tracker_noise_mm"};
   if (a.steering.slides > 0 && b.steering.slides > 0)
     names.insert(names.end(), {"steering_rate_per_s", "steering_delay_ms"});

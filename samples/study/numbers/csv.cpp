@@ -23,8 +23,8 @@ std::string line_of_file(const std::string& name, std::size_t line) {
 }
 
 std::string shown(std::string_view text) {
-  constexpr std::size_t longest = 40;
-  return std::string(text.substr(0, longest)) + (text.size() > longest ? "..." : "");
+  constexpr std::size_t max = 40;
+  return std::string(text.substr(0, max)) + (text.size() > max ? "..." : "");
 }
 
 CsvReader::CsvReader(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {

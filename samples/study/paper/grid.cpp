@@ -13,14 +13,14 @@ Grid::Grid() {
 }
 
 std::uint64_t Grid::size() const {
-  constexpr std::uint64_t largest = std::numeric_limits<std::uint32_t>::max();
+  constexpr std::uint64_t max = std::numeric_limits<std::uint32_t>::max();
   // Lists are short enough that one product of them cannot overflow.
   std::uint64_t size = virtual_directions_deg.size() * gaps_deg.size();
   for (const auto& list : values) {
-    if (size <= largest) size *= list.size();
+    if (size <= max) size *= list.size();
   }
-  if (size > largest)
-    throw UsageError("--gap and the other lists: at most " + std::to_string(largest) +
+  if (size > max)
+    throw UsageError("--gap and the other lists: at most " + std::to_string(max) +
                      " combinations are allowed");
   return size;
 }
@@ -43,7 +43,7 @@ std::string grid_header() {
   for (const Parameter& parameter : parameters) row += std::string(parameter.column) + ',';
   return row +
          "seed,trials,hits,hit_percent,hit_percent_low,hit_percent_high,mean_miss_deg,rms_miss_deg,"
-         "rms_perceived_error_deg,saturated_share,largest_gap_deg,reachable\n";
+         "rms_perceived_error_deg,saturated_share,max_gap_deg,reachable\n";
 }
 
 std::string grid_row_start(std::uint64_t index, const Condition& condition, std::uint64_t seed,
@@ -62,7 +62,7 @@ std::string grid_row_end(const Condition& condition, const BatchResult& result) 
   std::string row = std::to_string(result.hits);
   for (const double value :
        {result.hit_percent(), interval.low, interval.high, result.mean_miss_deg(), result.rms_miss_deg(),
-        result.rms_felt_error_deg(), result.saturated_share(), authority.largest_gap_deg})
+        result.rms_felt_error_deg(), result.saturated_share(), authority.max_gap_deg})
     row += ',' + number(value);
   return row + (authority.reachable ? ",1\n" : ",0\n");
 }

@@ -69,11 +69,11 @@ std::uint64_t fewest(std::span<const double> differences, double effect, double 
   };
   std::uint64_t too_few = 1;
   std::uint64_t many = 2;
-  while (many <= most_people && !enough(many)) {
+  while (many <= max_people && !enough(many)) {
     too_few = many;
     many *= 2;
   }
-  many = std::min(many, most_people + 1);
+  many = std::min(many, max_people + 1);
   while (many - too_few > 1) {
     const std::uint64_t middle = (too_few + many) / 2;
     (enough(middle) ? many : too_few) = middle;
@@ -142,7 +142,7 @@ Share trial_power(std::span<const double> differences, double effect, std::uint6
 PeopleNeeded people_needed(std::span<const double> differences, double effect, double wanted_percent,
                            std::uint64_t trials, std::uint64_t seed) {
   PeopleNeeded needed{
-      .people = fewest(differences, effect, wanted_percent, trials, seed), .low = most_people + 1, .high = 0};
+      .people = fewest(differences, effect, wanted_percent, trials, seed), .low = max_people + 1, .high = 0};
   Draws draws(seed, resampling, 1, 0);
   for (std::uint32_t i = 0; i < pools; ++i) {
     const std::uint64_t people = fewest(resampled(differences, draws), effect, wanted_percent,

@@ -56,15 +56,15 @@ Spread spread(std::span<const double> values, std::uint64_t seed);
 Share trial_power(std::span<const double> differences, double effect, std::uint64_t people,
                   std::uint64_t trials, std::uint64_t seed);
 
-/// The fewest people, of 2 to `most_people`, with whom `wanted_percent` of trials find the effect;
-/// most_people
+/// The fewest people, of 2 to `max_people`, with whom `wanted_percent` of trials find the effect;
+/// max_people
 /// + 1 if there is none. With its 95 % interval over resampled pools.
 struct PeopleNeeded {
   std::uint64_t people;
   std::uint64_t low;
   std::uint64_t high;
 };
-inline constexpr std::uint64_t most_people = 1000;
+inline constexpr std::uint64_t max_people = 1000;
 PeopleNeeded people_needed(std::span<const double> differences, double effect, double wanted_percent,
                            std::uint64_t trials, std::uint64_t seed);
 

@@ -110,7 +110,7 @@ std::vector<std::string> power_assumptions(const PowerOptions& options) {
 
 std::string people_text(const PeopleNeeded& needed, const std::string& dash) {
   const auto count = [](std::uint64_t people) {
-    return people > most_people ? "> " + std::to_string(most_people) : std::to_string(people);
+    return people > max_people ? "> " + std::to_string(max_people) : std::to_string(people);
   };
   return count(needed.people) + " (" + count(needed.low) + dash + count(needed.high) + ")";
 }
@@ -150,7 +150,7 @@ std::string power_csv(const PowerStudy& study) {
       "high\n";
   const auto add = [&](const PowerRow& row, bool needed) {
     const auto count = [&](std::uint64_t people) {
-      return ',' + (!needed || people > most_people ? "" : std::to_string(people));
+      return ',' + (!needed || people > max_people ? "" : std::to_string(people));
     };
     for (const PowerPoint& point : row.points) {
       const PercentInterval interval = point.found.interval();
@@ -194,7 +194,7 @@ std::string power_json(const PowerStudy& study) {
     }
     if (needed) {
       const auto people = [](const PeopleNeeded& found) {
-        const auto count = [](std::uint64_t n) { return n > most_people ? Json() : Json(n); };
+        const auto count = [](std::uint64_t n) { return n > max_people ? Json() : Json(n); };
         return Json{{"value", count(found.people)}, {"interval", {count(found.low), count(found.high)}}};
       };
       entry["people_for_80"] = people(row.for_80);

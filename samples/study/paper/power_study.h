@@ -53,7 +53,7 @@ PowerStudy simulate_power(const PowerOptions& options);
 /// What the numbers take for granted, a sentence each.
 std::vector<std::string> power_assumptions(const PowerOptions& options);
 
-/// "12 (10-15)"; more than most_people: "> 1000".
+/// "12 (10-15)"; more than max_people: "> 1000".
 std::string people_text(const PeopleNeeded& needed, const std::string& dash);
 
 std::string power_text(const PowerStudy& study);

@@ -135,7 +135,7 @@ void judge_claims(std::vector<CellGroup>& claims) {
     const Condition& first = claim.cells.front().condition;
     if (claim.name == "tactile_weight_0.05") {
       const auto limit = [&](double bound_deg) {
-        return fixed(largest_gap_deg(first.participant.tactile_weight, bound_deg), 1);
+        return fixed(max_gap_deg(first.participant.tactile_weight, bound_deg), 1);
       };
       const double bound_deg = first.controller.mpc.plate_bound_deg;
       judge(claim,

@@ -58,8 +58,8 @@ std::vector<CalibrationTrial> coverage_slides(const CoverageKind& kind, const Co
   const SimulatedIllusion& illusion = person.illusion;
   const auto either = [&](double t) { return felt_shift_deg(illusion, t); };
   *truth = {(either(60.0) - either(-60.0)) / 120.0, person.bias_deg - person.own_bias_deg, person.habit_deg,
-            std::min(largest_shift_deg(illusion, curve_bound_deg, 1.0),
-                     largest_shift_deg(illusion, curve_bound_deg, -1.0))};
+            std::min(max_shift_deg(illusion, curve_bound_deg, 1.0),
+                     max_shift_deg(illusion, curve_bound_deg, -1.0))};
 
   std::vector<double> angles;
   for (int i = 0; i < session.slides_an_angle; ++i)
@@ -110,7 +110,7 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
     for (Interval& unknown : person.found) unknown.known = false;
     return person;
   }
-  person.found = {found->tactile_weight, found->bias_deg, found->habit_deg, found->largest_gap_deg};
+  person.found = {found->tactile_weight, found->bias_deg, found->habit_deg, found->max_gap_deg};
   person.lack_of_fit = found->lack_of_fit;
   return person;
 }
@@ -131,9 +131,9 @@ std::string Tally::covered_text(std::size_t columns) const {
 
 void Coverage::add(const CoveragePerson& person) {
   refused.count(person.refused);
-  angle.count(person.lack_of_fit.angle_p < least_fit_p);
-  order.count(person.lack_of_fit.order_p < least_fit_p);
-  path.count(person.lack_of_fit.path_p < least_fit_p);
+  angle.count(person.lack_of_fit.angle_p < min_fit_p);
+  order.count(person.lack_of_fit.order_p < min_fit_p);
+  path.count(person.lack_of_fit.path_p < min_fit_p);
   for (std::size_t i = 0; i < quantities; ++i)
     of[i].add(person.found[i], person.truth[i], person.found[i].value - person.truth[i]);
 }

@@ -35,7 +35,7 @@ struct CoverageSession {
 /// -75 to 75 in steps of 15.
 std::vector<double> coverage_angles();
 
-enum Quantity { weight, bias, habit, largest_gap, quantities };
+enum Quantity { weight, bias, habit, max_gap, quantities };
 inline constexpr const char* quantity_name[quantities] = {"w_T", "bias", "habit", "largest gap"};
 
 /// One person: truth and interval of each quantity.

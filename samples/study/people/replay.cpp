@@ -19,7 +19,7 @@
 namespace hrt::study {
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 29;
+constexpr std::size_t max_bytes = std::size_t{1} << 29;
 constexpr const char* open_loop_words =
     "Recorded paths in an open loop: the finger could not answer. A path, its end and its felt error are "
     "those of the plate that stood there, whatever our controller would have commanded.";
@@ -125,7 +125,7 @@ std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, con
   std::sort(files.begin(), files.end());
   std::vector<RecordedPaths> recorded;
   for (const fs::path& file : files)
-    recorded.push_back(parse_recorded_paths(file.string(), read_input(argument, file.string(), most_bytes)));
+    recorded.push_back(parse_recorded_paths(file.string(), read_input(argument, file.string(), max_bytes)));
   return recorded;
 }
 

@@ -6,7 +6,7 @@ import { Stage, type LabelName } from "./stage/stage";
 import type { Colours } from "./theme";
 
 const labelNames: readonly LabelName[] = ["real", "ghost", "finger", "felt"];
-const mostLabels = 30;  // more would cover each other
+const maxLabels = 30;  // more would cover each other
 const middle_px = { x: -0.5, y: -1.15 };  // of a label's own size: it stands above its thing
 
 export class Desk {
@@ -73,7 +73,7 @@ export class Desk {
     this.#stale = true;
     for (const label of this.#labels) label.element.hidden = scene !== null && (label.name === "real" || label.name === "ghost");
     this.#sceneLabels.splice(0).forEach(({ element: label }) => label.remove());
-    for (const target of scene?.targets.slice(0, mostLabels) ?? []) {
+    for (const target of scene?.targets.slice(0, maxLabels) ?? []) {
       const label = document.createElement("span");
       label.className = `label ${target.real ? "real" : "felt"}`;
       label.textContent = target.name;

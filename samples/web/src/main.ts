@@ -67,7 +67,7 @@ async function main(): Promise<void> {
     const { real_deg, virtual_deg, real_m } = reach ?? (mode === "scene" && viewing.course || pageCourse(settings));
     Object.assign(goals, { real_deg, virtual_deg, weight: reach ? NaN : settings.tactile_weight });
     desk.setTargets(real_deg, virtual_deg, real_m);
-    panel.showLargestGap(watchWorld.largest_gap_deg(motionBound_deg));
+    panel.showMaxGap(watchWorld.max_gap_deg(motionBound_deg));
   }
 
   function showMode(): void {

@@ -39,11 +39,11 @@ export class Panel {
   replace(settings: Readonly<Settings>): void { this.#set(settings); }
 
   /** How large a gap this person can be led over. */
-  showLargestGap(largest_deg: number): void {
+  showMaxGap(max_deg: number): void {
     const { gap_deg } = this.#settings, holds = element("holds", HTMLParagraphElement);
-    say(holds, gap_deg < largest_deg ? `This person can be led over gaps up to ${largest_deg.toFixed(1)}°.`
-      : `Too far: this person can be led over gaps up to ${largest_deg.toFixed(1)}°, with any controller.`);
-    holds.classList.toggle("problem", gap_deg >= largest_deg);
+    say(holds, gap_deg < max_deg ? `This person can be led over gaps up to ${max_deg.toFixed(1)}°.`
+      : `Too far: this person can be led over gaps up to ${max_deg.toFixed(1)}°, with any controller.`);
+    holds.classList.toggle("problem", gap_deg >= max_deg);
   }
 
   #set(changes: Partial<Settings>): void {

@@ -27,7 +27,7 @@ export interface World {
   seen_right_m(): number;
   seen_away_m(): number;
   felt_shift_deg(plate_deg: number, finger_deg: number): number;
-  largest_gap_deg(bound_deg: number): number;
+  max_gap_deg(bound_deg: number): number;
 }
 
 /** A world of its own: one person, one plate, one tracker. */

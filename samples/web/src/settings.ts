@@ -36,7 +36,7 @@ export const sliders: Readonly<Record<SliderName, Range>> = {
 };
 export const sliderNames = Object.keys(sliders) as SliderName[];
 export const controllerNames: readonly ControllerName[] = ["off", "paper", "ours"];
-const largestPerson = 9999;
+const maxPerson = 9999;
 
 export function defaultSettings(): Settings {
   const settings: Settings = { tactile_weight: 0, gap_deg: 0, noise_mm: 0, pace_s: 0, plate_deg_s: 0,
@@ -75,8 +75,8 @@ export function fromLink(link: string): { settings: Settings; problems: string[]
       if (known) settings.controller = known;
       else problems.push(`controller is "${text.slice(0, 20)}"; allowed: ${controllerNames.join(", ")}`);
     } else if (name === "person") {
-      if (Number.isInteger(value) && value >= 1 && value <= largestPerson) settings.person = value;
-      else problems.push(`person is "${text.slice(0, 20)}"; allowed: 1 to ${largestPerson}`);
+      if (Number.isInteger(value) && value >= 1 && value <= maxPerson) settings.person = value;
+      else problems.push(`person is "${text.slice(0, 20)}"; allowed: 1 to ${maxPerson}`);
     } else {
       problems.push(`nothing is called "${name.slice(0, 20)}"`);
     }
@@ -86,7 +86,7 @@ export function fromLink(link: string): { settings: Settings; problems: string[]
 
 /** Another person than `person`. */
 export function nextPerson(person: number): number {
-  return (person % largestPerson) + 1;
+  return (person % maxPerson) + 1;
 }
 
 function isSlider(name: string): name is SliderName {

@@ -7,7 +7,7 @@ import { readReach, type RecordedReach } from "./recording";
 import { readScene, type VisitorScene } from "./scene";
 import { readMeshes } from "./stage/meshes";
 
-const largest_bytes = 32 * 1024 * 1024;
+const max_bytes = 32 * 1024 * 1024;
 
 export interface Brought {
   reach(reach: RecordedReach): void;
@@ -35,7 +35,7 @@ export class TakeAway {
 
   async #open(file: File, brought: Brought): Promise<void> {
     try {
-      if (file.size > largest_bytes) throw new Error(`${Math.ceil(file.size / 1048576)} MB; up to ${largest_bytes / 1048576} are allowed`);
+      if (file.size > max_bytes) throw new Error(`${Math.ceil(file.size / 1048576)} MB; up to ${max_bytes / 1048576} are allowed`);
       if (/\.(gltf|glb)$/i.test(file.name)) brought.scene(await this.#scene(file.name, await file.arrayBuffer()));
       else brought.reach(this.#replay(file.name, await file.text()));
       this.#problem.hidden = true;

@@ -125,7 +125,7 @@ def test_authority_is_that_of_the_model(session: hrt.Session) -> None:
     authority = session.authority(session.target("cylinder"), session.target("cup"))
     assert authority.reachable == 1
     assert authority.gap_deg == 10
-    assert authority.largest_gap_deg == pytest.approx(84.5 * 0.15 / 0.85)
+    assert authority.max_gap_deg == pytest.approx(84.5 * 0.15 / 0.85)
     assert authority.plate_orientation_deg == pytest.approx(5 + 10 * 0.85 / 0.15)
     far = session.add_real("far", direction_deg=-30)
     table = session.authorities()

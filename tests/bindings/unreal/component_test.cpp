@@ -301,9 +301,9 @@ TEST_F(Component, RefusesAndSaysWhy) {
   component_.Settings.Horizon = 3;
   EXPECT_FALSE(component_.AddTarget(EHapticTargetRole::None, TEXT("a"), 0, 10, target));
   EXPECT_NE(last_log().find("role"), std::string::npos) << last_log();
-  const std::u16string longest(63, u'a');
-  EXPECT_FALSE(component_.AddTarget(kReal, (longest + u"a").c_str(), 0, 10, target));
-  EXPECT_TRUE(component_.AddTarget(kReal, longest.c_str(), 0, 10, target));
+  const std::u16string max(63, u'a');
+  EXPECT_FALSE(component_.AddTarget(kReal, (max + u"a").c_str(), 0, 10, target));
+  EXPECT_TRUE(component_.AddTarget(kReal, max.c_str(), 0, 10, target));
   EXPECT_TRUE(component_.AddTarget(kReal, TEXT("\u00e9lan"), 0, 10, target));
   EXPECT_FALSE(component_.AddTarget(kReal, TEXT("far"), kNan, 10, target));
   begin();

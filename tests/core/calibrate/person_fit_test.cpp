@@ -116,10 +116,10 @@ TEST(PersonFit, IntervalsCoverWhereKnown) {
     }
   }
   EXPECT_GE(known, people * 6 / 10);
-  const int least = known - 2;
-  EXPECT_GE(weight, least) << known;
-  EXPECT_GE(bias, least) << known;
-  EXPECT_GE(habit, least) << known;
+  const int min = known - 2;
+  EXPECT_GE(weight, min) << known;
+  EXPECT_GE(bias, min) << known;
+  EXPECT_GE(habit, min) << known;
 }
 
 TEST(PersonFit, FindsTheFamily) {
@@ -154,7 +154,7 @@ TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
   int found = 0;
   for (std::uint32_t index = 0; index < 5; ++index) {
     const Calibration calibration = calibrated(slides(drawn("linear", index), index, grid(4), -0.08));
-    if (calibration.lack_of_fit.order_p >= least_fit_p) continue;
+    if (calibration.lack_of_fit.order_p >= min_fit_p) continue;
     ++found;
     EXPECT_FALSE(calibration.tactile_weight.known);
     EXPECT_FALSE(calibration.advice().empty());
@@ -171,9 +171,9 @@ TEST(PersonFit, WithholdsWhatNoFamilyFits) {
     for (TimedPoint& sample : trial.samples) sample.position.right_m += bump * sample.position.away_m;
   }
   const Calibration calibration = calibrated(trials);
-  EXPECT_LT(calibration.lack_of_fit.angle_p, least_fit_p);
+  EXPECT_LT(calibration.lack_of_fit.angle_p, min_fit_p);
   EXPECT_FALSE(calibration.tactile_weight.known);
-  EXPECT_FALSE(calibration.largest_gap_deg.known);
+  EXPECT_FALSE(calibration.max_gap_deg.known);
 }
 
 TEST(PersonFit, FewAnglesAreTakenForLinearAndSaidSo) {
@@ -182,7 +182,7 @@ TEST(PersonFit, FewAnglesAreTakenForLinearAndSaidSo) {
   const Calibration calibration = calibrated(slides(drawn("linear", 1), 1, angles));
   EXPECT_EQ(calibration.families.size(), 1U);
   EXPECT_FALSE(calibration.curve.known);
-  EXPECT_FALSE(calibration.largest_gap_deg.known);
+  EXPECT_FALSE(calibration.max_gap_deg.known);
   EXPECT_NE(calibration.advice().front().find("taken for linear"), std::string::npos);
 }
 
@@ -220,7 +220,7 @@ TEST(SlidePlan, HalfTheSlidesOfAFixedGrid) {
 TEST(SlidePlan, SaysWhenItIsEnough) {
   int enough_at = 0;
   planned(drawn("linear", 1), 1, 30, {.enough_weight_width = 0.03}, &enough_at);
-  EXPECT_GE(enough_at, least_trials);
+  EXPECT_GE(enough_at, min_trials);
   EXPECT_LE(enough_at, 30);
   int never = 0;
   planned(drawn("linear", 1), 1, 14, {.enough_weight_width = 0.0}, &never);

@@ -78,7 +78,7 @@ TEST(SteeringFit, FewSlidesAreNotEnough) {
 // Reports with the wrong sign: no law has an answer to the other side.
 TEST(SteeringFit, PathsThatNoLawExplainsAreNoticed) {
   std::vector<CalibrationTrial> trials = slides(person(8.0, 0.06), 12, 0);
-  EXPECT_GT(calibrated(trials).steering.law_p, least_fit_p);
+  EXPECT_GT(calibrated(trials).steering.law_p, min_fit_p);
   for (CalibrationTrial& trial : trials)
     for (double& plate_deg : trial.plate_deg) plate_deg = -plate_deg;
   const Calibration calibration = calibrated(trials);

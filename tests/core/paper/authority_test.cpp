@@ -13,12 +13,12 @@ namespace {
 
 // L w / (1 - w): 90 * 0.15 / 0.85 = 15.88, 90 / 9 = 10, 90 * 0.05 / 0.95 = 4.74.
 TEST(Authority, LargestGapByHand) {
-  EXPECT_NEAR(largest_gap_deg(0.15, 90.0), 15.882, 1e-3);
-  EXPECT_NEAR(largest_gap_deg(0.10, 90.0), 10.0, 1e-12);
-  EXPECT_NEAR(largest_gap_deg(0.05, 90.0), 4.737, 1e-3);
-  EXPECT_NEAR(largest_gap_deg(0.15, 84.5), 14.912, 1e-3);
-  EXPECT_NEAR(largest_gap_deg(0.10, 84.5), 9.389, 1e-3);
-  EXPECT_NEAR(largest_gap_deg(0.05, 84.5), 4.447, 1e-3);
+  EXPECT_NEAR(max_gap_deg(0.15, 90.0), 15.882, 1e-3);
+  EXPECT_NEAR(max_gap_deg(0.10, 90.0), 10.0, 1e-12);
+  EXPECT_NEAR(max_gap_deg(0.05, 90.0), 4.737, 1e-3);
+  EXPECT_NEAR(max_gap_deg(0.15, 84.5), 14.912, 1e-3);
+  EXPECT_NEAR(max_gap_deg(0.10, 84.5), 9.389, 1e-3);
+  EXPECT_NEAR(max_gap_deg(0.05, 84.5), 4.447, 1e-3);
 }
 
 TEST(Authority, OrientationHoldsTheReachablePair) {
@@ -39,8 +39,8 @@ TEST(Authority, OutOfReachSettlesAtTheBound) {
 }
 
 TEST(Authority, ExactlyAtTheLargestGapTheBoundHolds) {
-  const double largest_deg = largest_gap_deg(0.15, 84.5);
-  const Authority authority = steering_authority(-largest_deg, 0.0, 0.15, 84.5);
+  const double max_deg = max_gap_deg(0.15, 84.5);
+  const Authority authority = steering_authority(-max_deg, 0.0, 0.15, 84.5);
   EXPECT_TRUE(authority.reachable);
   EXPECT_DOUBLE_EQ(authority.margin_deg, 0.0);
   EXPECT_NEAR(authority.plate_orientation_deg, 84.5, 1e-12);
@@ -58,7 +58,7 @@ TEST(Authority, MirroredPairsAreMirrored) {
         const Authority other = steering_authority(-real_deg, -virtual_deg, w, 84.5);
         EXPECT_EQ(one.reachable, other.reachable);
         EXPECT_EQ(one.gap_deg, -other.gap_deg);
-        EXPECT_EQ(one.largest_gap_deg, other.largest_gap_deg);
+        EXPECT_EQ(one.max_gap_deg, other.max_gap_deg);
         EXPECT_EQ(one.margin_deg, other.margin_deg);
         EXPECT_EQ(one.plate_orientation_deg, -other.plate_orientation_deg);
         EXPECT_EQ(one.settling_direction_deg, -other.settling_direction_deg);

@@ -27,12 +27,12 @@ TEST(PlatePoint, BearingIsPositiveToTheLeft) {
 }
 
 TEST(Time, ElapsedAndLaterDoNotOverflow) {
-  constexpr auto least = std::numeric_limits<std::int64_t>::min();
-  constexpr auto most = std::numeric_limits<std::int64_t>::max();
-  EXPECT_EQ(elapsed_ns(least, most), std::numeric_limits<std::uint64_t>::max());
+  constexpr auto min = std::numeric_limits<std::int64_t>::min();
+  constexpr auto max = std::numeric_limits<std::int64_t>::max();
+  EXPECT_EQ(elapsed_ns(min, max), std::numeric_limits<std::uint64_t>::max());
   EXPECT_EQ(elapsed_ns(-3, 4), 7U);
-  EXPECT_EQ(later_ns(most - 1, 5), most);
-  EXPECT_EQ(later_ns(least, 5), least + 5);
+  EXPECT_EQ(later_ns(max - 1, 5), max);
+  EXPECT_EQ(later_ns(min, 5), min + 5);
 }
 
 // Two steps with exact directions and K = 1/2, w_T ~ N(0.15, 0.05^2), goal 0: P_0 = 0 under t = 60.
@@ -64,8 +64,8 @@ TEST(Estimator, KeepsTheWeightInItsRangeWhateverIsSeen) {
   for (int k = 0; k < 200; ++k) {
     estimator.observe_direction(k % 2 ? 90.0 : -90.0);
     const FingerEstimate estimate = estimator.estimate();
-    EXPECT_GE(estimate.tactile_weight, Estimator::least_tactile_weight);
-    EXPECT_LE(estimate.tactile_weight, Estimator::most_tactile_weight);
+    EXPECT_GE(estimate.tactile_weight, Estimator::min_tactile_weight);
+    EXPECT_LE(estimate.tactile_weight, Estimator::max_tactile_weight);
     EXPECT_TRUE(std::isfinite(estimate.tactile_weight_sd));
     estimator.end_step(k % 3 ? 84.0 : -84.0, 0.85, 0.5);
   }
@@ -119,7 +119,7 @@ TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
     estimator.move(0.01);
     ASSERT_LT(++left_out, 10);
   }
-  EXPECT_EQ(left_out, Estimator::most_outliers);
+  EXPECT_EQ(left_out, Estimator::max_outliers);
   EXPECT_NEAR(estimator.estimate().position.right_m, 0.05, 0.001);
 }
 

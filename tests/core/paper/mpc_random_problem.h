@@ -44,9 +44,9 @@ struct RandomProblem {
       for (int i = 0; i < horizon; ++i)
         if (random() % 3 != 0) gains[i] = 0.0;
     const double w = uniform(random, 0.02, 0.49);
-    const double largest_gap = config.plate_bound_deg * w / (1.0 - w);
-    problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * largest_gap;
-    problem.real_offset_deg = random() % 4 == 0 ? largest_gap : uniform(random, -1.5, 1.5) * largest_gap;
+    const double max_gap = config.plate_bound_deg * w / (1.0 - w);
+    problem.finger_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -3.0, 3.0) * max_gap;
+    problem.real_offset_deg = random() % 4 == 0 ? max_gap : uniform(random, -1.5, 1.5) * max_gap;
     problem.tactile_weight = w;
     problem.plate_offset_deg = random() % 4 == 0 ? 0.0 : uniform(random, -1.0, 1.0) * config.plate_bound_deg;
     problem.gains = gains.data();

@@ -9,7 +9,7 @@ namespace hrt {
 namespace {
 
 // min |columns y + target| over y >= 0 (Lawson and Hanson, Solving Least Squares Problems, chapter 23).
-long double least_nonnegative_residual(const LongMatrix& columns, const LongVector& target) {
+long double min_nonnegative_residual(const LongMatrix& columns, const LongVector& target) {
   const Eigen::Index n = columns.cols();
   LongVector y = LongVector::Zero(n);
   std::vector<Eigen::Index> positive;
@@ -163,8 +163,8 @@ KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
     if (room[i] < 1e-10L) active.push_back(i);
   const LongVector gradient = problem.hessian * plate + problem.gradient;
   return {
-      .stationarity = least_nonnegative_residual(
-          problem.rows(active, Eigen::seqN(0, plate.size())).transpose(), gradient),
+      .stationarity =
+          min_nonnegative_residual(problem.rows(active, Eigen::seqN(0, plate.size())).transpose(), gradient),
       .violation_deg = std::max(0.0L, -room.minCoeff()),
   };
 }

@@ -67,35 +67,35 @@ TEST(Illusion, DerivativesOfAFadingOneAreThoseOfDifferences) {
 
 TEST(Illusion, OfAFadingTouchIsLargestBelowTheBound) {
   const Illusion fading{.weight = 0.2, .curve = 0.0, .fading = 1.0, .slowness = 0.3};
-  const LargestShift largest = largest_shift(fading, 85.0);
-  EXPECT_GT(largest.shift_deg, felt_shift(fading, largest.offset_deg - 1.0).shift_deg);
-  EXPECT_GT(largest.shift_deg, felt_shift(fading, largest.offset_deg + 1.0).shift_deg);
+  const MaxShift max = max_shift(fading, 85.0);
+  EXPECT_GT(max.shift_deg, felt_shift(fading, max.offset_deg - 1.0).shift_deg);
+  EXPECT_GT(max.shift_deg, felt_shift(fading, max.offset_deg + 1.0).shift_deg);
 }
 
 // 75 sqrt(0.3 / 0.36) = 68.465; the shift there is two thirds of 0.3 times it.
 TEST(Illusion, IsLargestWhereItsSlopeIsNoneOrAtTheBound) {
-  EXPECT_NEAR(largest_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
-  EXPECT_NEAR(largest_shift(curved, 75.0).shift_deg, 13.69306, 1e-5);
-  EXPECT_EQ(largest_shift(curved, 40.0).offset_deg, 40.0);
-  EXPECT_EQ(largest_shift(linear, 75.0).offset_deg, 75.0);
-  EXPECT_DOUBLE_EQ(largest_shift(linear, 75.0).shift_deg, 15.0);
-  EXPECT_LT(largest_shift(linear, 90.0).offset_deg, 90.0);
+  EXPECT_NEAR(max_shift(curved, 75.0).offset_deg, 68.4653, 1e-4);
+  EXPECT_NEAR(max_shift(curved, 75.0).shift_deg, 13.69306, 1e-5);
+  EXPECT_EQ(max_shift(curved, 40.0).offset_deg, 40.0);
+  EXPECT_EQ(max_shift(linear, 75.0).offset_deg, 75.0);
+  EXPECT_DOUBLE_EQ(max_shift(linear, 75.0).shift_deg, 15.0);
+  EXPECT_LT(max_shift(linear, 90.0).offset_deg, 90.0);
 }
 
 TEST(Illusion, TheOffsetForAShiftGivesThatShift) {
   for (const Illusion illusion : {linear, curved, Illusion{0.3, -0.1}, Illusion{0.01, 0.5},
                                   Illusion{0.6, 0.5}, Illusion{0.05, 0.0}, Illusion{0.2, 0.05, 0.8, 0.3}}) {
     for (const double bound : {75.0, 30.0, 89.9}) {
-      const LargestShift largest = largest_shift(illusion, bound);
+      const MaxShift max = max_shift(illusion, bound);
       for (int i = -99; i <= 99; ++i) {
-        const double wanted = 0.01 * i * largest.shift_deg;
+        const double wanted = 0.01 * i * max.shift_deg;
         const double offset = offset_for_shift(illusion, wanted, bound);
-        EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * largest.shift_deg) << i;
-        EXPECT_LE(std::abs(offset), largest.offset_deg);
+        EXPECT_NEAR(felt_shift(illusion, offset).shift_deg, wanted, 2e-4 * max.shift_deg) << i;
+        EXPECT_LE(std::abs(offset), max.offset_deg);
         EXPECT_EQ(offset_for_shift(illusion, -wanted, bound), -offset);
       }
-      EXPECT_EQ(offset_for_shift(illusion, 1e9, bound), largest.offset_deg);
-      EXPECT_EQ(offset_for_shift(illusion, -1e9, bound), -largest.offset_deg);
+      EXPECT_EQ(offset_for_shift(illusion, 1e9, bound), max.offset_deg);
+      EXPECT_EQ(offset_for_shift(illusion, -1e9, bound), -max.offset_deg);
     }
   }
 }

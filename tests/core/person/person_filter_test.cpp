@@ -20,7 +20,7 @@ PersonFilter moving_filter() {
 }
 
 // Smallest eigenvalue of the correlations.
-double least_eigenvalue(const F::Covariance& covariance) {
+double min_eigenvalue(const F::Covariance& covariance) {
   const F::State sd = covariance.diagonal().cwiseSqrt();
   const F::Covariance symmetric = 0.5 * (covariance + covariance.transpose());
   F::Covariance correlation;
@@ -177,7 +177,7 @@ TEST(PersonFilter, StaysPositiveOverLongRuns) {
       }
       EXPECT_TRUE(filter.state().allFinite());
       EXPECT_GT(filter.covariance().diagonal().minCoeff(), 0.0);
-      EXPECT_GT(least_eigenvalue(filter.covariance()), -1e-9);
+      EXPECT_GT(min_eigenvalue(filter.covariance()), -1e-9);
     }
   }
 }
@@ -190,8 +190,8 @@ TEST(PersonFilter, KeepsEachTraitInItsRange) {
   }
   const PersonBelief belief = filter.belief();
   for (int i = 0; i < PersonTrait::count; ++i) {
-    EXPECT_GE(belief.mean(i), trait_range[i].least) << i;
-    EXPECT_LE(belief.mean(i), trait_range[i].most) << i;
+    EXPECT_GE(belief.mean(i), trait_range[i].min) << i;
+    EXPECT_LE(belief.mean(i), trait_range[i].max) << i;
   }
 }
 

@@ -92,10 +92,10 @@ TEST(Registration, IntervalsCoverTheTruth) {
           std::abs(turn_rad(found.rotation, some_rotation())) <= 1.96 * std::sqrt(found.covariance(1, 1));
       place_covered += std::abs(found.position_m.x() - 0.3) <= 1.96 * std::sqrt(found.covariance(3, 3));
     }
-    const double least = assumed_m == 0.003 ? 0.925 : 0.87;
+    const double min = assumed_m == 0.003 ? 0.925 : 0.87;
     EXPECT_GT(fitted, assumed_m < 0.003 ? 650 : 980) << assumed_m;
-    EXPECT_GT(turn_covered, least * fitted) << assumed_m;
-    EXPECT_GT(place_covered, least * fitted) << assumed_m;
+    EXPECT_GT(turn_covered, min * fitted) << assumed_m;
+    EXPECT_GT(place_covered, min * fitted) << assumed_m;
     EXPECT_LT(turn_covered, 0.99 * fitted) << assumed_m;
   }
 }

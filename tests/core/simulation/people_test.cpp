@@ -58,14 +58,14 @@ TEST(SimulationPeople, WhoIsDrawnIsAFunctionOfSeedDurationAndIndex) {
 }
 
 TEST(SimulationPeople, EveryoneIsWithinTheirRanges) {
-  double least_weight = 1.0;
-  double most_weight = 0.0;
+  double min_weight = 1.0;
+  double max_weight = 0.0;
   std::set<double> sides_deg;
   for (std::uint32_t i = 0; i < 500; ++i) {
     const PersonCondition person = draw("linear", i);
     const double weight = person.person.illusion.tactile_weight;
-    least_weight = std::min(least_weight, weight);
-    most_weight = std::max(most_weight, weight);
+    min_weight = std::min(min_weight, weight);
+    max_weight = std::max(max_weight, weight);
     EXPECT_GE(person.person.gain_per_s, 5.0);
     EXPECT_LE(person.person.gain_per_s, 12.0);
     EXPECT_GE(person.person.delay_s, 0.0);
@@ -73,10 +73,10 @@ TEST(SimulationPeople, EveryoneIsWithinTheirRanges) {
     EXPECT_EQ(person.person.duration_s, 1.5);
     sides_deg.insert(person.virtual_direction_deg - person.real_direction_deg);
   }
-  EXPECT_GE(least_weight, 0.12);
-  EXPECT_LT(least_weight, 0.125);
-  EXPECT_LE(most_weight, 0.30);
-  EXPECT_GT(most_weight, 0.295);
+  EXPECT_GE(min_weight, 0.12);
+  EXPECT_LT(min_weight, 0.125);
+  EXPECT_LE(max_weight, 0.30);
+  EXPECT_GT(max_weight, 0.295);
   EXPECT_EQ(sides_deg, (std::set<double>{-10.0, 10.0}));
 }
 

@@ -97,15 +97,15 @@ TEST(SimulationPerson, LargestShiftByHand) {
   using enum IllusionFamily;
   for (const double w : {0.1, 0.2, 0.3})
     for (const double sign : {1.0, -1.0}) {
-      const auto largest = [=](IllusionFamily family, double scale_deg) {
-        return largest_shift_deg(illusion(family, scale_deg, w), 75.0, sign);
+      const auto max = [=](IllusionFamily family, double scale_deg) {
+        return max_shift_deg(illusion(family, scale_deg, w), 75.0, sign);
       };
-      EXPECT_NEAR(largest(linear, 45.0), 75.0 * w, 1e-12);
-      EXPECT_NEAR(largest(saturating, 45.0), 45.0 * w, 1e-12);
-      EXPECT_NEAR(largest(sine, 45.0), 45.0 * w, 1e-12);
-      EXPECT_NEAR(largest(IllusionFamily::tanh, 60.0), 60.0 * w * std::tanh(1.25), 1e-12);
-      EXPECT_NEAR(largest(dead_band, 10.0), 65.0 * w, 1e-12);
-      EXPECT_NEAR(largest(unequal, 45.0), (sign > 0.0 ? 75.0 : 37.5) * w, 1e-12);
+      EXPECT_NEAR(max(linear, 45.0), 75.0 * w, 1e-12);
+      EXPECT_NEAR(max(saturating, 45.0), 45.0 * w, 1e-12);
+      EXPECT_NEAR(max(sine, 45.0), 45.0 * w, 1e-12);
+      EXPECT_NEAR(max(IllusionFamily::tanh, 60.0), 60.0 * w * std::tanh(1.25), 1e-12);
+      EXPECT_NEAR(max(dead_band, 10.0), 65.0 * w, 1e-12);
+      EXPECT_NEAR(max(unequal, 45.0), (sign > 0.0 ? 75.0 : 37.5) * w, 1e-12);
     }
 }
 
@@ -279,14 +279,14 @@ TEST(SimulationPerson, RidgesThatAreNotCrossedAreNotFelt) {
   person.steering = Steering::crossings;
   EXPECT_NEAR(walk_beside(person, 90.0).person.direction_deg(), virtual_deg, 1e-9);
   const Walk crossed = walk_beside(person, 40.0);
-  double least_deg = virtual_deg;
+  double min_deg = virtual_deg;
   SlidingPerson now(person, {}, virtual_deg, path_m, draws());
   while (!now.done()) {
     now.advance(now.direction_deg() + 40.0);
-    least_deg = std::min(least_deg, now.direction_deg());
+    min_deg = std::min(min_deg, now.direction_deg());
   }
-  EXPECT_LT(least_deg, virtual_deg - 2.0);
-  EXPECT_GT(least_deg, virtual_deg - 8.0);  // 0.2 * 40, which fades between ridges
+  EXPECT_LT(min_deg, virtual_deg - 2.0);
+  EXPECT_GT(min_deg, virtual_deg - 8.0);  // 0.2 * 40, which fades between ridges
 }
 
 TEST(SimulationPerson, APathIsAFunctionOfItsDraws) {

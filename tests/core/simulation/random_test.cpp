@@ -18,8 +18,8 @@ TEST(SimulationRandom, PhiloxKnownAnswers) {
   const auto zeros = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0), 0, 0, 0, 0);
   EXPECT_EQ(zeros.first, 0xe169c58d'6627e8d5u);
   EXPECT_EQ(zeros.second, 0x9b00dbd8'bc57ac4cu);
-  const std::uint64_t most = 0xffffffff;
-  const auto ones = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(~std::uint64_t{0}), most, most, most, most);
+  const std::uint64_t max = 0xffffffff;
+  const auto ones = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(~std::uint64_t{0}), max, max, max, max);
   EXPECT_EQ(ones.first, 0x41c83b0e'408f276du);
   EXPECT_EQ(ones.second, 0x6d5451fd'a20bc7c6u);
   const auto pi = philox<ScalarLanes>(PhiloxKeys<ScalarLanes>(0x299f31d0'a4093822), 0x243f6a88, 0x85a308d3,

@@ -135,10 +135,10 @@ TEST(TrackerNoise, IsAsSureOfWhiteNoiseAsItsVarianceAllows) {
   const SimulatedTracker tracker{"white", 1.2, 0.0, 0.1, 90.0};
   const Rests rests = simulate_rests(tracker, 1, 20.0, 0);
   const RestNoise noise = fit_rest_noise(rests);
-  const double least_m = 2.0 * 1.96 * 0.0012 / std::sqrt(2.0 * 2.0 * 1800.0);
+  const double min_m = 2.0 * 1.96 * 0.0012 / std::sqrt(2.0 * 2.0 * 1800.0);
   EXPECT_TRUE(noise.white_m.known);
-  EXPECT_GT(noise.white_m.upper - noise.white_m.lower, 0.8 * least_m);
-  EXPECT_LT(noise.white_m.upper - noise.white_m.lower, 3.0 * least_m);
+  EXPECT_GT(noise.white_m.upper - noise.white_m.lower, 0.8 * min_m);
+  EXPECT_LT(noise.white_m.upper - noise.white_m.lower, 3.0 * min_m);
   EXPECT_EQ(noise.correlated_m.lower, 0.0);
   EXPECT_FALSE(noise.correlation_s.known);
 }
@@ -184,11 +184,11 @@ TEST_P(TrackerNoiseCoverage, IntervalsCoverWhereverKnown) {
     return;
   }
   // Half a second is little of a noise that lasts for long.
-  const int least = tracker.correlation_s > 0.2 ? people / 4 : people / 2;
-  EXPECT_GE(white.known, least);
-  EXPECT_GE(correlated.known, least);
+  const int min = tracker.correlation_s > 0.2 ? people / 4 : people / 2;
+  EXPECT_GE(white.known, min);
+  EXPECT_GE(correlated.known, min);
   if (tracker.correlated_mm > 0.0) {
-    EXPECT_GE(time.known, least);
+    EXPECT_GE(time.known, min);
   } else {
     EXPECT_LE(time.known, people / 10);
   }

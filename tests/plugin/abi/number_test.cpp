@@ -13,7 +13,7 @@ namespace hrt::plugin {
 namespace {
 
 std::string written(double number) {
-  char text[longest_number];
+  char text[max_number];
   return std::string(text, write_number(number, text));
 }
 

@@ -150,7 +150,7 @@ TEST_F(DynamixelTest, IsSetUpAsTheControlTableSays) {
   EXPECT_EQ(servo.get(64, 1), 1);
   EXPECT_EQ(device->description(), "Dynamixel XL330-M288, id 1, firmware 52");
   EXPECT_NEAR(device->limits().speed_deg_s, 200.0, 0.7);
-  EXPECT_EQ(device->limits().most_deg, 179.9);
+  EXPECT_EQ(device->limits().max_deg, 179.9);
   EXPECT_TRUE(device->is_measured());
   // Read of 4 bytes: 14 and 15 bytes of 174 us, and the servo's delay of 500 us.
   EXPECT_NEAR(std::chrono::duration<double>(*device->round_trip()).count(), 5.5e-3, 0.2e-3);
@@ -170,8 +170,8 @@ TEST_F(DynamixelTest, AnXl430HasItsLimitsAsStops) {
   servo.set(52, 4, 1024);
   servo.set(48, 4, 3072);
   const auto device = open();
-  EXPECT_EQ(device->limits().least_deg, -90.0);
-  EXPECT_EQ(device->limits().most_deg, 90.0);
+  EXPECT_EQ(device->limits().min_deg, -90.0);
+  EXPECT_EQ(device->limits().max_deg, 90.0);
   device->turn_to(90.0);
   serve(*device, 1000ms);
   EXPECT_EQ(device->orientation_deg(), 90.0);

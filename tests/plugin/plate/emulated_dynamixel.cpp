@@ -18,8 +18,8 @@ constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_pw
 struct Writable {
   int address;
   int size;
-  std::int64_t least;
-  std::int64_t most;
+  std::int64_t min;
+  std::int64_t max;
 };
 
 }  // namespace
@@ -113,16 +113,16 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const int address = static_cast<int>(number_at(parameters, 0, 2)),
             size = static_cast<int>(parameters.size()) - 2;
   const std::int64_t value = number_at(parameters, 2, size);
-  const std::int64_t most_pwm = get(36, 2), most_current = get(38, 2), most_speed = get(44, 4);
+  const std::int64_t max_pwm = get(36, 2), max_current = get(38, 2), max_speed = get(44, 4);
   const bool turns_on = get(11, 1) == 5;
   const std::array<Writable, 10> writable = {
       {{11, 1, 0, 16},
        {homing_offset, 4, -1'044'479, 1'044'479},
        {torque_enable, 1, 0, 1},
        {bus_watchdog, 1, 0, 127},
-       {goal_pwm, 2, -most_pwm, most_pwm},
-       {goal_current, 2, -most_current, most_current},
-       {goal_velocity, 4, -most_speed, most_speed},
+       {goal_pwm, 2, -max_pwm, max_pwm},
+       {goal_current, 2, -max_current, max_current},
+       {goal_velocity, 4, -max_speed, max_speed},
        {profile_acceleration, 4, 0, 32767},
        {profile_velocity, 4, 0, 32767},
        {goal_position, 4, turns_on ? -1'048'575 : get(52, 4), turns_on ? 1'048'575 : get(48, 4)}}};
@@ -131,7 +131,7 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   if (found == writable.end()) return StatusError::access;
   if (found->size != size) return StatusError::data_length;
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
-  if (value < found->least || value > found->most) return StatusError::data_range;
+  if (value < found->min || value > found->max) return StatusError::data_range;
   // "At this time, the access to the Goal Value will be changed to read-only": range error.
   if (get(bus_watchdog, 1) == -1 && address >= goal_pwm && address <= goal_position)
     return StatusError::data_range;
@@ -139,8 +139,8 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   set(address, size, value);
   if (address == torque_enable && value == 1) set(goal_position, 4, present());
   if (address == 11) {
-    set(goal_pwm, 2, most_pwm);
-    set(goal_current, 2, most_current);
+    set(goal_pwm, 2, max_pwm);
+    set(goal_current, 2, max_current);
     set(profile_velocity, 4, 0);
   }
   return StatusError::none;
@@ -161,8 +161,8 @@ void EmulatedDynamixel::run_until(Time now) {
     // load.
     const auto profile = static_cast<double>(get(profile_velocity, 4));
     const double speed_deg_s = profile == 0.0 ? 618.0 : std::min(618.0, profile * 0.229 * 6.0);
-    const double most = speed_deg_s * seconds * 4096.0 / 360.0;
-    position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -most, most);
+    const double max = speed_deg_s * seconds * 4096.0 / 360.0;
+    position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -max, max);
   }
   set(present_position, 4, present());
 }

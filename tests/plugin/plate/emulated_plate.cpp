@@ -82,10 +82,10 @@ void EmulatedPlate::hear_body(std::string body) {
 }
 
 void EmulatedPlate::run_until(Time now) {
-  const double most_deg = behaviour_.speed_deg_s * std::chrono::duration<double>(now - now_).count();
+  const double max_deg = behaviour_.speed_deg_s * std::chrono::duration<double>(now - now_).count();
   now_ = now;
   if (behaviour_.turns && is_allowed_)
-    orientation_deg_ += std::clamp(target_deg_ - orientation_deg_, -most_deg, most_deg);
+    orientation_deg_ += std::clamp(target_deg_ - orientation_deg_, -max_deg, max_deg);
   if (is_allowed_ && now - last_heard_ > heartbeat_limit) {
     is_allowed_ = false;
     ++heartbeat_stops_;

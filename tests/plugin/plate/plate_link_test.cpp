@@ -56,8 +56,8 @@ class PlateLinkTest : public testing::Test {
 
 TEST_F(PlateLinkTest, LearnsLimitsAndOrientation) {
   open({.greeting = "PLATE 2 -80.00 85.00 300.00 20.00 measured"});
-  EXPECT_EQ(link->limits().least_deg, -80.0);
-  EXPECT_EQ(link->limits().most_deg, 85.0);
+  EXPECT_EQ(link->limits().min_deg, -80.0);
+  EXPECT_EQ(link->limits().max_deg, 85.0);
   EXPECT_EQ(link->limits().speed_deg_s, 300.0);
   // An answer of 22 bytes at 87 us.
   EXPECT_GE(*link->round_trip(), 22 * 87us);

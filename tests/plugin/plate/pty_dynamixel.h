@@ -42,13 +42,13 @@ class PtyDynamixel {
 
   const std::string& device() const { return device_; }
   /// Farthest from 0 so far.
-  double largest_turn_deg() const { return largest_turn_deg_; }
+  double max_turn_deg() const { return max_turn_deg_; }
 
  private:
   // If this machine was busy for longer than a slice may be, the servo misses that time: its watchdog would
   // stop it before it hears what has come meanwhile.
   void live() {
-    constexpr auto longest_slice = std::chrono::milliseconds(20);
+    constexpr auto max_slice = std::chrono::milliseconds(20);
     auto began = std::chrono::steady_clock::now();
     while (!ending_) {
       pollfd readable{master_, POLLIN, 0};
@@ -56,7 +56,7 @@ class PtyDynamixel {
       std::array<char, 256> bytes{};
       const ssize_t count = read(master_, bytes.data(), bytes.size());
       const auto behind = std::chrono::steady_clock::now() - began - servo_.now();
-      if (behind > longest_slice) began += behind - longest_slice;
+      if (behind > max_slice) began += behind - max_slice;
       const auto now = std::chrono::steady_clock::now() - began;
       servo_.run_until(now);
       if (count > 0) {
@@ -64,14 +64,14 @@ class PtyDynamixel {
         if (!answer.empty()) [[maybe_unused]]
           const ssize_t ignored = write(master_, answer.data(), answer.size());
       }
-      largest_turn_deg_ = std::max(largest_turn_deg_.load(), std::abs(servo_.orientation_deg()));
+      max_turn_deg_ = std::max(max_turn_deg_.load(), std::abs(servo_.orientation_deg()));
     }
   }
 
   EmulatedDynamixel servo_;
   int master_ = -1, slave_ = -1;
   std::string device_;
-  std::atomic<double> largest_turn_deg_ = 0.0;
+  std::atomic<double> max_turn_deg_ = 0.0;
   std::atomic<bool> ending_ = false;
   std::thread thread_;
 };

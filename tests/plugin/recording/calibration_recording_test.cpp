@@ -144,8 +144,8 @@ TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
                  "the calibration's number is \"one\"");
   expect_refused(replaced(text, "\"max_trials\":20", "\"max_trials\":5"),
                  "max_trials is 5; allowed: 10 to 10000");
-  expect_refused(replaced(text, "\"max_trials\":20", "\"most_trials\":20"),
-                 "\"most_trials\" is not a field of a calibration");
+  expect_refused(replaced(text, "\"max_trials\":20", "\"trials_at_most\":20"),
+                 "\"trials_at_most\" is not a field of a calibration");
   expect_refused(replaced(text, "\"max_trials\":20,", ""), "the calibration has 5 fields; 6 are needed");
   expect_refused(replaced(text, ",calibration,calibration_result", ",calibration"),
                  "the columns are not those of a recording of version 3");

@@ -22,8 +22,8 @@ namespace {
 struct LoaderInfo {
   std::uint32_t type, version;
   std::size_t size;
-  std::uint32_t least, most;
-  XrVersion least_api, most_api;
+  std::uint32_t min, max;
+  XrVersion min_api, max_api;
 };
 struct RuntimeRequest {
   std::uint32_t type, version;

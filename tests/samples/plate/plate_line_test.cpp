@@ -91,7 +91,7 @@ std::optional<PlateMessage> second(std::string_view body) {
 TEST(PlateMessage, OfVersionTwo) {
   const auto greeting = std::get<PlateGreeting>(*second("PLATE 2 -90.00 85.5 300 20.00 measured"));
   EXPECT_EQ(greeting.version, Version::two);
-  EXPECT_EQ(greeting.most_deg, 85.5);
+  EXPECT_EQ(greeting.max_deg, 85.5);
   EXPECT_EQ(greeting.latency_ms, 20.0);
   EXPECT_TRUE(greeting.is_measured);
   const auto report = std::get<PlateReport>(*second("AT -012.50 00042"));
@@ -136,8 +136,8 @@ TEST(PlateMessage, HasLimitsAndSpeed) {
   const auto message = first("PLATE 1 -90.00 85.5 400");
   ASSERT_TRUE(message);
   const auto greeting = std::get<PlateGreeting>(*message);
-  EXPECT_EQ(greeting.least_deg, -90.0);
-  EXPECT_EQ(greeting.most_deg, 85.5);
+  EXPECT_EQ(greeting.min_deg, -90.0);
+  EXPECT_EQ(greeting.max_deg, 85.5);
   EXPECT_EQ(greeting.speed_deg_s, 400.0);
 }
 

@@ -50,7 +50,7 @@ std::vector<Pulse> PtyBoard::pulses() {
 // Real time passes in slices, and the board follows. If this machine was busy for longer than a slice may be,
 // the board misses that time: it would be deaf while it caught up.
 void PtyBoard::live() {
-  constexpr auto longest_slice = 20ms;
+  constexpr auto max_slice = 20ms;
   Clock::time_point began = Clock::now();
   while (!ending_) {
     pollfd readable{master_, POLLIN, 0};
@@ -60,7 +60,7 @@ void PtyBoard::live() {
     const std::lock_guard lock(mutex_);
     if (count > 0) board_.send({bytes.data(), static_cast<std::size_t>(count)});
     const auto behind = Clock::now() - began - board_.now();
-    if (behind > longest_slice) began += behind - longest_slice;
+    if (behind > max_slice) began += behind - max_slice;
     board_.run_until(std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began));
     const std::string output = board_.take_output();
     if (!output.empty()) [[maybe_unused]]

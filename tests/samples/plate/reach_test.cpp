@@ -17,7 +17,7 @@ namespace {
 const std::string desk = HRT_SCENES "/desk.gltf";
 const std::string real_time = R"({"clock": "real-time", )" + reach::calm + "}";
 
-double largest_turn_deg(PtyBoard& board) {
+double max_turn_deg(PtyBoard& board) {
   double turn_deg = 0.0;
   for (const Pulse& pulse : board.pulses())
     turn_deg = std::max(turn_deg, std::abs(pulse.width_us() - 1500.0) * 180.0 / 2000.0);
@@ -43,7 +43,7 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_NE(outcome.out.find("protocol 2, firmware 1.0.0"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("orientation measured"), std::string::npos) << outcome.out;
-  EXPECT_GT(largest_turn_deg(board), 30.0);
+  EXPECT_GT(max_turn_deg(board), 30.0);
   // What was measured is what the controller planned with: 20 ms of the plate's own, and half of the line.
   const std::string recorded = read_file(recording);
   const double latency_ms = planned(recorded, "plate_latency_ns") * 1e-6;
@@ -59,7 +59,7 @@ TEST(ReachWithFirmware, IsEndedByAResetOfTheBoard) {
   PtyBoard board;
   reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
                          reach::scripted_environment(real_time));
-  while (largest_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
+  while (max_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
   board.with([](EmulatedBoard& emulated) { emulated.reset(); });
   const std::size_t pulses = board.pulses().size();
   const Outcome outcome = program.wait();
@@ -72,7 +72,7 @@ TEST(ReachWithFirmware, IsEndedByTheEmergencyStop) {
   PtyBoard board;
   reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
                          reach::scripted_environment(real_time));
-  while (largest_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
+  while (max_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
   board.with([](EmulatedBoard& emulated) { emulated.open_emergency_stop(true); });
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 9) << outcome.out;

@@ -124,7 +124,7 @@ TEST(PlateTool, MeasuresAPlateWithASensor) {
   // A difference of two places, each read to a step of the converter.
   EXPECT_LT(std::abs(file.at("backlash_deg").get<double>()), 2.0 * 180.0 / (818 - 204));
   EXPECT_LT(file.at("repeatability_deg").get<double>(), 0.3);
-  EXPECT_LT(file.at("largest_error_deg").get<double>(), 1.0);
+  EXPECT_LT(file.at("max_error_deg").get<double>(), 1.0);
   // The line, a frame of 20 ms, the potentiometer's smoothing of 8 ms, a report's period of 20 ms.
   EXPECT_GT(file.at("latency_ms").get<double>(), 2.0);
   EXPECT_LT(file.at("latency_ms").get<double>(), 90.0);
@@ -159,7 +159,7 @@ TEST(PlateTool, FindsBacklash) {
   const Measurements found = measure(link, [](const std::string&) {});
   ASSERT_TRUE(found.backlash_deg);
   EXPECT_NEAR(*found.backlash_deg, 5.0, 0.5);
-  EXPECT_NEAR(found.largest_error_deg, 2.5, 0.6);
+  EXPECT_NEAR(found.max_error_deg, 2.5, 0.6);
 }
 
 TEST(PlateTool, SaysWhatAPlateWithoutASensorCannotShow) {
@@ -270,7 +270,7 @@ TEST(PlateTool, MeasuresADynamixel) {
   EXPECT_NEAR(file.at("speed_deg_s").get<double>(), 200.0, 25.0);
   EXPECT_LT(std::abs(file.at("backlash_deg").get<double>()), 0.1);
   EXPECT_LT(file.at("repeatability_deg").get<double>(), 0.1);
-  EXPECT_LT(file.at("largest_error_deg").get<double>(), 0.1);
+  EXPECT_LT(file.at("max_error_deg").get<double>(), 0.1);
   EXPECT_LT(file.at("latency_ms").get<double>(), 40.0);
   EXPECT_EQ(file.at("session").at("plate_upper_stop_deg"), 179.9);
   EXPECT_EQ(file.at("sweep").size(), 49U);

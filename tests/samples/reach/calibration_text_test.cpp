@@ -24,7 +24,7 @@ CalibrationOutcome outcome() {
   result.tactile_weight = known(0.2, 0.02);
   result.person_weight = known(0.25, 0.02);
   result.person_curve = known(0.1, 0.0);
-  result.largest_gap_deg = known(9.6, 1.0);
+  result.max_gap_deg = known(9.6, 1.0);
   result.bias_deg = known(-1.25, 0.5);
   result.tracker_noise_m = known(0.0012, 0.0001);
   for (std::uint32_t trial = 0; trial < 3; ++trial)
@@ -67,7 +67,7 @@ TEST(CalibrationText, IsSpokenInShort) {
   CalibrationOutcome bad = outcome();
   bad.enough = false;
   bad.result.lack_of_fit = HRT_LACK_OF_FIT_PATH;
-  bad.result.tactile_weight.known = bad.result.largest_gap_deg.known = 0;
+  bad.result.tactile_weight.known = bad.result.max_gap_deg.known = 0;
   EXPECT_EQ(
       calibration_in_words(bad),
       "The calibration is complete after 3 slides. The time ran out before it was as exact as was asked. "

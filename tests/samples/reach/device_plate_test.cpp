@@ -69,8 +69,8 @@ TEST(OrientationWithin, TakesTheNearestLimitIfNothingIsFeltTheSame) {
 TEST(DevicePlate, LearnsLimitsAndOrientation) {
   PtyPlate device({.greeting = "PLATE 2 -80.00 85.00 300.00 20.00 measured"});
   DevicePlate plate("serial:" + device.device());
-  EXPECT_EQ(plate.limits()->least_deg, -80.0);
-  EXPECT_EQ(plate.limits()->most_deg, 85.0);
+  EXPECT_EQ(plate.limits()->min_deg, -80.0);
+  EXPECT_EQ(plate.limits()->max_deg, 85.0);
   EXPECT_EQ(plate.limits()->speed_deg_s, 300.0);
   // What the plate says, and half of the line there and back.
   EXPECT_GE(plate.limits()->latency_ns, 20'000'000);

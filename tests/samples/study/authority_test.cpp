@@ -19,11 +19,10 @@ TEST(StudyAuthority, MapByHand) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto rows = lines(run.out);
   ASSERT_EQ(rows.size(), 4U);
-  EXPECT_EQ(
-      rows[0],
-      "tactile_weight,gap_deg,motion_bound_deg,largest_gap_deg,reachable,margin_deg,plate_offset_deg,"
-      "settling_offset_deg,beyond_human_data,paper_plate_bound_deg,paper_largest_gap_deg,paper_reachable,"
-      "paper_margin_deg,paper_plate_offset_deg,paper_settling_offset_deg");
+  EXPECT_EQ(rows[0],
+            "tactile_weight,gap_deg,motion_bound_deg,max_gap_deg,reachable,margin_deg,plate_offset_deg,"
+            "settling_offset_deg,beyond_human_data,paper_plate_bound_deg,paper_max_gap_deg,paper_reachable,"
+            "paper_margin_deg,paper_plate_offset_deg,paper_settling_offset_deg");
   const auto held = fields(rows[1]);
   EXPECT_EQ(held[2], "75");
   EXPECT_NEAR(std::stod(held[3]), 11.25, 1e-12);

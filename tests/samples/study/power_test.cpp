@@ -59,7 +59,7 @@ TEST(StudyPower, PeopleNeededAreTheTextbooks) {
   const PeopleNeeded needed = people_needed(normal, 0.8, 80.0, 10'000, 1);
   EXPECT_LE(needed.low, needed.people);
   EXPECT_GE(needed.high, needed.people);
-  EXPECT_EQ(people_needed(normal, 0.001, 80.0, 200, 1).people, most_people + 1);
+  EXPECT_EQ(people_needed(normal, 0.001, 80.0, 200, 1).people, max_people + 1);
 }
 
 // All differ by the same: two people suffice, whatever the effect; their mean shift is taken off first.

@@ -75,7 +75,7 @@ TEST(StudySweep, ResultsAreTheLibrarysToTheBit) {
   EXPECT_EQ(value("rms_miss_deg"), result.rms_miss_deg());
   EXPECT_EQ(value("rms_perceived_error_deg"), result.rms_felt_error_deg());
   EXPECT_EQ(value("saturated_share"), result.saturated_share());
-  EXPECT_EQ(value("largest_gap_deg"), largest_gap_deg(0.15, 84.5));
+  EXPECT_EQ(value("max_gap_deg"), max_gap_deg(0.15, 84.5));
   EXPECT_EQ(value("reachable"), 1.0);
 }
 

@@ -58,7 +58,7 @@ test("the world has core's illusion", () => {
   near(world.felt_shift_deg(40, 0), 8, 1e-12, "w t");
   near(world.felt_shift_deg(-30, 10), -8, 1e-12, "t is the plate less the finger");
   near(world.felt_shift_deg(100, 0), -16, 1e-12, "ridges repeat every half turn");
-  near(world.largest_gap_deg(75), 15, 1e-12, "75 w");
+  near(world.max_gap_deg(75), 15, 1e-12, "75 w");
 });
 
 test("the plate follows after its latency at its speed", () => {

@@ -152,7 +152,7 @@ function emulated() {
 test("the plate's firmware turns its servo where the page sends it", (t) => {
   const { board, link, run } = emulated(), began = performance.now();
   run(1200);
-  assert.deepEqual(link.facts, { kind: "plate", least_deg: -90, most_deg: 90, speed_deg_s: 300, latency_ms: 20, measured: false });
+  assert.deepEqual(link.facts, { kind: "plate", min_deg: -90, max_deg: 90, speed_deg_s: 300, latency_ms: 20, measured: false });
   assert.ok(Math.abs(board.pulse_us - 1500) < 0.6, `${board.pulse_us} us`);
   for (const wanted_deg of [45, -80.5, 12.25, 90, 0, -90, 0]) {
     link.turnTo(wanted_deg);

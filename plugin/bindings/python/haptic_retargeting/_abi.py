@@ -177,7 +177,7 @@ class DiffersFlag(Flags):
     """Values of two calibrations that differ: CalibrationComparison.differing.
 
     TACTILE_WEIGHT
-    LARGEST_GAP
+    MAX_GAP
     BIAS
     HABIT
     TRACKER_NOISE
@@ -186,7 +186,7 @@ class DiffersFlag(Flags):
     """
 
     TACTILE_WEIGHT = 1
-    LARGEST_GAP = 2
+    MAX_GAP = 2
     BIAS = 4
     HABIT = 8
     TRACKER_NOISE = 16
@@ -705,13 +705,13 @@ class Authority(Struct):
     real_target
     virtual_target
     gap_deg: The virtual direction plus the person's bias, minus the real direction; in [-180, 180).
-    largest_gap_deg: Largest gap, to either side, that the plate can sustain for the session's person and
+    max_gap_deg: Largest gap, to either side, that the plate can sustain for the session's person and
         guidance.
-    margin_deg: largest_gap_deg minus the size of the gap; negative: unreachable.
+    margin_deg: max_gap_deg minus the size of the gap; negative: unreachable.
     plate_orientation_deg: Plate orientation (base.h) that sustains the gap; at the bound if unreachable.
     settling_direction_deg: Direction in which the finger settles: the real target's, if reachable.
-    paper_largest_gap_deg: largest_gap_deg as the paper has it, from tactile_weight and plate_bound_deg.
-        Since version 0.3.
+    paper_max_gap_deg: max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since
+        version 0.3.
     """
 
     struct_size: UInt32
@@ -719,18 +719,17 @@ class Authority(Struct):
     real_target: TargetHandle
     virtual_target: TargetHandle
     gap_deg: Double
-    largest_gap_deg: Double
+    max_gap_deg: Double
     margin_deg: Double
     plate_orientation_deg: Double
     settling_direction_deg: Double
-    paper_largest_gap_deg: Double
+    paper_max_gap_deg: Double
 
     if TYPE_CHECKING:
         def __init__(
             self, *, reachable: bool | int = ..., real_target: TargetHandle = ..., virtual_target: TargetHandle = ...,
-            gap_deg: float = ..., largest_gap_deg: float = ..., margin_deg: float = ...,
-            plate_orientation_deg: float = ..., settling_direction_deg: float = ...,
-            paper_largest_gap_deg: float = ...,
+            gap_deg: float = ..., max_gap_deg: float = ..., margin_deg: float = ...,
+            plate_orientation_deg: float = ..., settling_direction_deg: float = ..., paper_max_gap_deg: float = ...,
         ) -> None: ...
 
 
@@ -1052,9 +1051,9 @@ class CalibrationResult(Struct):
         The curve is known with 7 plate orientations or more.
     person_curve
     weight_curve_correlation
-    largest_gap_deg: Largest gap between real and virtual direction that can be held, on the weaker side,
-        with the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to
-        both sides, and the interval is at most 10 degrees wide.
+    max_gap_deg: Largest gap between real and virtual direction that can be held, on the weaker side, with
+        the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to both
+        sides, and the interval is at most 10 degrees wide.
     habit_deg: How far the user's goal turns over a path, halved (PERSON_HABIT). Known as bias_deg.
     correlated_noise_m: Correlated part of the tracker's noise, and the time in which it decays to 1/e.
     noise_correlation_s
@@ -1088,7 +1087,7 @@ class CalibrationResult(Struct):
     person_weight: Interval
     person_curve: Interval
     weight_curve_correlation: Double
-    largest_gap_deg: Interval
+    max_gap_deg: Interval
     habit_deg: Interval
     correlated_noise_m: Interval
     noise_correlation_s: Interval
@@ -1106,7 +1105,7 @@ class CalibrationResult(Struct):
             sensory_variance_deg2: Interval = ..., tracker_noise_m: Interval = ..., illusion: Illusion = ...,
             lack_of_fit: LackOfFitFlag = ..., slides_outlying: int = ..., slides_along_ridges: int = ...,
             illusion_scale_deg: float = ..., peak_offset_deg: float = ..., person_weight: Interval = ...,
-            person_curve: Interval = ..., weight_curve_correlation: float = ..., largest_gap_deg: Interval = ...,
+            person_curve: Interval = ..., weight_curve_correlation: float = ..., max_gap_deg: Interval = ...,
             habit_deg: Interval = ..., correlated_noise_m: Interval = ..., noise_correlation_s: Interval = ...,
             angle_p: float = ..., order_p: float = ..., path_p: float = ..., steering_rate_per_s: Interval = ...,
             steering_delay_s: Interval = ..., steering_p: float = ...,
@@ -1150,7 +1149,7 @@ class CalibrationComparison(Struct):
     differing: DiffersFlag, by Holm's procedure over the known values: if nothing has changed, any of them
         is set in 5 % of comparisons. 0 is no proof that nothing has changed: see the intervals.
     tactile_weight
-    largest_gap_deg
+    max_gap_deg
     bias_deg
     habit_deg
     tracker_noise_m
@@ -1161,7 +1160,7 @@ class CalibrationComparison(Struct):
     struct_size: UInt32
     differing: DiffersFlag
     tactile_weight: Interval
-    largest_gap_deg: Interval
+    max_gap_deg: Interval
     bias_deg: Interval
     habit_deg: Interval
     tracker_noise_m: Interval
@@ -1170,7 +1169,7 @@ class CalibrationComparison(Struct):
 
     if TYPE_CHECKING:
         def __init__(
-            self, *, differing: DiffersFlag = ..., tactile_weight: Interval = ..., largest_gap_deg: Interval = ...,
+            self, *, differing: DiffersFlag = ..., tactile_weight: Interval = ..., max_gap_deg: Interval = ...,
             bias_deg: Interval = ..., habit_deg: Interval = ..., tracker_noise_m: Interval = ...,
             steering_rate_per_s: Interval = ..., steering_delay_s: Interval = ...,
         ) -> None: ...

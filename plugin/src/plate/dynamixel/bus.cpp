@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 
 constexpr auto silence_limit = 500ms;
 constexpr auto glance = 5ms;  // at the line, while an answer is awaited
-constexpr int most_tries = 10;
+constexpr int max_tries = 10;
 
 // Of its parameters, without an error.
 std::size_t size_of_answer(const Packet& request) {
@@ -45,7 +45,7 @@ std::optional<Packet> Bus::try_once(const Packet& request) {
 }
 
 Packet Bus::transact(const Packet& request) {
-  for (int i = 0; i < most_tries; ++i) {
+  for (int i = 0; i < max_tries; ++i) {
     const std::optional<Packet> found = try_once(request);
     if (!found) continue;
     const StatusError error = found->status_error();

@@ -56,7 +56,7 @@ class Servo : public Device {
     check_hardware(bus_.read(hardware_error));
     take_limits();
     if (start == Start::hold) set_up();
-    watch_.emplace(PlateGreeting{Version::two, least_deg_, most_deg_, speed_deg_s(), 0.0, true}, now());
+    watch_.emplace(PlateGreeting{Version::two, min_deg_, max_deg_, speed_deg_s(), 0.0, true}, now());
     for (int i = 0; i < probes; ++i) take_position(bus_.read(present_position));
     if (start == Start::hold) hold();
   }
@@ -72,7 +72,7 @@ class Servo : public Device {
            std::to_string(firmware_);
   }
   DeviceLimits limits() const override {
-    return {least_deg_, most_deg_, std::min(speed_deg_s(), watch_->speed_deg_s().value_or(speed_deg_s())),
+    return {min_deg_, max_deg_, std::min(speed_deg_s(), watch_->speed_deg_s().value_or(speed_deg_s())),
             servo_latency + round_trip().value_or(0ns) / 2};
   }
   bool is_measured() const override { return true; }
@@ -131,7 +131,7 @@ class Servo : public Device {
   // The offset is in memory that is locked while there is torque: the plate is free for some milliseconds.
   void set_zero(double zero_deg) override {
     const std::int64_t offset = -std::llround(zero_deg / deg_per_step);
-    if (std::abs(offset) > most_homing_steps)
+    if (std::abs(offset) > max_homing_steps)
       throw PlateFailure(Fault::device, "would need a homing offset of " + std::to_string(offset) +
                                             " steps; allowed: -1024 to 1024. Turn the horn on its shaft");
     finish_exchange();
@@ -149,7 +149,7 @@ class Servo : public Device {
  private:
   int step_of(double orientation_deg) const {
     return middle_step +
-           static_cast<int>(std::lround(std::clamp(orientation_deg, least_deg_, most_deg_) / deg_per_step));
+           static_cast<int>(std::lround(std::clamp(orientation_deg, min_deg_, max_deg_) / deg_per_step));
   }
   std::int64_t speed_units() const {
     return std::clamp<std::int64_t>(std::llround(settings_.speed_deg_s / deg_s_per_unit), 1, fastest_units_);
@@ -188,10 +188,9 @@ class Servo : public Device {
     fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
     effort_ = bus_.read(model_->limits_current ? current_limit : pwm_limit) * settings_.effort_percent / 100;
     if (mode() != position_mode) return;
-    least_deg_ = std::max(least_deg_, deg_of(bus_.read(min_position_limit)));
-    most_deg_ = std::min(most_deg_, deg_of(bus_.read(max_position_limit)));
-    if (least_deg_ >= most_deg_)
-      throw PlateFailure(Fault::device, "has position limits with nothing between");
+    min_deg_ = std::max(min_deg_, deg_of(bus_.read(min_position_limit)));
+    max_deg_ = std::min(max_deg_, deg_of(bus_.read(max_position_limit)));
+    if (min_deg_ >= max_deg_) throw PlateFailure(Fault::device, "has position limits with nothing between");
   }
 
   // The mode is kept in memory that wears: it is written only if it is another one.
@@ -318,7 +317,7 @@ class Servo : public Device {
   Settings settings_;
   const Model* model_ = nullptr;
   int firmware_ = 0;
-  double least_deg_ = -turn_stop_deg, most_deg_ = turn_stop_deg;
+  double min_deg_ = -turn_stop_deg, max_deg_ = turn_stop_deg;
   std::int64_t fastest_units_ = 1;
   std::int64_t effort_ = 0;
   std::optional<PlateWatch> watch_;

@@ -12,7 +12,7 @@ constexpr std::string_view header = "\xFF\xFF\xFD\x00"sv;
 constexpr std::string_view pattern = "\xFF\xFF\xFD"sv;  // within a packet it is followed by one more FD
 constexpr std::size_t before_instruction = 7;           // header, id, length
 constexpr std::size_t crc_size = 2;
-constexpr std::size_t least_length = 3;  // instruction and CRC
+constexpr std::size_t min_length = 3;  // instruction and CRC
 
 std::uint8_t byte_at(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint8_t>(bytes[at]);
@@ -108,7 +108,7 @@ std::optional<Packet> PacketReader::next() {
     bytes_.erase(0, at);
     if (bytes_.size() < before_instruction) return std::nullopt;
     const std::size_t length = byte_at(bytes_, 5) | std::size_t{byte_at(bytes_, 6)} << 8;
-    const bool possible = length >= least_length && length <= max_length;
+    const bool possible = length >= min_length && length <= max_length;
     if (possible && bytes_.size() < before_instruction + length) return std::nullopt;
     if (possible) {
       const std::size_t size = before_instruction + length;

@@ -29,7 +29,7 @@ inline constexpr std::array models = {Model{1190, "XL330-M077", true}, Model{120
 
 inline constexpr int position_mode = 3, current_based_position_mode = 5;
 inline constexpr int middle_step = 2048;
-inline constexpr int most_homing_steps = 1024;  ///< to either side; in position mode more are ignored
+inline constexpr int max_homing_steps = 1024;  ///< to either side; in position mode more are ignored
 inline constexpr double deg_per_step = 360.0 / 4096.0;
 inline constexpr double deg_s_per_unit = 0.229 * 6.0;  ///< of velocity: 0.229 revolutions a minute
 inline constexpr int watchdog_ticks = 15;              ///< of 20 ms

@@ -19,7 +19,7 @@ function stateOf(link: PlateLink): string {
   const { facts } = link;
   if (link.failure) return link.failure;
   if (!facts) return "Waiting for the plate's greeting.";
-  return `${facts.least_deg}° to ${facts.most_deg}° at ${facts.speed_deg_s}°/s; ` +
+  return `${facts.min_deg}° to ${facts.max_deg}° at ${facts.speed_deg_s}°/s; ` +
     `${facts.measured ? "measured by its sensor" : "assumed from its commands: it has no sensor"}`;
 }
 

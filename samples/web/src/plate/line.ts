@@ -2,7 +2,7 @@
 // is hostile until it has passed here.
 
 /** With the line's end. */
-const longest_bytes = 64;
+const max_bytes = 64;
 
 /** CRC-16 CCITT-FALSE of ASCII text. */
 export function crc16(text: string): number {
@@ -33,7 +33,7 @@ export class LineReader {
   /** The line that this byte ends, without its end; null: none. */
   take(byte: number): string | null {
     if (byte !== 0x0a) {
-      if (this.#line.length + 1 < longest_bytes) this.#line += String.fromCharCode(byte);
+      if (this.#line.length + 1 < max_bytes) this.#line += String.fromCharCode(byte);
       else this.#tooLong = true;
       return null;
     }
@@ -46,7 +46,7 @@ export class LineReader {
 
 export type PlateMessage =
   | { readonly kind: "boot" }
-  | { readonly kind: "plate"; readonly least_deg: number; readonly most_deg: number; readonly speed_deg_s: number;
+  | { readonly kind: "plate"; readonly min_deg: number; readonly max_deg: number; readonly speed_deg_s: number;
       readonly latency_ms: number; readonly measured: boolean }
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
@@ -66,11 +66,11 @@ export function parseMessage(body: string): PlateMessage | null {
     return Math.abs(orientation_deg) <= 360 && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
   }
   if (verb === "PLATE" && rest.length === 6 && first === "2") {
-    const [least_deg, most_deg, speed_deg_s, latency_ms] = rest.slice(1, 5).map(number) as [number, number, number, number];
+    const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(1, 5).map(number) as [number, number, number, number];
     const source = rest[5];
-    const valid = Math.abs(least_deg) <= 360 && Math.abs(most_deg) <= 360 && least_deg < most_deg && speed_deg_s > 0 &&
+    const valid = Math.abs(min_deg) <= 360 && Math.abs(max_deg) <= 360 && min_deg < max_deg && speed_deg_s > 0 &&
       speed_deg_s <= 1e6 && latency_ms >= 0 && latency_ms <= 1000 && (source === "measured" || source === "assumed");
-    return valid ? { kind: "plate", least_deg, most_deg, speed_deg_s, latency_ms, measured: source === "measured" } : null;
+    return valid ? { kind: "plate", min_deg, max_deg, speed_deg_s, latency_ms, measured: source === "measured" } : null;
   }
   return null;
 }

@@ -21,8 +21,8 @@ const stops: Readonly<Record<string, string>> = {
 
 /** What a plate said of itself. */
 export interface PlateFacts {
-  readonly least_deg: number;
-  readonly most_deg: number;
+  readonly min_deg: number;
+  readonly max_deg: number;
   readonly speed_deg_s: number;
   readonly latency_ms: number;
   readonly measured: boolean;
@@ -132,8 +132,8 @@ export class PlateLink {
   #takeReport(orientation_deg: number, sequence: number, now_ms: number): void {
     const facts = this.facts;
     if (!facts) return;
-    if (orientation_deg < facts.least_deg - limitSlack_deg || orientation_deg > facts.most_deg + limitSlack_deg) {
-      return this.#fail(`reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.least_deg}° to ${facts.most_deg}°`);
+    if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
+      return this.#fail(`reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°`);
     }
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
@@ -178,11 +178,11 @@ export class PlateLink {
   }
 }
 
-function nearest(wanted_deg: number, plate_deg: number, { least_deg, most_deg }: PlateFacts): number {
-  const first_deg = wanted_deg - 180 * Math.floor((wanted_deg - least_deg) / 180);
-  if (first_deg > most_deg) return Math.abs(first_deg - most_deg) < Math.abs(first_deg - 180 - least_deg) ? most_deg : least_deg;
+function nearest(wanted_deg: number, plate_deg: number, { min_deg, max_deg }: PlateFacts): number {
+  const first_deg = wanted_deg - 180 * Math.floor((wanted_deg - min_deg) / 180);
+  if (first_deg > max_deg) return Math.abs(first_deg - max_deg) < Math.abs(first_deg - 180 - min_deg) ? max_deg : min_deg;
   let best_deg = first_deg;
-  for (let angle_deg = first_deg; angle_deg <= most_deg; angle_deg += 180) {
+  for (let angle_deg = first_deg; angle_deg <= max_deg; angle_deg += 180) {
     if (Math.abs(angle_deg - plate_deg) < Math.abs(best_deg - plate_deg)) best_deg = angle_deg;
   }
   return best_deg;

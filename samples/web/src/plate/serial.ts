@@ -10,7 +10,7 @@ interface Serial { requestPort(): Promise<SerialPort> }
 
 export const baudRate = 115200;
 /** Bytes that wait to be sent; a line that takes none is broken. */
-const mostUnsent = 4096;
+const maxUnsent = 4096;
 
 /** The browser's serial ports; null: it has none, or not on this address. */
 export function serial(): Serial | null {
@@ -44,7 +44,7 @@ export async function openPort(port: SerialPort, heard: (bytes: Uint8Array) => v
   return {
     send(text) {
       if (!open) return;
-      if (unsent > mostUnsent) return fail("it takes no bytes");
+      if (unsent > maxUnsent) return fail("it takes no bytes");
       unsent += text.length;
       writer.write(encoder.encode(text)).then(() => { unsent -= text.length; }, fail);
     },

@@ -10,7 +10,7 @@ const kept = ["asset", "scene", "scenes", "nodes", "meshes", "accessors", "buffe
 const keptOfMaterial = ["name", "doubleSided", "alphaMode", "alphaCutoff", "emissiveFactor"] as const;
 
 /** A page that holds more would stand still. */
-const mostNodes = 10_000, mostValues = 4_000_000;
+const maxNodes = 10_000, maxValues = 4_000_000;
 
 type Json = Record<string, unknown>;
 
@@ -27,7 +27,7 @@ export async function readMeshes(bytes: ArrayBuffer, platePosition_m: readonly n
   file.materials = list(json.materials).map((material) => ({ ...pick(material, keptOfMaterial), pbrMetallicRoughness: plain(material.pbrMetallicRoughness) }));
   file.nodes = list(json.nodes).map((node) => pick(node, ["name", "children", "mesh", "matrix", "translation", "rotation", "scale", "extras"]));
   const values = list(json.accessors).reduce((sum, { count }) => sum + Number(count), 0);
-  if (!(values <= mostValues) || list(file.nodes).length > mostNodes) throw new Error(`they have more than ${mostValues} values or ${mostNodes} nodes`);
+  if (!(values <= maxValues) || list(file.nodes).length > maxNodes) throw new Error(`they have more than ${maxValues} values or ${maxNodes} nodes`);
   const buffers = list(json.buffers).map(({ uri }) => (uri === undefined ? binary : embedded(uri)));
   const views = list(json.bufferViews);
 

@@ -11,7 +11,7 @@ import { FeltTip, Finger, Ghost, RealCylinder, StartMark } from "./objects";
 import { Ribbon } from "./ribbon";
 
 const fieldOfView_deg = 40;  // from top to bottom, in a window at least this wide over its height:
-const leastAspect = 1.25;
+const minAspect = 1.25;
 const headHeight_m = 0.034;  // of a target, for its label
 const pathHeight_m = 0.003;
 const eyes = {
@@ -160,7 +160,7 @@ export class Stage {
     this.#renderer.setSize(width, height, false);
     this.#camera.aspect = width / height;
     // The plate's width fits into a narrow window too.
-    const widening = Math.max(1, leastAspect / this.#camera.aspect);
+    const widening = Math.max(1, minAspect / this.#camera.aspect);
     this.#camera.fov = (360 / Math.PI) * Math.atan(Math.tan((fieldOfView_deg / 360) * Math.PI) * widening);
     this.#camera.updateProjectionMatrix();
   }

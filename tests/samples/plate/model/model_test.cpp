@@ -211,13 +211,13 @@ TEST(PlateModel, SocketsHoldObjectsAtTheEndOfAReach) {
 using Column = std::vector<double>;
 
 double overlap(const Column& a, const Column& b) {
-  double most = 0.0;
+  double max = 0.0;
   for (std::size_t i = 0; i + 1 < a.size(); i += 2) {
     for (std::size_t j = 0; j + 1 < b.size(); j += 2) {
-      most = std::max(most, std::min(a[i + 1], b[j + 1]) - std::max(a[i], b[j]));
+      max = std::max(max, std::min(a[i + 1], b[j + 1]) - std::max(a[i], b[j]));
     }
   }
-  return most;
+  return max;
 }
 
 TEST(PlateModel, NoTwoPartsShareAPlace) {
@@ -230,13 +230,13 @@ TEST(PlateModel, NoTwoPartsShareAPlace) {
       for (const std::string& part : parts) columns.push_back(heights(part, x, y));
       for (std::size_t i = 0; i < parts.size(); ++i) {
         for (std::size_t j = 0; j < i; ++j) {
-          double& most = shared[parts[j] + " and " + parts[i]];
-          most = std::max(most, overlap(columns[i], columns[j]));
+          double& max = shared[parts[j] + " and " + parts[i]];
+          max = std::max(max, overlap(columns[i], columns[j]));
         }
       }
     }
   }
-  for (const auto& [pair, most] : shared) EXPECT_LE(most, tolerance) << pair;
+  for (const auto& [pair, max] : shared) EXPECT_LE(max, tolerance) << pair;
 }
 
 // What turns is swept through a whole turn: 0.4 mm of air about it everywhere, except in the bearing and on
@@ -267,13 +267,13 @@ TEST(PlateModel, WhatTurnsTouchesNothing) {
   }
   ASSERT_EQ(turning.size(), fixed.size());
   for (std::size_t ring = 0; ring < turning.size(); ++ring) {
-    double most = 0.0;
+    double max = 0.0;
     for (std::size_t beside = ring == 0 ? 0 : ring - 1; beside < std::min(ring + 2, fixed.size()); ++beside) {
       for (const Column& turns : turning[ring]) {
-        for (const Column& stays : fixed[beside]) most = std::max(most, overlap(turns, stays));
+        for (const Column& stays : fixed[beside]) max = std::max(max, overlap(turns, stays));
       }
     }
-    EXPECT_EQ(most, 0.0) << "at a radius of " << 3.5 + step * static_cast<double>(ring);
+    EXPECT_EQ(max, 0.0) << "at a radius of " << 3.5 + step * static_cast<double>(ring);
   }
 }
 

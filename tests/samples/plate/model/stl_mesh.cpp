@@ -126,8 +126,8 @@ std::vector<double> crossings(const std::vector<Triangle>& mesh, const Vector3d&
       const Vector3d& b = triangle[(i + 2) % 3];
       areas[i] = (a[u] - point[u]) * (b[v] - point[v]) - (b[u] - point[u]) * (a[v] - point[v]);
     }
-    const auto [least, most] = std::minmax({areas[0], areas[1], areas[2]});
-    if (!(least > 0.0) && !(most < 0.0)) continue;
+    const auto [min, max] = std::minmax({areas[0], areas[1], areas[2]});
+    if (!(min > 0.0) && !(max < 0.0)) continue;
     found.push_back(
         (areas[0] * triangle[0][axis] + areas[1] * triangle[1][axis] + areas[2] * triangle[2][axis]) /
         (areas[0] + areas[1] + areas[2]));

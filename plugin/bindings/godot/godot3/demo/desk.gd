@@ -23,7 +23,7 @@ func _ready():
 	var real = plate.add_real_target("cylinder", REAL_DEG, REACH_M)
 	var felt = plate.add_virtual_target("cup", VIRTUAL_DEG, REACH_M)
 	var authority = plate.get_authority(real, felt)
-	print("a gap of %.1f deg; %.1f deg can be held" % [authority.gap_deg, authority.largest_gap_deg])
+	print("a gap of %.1f deg; %.1f deg can be held" % [authority.gap_deg, authority.max_gap_deg])
 	drawing.place_targets(START + along(REAL_DEG) * REACH_M, START + along(VIRTUAL_DEG) * REACH_M)
 	if plate.begin(real, felt) != OK:
 		get_tree().quit(1)

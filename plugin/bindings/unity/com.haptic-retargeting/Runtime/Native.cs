@@ -157,7 +157,7 @@ namespace Hrt
     {
         None = 0,
         TactileWeight = 1,
-        LargestGap = 2,
+        MaxGap = 2,
         Bias = 4,
         Habit = 8,
         TrackerNoise = 16,
@@ -633,16 +633,16 @@ namespace Hrt
         public double gapDeg;
         /// <summary>Largest gap, to either side, that the plate can sustain for the session's person and
         /// guidance.</summary>
-        public double largestGapDeg;
-        /// <summary>largestGapDeg minus the size of the gap; negative: unreachable.</summary>
+        public double maxGapDeg;
+        /// <summary>maxGapDeg minus the size of the gap; negative: unreachable.</summary>
         public double marginDeg;
         /// <summary>Plate orientation (base.h) that sustains the gap; at the bound if unreachable.</summary>
         public double plateOrientationDeg;
         /// <summary>Direction in which the finger settles: the real target's, if reachable.</summary>
         public double settlingDirectionDeg;
-        /// <summary>largestGapDeg as the paper has it, from tactileWeight and plateBoundDeg. Since version
+        /// <summary>maxGapDeg as the paper has it, from tactileWeight and plateBoundDeg. Since version
         /// 0.3.</summary>
-        public double paperLargestGapDeg;
+        public double paperMaxGapDeg;
     }
 
     /// <summary>Configuration of a reach. hrt_reach_config_default() fills every field.</summary>
@@ -927,7 +927,7 @@ namespace Hrt
         /// <summary>Largest gap between real and virtual direction that can be held, on the weaker side, with
         /// the plate within 75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to
         /// both sides, and the interval is at most 10 degrees wide.</summary>
-        public Interval largestGapDeg;
+        public Interval maxGapDeg;
         /// <summary>How far the user's goal turns over a path, halved (Constants.PersonHabit). Known as
         /// biasDeg.</summary>
         public Interval habitDeg;
@@ -980,7 +980,7 @@ namespace Hrt
         /// intervals.</summary>
         public DiffersFlags differing;
         public Interval tactileWeight;
-        public Interval largestGapDeg;
+        public Interval maxGapDeg;
         public Interval biasDeg;
         public Interval habitDeg;
         public Interval trackerNoiseM;

@@ -21,7 +21,7 @@ namespace HrtSamples
         public float restS = 0.5f;
 
         [Tooltip("Distance from the start, in metres, after which a resting finger ends the reach.")]
-        public float leastPathM = 0.05f;
+        public float minPathM = 0.05f;
 
         Vector3 last;
         double lastS;
@@ -54,7 +54,7 @@ namespace HrtSamples
 
             float fromStartM = (finger - retargeting.start.position).magnitude;
             if (!retargeting.IsReaching && fromStartM < startRadiusM) retargeting.BeginReach(Chosen);
-            else if (retargeting.IsReaching && fromStartM > leastPathM) retargeting.EndReach();
+            else if (retargeting.IsReaching && fromStartM > minPathM) retargeting.EndReach();
         }
 
         void Report(ReachSummary summary)

@@ -126,7 +126,7 @@ namespace Hrt.Tests
         }
 
         // A linear illusion of 0.2, with the plate within 75 degrees of the motion.
-        const double LargestGapDeg = 75 * 0.2;
+        const double MaxGapDeg = 75 * 0.2;
 
         [Test]
         public void AuthorityReturnsWhatCanBeHeld()
@@ -135,8 +135,8 @@ namespace Hrt.Tests
             TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
             Authority authority = session.QueryAuthority(far, seen);
             Assert.AreEqual(30, authority.gapDeg);
-            Assert.That(authority.largestGapDeg, Is.EqualTo(LargestGapDeg).Within(1e-9));
-            Assert.That(authority.marginDeg, Is.EqualTo(LargestGapDeg - 30).Within(1e-9));
+            Assert.That(authority.maxGapDeg, Is.EqualTo(MaxGapDeg).Within(1e-9));
+            Assert.That(authority.marginDeg, Is.EqualTo(MaxGapDeg - 30).Within(1e-9));
             Assert.IsFalse(authority.IsReachable);
 
             authority = session.QueryBestAuthority(seen);

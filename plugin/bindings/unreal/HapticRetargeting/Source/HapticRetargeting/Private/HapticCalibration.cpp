@@ -17,7 +17,7 @@ bool UHapticRetargetingComponent::BeginCalibration(double GoalYaw)
 	return CreateCalibration(Config);
 }
 
-bool UHapticRetargetingComponent::BeginCalibrationWithin(double GoalYaw, double LargestPlateAngle, double EnoughWeightWidth)
+bool UHapticRetargetingComponent::BeginCalibrationWithin(double GoalYaw, double MaxPlateAngle, double EnoughWeightWidth)
 {
 	if (!HasLibrary())
 	{
@@ -25,8 +25,8 @@ bool UHapticRetargetingComponent::BeginCalibrationWithin(double GoalYaw, double 
 	}
 	hrt_calibration_config Config = hrt_calibration_config_init();
 	Config.goal_direction_deg = Turned(GoalYaw);
-	Config.lower_plate_deg = -LargestPlateAngle;
-	Config.upper_plate_deg = LargestPlateAngle;
+	Config.lower_plate_deg = -MaxPlateAngle;
+	Config.upper_plate_deg = MaxPlateAngle;
 	Config.enough_weight_width = EnoughWeightWidth;
 	return CreateCalibration(Config);
 }

@@ -196,11 +196,11 @@ namespace HapticConversions
 		Result.RealTarget = FromTarget(C.real_target);
 		Result.VirtualTarget = FromTarget(C.virtual_target);
 		Result.GapYaw = Turned(C.gap_deg);
-		Result.LargestGap = C.largest_gap_deg;
+		Result.MaxGap = C.max_gap_deg;
 		Result.Margin = C.margin_deg;
 		Result.PlateYaw = Turned(C.plate_orientation_deg);
 		Result.SettlingYaw = Turned(C.settling_direction_deg);
-		Result.PaperLargestGap = C.paper_largest_gap_deg;
+		Result.PaperMaxGap = C.paper_max_gap_deg;
 		return Result;
 	}
 
@@ -224,7 +224,7 @@ namespace HapticConversions
 		Result.PersonWeight = FromInterval(C.person_weight, 1.0);
 		Result.PersonCurve = FromInterval(C.person_curve, 1.0);
 		Result.WeightCurveCorrelation = C.weight_curve_correlation;
-		Result.LargestGap = FromInterval(C.largest_gap_deg, 1.0);
+		Result.MaxGap = FromInterval(C.max_gap_deg, 1.0);
 		Result.HabitYaw = FromMirrored(C.habit_deg);
 		Result.CorrelatedNoise = FromInterval(C.correlated_noise_m, CentimetresPerMetre);
 		Result.NoiseCorrelation = FromInterval(C.noise_correlation_s, 1.0);
@@ -254,7 +254,7 @@ namespace HapticConversions
 		FHapticCalibrationComparison Result;
 		Result.Differing = static_cast<int32>(C.differing);
 		Result.TactileWeight = FromInterval(C.tactile_weight, 1.0);
-		Result.LargestGap = FromInterval(C.largest_gap_deg, 1.0);
+		Result.MaxGap = FromInterval(C.max_gap_deg, 1.0);
 		Result.BiasYaw = FromMirrored(C.bias_deg);
 		Result.HabitYaw = FromMirrored(C.habit_deg);
 		Result.TrackerNoise = FromInterval(C.tracker_noise_m, CentimetresPerMetre);

@@ -133,7 +133,7 @@ public:
 	/** As above, with the range of GetNextAngle() about Goal Yaw, to either side, and the width of the 95 % interval of
 	 *  the share of touch that is enough. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Calibration")
-	bool BeginCalibrationWithin(double GoalYaw, double LargestPlateAngle, double EnoughWeightWidth);
+	bool BeginCalibrationWithin(double GoalYaw, double MaxPlateAngle, double EnoughWeightWidth);
 
 	/** Where the plate should stand for the next slide, and whether the slides so far are enough. Takes some tenths of a
 	 *  second. */

@@ -62,7 +62,7 @@ enum class EHapticDiffersFlags : int32
 {
 	None = 0 UMETA(Hidden),
 	TactileWeight = 1,
-	LargestGap = 2,
+	MaxGap = 2,
 	Bias = 4,
 	Habit = 8,
 	TrackerNoise = 16,
@@ -661,9 +661,9 @@ struct FHapticAuthority
 
 	/** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
-	double LargestGap = 0.0;
+	double MaxGap = 0.0;
 
-	/** LargestGap minus the size of the gap; negative: unreachable. */
+	/** MaxGap minus the size of the gap; negative: unreachable. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double Margin = 0.0;
 
@@ -675,9 +675,9 @@ struct FHapticAuthority
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	double SettlingYaw = 0.0;
 
-	/** LargestGap as the paper has it, from TactileWeight and PlateBound. */
+	/** MaxGap as the paper has it, from TactileWeight and PlateBound. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
-	double PaperLargestGap = 0.0;
+	double PaperMaxGap = 0.0;
 };
 
 /** Parameters of the user. */
@@ -768,7 +768,7 @@ struct FHapticCalibration
 	 *  75 degrees of the motion. Known if the curve is, slides reach offsets of 60 to both sides, and the interval
 	 *  is at most 10 degrees wide. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
-	FHapticInterval LargestGap;
+	FHapticInterval MaxGap;
 
 	/** How far the user's goal turns over a path, halved (HRT_PERSON_HABIT). Known as BiasYaw. */
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
@@ -862,7 +862,7 @@ struct FHapticCalibrationComparison
 	FHapticInterval TactileWeight;
 
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
-	FHapticInterval LargestGap;
+	FHapticInterval MaxGap;
 
 	UPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")
 	FHapticInterval BiasYaw;
