@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/math/trigonometry.h"
+#include "samples/mock_runtime/world/pose.h"
 
 namespace hrt::mock {
 namespace {
@@ -64,6 +65,13 @@ void reach(const Chain& chain, const Eigen::Vector3d& tip_m, JointPositions& han
 }
 
 }  // namespace
+
+Fingers between(const Fingers& from, const Fingers& to, double share) {
+  Fingers fingers{from.curl, from.pinch + share * (to.pinch - from.pinch)};
+  if (from.curl && to.curl)
+    for (std::size_t i = 0; i < 5; ++i) (*fingers.curl)[i] += share * ((*to.curl)[i] - (*from.curl)[i]);
+  return fingers;
+}
 
 void bend(const Fingers& fingers, JointPositions& hand_m) {
   if (fingers.curl) {

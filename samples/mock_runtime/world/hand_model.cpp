@@ -1,7 +1,5 @@
 #include "samples/mock_runtime/world/hand_model.h"
 
-#include "samples/mock_runtime/world/fingers.h"
-
 namespace hrt::mock {
 namespace {
 
@@ -99,13 +97,6 @@ HandJoints mirrored(HandJoints joints) {
 }
 
 }  // namespace
-
-Fingers between(const Fingers& from, const Fingers& to, double share) {
-  Fingers fingers{from.curl, from.pinch + share * (to.pinch - from.pinch)};
-  if (from.curl && to.curl)
-    for (std::size_t i = 0; i < 5; ++i) (*fingers.curl)[i] += share * ((*to.curl)[i] - (*from.curl)[i]);
-  return fingers;
-}
 
 HandJoints shape_hand(XrHandEXT hand, const Fingers& fingers) {
   const HandJoints right = right_hand(fingers);

@@ -9,6 +9,7 @@
 #include "samples/format.h"
 #include "samples/reach/base/at_end.h"
 #include "samples/reach/base/exit_code.h"
+#include "samples/reach/run/start.h"
 
 namespace hrt::reach {
 namespace {

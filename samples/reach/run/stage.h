@@ -1,4 +1,4 @@
-// What a slide goes through, and what all slides need: frames, a finger at the start, a finger at rest.
+// What a slide goes through, and what all slides need: frames, a finger at rest.
 #pragma once
 
 #include <array>
@@ -69,10 +69,6 @@ void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);
 
 /// The next frame, with the plate served and the user attended to.
 XrTime next_frame(Stage& stage);
-
-/// Waits until one of the hands rests its fingertip at the start; returns that hand. Throws Failure
-/// (ExitCode::no_hand) after the stage's time limit.
-Hand await_finger_at_start(Stage& stage);
 
 /// True if the finger, farther than `min_m` from the start, has stayed in place for `rest_ns`. Moments
 /// before `finger_came` do not count.

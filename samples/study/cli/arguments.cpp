@@ -226,10 +226,6 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* famil
                    });
 }
 
-std::string not_allowed(const std::string& name, std::string_view text, const std::string& what) {
-  return name + ": '" + std::string(text) + "' is not allowed; it must be " + what;
-}
-
 void require(CLI::Option* option) {
   option->required();
 }

@@ -6,10 +6,11 @@
 #include <functional>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "samples/study/cli/usage_error.h"
 
 // CLI11 takes seconds to compile: only arguments.cpp and main.cpp include it.
 namespace CLI {
@@ -22,11 +23,6 @@ struct PeopleFamily;
 }
 
 namespace hrt::study {
-
-/// A mistake of the caller's: one line that names the argument and its allowed values. Exit code 2.
-class UsageError : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
 
 /// The numbers that an option takes.
 struct NumberRange {
@@ -101,9 +97,6 @@ CLI::Option* add_families(CLI::App& app, std::vector<const PeopleFamily*>* famil
 
 /// The parts of `text` between separators, empty ones too; at least one.
 std::vector<std::string_view> split(std::string_view text, char separator);
-
-/// "NAME: 'TEXT' is not allowed; it must be WHAT".
-std::string not_allowed(const std::string& name, std::string_view text, const std::string& what);
 
 /// The option must be given.
 void require(CLI::Option* option);

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "samples/study/cli/arguments.h"
+#include "samples/study/cli/usage_error.h"
 #include "samples/text.h"
 #include "samples/whole_file.h"
 

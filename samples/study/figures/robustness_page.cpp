@@ -120,14 +120,6 @@ std::string prose(const std::string& text) {
 
 }  // namespace
 
-std::string condition_words(const RobustnessStudy& study) {
-  const RobustnessOptions& options = study.options;
-  return std::to_string(options.people) + " people of each family at each duration (seed " +
-         std::to_string(options.seed) +
-         "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of tracker "
-         "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
-}
-
 std::vector<Figure> robustness_figures(const RobustnessStudy& study) {
   std::vector<Figure> figures;
   for (const double duration_s : study.options.durations_s)

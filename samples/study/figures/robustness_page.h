@@ -10,9 +10,6 @@
 
 namespace hrt::study {
 
-/// The condition common to all reaches.
-std::string condition_words(const RobustnessStudy& study);
-
 /// A figure for each duration.
 std::vector<Figure> robustness_figures(const RobustnessStudy& study);
 

@@ -17,6 +17,9 @@ struct RobustnessStudy {
 /// The name of the people, with the mark of their sort: * kept apart, + misplaced.
 std::string label(const SimulatedPeople& people);
 
+/// The condition common to all reaches.
+std::string condition_words(const RobustnessStudy& study);
+
 std::string robustness_text(const RobustnessStudy& study);
 std::string robustness_csv(const RobustnessStudy& study);
 std::string robustness_json(const RobustnessStudy& study);
