@@ -16,6 +16,7 @@
 #include <thread>
 
 #include "engine_double.h"
+#include "tests/bindings/scenario.h"
 
 namespace {
 
@@ -354,6 +355,90 @@ TEST(ExtensionEntry, RefusesAnEngineThatLacksAFunction) {
   ASSERT_EQ(engine.errors.size(), 1u);
   EXPECT_EQ(engine.errors[0],
             "this Godot lacks classdb_register_extension_class2; Godot 4.2 or later has it");
+}
+
+// What scenario.txt calls, by the node's methods. It has floats, and no code of the library's.
+class NodeCaller {
+ public:
+  NodeCaller(Engine& engine, Object* node) : engine_(engine), node_(node) {}
+
+  scenario::Answer call(const scenario::Call& call) {
+    const std::size_t errors = engine_.errors.size();
+    const Any gave = made(call);
+    scenario::Answer answer{false, "", {}};
+    const int64_t* code = std::get_if<int64_t>(&gave);  // an Error, or the id of a target
+    answer.failed =
+        engine_.errors.size() > errors || (call.name != "target" && code != nullptr && *code != kOk);
+    if (answer.failed) answer.error = engine_.errors.back();
+    if (const Dictionary* fields = std::get_if<Dictionary>(&gave))
+      for (const auto& [name, value] : (*fields)->values) add(answer.values, name, (*fields)->at(name));
+    return answer;
+  }
+
+ private:
+  static void add(std::map<std::string, double>& values, const std::string& name, const Any& value) {
+    if (const double* number = std::get_if<double>(&value)) values[name] = *number;
+    if (const int64_t* whole = std::get_if<int64_t>(&value)) values[name] = static_cast<double>(*whole);
+    if (const Vector3* place = std::get_if<Vector3>(&value); place && name == "plate_position_m")
+      values.insert({{"x", (*place)[0]}, {"y", (*place)[1]}, {"z", (*place)[2]}});
+  }
+  static Vector3 place(const scenario::Call& call, const std::string& key) {
+    const auto part = [&](int i) { return static_cast<float>(call.part(key, i)); };
+    return {part(0), part(1), part(2)};
+  }
+
+  Any made(const scenario::Call& call) {
+    const auto target = [&](const char* key) { return targets_[call.text(key)]; };
+    const auto time = [&] { return static_cast<int64_t>(call.number("time_ns")); };
+    const std::string& name = call.name;
+    if (name == "configure")
+      return engine_.set(node_, "tactile_weight", call.number("tactile_weight")), Any{};
+    if (name == "target") {
+      const Any id =
+          engine_.call(node_, "add_" + call.text("role") + "_target",
+                       {call.text("name"), call.number("direction_deg"), call.number("distance_m")});
+      if (std::get<int64_t>(id) != 0) targets_[call.text("name")] = id;
+      return id;
+    }
+    if (name == "remove") return engine_.call(node_, "remove_target", {target("name")});
+    if (name == "authority") return engine_.call(node_, "get_authority", {target("real"), target("virtual")});
+    if (name == "best") return engine_.call(node_, "get_best_authority", {target("virtual")});
+    if (name == "begin" || name == "retarget")
+      return engine_.call(node_, name, {target("real"), target("virtual")});
+    if (name == "update") return engine_.call(node_, "update", {place(call, "at"), time()});
+    if (name == "slide") return slide(place(call, "to"), static_cast<int>(call.number("frames")));
+    if (name == "lost")
+      return engine_.call(node_, "update_lost", {time()}), engine_.call(node_, "get_command", {});
+    if (name == "end") return engine_.call(node_, "end", {}), engine_.call(node_, "get_summary", {});
+    if (name == "save_profile") return profile_ = engine_.call(node_, "save_profile", {});
+    if (name == "load_profile")
+      return engine_.call(node_, "load_profile",
+                          {call.arguments.contains("text") ? Any{call.text("text")} : profile_});
+    if (name == "touch")
+      return engine_.call(node_, "add_mark_touch", {place(call, "mark"), place(call, "at")});
+    if (name == "register") return engine_.call(node_, "fit_registration", {});
+    return engine_.call(node_, name, {});
+  }
+
+  Any slide(const Vector3& to, int frames) {
+    for (int i = 0; i < frames; ++i) {
+      const float share = static_cast<float>(i) / static_cast<float>(frames - 1);
+      engine_.call(
+          node_, "update",
+          {Vector3{share * to[0], share * to[1], 0.05f + share * (to[2] - 0.05f)}, int64_t{11'111'111} * i});
+    }
+    return {};
+  }
+
+  Engine& engine_;
+  Object* node_;
+  std::map<std::string, Any> targets_;
+  Any profile_;
+};
+
+TEST_F(Extension, PlaysTheScenarioOfAllHosts) {
+  NodeCaller caller(engine_, node_);
+  scenario::play(HRT_SCENARIO, false, [&](const scenario::Call& call) { return caller.call(call); });
 }
 
 uint64_t hash_words(uint64_t hash, const Any& value) {
