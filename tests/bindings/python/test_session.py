@@ -40,12 +40,6 @@ def test_wrong_configuration_is_refused_by_name(fields, error, text) -> None:
         hrt.Session(**fields)
 
 
-def test_error_has_the_code_and_the_text_of_the_library(session: hrt.Session) -> None:
-    with pytest.raises(hrt.Error, match="hrt_target_find") as caught:
-        session.target("saucer")
-    assert caught.value.code is hrt.ErrorCode.NOT_FOUND
-
-
 def test_closed_session_is_refused() -> None:
     session = hrt.Session()
     session.close()
@@ -133,11 +127,6 @@ def test_authority_is_that_of_the_model(session: hrt.Session) -> None:
     assert list(table["real_target"]["value"]) == [session.target("cylinder").id, far.id]
     best, found = session.best_authority(session.target("cup"))
     assert best == session.target("cylinder") and found == authority
-
-
-def test_no_pairs_make_an_empty_table() -> None:
-    with hrt.Session() as session:
-        assert len(session.authorities()) == 0
 
 
 def test_profile_is_kept_and_loaded(session: hrt.Session) -> None:

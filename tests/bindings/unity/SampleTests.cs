@@ -47,11 +47,11 @@ namespace Hrt.HostTests
 
         // The mouse goes from the start straight to the goblet, 8 degrees to the right, in 3 seconds.
         [Test]
-        public void TheTableFollowsTheMouse()
+        public void TheDeskFollowsTheMouse()
         {
-            var table = new GameObject("table").AddComponent<HrtSamples.Table>();
+            HapticRetargeting retargeting = Desk();
+            var table = retargeting.gameObject.AddComponent<HrtSamples.MouseReach>();
             table.Message("Start")();
-            var retargeting = table.gameObject.GetComponent<HapticRetargeting>();
             Send(table, EventType.KeyDown, new Vector3(), KeyCode.Alpha1 + 1);
             Send(table, EventType.MouseDown, new Vector3());
             for (int frame = 0; frame <= 270; ++frame)
@@ -75,14 +75,14 @@ namespace Hrt.HostTests
             var hands = new XRHandSubsystem();
             SubsystemManager.All.Add(hands);
             HapticRetargeting retargeting = Desk();
-            var finger = retargeting.finger.gameObject.AddComponent<HrtSamples.TrackedFinger>();
-            finger.retargeting = retargeting;
-            finger.origin = new GameObject("origin").transform;
-            finger.origin.position = Vector3.right;
+            Camera.main.transform.parent = new GameObject("origin").transform;
+            Camera.main.transform.parent.position = Vector3.right;
+            retargeting.virtualTargets.RemoveAt(0);
             var reach = retargeting.gameObject.AddComponent<HrtSamples.HandReach>();
-            reach.retargeting = retargeting;
             Time.unscaledTimeAsDouble = 50;
             reach.Message("Start")();
+            Assert.IsNull(Camera.main.gameObject.GetComponent<HrtSamples.HeadPose>(), "an XR Origin moves its camera");
+            var finger = retargeting.finger.gameObject.GetComponent<HrtSamples.TrackedFinger>();
             StringAssert.Contains("slide to the goblet", logged.Last());
             var states = new List<bool>();
             for (int frame = 0; frame < 90 * 4; ++frame)
@@ -114,6 +114,7 @@ namespace Hrt.HostTests
             finger.Message("Update")();
             Assert.IsFalse(retargeting.FingerTracked);
             reach.Message("OnDestroy")();
+            Camera.main.transform.parent = null;
             UnityEngine.Object.DestroyImmediate(retargeting.gameObject);
         }
 
@@ -138,22 +139,13 @@ namespace Hrt.HostTests
             SubsystemManager.All.Clear();
         }
 
+        // As the editor adds it, where the scripts stand on the mouse's ground plane.
         static HapticRetargeting Desk()
         {
-            var desk = new GameObject("desk").AddComponent<HapticRetargeting>();
-            desk.plate = At("plate", new Vector3(0, 0.75f, 0.4f));
-            desk.start = At("start", new Vector3(0, 0.75f, 0.35f));
-            desk.finger = At("finger", Vector3.zero);
-            desk.realTargets.Add(At("cylinder", desk.start.position + Axes.Direction(0) * 0.1f));
-            desk.virtualTargets.Add(At("goblet", desk.start.position + Axes.Direction(-8) * 0.1f));
-            return desk;
-        }
-
-        static Transform At(string name, Vector3 position)
-        {
-            Transform made = new GameObject(name).transform;
-            made.position = position;
-            return made;
+            var desk = new GameObject("desk").AddComponent<HrtSamples.Desk>();
+            desk.Message("Reset")();
+            desk.Message("Awake")();
+            return desk.Retargeting;
         }
 
         // Of one mark, by a joint that is turned several ways.
@@ -169,7 +161,7 @@ namespace Hrt.HostTests
             }).ToArray();
         }
 
-        static void Send(HrtSamples.Table table, EventType type, Vector3 way, KeyCode key = KeyCode.None)
+        static void Send(HrtSamples.MouseReach table, EventType type, Vector3 way, KeyCode key = KeyCode.None)
         {
             Event.current = new Event
             {

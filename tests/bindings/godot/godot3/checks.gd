@@ -11,7 +11,7 @@ var heard = []
 
 func _ready():
 	check_properties()
-	check_targets_and_authority()
+	check_names()
 	check_axes()
 	check_signals()
 	check_refusals()
@@ -21,6 +21,7 @@ func _ready():
 	check_scene_and_assignment()
 	check_registration()
 	check_fingertip()
+	check_scenario()
 	check_freed()
 	print("FAIL %d of %d" % [failures, checks] if failures else "PASS %d" % checks)
 	get_tree().quit(1 if failures else 0)
@@ -73,29 +74,11 @@ func check_properties():
 	plate.plate_lower_stop_deg = -90
 	check(plate.add_real_target("real", 0.0, 0.1) != 0, "stops may be set one after the other")
 
-func check_targets_and_authority():
+func check_names():
 	var plate = new_plate()
-	var real = plate.add_real_target("real", -4, 0.1)
-	var other = plate.add_real_target("other", 21.0, 0.1)
-	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
-	var authority = plate.get_authority(real, felt)
-	check_near(authority.gap_deg, 9.0, "gap")
-	check_near(authority.max_gap_deg, 75.0 * 0.2, "largest gap")
-	check_near(authority.paper_max_gap_deg, 84.5 * 0.2 / 0.8, "largest gap of the paper")
-	check_equal(authority.reachable, 1, "reachable")
-	check_equal(plate.get_authority(other, felt).reachable, 0, "reachable")
-	check_equal(plate.get_best_authority(felt).real_target, real, "best")
-	check_equal(plate.remove_target(real), OK, "removal")
-	expect_error("hrt_target_remove")
-	check_equal(plate.remove_target(real), ERR_DOES_NOT_EXIST, "removal of what is gone")
-	expect_error("hrt_authority_query")
-	check(plate.get_authority(real, felt).empty(), "authority of what is gone")
-	expect_error("hrt_target_add")
-	check_equal(plate.add_real_target("other", 0.0, 0.1), 0, "a name twice")
 	expect_error("hrt_target_add")
 	check_equal(plate.add_real_target("n".repeat(64), 0.0, 0.1), 0, "a name of 64 bytes")
 	check(plate.add_real_target("n".repeat(63), 0.0, 0.1) != 0, "a name of 63 bytes")
-	check(plate.add_real_target("élan", 0.0, 0.1) != 0, "a name beyond ASCII")
 
 # Godot's axes are the plate's: x right, y up, -z away. A plate that is turned and moved, with the finger on it,
 # gives the same commands as one at the origin.
@@ -163,14 +146,8 @@ func check_refusals():
 	check_equal(plate.update_lost(0), ERR_DOES_NOT_EXIST, "update without a session")
 	var real = plate.add_real_target("real", -5.0, 0.1)
 	var felt = plate.add_virtual_target("felt", 5.0, 0.1)
-	expect_error("hrt_reach_update")
-	check_equal(plate.update(Vector3(), 0), ERR_UNAVAILABLE, "update without a reach")
-	expect_error("hrt_reach_end")
-	check_equal(plate.end(), ERR_UNAVAILABLE, "end without a reach")
 	check(plate.get_summary().empty(), "summary without a reach")
 	check_equal(plate.begin(real, felt), OK, "begin")
-	expect_error("hrt_reach_begin")
-	check_equal(plate.begin(real, felt), ERR_UNAVAILABLE, "begin twice")
 	check_equal(plate.update(Vector3(), 1000), OK, "update")
 	expect_error("hrt_reach_update")
 	check_equal(plate.update(Vector3(), 999), ERR_INVALID_DATA, "time that runs backwards")
@@ -370,3 +347,82 @@ func check_freed():
 		check(plate.add_real_target("real", 0.0, 0.1) != 0, "session %d" % i)
 		plate.free()
 	check_equal(new_plate().get_version(), "0.3.0", "version")
+
+# What all hosts play (tests/bindings/scenario.txt), by the node's methods.
+func check_scenario():
+	var plate = new_plate()
+	var targets = {}
+	var saved = ""
+	var file = File.new()
+	check_equal(file.open(OS.get_environment("HRT_SCENARIO"), File.READ), OK, "the scenario")
+	var played = 0
+	while not file.eof_reached():
+		var line = file.get_line()
+		if line == "" or line[0] == "#":
+			continue
+		played += 1
+		var refused = line.split(" ! ")
+		var gives = refused[0].split(" -> ")
+		var name = gives[0].split(" ")[0]
+		var a = pairs(gives[0].substr(name.length()))
+		if refused.size() > 1:
+			expect_error(refused[1].split(" ", true, 1)[1])
+		var gave = OK
+		match name:
+			"configure": plate.tactile_weight = float(a.tactile_weight)
+			"target":
+				var id = plate.call("add_%s_target" % a.role, a.name, number(a.direction_deg), number(a.distance_m))
+				gave = OK if id != 0 else FAILED
+				if id != 0:
+					targets[a.name] = id
+			"remove": gave = plate.remove_target(targets[a.name])
+			"authority": gave = plate.get_authority(targets[a.real], targets[a.virtual])
+			"best": gave = plate.get_best_authority(targets[a.virtual])
+			"begin": gave = plate.begin(targets[a.real], targets[a.virtual])
+			"retarget": gave = plate.retarget(targets[a.real], targets[a.virtual])
+			"update": gave = plate.update(place(a.at), int(a.time_ns))
+			"lost":
+				gave = plate.update_lost(int(a.time_ns))
+				if gave == OK:
+					gave = plate.get_command()
+			"slide":
+				for i in int(a.frames):
+					var share = i / (float(a.frames) - 1)
+					gave = plate.update(Vector3(0, 0, 0.05).linear_interpolate(place(a.to), share), i * 11111111)
+			"cancel": gave = plate.cancel()
+			"end":
+				gave = plate.end()
+				if gave == OK:
+					gave = plate.get_summary()
+			"save_profile": saved = plate.save_profile()
+			"load_profile": gave = plate.load_profile(a.text if "text" in a else saved)
+			"touch": gave = plate.add_mark_touch(place(a.mark), place(a.at))
+			"register":
+				gave = plate.fit_registration()
+				for axis in ["x", "y", "z"]:
+					gave[axis] = gave.plate_position_m[axis]
+			_: check(false, "a call of the scenario: " + name)
+		var failed = gave.empty() if gave is Dictionary else gave != OK
+		check_equal(failed, refused.size() > 1, line)
+		if gives.size() > 1 and not failed:
+			var wanted = pairs(gives[1])
+			for key in wanted:
+				if key == "flags":
+					check(gave.flags & int(wanted.flags) != 0, line)
+				else:
+					check_near(float(gave[key]), float(wanted[key]), line)
+	check(played > 40, "the scenario was played")
+
+func pairs(words):
+	var found = {}
+	for word in words.split(" ", false):
+		var pair = word.split("=", true, 1)
+		found[pair[0]] = pair[1]
+	return found
+
+func number(text):
+	return NAN if text == "nan" else float(text)
+
+func place(text):
+	var parts = text.split(",")
+	return Vector3(number(parts[0]), number(parts[1]), number(parts[2]))

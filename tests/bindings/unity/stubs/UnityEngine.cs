@@ -31,6 +31,13 @@ namespace UnityEngine
     {
     }
 
+    public class RequireComponent : Attribute
+    {
+        public RequireComponent(Type type)
+        {
+        }
+    }
+
     public class HeaderAttribute : Attribute
     {
         public HeaderAttribute(string header)
@@ -177,6 +184,7 @@ namespace UnityEngine
 
     public class Component : Object
     {
+        public T GetComponent<T>() where T : Behaviour => gameObject.GetComponent<T>();
         public override string name
         {
             get => gameObject.name;
@@ -228,11 +236,9 @@ namespace UnityEngine
             get => parent == null
                 ? localPosition
                 : parent.position + parent.rotation * Scaled(localPosition, parent.localScale);
-            set
-            {
-                if (parent != null) throw new NotSupportedException("the stub sets positions of roots only");
-                localPosition = value;
-            }
+            set => localPosition = parent == null
+                ? value
+                : Over(Quaternion.Inverse(parent.rotation) * (value - parent.position), parent.localScale);
         }
 
         public Vector3 up => rotation * Vector3.up;
@@ -242,11 +248,7 @@ namespace UnityEngine
         public Quaternion rotation
         {
             get => parent == null ? localRotation : parent.rotation * localRotation;
-            set
-            {
-                if (parent != null) throw new NotSupportedException("the stub sets rotations of roots only");
-                localRotation = value;
-            }
+            set => localRotation = parent == null ? value : Quaternion.Inverse(parent.rotation) * value;
         }
 
         public void SetParent(Transform newParent, bool worldPositionStays)
@@ -254,6 +256,8 @@ namespace UnityEngine
             if (worldPositionStays) throw new NotSupportedException("the stub keeps local positions only");
             parent = newParent;
         }
+
+        static Vector3 Over(Vector3 v, Vector3 scale) => new Vector3(v.x / scale.x, v.y / scale.y, v.z / scale.z);
 
         static Vector3 Scaled(Vector3 v, Vector3 scale) => new Vector3(v.x * scale.x, v.y * scale.y, v.z * scale.z);
     }

@@ -87,23 +87,6 @@ namespace Hrt.Tests
         }
 
         [Test]
-        public void ReachesAreRetargetedAndCancelled()
-        {
-            Assert.AreEqual(StateFlags.None, session.State);
-            TargetId real = session.AddTarget(TargetRole.Real, -5), other = session.AddTarget(TargetRole.Real, 0);
-            TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
-            Assert.AreEqual(StateFlags.Ready, session.State);
-            session.BeginReach(real, seen);
-            session.RetargetReach(other, seen);
-            var refusal = Assert.Throws<HapticRetargetingException>(() => session.RetargetReach(seen, seen));
-            Assert.AreEqual(Result.OutOfRange, refusal.Result);
-            Assert.AreEqual(StateFlags.Reaching, session.State);
-            session.CancelReach();
-            Assert.AreEqual(StateFlags.Ready, session.State);
-            Assert.Throws<HapticRetargetingException>(() => session.EndReach());
-        }
-
-        [Test]
         public void TargetsAreAssigned()
         {
             var reals = new[] {session.AddTarget(TargetRole.Real, 0), session.AddTarget(TargetRole.Real, 8)};
@@ -147,12 +130,6 @@ namespace Hrt.Tests
             Assert.AreEqual(2, all.Length);
             Assert.AreEqual(near, all[0].realTarget);
             Assert.AreEqual(far, all[1].realTarget);
-        }
-
-        [Test]
-        public void NoTargetsNoAuthorities()
-        {
-            Assert.AreEqual(0, session.QueryAllAuthorities().Length);
         }
 
         // The example of the plugin's README, which says what it prints.

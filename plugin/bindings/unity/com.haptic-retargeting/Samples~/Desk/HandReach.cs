@@ -5,11 +5,13 @@ namespace HrtSamples
 {
     /// <summary>
     /// Reaches of a tracked hand without a button: rest the fingertip at the start, slide to the virtual object that the
-    /// console names, rest there. The virtual objects follow one another.
+    /// console names, rest there. The virtual objects follow one another. Put this on an empty object that stands where
+    /// your plate is; the camera may be that of an XR Origin, or one of the scene, which then follows the headset.
     /// </summary>
+    [RequireComponent(typeof(Desk))]
     public sealed class HandReach : MonoBehaviour
     {
-        public HapticRetargeting retargeting;
+        HapticRetargeting retargeting;
 
         [Tooltip("Distance from the start, in metres, within which a resting finger begins a reach.")]
         public float startRadiusM = 0.015f;
@@ -32,6 +34,11 @@ namespace HrtSamples
 
         void Start()
         {
+            retargeting = GetComponent<Desk>().Retargeting;
+            var finger = retargeting.finger.gameObject.AddComponent<TrackedFinger>();
+            finger.retargeting = retargeting;
+            finger.origin = Camera.main.transform.parent;
+            if (finger.origin == null) Camera.main.gameObject.AddComponent<HeadPose>();
             retargeting.ReachEnded += Report;
             lastS = restingSinceS = Time.unscaledTimeAsDouble;
             Announce();
