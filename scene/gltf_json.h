@@ -1,15 +1,11 @@
-// The JSON of a glTF 2.0 file: found in its container, and read into what a scene needs of it, every index,
-// size and type checked, its nodes a forest.
+// The JSON of a glTF 2.0 file: found in its container, and read within limits.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
-#include <vector>
-
-#include "scene/geometry.h"
-#include "scene/json_document.h"
 
 namespace hrt {
 
@@ -26,21 +22,9 @@ inline constexpr std::size_t glb_head_bytes = 20;
 /// glb_head_bytes bytes, or all of a shorter one. Throws SceneError.
 JsonExtent json_extent(std::string_view head, std::uint64_t file_bytes, const std::string& file);
 
-struct GltfNode {
-  std::string_view name;  ///< empty if it has none
-  JsonValue extras;       ///< may not exist
-  Transform local;
-  bool has_matrix = false;  ///< in place of translation, rotation and scale
-  std::vector<std::size_t> children;
-};
-
-struct Gltf {
-  JsonDocument json;  ///< to which the nodes refer
-  std::vector<GltfNode> nodes;
-  std::vector<std::size_t> roots;  ///< of the default scene, or of the only one
-};
-
-/// Addresses of buffers and images are checked though none is read. Throws SceneError.
-Gltf read_gltf(std::string_view json, const std::string& file);
+/// The sections that place nodes, and the addresses of other files. Throws SceneError on what is not JSON,
+/// has a key twice in one object, or exceeds gltf_limits; std::bad_alloc, before it begins, unless there is
+/// the memory that a model of it may take.
+nlohmann::json read_json(std::string_view text, const std::string& file);
 
 }  // namespace hrt

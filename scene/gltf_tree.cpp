@@ -9,6 +9,8 @@
 
 #include "scene/gltf_json.h"
 #include "scene/gltf_limits.h"
+#include "scene/gltf_model.h"
+#include "scene/gltf_shape.h"
 #include "scene/refuse.h"
 
 namespace hrt {
@@ -26,11 +28,36 @@ bool is_degenerate(const Axes& axes) {
   return !(std::abs(volume) > min_volume);
 }
 
+// What a node does to what is below it. `where` is the node in messages.
+Transform local_of(const tinygltf::Node& node, const std::string& file, const std::string& where) {
+  if (!node.matrix.empty()) {
+    const std::vector<double>& m = node.matrix;  // column by column
+    if (m[3] != 0.0 || m[7] != 0.0 || m[11] != 0.0 || m[15] != 1.0)
+      refuse(file, "{}: matrix has a fourth row other than 0 0 0 1", where);
+    return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
+  }
+  Axes axes;
+  if (const std::vector<double>& q = node.rotation; !q.empty()) {
+    const double squared_norm = q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3];
+    if (!(std::abs(squared_norm - 1.0) < 2e-3))
+      refuse(file, "{}: rotation is not a quaternion of unit length", where);
+    const double to_unit = 1.0 / std::sqrt(squared_norm);
+    axes = axes_of({q[0] * to_unit, q[1] * to_unit, q[2] * to_unit, q[3] * to_unit});
+  }
+  if (const std::vector<double>& scale = node.scale; !scale.empty())
+    axes = {axes.x * scale[0], axes.y * scale[1], axes.z * scale[2]};
+  const std::vector<double>& p = node.translation;
+  return {axes, p.empty() ? Vec3{} : Vec3{p[0], p[1], p[2]}};
+}
+
 // Walks one scene from its roots, and keeps the haptic nodes. Indices are in range and the nodes are a
-// forest: read_gltf() has seen to it.
+// forest: read_model() has seen to it.
 class Walk {
  public:
-  Walk(const Gltf& gltf, const std::string& file) : gltf_(gltf), file_(file) {}
+  Walk(const GltfModel& gltf, const std::string& file) : gltf_(gltf), file_(file) {
+    for (const tinygltf::Node& node : gltf.model.nodes)
+      locals_.push_back(local_of(node, file, node_label(node.name, locals_.size())));
+  }
 
   std::vector<HapticNode> run() {
     push_reversed(gltf_.roots, {}, 0);
@@ -49,40 +76,42 @@ class Walk {
     Transform parent;
   };
 
-  void push_reversed(const std::vector<std::size_t>& nodes, const Transform& parent, int depth) {
+  void push_reversed(const std::vector<int>& nodes, const Transform& parent, int depth) {
     std::transform(nodes.rbegin(), nodes.rend(), std::back_inserter(pending_),
-                   [&](std::size_t node) { return Pending{node, depth, parent}; });
+                   [&](int node) { return Pending{static_cast<std::size_t>(node), depth, parent}; });
   }
 
+  const tinygltf::Node& node(std::size_t index) const { return gltf_.model.nodes[index]; }
+
   void visit(const Pending& pending) {
-    const GltfNode& node = gltf_.nodes[pending.node];
     ancestors_.resize(static_cast<std::size_t>(pending.depth));
     ancestors_.push_back(pending.node);
     if (pending.depth >= gltf_limits::node_depth)
       refuse(where(), "lies deeper than {} nodes", gltf_limits::node_depth);
-    const Transform world = pending.parent * node.local;
-    if (is_haptic(node.extras)) keep(node, world, haptic_properties(node.extras, where()));
-    push_reversed(node.children, world, pending.depth + 1);
+    const Transform world = pending.parent * locals_[pending.node];
+    const std::string& extras = node(pending.node).extras_json_string;
+    if (const auto json = nlohmann::json::parse(extras, nullptr, false); is_haptic(json))
+      keep(world, haptic_properties(json, where()));
+    push_reversed(node(pending.node).children, world, pending.depth + 1);
   }
 
-  void keep(const GltfNode& node, const Transform& world, const HapticProperties& properties) {
+  void keep(const Transform& world, const HapticProperties& properties) {
     if (found_.size() == gltf_limits::haptic_nodes)
       refuse(file_, "more than {} nodes have a haptic role", gltf_limits::haptic_nodes);
     for (std::size_t depth = 0; depth < ancestors_.size(); ++depth) {
-      const GltfNode& above = gltf_.nodes[ancestors_[depth]];
-      if (is_degenerate(above.local.axes)) {
+      if (is_degenerate(locals_[ancestors_[depth]].axes)) {
         refuse(file_, "node {}: its {} has a zero-length axis or flattens space{}",
-               in_quotes(path(depth + 1)), above.has_matrix ? "matrix" : "scale",
+               in_quotes(path(depth + 1)), node(ancestors_[depth]).matrix.empty() ? "scale" : "matrix",
                depth + 1 == ancestors_.size() ? "" : fmt::format(", and {} is below it", in_quotes(path())));
       }
     }
-    found_.push_back({std::string(node.name), path(), world.origin, world.axes, properties});
+    found_.push_back({node(ancestors_.back()).name, path(), world.origin, world.axes, properties});
   }
 
   std::string path(std::size_t depth) const {
     std::string result;
     for (std::size_t i = 0; i < depth; ++i) {
-      const std::string_view name = gltf_.nodes[ancestors_[i]].name;
+      const std::string& name = node(ancestors_[i]).name;
       result += i == 0 ? "" : "/";
       result += name.empty() ? fmt::format("[{}]", ancestors_[i]) : printable(name);
     }
@@ -92,15 +121,16 @@ class Walk {
 
   std::string where() const { return fmt::format("{}: node {}", file_, in_quotes(path())); }
 
-  const Gltf& gltf_;
+  const GltfModel& gltf_;
   const std::string& file_;
+  std::vector<Transform> locals_;  // of each node
   std::vector<Pending> pending_;
   std::vector<std::size_t> ancestors_;  // of the node being visited, root first, itself last
   std::vector<HapticNode> found_;
 };
 
 std::vector<HapticNode> haptic_nodes_of(std::string_view json, const std::string& file) {
-  const Gltf gltf = read_gltf(json, file);
+  const GltfModel gltf = read_model(json, file);
   return Walk(gltf, file).run();
 }
 

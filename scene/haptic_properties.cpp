@@ -3,6 +3,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -39,7 +40,7 @@ constexpr Role roles[] = {{"plate", HapticRole::plate, plate_keys},
 struct Property {
   std::string key;  // without prefix
   std::string label;
-  JsonValue value;
+  const nlohmann::json& value;
 };
 
 class PropertyReader {
@@ -84,7 +85,7 @@ class PropertyReader {
 
   std::string text(const Property& property) const {
     if (!property.value.is_string()) refuse(where_, "{} is not a string", property.label);
-    std::string value(property.value.string());
+    auto value = property.value.get<std::string>();
     if (value.empty() || value.size() > max_text)
       refuse(where_, "{} has {} bytes; allowed are 1 to {}", property.label, value.size(), max_text);
     if (value != printable(value))
@@ -94,7 +95,7 @@ class PropertyReader {
 
   double number(const Property& property, double max) const {
     if (!property.value.is_number()) refuse(where_, "{} is not a number", property.label);
-    const double value = property.value.number();
+    const double value = property.value.get<double>();
     if (!(value >= min_number && value <= max))
       refuse(where_, "{} is {:g}; allowed is {:g} to {:g}", property.label, value, min_number, max);
     return value;
@@ -118,27 +119,25 @@ std::string shown(std::string_view key) {
 
 }  // namespace
 
-bool is_haptic(JsonValue extras) {
-  return extras.is_object() && std::any_of(extras.begin(), extras.end(), [](JsonValue member) {
-           return member.key() == nested_key || member.key().starts_with(flat_prefix);
-         });
+bool is_haptic(const nlohmann::json& extras) {
+  if (!extras.is_object()) return false;
+  for (const auto& [key, value] : extras.items())
+    if (key == nested_key || key.starts_with(flat_prefix)) return true;
+  return false;
 }
 
-HapticProperties haptic_properties(JsonValue extras, const std::string& where) {
+HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where) {
   std::vector<Property> flat;
-  for (const JsonValue member : extras) {
-    if (member.key().starts_with(flat_prefix)) {
-      flat.push_back(
-          {std::string(member.key().substr(flat_prefix.size())), "extras." + shown(member.key()), member});
-    }
-  }
-  const JsonValue nested = extras.find(nested_key);
-  if (!nested.exists()) return PropertyReader(std::move(flat), where).read();
+  for (const auto& [key, value] : extras.items())
+    if (key.starts_with(flat_prefix))
+      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown(key), value});
+  const auto nested = extras.find(nested_key);
+  if (nested == extras.end()) return PropertyReader(std::move(flat), where).read();
   if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
-  if (!nested.is_object() || nested.size() == 0) refuse(where, "extras.haptic is not an object with a role");
+  if (!nested->is_object() || nested->empty()) refuse(where, "extras.haptic is not an object with a role");
   std::vector<Property> properties;
-  for (const JsonValue member : nested)
-    properties.push_back({std::string(member.key()), "extras.haptic." + shown(member.key()), member});
+  for (const auto& [key, value] : nested->items())
+    properties.push_back({key, "extras.haptic." + shown(key), value});
   return PropertyReader(std::move(properties), where).read();
 }
 

@@ -1,10 +1,9 @@
 // A node's haptic role and its properties, from the node's `extras`.
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
-
-#include "scene/json_document.h"
 
 namespace hrt {
 
@@ -19,12 +18,12 @@ struct HapticProperties {
   std::optional<std::string> served_by;   ///< as name
 };
 
-/// True if `extras`, which may not exist, holds haptic properties: nested under `haptic`, or flat as
+/// True if `extras`, of any type, holds haptic properties: nested under `haptic`, or flat as
 /// `haptic_role` and so on.
-bool is_haptic(JsonValue extras);
+bool is_haptic(const nlohmann::json& extras);
 
 /// The haptic properties of `extras`; requires is_haptic(extras). Throws SceneError, its text starting with
 /// `where`, on one that is unknown, of the wrong type, out of its range or not for the role.
-HapticProperties haptic_properties(JsonValue extras, const std::string& where);
+HapticProperties haptic_properties(const nlohmann::json& extras, const std::string& where);
 
 }  // namespace hrt

@@ -11,11 +11,11 @@
 
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
+#include "plugin/src/recording/json_number.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session_config.h"
 #include "plugin/src/session/streamed_calibration.h"
 #include "plugin/src/session/targets.h"
-#include "scene/json_number.h"
 
 namespace hrt::plugin {
 namespace {
