@@ -45,6 +45,11 @@ class Retargeter {
   ReachSummary summary() const;
   /// The reach is led by the controller for people.
   bool leads_person() const { return leader_ && std::holds_alternative<PersonReach>(*leader_); }
+  /// What is known of finger and person, as a whole; null where the paper's controller leads, and before
+  /// begin().
+  const PersonFilter* person_filter() const {
+    return leads_person() ? &std::get<PersonReach>(*leader_).filter() : nullptr;
+  }
   /// The belief about the person, for carried(); none if the reach ended early, did not fit the model, or had
   /// no positions under ControlMode::reach.
   std::optional<PersonBelief> learnt() const;

@@ -54,6 +54,11 @@ class PersonFilter {
     fading,
     size
   };
+  /// Of each, with its unit.
+  static constexpr const char* names[size] = {"right_mm",  "away_mm",    "direction_deg",  "phase",
+                                              "log_rate",  "wander_deg", "noise_right_mm", "noise_away_mm",
+                                              "weight",    "curve",      "gain_per_s",     "bias_deg",
+                                              "habit_deg", "evenness",   "heading",        "fading"};
   using State = Eigen::Matrix<double, size, 1>;
   using Covariance = Eigen::Matrix<double, size, size>;
 

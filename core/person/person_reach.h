@@ -50,6 +50,8 @@ class PersonReach {
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
   ReachSoFar so_far() const;
+  /// What is known of finger and person, as a whole.
+  const PersonFilter& filter() const { return estimator_.filter(); }
 
   /// What the reach says of the person; none if it ended early, or did not fit the model.
   std::optional<PersonBelief> learnt() const;

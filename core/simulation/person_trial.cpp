@@ -14,7 +14,7 @@ constexpr std::int64_t tick_ns = 1'000'000;
 constexpr double reach_tail_s = 0.3;  // tracked at rest after the motion
 
 PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
-                             std::uint32_t index, std::uint32_t reach_number) {
+                             std::uint32_t index, std::uint32_t reach_number, const PersonWatch& watch) {
   const PlatePoint start{0.0, 0.0};
   Draws draws(seed, PersonStream::tracking, index, reach_number);
   const double rest_s = 0.4 + 0.4 * draws.uniform();
@@ -58,7 +58,13 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       break;
     tracker.look(now_s, person.position());
     while (const auto sample = tracker.arrived(now_ns)) {
-      if (controller) plate.command(controller->update(*sample).plate_orientation_deg);
+      if (!controller) continue;
+      const PlateCommand command = controller->update(*sample);
+      plate.command(command.plate_orientation_deg);
+      if (watch)
+        watch(static_cast<int>(reach_number),
+              {now_s, person.position(), person.felt_position(), plate.orientation_deg(), command,
+               controller->person_filter()});
     }
   }
   const double real_deg =
@@ -75,13 +81,14 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
 
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
                                            const RetargeterConfig* controller, int reaches,
-                                           std::uint64_t seed, std::uint32_t index) {
+                                           std::uint64_t seed, std::uint32_t index,
+                                           const PersonWatch& watch) {
   std::vector<PersonOutcome> outcomes;
   RetargeterConfig config = controller ? *controller : RetargeterConfig{};
   for (int i = 0; i < reaches; ++i) {
     Retargeter retargeter(config);
     outcomes.push_back(simulate_reach(condition, controller ? &retargeter : nullptr, seed, index,
-                                      static_cast<std::uint32_t>(i)));
+                                      static_cast<std::uint32_t>(i), watch));
     if (const auto learnt = retargeter.learnt()) {
       const ReachSummary& summary = outcomes.back().summary;
       config.person =

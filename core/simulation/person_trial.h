@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/person/person_filter.h"
 #include "core/retargeter_config.h"
 #include "core/simulation/people.h"
 
@@ -19,10 +21,24 @@ struct PersonOutcome {
   std::optional<PersonBelief> learnt;  ///< what the next reach begins from, if this one taught anything
 };
 
+/// A sample of a reach, with the truth beside it.
+struct PersonMoment {
+  double time_s;      ///< since the reach began; the finger moves later
+  PlatePoint finger;  ///< where it is
+  PlatePoint felt;    ///< where the person feels that it is
+  double plate_deg;   ///< where the ridge normal stands
+  PlateCommand command;
+  const PersonFilter* filter;  ///< the controller's; null: it is not the one for people
+};
+/// Called with the number of the reach, from 0 on.
+using PersonWatch = std::function<void(int, const PersonMoment&)>;
+
 /// `reaches` of one person, one after another, each led by `controller` with what it has learnt; as
-/// ControlMode::reach carries it. Without a controller (null) the plate stays at 0. Any thread.
+/// ControlMode::reach carries it. Without a controller (null) the plate stays at 0. `watch` gets each sample
+/// that a controller has taken. Any thread.
 std::vector<PersonOutcome> simulate_person(const PersonCondition& condition,
                                            const RetargeterConfig* controller, int reaches,
-                                           std::uint64_t seed, std::uint32_t index);
+                                           std::uint64_t seed, std::uint32_t index,
+                                           const PersonWatch& watch = {});
 
 }  // namespace hrt

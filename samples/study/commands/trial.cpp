@@ -1,4 +1,4 @@
-// hrt-study trial: one simulated reach as CSV, a row a step.
+// hrt-study trial: one simulated reach as CSV, a row a step; or traced, a row a sample, with pictures.
 #include "core/simulation/trial.h"
 
 #include <cmath>
@@ -9,6 +9,8 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/commands/commands.h"
+#include "samples/study/figures/trace.h"
+#include "samples/study/figures/workshop.h"
 
 namespace hrt::study {
 namespace {
@@ -23,6 +25,10 @@ struct Options {
   std::uint64_t condition = 0;
   std::uint64_t trial = 0;
   std::string out;
+  std::string trace;  // a folder; empty: the paper's person, by steps
+  std::vector<const PeopleFamily*> families{&people_families().front()};
+  double duration_s = 1.5;
+  std::uint64_t reach = 1;
 };
 
 const char* name(ActiveBound bound) {
@@ -45,6 +51,24 @@ std::string csv(const std::vector<TrialStep>& steps, const TrialOutcome& outcome
   return page + std::to_string(steps.size()) + ',' + number(outcome.final_direction_deg) + ",,,,,,,,\n";
 }
 
+void run_trace(const Options& options) {
+  if (options.families.size() != 1) throw UsageError("--family: one family is traced at a time");
+  const ParameterValues defaults = default_values();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (options.values[i] != defaults[i] && !(std::isnan(options.values[i]) && std::isnan(defaults[i])))
+      throw UsageError(std::string(parameters[i].option) + " is of the paper's person; not with --trace");
+  Workshop workshop("--trace", options.trace);
+  const auto index = static_cast<std::uint32_t>(options.trial);
+  PersonCondition condition = draw_person(*options.families.front(), options.duration_s, options.seed, index);
+  condition.real_direction_deg = options.real_direction_deg;
+  condition.virtual_direction_deg = options.virtual_direction_deg;
+  const Trace trace = trace_reach(condition, static_cast<int>(options.reach), options.seed, index);
+  workshop.write("trace.csv", trace_csv(trace));
+  workshop.write("reach.svg", moving_picture(trace));
+  workshop.draw(trace_figure(trace), "svg");
+  workshop.publish();
+}
+
 void run(const Options& options) {
   Condition condition =
       make_condition(options.values, options.real_direction_deg, options.virtual_direction_deg);
@@ -57,6 +81,7 @@ void run(const Options& options) {
     throw UsageError(
         not_allowed("--real", number(options.real_direction_deg),
                     "less than 90 deg from --virtual (" + number(options.virtual_direction_deg) + ")"));
+  if (!options.trace.empty()) return run_trace(options);
   const Output output("--out", options.out);
   std::vector<TrialStep> steps;
   const TrialOutcome outcome = simulate_trial(condition,
@@ -77,7 +102,12 @@ void add_trial(CLI::App& app) {
 moves after the last step. Numbers have full precision. The same seed, condition and trial
 number give the random numbers of that trial in a batch.
 
+With --trace the reach is one of a person led by our controller: --family, --duration, --reach, --trial (the
+person's number), --seed, --real and --virtual say which. The folder gets trace.csv, every state of the filter
+with its deviation at each sample, trace.svg, their picture, and reach.svg, the reach from above, moving.
+
 Examples:
+  hrt-study trial --trace reach --family bias-3 --reach 5
   hrt-study trial --real 0 --virtual 10 --out reach.csv
   hrt-study trial --real 5 --virtual -5 --motor-variance 0.1 --fixed-plate 0)",
       [options] { run(*options); });
@@ -98,6 +128,10 @@ Examples:
               "Which condition's random numbers to take.");
   add_integer(command, "--trial", &options->trial, 0, max, "Which trial's random numbers to take.");
   add_out(command, &options->out);
+  add_path(command, "--trace", &options->trace, "a folder", "Traces a reach of a person there.");
+  add_families(command, &options->families, "linear", "The person's family, with --trace.");
+  add_number(command, "--duration", &options->duration_s, {0.3, 10.0}, "Of the motion in s, with --trace.");
+  add_integer(command, "--reach", &options->reach, 1, 100, "Of the person, in a row, with --trace.");
 }
 
 }  // namespace hrt::study

@@ -1,0 +1,96 @@
+// A traced reach, its table and its pictures.
+#include "samples/study/people/trace.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <sstream>
+
+#include "core/math/trigonometry.h"
+#include "samples/study/figures/trace.h"
+#include "tests/samples/study/process.h"
+
+namespace hrt::study {
+namespace {
+
+Trace traced(const char* family, int reach) {
+  return trace_reach(draw_person(*people_family(family), 1.5, 1, 0), reach, 1, 0);
+}
+
+std::size_t count(std::string_view text, std::string_view part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++found;
+  return found;
+}
+
+TEST(StudyTrace, EndsWhereTheReachDoes) {
+  const Trace trace = traced("linear", 5);
+  const TracedSample& last = trace.samples.back();
+  const double error_deg = bearing_deg({0.0, 0.0}, last.finger) - trace.condition.real_direction_deg;
+  EXPECT_LT(std::abs(error_deg), 1.5);
+  const double felt_deg = bearing_deg({0.0, 0.0}, last.felt);
+  EXPECT_NEAR(felt_deg, trace.condition.virtual_direction_deg, 3.0);
+  EXPECT_TRUE(
+      std::is_sorted(trace.samples.begin(), trace.samples.end(),
+                     [](const TracedSample& a, const TracedSample& b) { return a.time_s < b.time_s; }));
+}
+
+// The person's own values lie within four deviations of what the filter has at the end.
+TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
+  for (const char* family : {"linear", "bias-3", "habit-5"}) {
+    const Trace trace = traced(family, 5);
+    const TracedSample& last = trace.samples.back();
+    const auto within = [&](PersonFilter::Index state, double truth) {
+      EXPECT_NEAR(last.mean[state], truth, 4.0 * last.deviation[state] + 1e-9)
+          << family << ' ' << PersonFilter::names[state];
+    };
+    within(PersonFilter::right, 1e3 * last.finger.right_m);
+    within(PersonFilter::away, 1e3 * last.finger.away_m);
+    within(PersonFilter::weight, trace.condition.person.illusion.tactile_weight);
+    within(PersonFilter::bias, trace.condition.person.bias_deg);
+  }
+}
+
+TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
+  std::istringstream table(trace_csv(traced("linear", 1)));
+  std::string line;
+  std::getline(table, line);
+  EXPECT_NE(line.find(",bias_deg,bias_deg_sd,"), line.npos) << line;
+  const std::size_t commas = count(line, ",");
+  EXPECT_EQ(commas, 7u + 2 * PersonFilter::size);
+  int rows = 0;
+  for (; std::getline(table, line); ++rows) {
+    ASSERT_EQ(count(line, ","), commas) << line;
+    ASSERT_EQ(line.find("nan"), line.npos) << line;
+  }
+  EXPECT_GT(rows, 100);
+}
+
+TEST(StudyTrace, MovingPictureRunsOneTimeThroughout) {
+  const std::string picture = moving_picture(traced("linear", 5));
+  EXPECT_TRUE(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"));
+  const std::size_t animated = count(picture, "<animate");
+  EXPECT_EQ(animated, 7u);  // ridges; of two paths the line, and x and y of the dot
+  const std::size_t at = picture.find("keyTimes=\"");
+  const std::string times = picture.substr(at, picture.find('"', at + 10) - at);
+  EXPECT_EQ(count(picture, times), animated);
+  EXPECT_EQ(count(picture, ">"), count(picture, "<"));
+}
+
+TEST(StudyTrace, CommandWritesTableAndPictures) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "study_trace";
+  std::filesystem::remove_all(folder);
+  const StudyRun result =
+      run_study({"trial", "--trace", folder.string(), "--family", "bias-3", "--reach", "2"});
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  for (const char* file : {"trace.csv", "trace.svg", "reach.svg"})
+    EXPECT_GT(std::filesystem::file_size(folder / file), 1000u) << file;
+  EXPECT_EQ(run_study({"trial", "--trace", folder.string(), "--motor-variance", "2"}).exit_code, 2);
+  EXPECT_EQ(run_study({"trial", "--trace", folder.string(), "--family", "linear,place"}).exit_code, 2);
+  std::filesystem::remove_all(folder);
+}
+
+}  // namespace
+}  // namespace hrt::study
