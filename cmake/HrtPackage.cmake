@@ -51,7 +51,9 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright COMPO
 install(FILES plugin/THIRD_PARTY_NOTICES.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT runtime)
 install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
 install(FILES scene/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME scene.md COMPONENT development)
-hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/README.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+foreach(page SETUP PROCESS README)  # the last refers to the others
+  hrt_install_readme(${CMAKE_CURRENT_SOURCE_DIR}/plugin/${page}.md ${CMAKE_INSTALL_DOCDIR} COMPONENT development)
+endforeach()
 
 if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(TARGETS hrt-reach hrt-study hrt-plate RUNTIME COMPONENT tools EXCLUDE_FROM_ALL)

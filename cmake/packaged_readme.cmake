@@ -1,4 +1,4 @@
-# The README of a package: its pictures go into the package too, and links to files that it does not have become text.
+# A page of a package, such as its README: its pictures go into the package too, and links to files that it does not have become text.
 #   cmake -D README=FILE -D FOLDER=PACKAGE [-D PICTURES=FOLDER_IN_PACKAGE/] -P cmake/packaged_readme.cmake
 cmake_path(GET README PARENT_PATH here)
 file(READ ${README} text)
@@ -17,4 +17,5 @@ foreach(place IN LISTS places)
     string(REGEX REPLACE "\\[([^]]*)\\]${pattern}" "\\1" text "${text}")
   endif()
 endforeach()
-file(WRITE ${FOLDER}/README.md "${text}")
+cmake_path(GET README FILENAME page)
+file(WRITE ${FOLDER}/${page} "${text}")

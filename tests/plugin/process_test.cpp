@@ -1,4 +1,4 @@
-// What plugin/README.md says of the library in the host's process.
+// What plugin/PROCESS.md says of the library in the host's process.
 #include <algorithm>
 #include <atomic>
 #include <cfenv>

@@ -12,7 +12,7 @@ namespace hrt::reach {
 /// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
 std::map<std::string, std::string> mock_environment();
 
-/// The same with this script (samples/mock_runtime/README.md) for the mock runtime.
+/// The same with this script (samples/mock_runtime/SCRIPTS.md) for the mock runtime.
 std::map<std::string, std::string> scripted_environment(const std::string& script);
 
 /// Part of a script: a person with so little noise that only faults matter, who takes 2.7 s: with the rest
