@@ -8,9 +8,6 @@ namespace {
 
 using T = PersonTrait;
 
-// Deviations by which a person may have changed since the last reach.
-constexpr double change[T::count] = {0.008, 0.03, 0.7, 0.5, 0.4, 0.05, 0.1, 0.1, 0.02};
-
 constexpr double fall_deviations = 1.2;
 
 // A fall looks like a curve that peaks early, and the plate then stays within the peak, where no motion can
@@ -54,7 +51,8 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
   PersonBelief next = learnt;
   // The filter's rounding differs above and below the diagonal.
   next.covariance = (0.5 * (learnt.covariance + learnt.covariance.transpose())).eval();
-  for (int i = 0; i < T::count; ++i) next.covariance(i, i) += change[i] * change[i];
+  for (int i = 0; i < T::count; ++i)
+    next.covariance(i, i) += person_traits[i].change * person_traits[i].change;
   // Scaling a row and its column keeps the correlations.
   for (int i = 0; i < T::count; ++i) {
     const double excess = next.covariance(i, i) / unknown.covariance(i, i);

@@ -17,18 +17,15 @@ constexpr double max_correlation = 0.95;
 
 PersonBelief calibrated_person(const CalibratedTraits& traits) {
   PersonBelief belief = unknown_person();
-  const auto know = [&belief](int trait, const Interval& interval, double min_sd) {
+  const auto measured = [&belief](T::Index trait, const Interval& interval, double min_sd) {
     const double sd = std::max(deviation_of_interval(interval.lower, interval.upper), min_sd);
-    belief.mean(trait) = std::clamp(interval.value, trait_range[trait].min, trait_range[trait].max);
-    belief.covariance.row(trait).setZero();
-    belief.covariance.col(trait).setZero();
-    belief.covariance(trait, trait) = sd * sd;
+    know(belief, trait, interval.value, sd);
     return sd;
   };
-  const double weight_sd = know(T::weight, traits.weight, min_weight_sd);
-  const double curve_sd = know(T::curve, traits.curve, min_curve_sd);
-  know(T::bias, traits.bias_deg, min_bias_sd_deg);
-  know(T::habit, traits.habit_deg, min_habit_sd_deg);
+  const double weight_sd = measured(T::weight, traits.weight, min_weight_sd);
+  const double curve_sd = measured(T::curve, traits.curve, min_curve_sd);
+  measured(T::bias, traits.bias_deg, min_bias_sd_deg);
+  measured(T::habit, traits.habit_deg, min_habit_sd_deg);
   belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
       std::clamp(traits.weight_curve_correlation, -max_correlation, max_correlation) * weight_sd * curve_sd;
   return belief;

@@ -3,37 +3,14 @@
 
 #include <Eigen/Core>
 
+#include "core/person/traits.h"
+
 namespace hrt {
-
-/// What a person brings to each reach: mean and covariance of PersonBelief are in this order.
-struct PersonTrait {
-  enum Index {
-    weight,    ///< w of the illusion
-    curve,     ///< b of the illusion
-    gain,      ///< k, 1/s
-    bias,      ///< d, degrees
-    habit,     ///< c, degrees
-    evenness,  ///< a
-    heading,   ///< share of the goal's direction in which they set out
-    log_rate,  ///< rho, natural logarithm of one over the duration in seconds
-    fading,    ///< f of the illusion
-    count
-  };
-};
-
-/// Where a trait is kept during a reach; a belief's mean lies there.
-struct TraitRange {
-  double min;
-  double max;
-};
-inline constexpr TraitRange trait_range[PersonTrait::count] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
-                                                               {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},
-                                                               {-2.0, 2.0},   {-3.0, 2.4},   {-0.2, 1.0}};
 
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;
   using Matrix = Eigen::Matrix<double, PersonTrait::count, PersonTrait::count>;
-  Vector mean;
+  Vector mean;           ///< in the order of PersonTrait, as the covariance is
   Matrix covariance;     ///< positive definite
   double wander_sd_deg;  ///< of the fast part dr of the goal: larger on a person's first reach
 };
@@ -46,6 +23,10 @@ PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_s
 
 /// The same, with illusion and bias taken as known.
 PersonBelief known_person(double tactile_weight, double bias_deg);
+
+/// A trait is known from now on, to within a standard deviation: alone of the others, and clamped to its
+/// range.
+void know(PersonBelief& belief, PersonTrait::Index trait, double mean, double sd);
 
 /// The fast part of the goal on a person's later reaches.
 inline constexpr double later_wander_sd_deg = 0.75;

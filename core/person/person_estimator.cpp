@@ -118,7 +118,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
   if (!retarget_) retarget_ = {.time_s = time_s + answer_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;
   retarget_->longer_mm += longer_mm;
-  if (motion_ == FingerMotion::paused || filter_.state()(PersonFilter::phase) <= arrived_phase) return;
+  if (motion_ == FingerMotion::paused || filter_.state().phase <= arrived_phase) return;
   // The finger rests at its former target until it leaves.
   motion_ = FingerMotion::paused;
   pause_ = place();
@@ -134,8 +134,7 @@ std::optional<PersonFilter> PersonEstimator::to_come() const {
 
 PlaceMm PersonEstimator::place() const {
   if (motion_ == FingerMotion::resting) return count_ > 0 ? recent(0).place : origin_;
-  return {origin_.right_mm + filter_.state()(PersonFilter::right),
-          origin_.away_mm + filter_.state()(PersonFilter::away)};
+  return {origin_.right_mm + filter_.state().right_mm, origin_.away_mm + filter_.state().away_mm};
 }
 
 // False if the position was merged into the last sample.
@@ -229,7 +228,7 @@ void PersonEstimator::begin_motion() {
     for (int j = -6; j <= 6; ++j) {
       const double deviations = 0.4 * j;
       const double log_rate = std::clamp(belief_.mean(T::log_rate) + deviations * log_rate_sd,
-                                         trait_range[T::log_rate].min, trait_range[T::log_rate].max);
+                                         person_traits[T::log_rate].min, person_traits[T::log_rate].max);
       const double rate = exponential(log_rate);
       const double onset_s = seen_s - phase / rate;
       double cost = square(deviations) + square((evenness - likely_evenness) / evenness_sd);
@@ -291,11 +290,11 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     take_paused(sample);
     return true;
   }
-  const PersonFilter::State& x = filter_.state();
-  const PlaceMm innovation{place.right_mm - x(PersonFilter::right) - x(PersonFilter::noise_right),
-                           place.away_mm - x(PersonFilter::away) - x(PersonFilter::noise_away)};
-  const Progress p = progress(x(PersonFilter::evenness), x(PersonFilter::phase));
-  const double speed_mm_s = path_mm_ * exponential(x(PersonFilter::log_rate)) * p.rate;
+  const PersonState x = filter_.state();
+  const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm,
+                           place.away_mm - x.away_mm - x.noise_away_mm};
+  const Progress p = progress(x.evenness, x.phase);
+  const double speed_mm_s = path_mm_ * exponential(x.log_rate) * p.rate;
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
   if (nis <= gate) {
     outliers_ = 0;

@@ -247,6 +247,21 @@ void PersonFilter::loosen_clock(double seconds) {
   covariance_(phase, phase) += phases * phases;
 }
 
+double PersonFilter::place_variance_mm2(double along_right, double along_away) const {
+  return along_right * along_right * covariance_(right, right) +
+         along_away * along_away * covariance_(away, away) +
+         2.0 * along_right * along_away * covariance_(right, away);
+}
+
+double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias) const {
+  const double by[] = {slopes.by_weight, slopes.by_curve, slopes.by_fading, by_bias};
+  constexpr Index unknowns[] = {weight, curve, fading, bias};
+  double variance = 0.0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) variance += by[i] * by[j] * covariance_(unknowns[i], unknowns[j]);
+  return variance;
+}
+
 PersonBelief PersonFilter::belief() const {
   PersonBelief belief;
   belief.wander_sd_deg = wander_sd_deg_;
@@ -260,7 +275,7 @@ PersonBelief PersonFilter::belief() const {
 
 void PersonFilter::keep_in_range() {
   for (int i = 0; i < PersonTrait::count; ++i)
-    state_(state_of[i]) = std::clamp(state_(state_of[i]), trait_range[i].min, trait_range[i].max);
+    state_(state_of[i]) = std::clamp(state_(state_of[i]), person_traits[i].min, person_traits[i].max);
   state_(phase) = std::clamp(state_(phase), 0.0, 1.0);
 }
 

@@ -17,6 +17,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstring>
 
 #include "core/person/illusion.h"
 #include "core/person/person_belief.h"
@@ -31,6 +32,27 @@ struct TrackerNoise {
 
   double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
 };
+
+/// What is known of the finger and of the person during a motion, or how well.
+struct PersonState {
+  double right_mm, away_mm;              ///< the finger's place, from where it rested
+  double direction_deg;                  ///< of its motion
+  double phase;                          ///< u
+  double log_rate;                       ///< rho
+  double wander_deg;                     ///< dr
+  double noise_right_mm, noise_away_mm;  ///< the tracker's correlated noise
+  double weight, curve;                  ///< w and b of the illusion
+  double gain_s;                         ///< k, 1/s
+  double bias_deg, habit_deg;            ///< d and c
+  double evenness;                       ///< a
+  double heading;
+  double fading;  ///< f of the illusion
+};
+/// Of each, in its order.
+inline constexpr const char* person_state_names[] = {
+    "right_mm",       "away_mm",       "direction_deg", "phase", "log_rate",   "wander_deg",
+    "noise_right_mm", "noise_away_mm", "weight",        "curve", "gain_per_s", "bias_deg",
+    "habit_deg",      "evenness",      "heading",       "fading"};
 
 /// One motion. Places are millimetres from where the finger rested. No heap, no lock, no exception.
 class PersonFilter {
@@ -54,11 +76,6 @@ class PersonFilter {
     fading,
     size
   };
-  /// Of each, with its unit.
-  static constexpr const char* names[size] = {"right_mm",  "away_mm",    "direction_deg",  "phase",
-                                              "log_rate",  "wander_deg", "noise_right_mm", "noise_away_mm",
-                                              "weight",    "curve",      "gain_per_s",     "bias_deg",
-                                              "habit_deg", "evenness",   "heading",        "fading"};
   using State = Eigen::Matrix<double, size, 1>;
   using Covariance = Eigen::Matrix<double, size, size>;
 
@@ -90,7 +107,17 @@ class PersonFilter {
   /// The person's clock may be off by `seconds`, standard deviation.
   void loosen_clock(double seconds);
 
-  const State& state() const { return state_; }
+  PersonState state() const { return named(state_); }
+  /// Standard deviations.
+  PersonState deviation() const { return named(covariance_.diagonal().cwiseMax(0.0).cwiseSqrt()); }
+  /// Of the finger's place along a unit vector.
+  double place_variance_mm2(double right, double away) const;
+  /// Of the felt shift with these slopes and of the goal, which a degree of bias moves by `by_bias`, to first
+  /// order.
+  double shift_variance_deg2(const FeltShift& slopes, double by_bias) const;
+
+  /// The same in this file's order, for tests of the filter.
+  const State& vector() const { return state_; }
   const Covariance& covariance() const { return covariance_; }
   /// At a speed of the finger, which has come `travelled_mm`.
   Illusion illusion(double speed_mm_s, double travelled_mm) const;
@@ -107,6 +134,12 @@ class PersonFilter {
   PersonBelief belief() const;
 
  private:
+  static PersonState named(const State& vector) {
+    PersonState state;
+    static_assert(sizeof state == sizeof(double) * size);
+    std::memcpy(&state, vector.data(), sizeof state);
+    return state;
+  }
   void keep_in_range();
 
   double virtual_direction_deg_;

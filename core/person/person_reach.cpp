@@ -33,11 +33,7 @@ PlaceMm to_mm(const PlatePoint& point) {
 PersonBelief person_of(const PersonReachConfig& config, const Reach& reach) {
   PersonBelief belief = config.person;
   if (reach.duration_s <= 0.0) return belief;
-  using Trait = PersonTrait;
-  belief.mean(Trait::log_rate) = -logarithm(reach.duration_s);
-  belief.covariance.row(Trait::log_rate).setZero();
-  belief.covariance.col(Trait::log_rate).setZero();
-  belief.covariance(Trait::log_rate, Trait::log_rate) = given_duration_log_sd * given_duration_log_sd;
+  know(belief, PersonTrait::log_rate, -logarithm(reach.duration_s), given_duration_log_sd);
   return belief;
 }
 
@@ -118,11 +114,10 @@ std::optional<PlatePoint> PersonReach::place() const {
 }
 
 double PersonReach::speed_m_s() const {
-  using F = PersonFilter;
   if (estimator_.motion() != FingerMotion::moving) return 0.0;
-  const F& filter = estimator_.filter();
-  const Progress p = progress(filter.state()(F::evenness), filter.state()(F::phase));
-  return filter.path_mm() / mm_per_m * exponential(filter.state()(F::log_rate)) * p.rate;
+  const PersonFilter& filter = estimator_.filter();
+  const Progress p = progress(filter.state().evenness, filter.state().phase);
+  return filter.path_mm() / mm_per_m * exponential(filter.state().log_rate) * p.rate;
 }
 
 PlateCommand PersonReach::update(const FingerSample& sample) {
@@ -136,7 +131,7 @@ PlateCommand PersonReach::update(const FingerSample& sample) {
 
   const bool observed = observe(sample, now_s - 1e-9 * static_cast<double>(config_.tracker_latency_ns));
   const bool decides = observed && estimator_.motion() == FingerMotion::moving && estimator_.caught_up() &&
-                       estimator_.filter().state()(PersonFilter::phase) < last_phase;
+                       estimator_.filter().state().phase < last_phase;
   if (decides) {
     decision_ = decide(now_s);
     plate_.command(decision_.plate.orientation_deg);
@@ -201,62 +196,51 @@ ReachAim PersonReach::aim() const {
 // By the filter, which may stand at an earlier time.
 double PersonReach::time_to_go_s(double now_s) const {
   const std::optional<PersonFilter> to_come = estimator_.to_come();
-  const PersonFilter::State& x = (to_come ? *to_come : estimator_.filter()).state();
-  const double left_s = (1.0 - x(PersonFilter::phase)) / exponential(x(PersonFilter::log_rate));
+  const PersonState x = (to_come ? *to_come : estimator_.filter()).state();
+  const double left_s = (1.0 - x.phase) / exponential(x.log_rate);
   return std::max(0.0, left_s - (now_s - estimator_.time_s()));
 }
 
 // The largest gap less the one that is to be held, to first order in w, b, d and the frame's error.
 bool PersonReach::can_be_held() const {
-  using F = PersonFilter;
-  const F& filter = estimator_.filter();
+  const PersonFilter& filter = estimator_.filter();
   const Illusion illusion = filter.mean_illusion();
   const MaxShift max = max_shift(illusion, config_.control.bound_deg);
-  const double gap_deg = reach_.virtual_direction_deg + filter.state()(F::bias) - aimed_direction_deg_;
+  const double gap_deg = reach_.virtual_direction_deg + filter.state().bias_deg - aimed_direction_deg_;
   const FeltShift g = felt_shift(illusion, max.offset_deg);
-  const double slopes[] = {g.by_weight, g.by_curve, g.by_fading, gap_deg > 0.0 ? -1.0 : 1.0};
-  const F::Index unknowns[] = {F::weight, F::curve, F::fading, F::bias};
-  double variance = frame_sd_deg_ * frame_sd_deg_;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j)
-      variance += slopes[i] * slopes[j] * filter.covariance()(unknowns[i], unknowns[j]);
+  const double variance =
+      frame_sd_deg_ * frame_sd_deg_ + filter.shift_variance_deg2(g, gap_deg > 0.0 ? -1.0 : 1.0);
   return max.shift_deg - std::abs(gap_deg) > min_margin_deg - margin_deviations * deviation(variance);
 }
 
 // Of the finger across the line to the target: as the filter knows its place, and as the frame is known.
 double PersonReach::bearing_error_sd_deg() const {
-  using F = PersonFilter;
   if (estimator_.motion() == FingerMotion::resting) return frame_sd_deg_;
-  const F::Covariance& covariance = estimator_.filter().covariance();
-  const double across_right = -cos_deg(reach_.real_direction_deg);
-  const double across_away = -sin_deg(reach_.real_direction_deg);
-  const double variance_mm2 = across_right * across_right * covariance(F::right, F::right) +
-                              across_away * across_away * covariance(F::away, F::away) +
-                              2.0 * across_right * across_away * covariance(F::right, F::away);
+  const double variance_mm2 = estimator_.filter().place_variance_mm2(-cos_deg(reach_.real_direction_deg),
+                                                                     -sin_deg(reach_.real_direction_deg));
   const double place_sd_deg = atan2_deg(deviation(variance_mm2), mm_per_m * reach_.real_distance_m);
   return std::sqrt(frame_sd_deg_ * frame_sd_deg_ + place_sd_deg * place_sd_deg);
 }
 
 PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool decided) {
-  using F = PersonFilter;
-  const F& filter = estimator_.filter();
-  const F::State& x = filter.state();
+  const PersonFilter& filter = estimator_.filter();
+  const PersonState x = filter.state();
   const PlaceMm place_mm = estimator_.place();
   const PlatePoint place{place_mm.right_mm / mm_per_m, place_mm.away_mm / mm_per_m};
   const bool begun = estimator_.motion() != FingerMotion::resting;
   const bool moving = estimator_.motion() == FingerMotion::moving;
   const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
-  const Progress p = progress(x(F::evenness), x(F::phase));
+  const Progress p = progress(x.evenness, x.phase);
   const Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
   const double felt_deg =
-      x(F::direction) + felt_shift(illusion, plate_.orientation_deg() - x(F::direction)).shift_deg;
-  const bool ends = begun && (!moving || x(F::phase) >= last_phase);
+      x.direction_deg + felt_shift(illusion, plate_.orientation_deg() - x.direction_deg).shift_deg;
+  const bool ends = begun && (!moving || x.phase >= last_phase);
   const double miss_deg = ends ? wrap_deg(bearing_deg(reach_.start, place) - reach_.real_direction_deg, 360.0)
                                : decision_.predicted_miss_deg;
   const LinearIllusion linear = linear_illusion(filter.belief());
   return {
       .plate_orientation_deg = decision_.plate.orientation_deg,
-      .finger_direction_deg = x(F::direction),
+      .finger_direction_deg = x.direction_deg,
       .perceived_direction_deg = felt_deg,
       .aimed_direction_deg =
           to_go_m > 0.1 * reach_.real_distance_m ? bearing_deg(place, target_) : command_.aimed_direction_deg,
@@ -276,7 +260,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .predicted = begun && sample.observation == Observation::none,
       .unreachable = begun && !can_be_held(),
       .misfit = begun && !estimator_.fit().holds(),
-      .off_target = begun && x(F::phase) > first_judged_phase && std::abs(miss_deg) > near_deg,
+      .off_target = begun && x.phase > first_judged_phase && std::abs(miss_deg) > near_deg,
       .resting = estimator_.motion() == FingerMotion::paused,
   };
 }
@@ -297,10 +281,9 @@ void PersonReach::count(const PlateCommand& command, bool observed) {
 }
 
 ReachSummary PersonReach::summary() const {
-  using F = PersonFilter;
   ReachSummary summary = counts_;
-  const F& filter = estimator_.filter();
-  const auto sd = [&](F::Index i) { return deviation(filter.covariance()(i, i)); };
+  const PersonFilter& filter = estimator_.filter();
+  const PersonState x = filter.state(), sd = filter.deviation();
   const PlaceMm place = estimator_.place();
   const PlatePoint ended{place.right_mm / mm_per_m, place.away_mm / mm_per_m};
   const bool begun = estimator_.motion() != FingerMotion::resting;
@@ -324,15 +307,15 @@ ReachSummary PersonReach::summary() const {
                       .tactile_weight = command_.tactile_weight,
                       .tactile_weight_sd = command_.tactile_weight_sd,
                       .tracker_noise_m = std::sqrt(estimator_.noise().variance_mm2()) / mm_per_m};
-  summary.person = {.curve = filter.state()(F::curve),
-                    .curve_sd = sd(F::curve),
-                    .gain_s = filter.state()(F::gain),
-                    .gain_sd_s = sd(F::gain),
-                    .bias_deg = filter.state()(F::bias),
-                    .bias_sd_deg = sd(F::bias),
-                    .habit_deg = filter.state()(F::habit),
-                    .habit_sd_deg = sd(F::habit),
-                    .duration_s = exponential(-filter.state()(F::log_rate))};
+  summary.person = {.curve = x.curve,
+                    .curve_sd = sd.curve,
+                    .gain_s = x.gain_s,
+                    .gain_sd_s = sd.gain_s,
+                    .bias_deg = x.bias_deg,
+                    .bias_sd_deg = sd.bias_deg,
+                    .habit_deg = x.habit_deg,
+                    .habit_sd_deg = sd.habit_deg,
+                    .duration_s = exponential(-x.log_rate)};
   return summary;
 }
 
@@ -341,8 +324,8 @@ ReachSoFar PersonReach::so_far() const {
 }
 
 std::optional<PersonBelief> PersonReach::learnt() const {
-  const bool ended = estimator_.motion() != FingerMotion::resting &&
-                     estimator_.filter().state()(PersonFilter::phase) > min_taught_phase;
+  const bool ended =
+      estimator_.motion() != FingerMotion::resting && estimator_.filter().state().phase > min_taught_phase;
   if (!ended || counts_.misfit) return std::nullopt;
   return estimator_.filter().belief();
 }

@@ -30,18 +30,17 @@ struct Motion {
 
 Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double line_deg, const ReachAim& aim,
                             const PlateOutlook& outlook) {
-  using F = PersonFilter;
-  const F::State& x = filter.state();
-  const double rate = exponential(x(F::log_rate));
-  const double k = x(F::gain);
+  const PersonState x = filter.state();
+  const double rate = exponential(x.log_rate);
+  const double k = x.gain_s;
   const double arrives_s = outlook.now_s + outlook.latency_s;
   const double step_s = (arrives_s + sensory_delay_s + outlook.slew_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
-  Motion motion{.direction_deg = x(F::direction),
-                .phase = x(F::phase),
-                .lateral_mm = (aim.right_mm - x(F::right)) * cos_deg(line_deg) +
-                              (aim.away_mm - x(F::away)) * sin_deg(line_deg),
-                .wander_deg = x(F::wander),
+  Motion motion{.direction_deg = x.direction_deg,
+                .phase = x.phase,
+                .lateral_mm = (aim.right_mm - x.right_mm) * cos_deg(line_deg) +
+                              (aim.away_mm - x.away_mm) * sin_deg(line_deg),
+                .wander_deg = x.wander_deg,
                 .shift_deg = 0.0};
   double felt_plate_deg = 0.0;
   const double mean_mm_s = filter.mean_speed_mm_s();
@@ -53,7 +52,7 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
         outlook.latency_s > 0.0 ? std::clamp((felt_s - outlook.now_s) / outlook.latency_s, 0.0, 1.0) : 1.0;
     felt_plate_deg = felt_s <= outlook.now_s ? outlook.past.at(felt_s)
                                              : now_deg + ahead * (outlook.after_latency_deg - now_deg);
-    const Progress p = progress(x(F::evenness), motion.phase + 0.5 * rate * step_s);
+    const Progress p = progress(x.evenness, motion.phase + 0.5 * rate * step_s);
     illusion = filter.illusion(mean_mm_s * p.rate, filter.path_mm() * p.share);
     const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
     const double felt_error_deg =
@@ -77,19 +76,18 @@ struct Arrival {
 };
 
 Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) {
-  using F = PersonFilter;
-  const F::State& x = filter.state();
-  const double rate = exponential(x(F::log_rate));
+  const PersonState x = filter.state();
+  const double rate = exponential(x.log_rate);
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
-  const double half_kept = exponential(-0.5 * x(F::gain) * step_s);
+  const double half_kept = exponential(-0.5 * x.gain_s * step_s);
   const double wander_kept = exponential(-step_s / wander_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double direction_deg = from.direction_deg;
   double unsteered = 1.0;  // share of Gamma that the person has not yet answered
   double wander_deg = from.wander_deg;
   for (int i = 0; i < arrival_nodes; ++i) {
-    const Progress p = progress(x(F::evenness), from.phase + (i + 0.5) * rate * step_s);
+    const Progress p = progress(x.evenness, from.phase + (i + 0.5) * rate * step_s);
     const double goal_deg = filter.goal_deg(p.share, wander_deg);
     const double middle_deg = goal_deg + (direction_deg - goal_deg) * half_kept;
     const double travel_mm = filter.path_mm() * rate * p.rate * step_s;
@@ -108,7 +106,6 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
 
 ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filter, double filter_s,
                      const ReachAim& aim, const PlateOutlook& outlook) {
-  using F = PersonFilter;
   const double line_deg = atan2_deg(-(aim.right_mm - aim.from_right_mm), aim.away_mm - aim.from_away_mm);
   const Motion motion = carry_over_dead_time(filter, filter_s, line_deg, aim, outlook);
   const Arrival arrival = arrive(filter, motion, line_deg);
@@ -117,13 +114,13 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double hold_deg = motion.shift_deg;
   double shift_deg = hold_deg - leverage * (arrival.miss_mm + leverage * hold_deg) /
                                     (leverage * leverage + change_weight_mm_deg * change_weight_mm_deg);
-  const Progress p = progress(filter.state()(F::evenness), motion.phase);
+  const Progress p = progress(filter.state().evenness, motion.phase);
   const double error_deg = motion.direction_deg - filter.goal_deg(p.share, motion.wander_deg);
   // An error that the person would feel without the plate is theirs to correct; the plate must not add to it.
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
-  const double weight_sd = std::sqrt(std::max(0.0, filter.covariance()(F::weight, F::weight)));
+  const double weight_sd = filter.deviation().weight;
   // At rest nothing is felt: the plate stands for the motion to come.
   const double mean_mm_s = filter.mean_speed_mm_s();
   Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, min_speed_share), filter.path_mm());

@@ -72,10 +72,14 @@ double limit_or_none(double limit) {
   return std::numeric_limits<double>::infinity();
 }
 
-constexpr const char* person_names[HRT_PERSON_TRAITS] = {
-    "person_mean[HRT_PERSON_WEIGHT]",  "person_mean[HRT_PERSON_CURVE]",    "person_mean[HRT_PERSON_GAIN]",
-    "person_mean[HRT_PERSON_BIAS]",    "person_mean[HRT_PERSON_HABIT]",    "person_mean[HRT_PERSON_EVENNESS]",
-    "person_mean[HRT_PERSON_HEADING]", "person_mean[HRT_PERSON_LOG_RATE]", "person_mean[HRT_PERSON_FADING]"};
+// "person_mean[HRT_PERSON_WEIGHT]"
+std::string name_of_mean(const Trait& trait) {
+  std::string name = std::string("person_mean[HRT_PERSON_") + trait.name + ']';
+  std::transform(name.begin() + std::strlen("person_mean"), name.end(),
+                 name.begin() + std::strlen("person_mean"),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
+  return name;
+}
 
 hrt_result check_person(const hrt_session_config& config) {
   for (const double covariance : config.person_covariance)
@@ -85,9 +89,12 @@ hrt_result check_person(const hrt_session_config& config) {
       HRT_RETURN_IF_FAILED(check_range("person_mean", mean, -100.0, 100.0));
     return HRT_OK;
   }
-  for (int i = 0; i < PersonTrait::count; ++i)
-    HRT_RETURN_IF_FAILED(
-        check_range(person_names[i], config.person_mean[i], trait_range[i].min, trait_range[i].max));
+  for (int i = 0; i < PersonTrait::count; ++i) {
+    const Trait& trait = person_traits[i];
+    const double mean = config.person_mean[i];
+    if (!(mean >= trait.min && mean <= trait.max))  // a name takes memory, which a good value must not
+      return check_range(name_of_mean(trait).c_str(), mean, trait.min, trait.max);
+  }
   if (holds_belief(config)) return HRT_OK;
   return fail(
       HRT_ERROR_OUT_OF_RANGE,

@@ -147,15 +147,8 @@ double given_rate(const Person& person, Given given) {
 
 bool ends_near(const PersonCondition& condition, Given given, std::uint64_t seed, std::uint32_t index) {
   RetargeterConfig config = people_controller(condition);
-  if (given != Given::nothing) {
-    constexpr int gain = PersonTrait::gain;
-    PersonBelief& belief = config.person;
-    belief.covariance.row(gain).setZero();
-    belief.covariance.col(gain).setZero();
-    belief.covariance(gain, gain) = 0.25;
-    belief.mean(gain) =
-        std::clamp(given_rate(condition.person, given), trait_range[gain].min, trait_range[gain].max);
-  }
+  if (given != Given::nothing)
+    know(config.person, PersonTrait::gain, given_rate(condition.person, given), 0.5);
   return std::abs(simulate_person(condition, &config, 1, seed, index).front().bearing_error_deg) <= near_deg;
 }
 

@@ -9,6 +9,7 @@
 namespace hrt::study {
 namespace {
 
+constexpr int states = std::size(person_state_names);
 constexpr int columns = 4;
 constexpr double plate_radius_mm = 75.0;
 constexpr double start_away_mm = -50.0;  // as seen from the plate's centre
@@ -120,14 +121,14 @@ Figure trace_figure(const Trace& trace) {
       figure.script += ' ' + number(sample.mean[i]) + ' ' + number(2.0 * sample.deviation[i]);
     figure.script += '\n';
   }
-  const int rows = (PersonFilter::size + columns - 1) / columns;
+  const int rows = (states + columns - 1) / columns;
   figure.script += "EOD\nset multiplot layout " + std::to_string(rows) + ',' + std::to_string(columns) +
                    " title 'Every state of the filter and two deviations, over seconds (simulated)' font "
                    "',14'\nunset key\n"
                    "set grid lw 0.6 lc rgb '#dddddd'\nset xtics 0.5\nset ytics autofreq\n";
-  for (int i = 0; i < PersonFilter::size; ++i) {
+  for (int i = 0; i < states; ++i) {
     const std::string mean = std::to_string(2 + 2 * i), band = std::to_string(3 + 2 * i);
-    std::string title = PersonFilter::names[i];
+    std::string title = person_state_names[i];
     std::replace(title.begin(), title.end(), '_', ' ');
     figure.script += "set title '" + title + "'\nplot $trace using 1:($" + mean + "-$" + band + "):($" +
                      mean + "+$" + band + ") with filledcurves fc rgb '#d5e2f0', $trace using 1:" + mean +

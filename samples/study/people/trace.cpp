@@ -1,7 +1,6 @@
 #include "samples/study/people/trace.h"
 
-#include <algorithm>
-#include <cmath>
+#include <bit>
 
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
@@ -14,20 +13,15 @@ Trace trace_reach(const PersonCondition& condition, int reach, std::uint64_t see
   const RetargeterConfig controller = people_controller(condition);
   simulate_person(condition, &controller, reach, seed, index, [&](int number, const PersonMoment& moment) {
     if (number + 1 != reach) return;
-    TracedSample sample{.time_s = moment.time_s,
-                        .finger = moment.finger,
-                        .felt = moment.felt,
-                        .plate_deg = moment.plate_deg,
-                        .commanded_deg = moment.command.plate_orientation_deg,
-                        .felt_error_deg = moment.command.felt_error_deg,
-                        .mean = {},
-                        .deviation = {}};
-    for (int i = 0; i < PersonFilter::size; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      sample.mean[at] = moment.filter->state()(i);
-      sample.deviation[at] = std::sqrt(std::max(0.0, moment.filter->covariance()(i, i)));
-    }
-    trace.samples.push_back(sample);
+    using Values = decltype(TracedSample::mean);
+    trace.samples.push_back({.time_s = moment.time_s,
+                             .finger = moment.finger,
+                             .felt = moment.felt,
+                             .plate_deg = moment.plate_deg,
+                             .commanded_deg = moment.command.plate_orientation_deg,
+                             .felt_error_deg = moment.command.felt_error_deg,
+                             .mean = std::bit_cast<Values>(moment.filter->state()),
+                             .deviation = std::bit_cast<Values>(moment.filter->deviation())});
   });
   return trace;
 }
@@ -36,7 +30,7 @@ std::string trace_csv(const Trace& trace) {
   std::string page =
       "time_s,finger_right_mm,finger_away_mm,felt_right_mm,felt_away_mm,plate_deg,commanded_deg,felt_error_"
       "deg";
-  for (const char* name : PersonFilter::names) page += std::string(",") + name + "," + name + "_sd";
+  for (const char* name : person_state_names) page += std::string(",") + name + "," + name + "_sd";
   page += '\n';
   for (const TracedSample& sample : trace.samples) {
     page += number(sample.time_s);

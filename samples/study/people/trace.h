@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,8 @@ struct TracedSample {
   PlatePoint finger, felt;
   double plate_deg;
   double commanded_deg;
-  double felt_error_deg;  ///< as the controller has it
-  std::array<double, PersonFilter::size> mean, deviation;
+  double felt_error_deg;                                              ///< as the controller has it
+  std::array<double, std::size(person_state_names)> mean, deviation;  ///< in the order of PersonState
 };
 
 struct Trace {

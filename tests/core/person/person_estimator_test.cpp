@@ -107,9 +107,9 @@ TEST_F(PersonEstimatorTest, SeesAPauseAndItsEnd) {
   const Finger finger{.pause_from_s = 0.7, .pause_s = 0.8};
   watch(finger, 0.0, 1.6);
   EXPECT_EQ(estimator_.motion(), FingerMotion::paused);
-  const double phase = estimator_.filter().state()(F::phase);
+  const double phase = estimator_.filter().state().phase;
   watch(finger, 1.6, 1.79);
-  EXPECT_NEAR(estimator_.filter().state()(F::phase), phase, 0.05);
+  EXPECT_NEAR(estimator_.filter().state().phase, phase, 0.05);
   watch(finger, 1.8, 2.3);
   EXPECT_EQ(estimator_.motion(), FingerMotion::moving);
   EXPECT_NEAR(estimator_.place().away_mm, finger.at(2.3).away_mm, 4.0);
@@ -151,7 +151,7 @@ TEST_F(PersonEstimatorTest, SurvivesAGapWithoutEnd) {
   watch({}, 0.0, 0.9);
   estimator_.predict(1.8e10, plate_);
   estimator_.observe(1.8e10 + 1.0, {0.0, 50.0}, plate_);
-  EXPECT_TRUE(estimator_.filter().state().allFinite());
+  EXPECT_TRUE(estimator_.filter().vector().allFinite());
   EXPECT_TRUE(estimator_.filter().covariance().allFinite());
 }
 

@@ -38,22 +38,22 @@ TEST(PersonFilter, MovesAsTheEquationsSay) {
   belief.mean << 0.01, 0.0, 5.0, 0.0, 0.0, 1.0, 0.4, 0.0, 0.0;
   PersonFilter filter(belief, 10.0, 100.0, {});
   filter.begin(0.0, 1.0, 0.0, 0.0);
-  EXPECT_DOUBLE_EQ(filter.state()(F::direction), 4.0);
+  EXPECT_DOUBLE_EQ(filter.vector()(F::direction), 4.0);
   double away_mm = 0.0;
   double right_mm = 0.0;
   for (int i = 0; i < 100; ++i) {
     const double phi_rad = (10.0 - 6.0 * std::exp(-5.0 * 0.01 * (i + 0.5))) * 0.017453292519943295;
     right_mm -= std::sin(phi_rad);
     away_mm += std::cos(phi_rad);
-    filter.move(0.01, filter.state()(F::direction));  // ridges across the motion: not felt
+    filter.move(0.01, filter.vector()(F::direction));  // ridges across the motion: not felt
   }
-  EXPECT_NEAR(filter.state()(F::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
-  EXPECT_NEAR(filter.state()(F::right), right_mm, 0.05);
-  EXPECT_NEAR(filter.state()(F::away), away_mm, 0.01);
-  EXPECT_NEAR(filter.state()(F::phase), 1.0, 1e-9);
-  const double end_mm = filter.state()(F::away);
+  EXPECT_NEAR(filter.vector()(F::direction), 10.0 - 6.0 * std::exp(-5.0), 0.01);
+  EXPECT_NEAR(filter.vector()(F::right), right_mm, 0.05);
+  EXPECT_NEAR(filter.vector()(F::away), away_mm, 0.01);
+  EXPECT_NEAR(filter.vector()(F::phase), 1.0, 1e-9);
+  const double end_mm = filter.vector()(F::away);
   filter.move(0.012, 0.0);
-  EXPECT_EQ(filter.state()(F::away), end_mm);
+  EXPECT_EQ(filter.vector()(F::away), end_mm);
 }
 
 // A trait's variance, grown from nothing, carries to the others the derivative of the motion by that trait:
@@ -84,7 +84,7 @@ TEST(PersonFilter, ItsCovarianceMovesWithTheDerivatives) {
     PersonFilter filter(sure, 10.0, 100.0, {});
     filter.begin(0.0, 0.5, 0.0, 0.0);
     for (int i = 0; i < steps; ++i) filter.move(step_s, 45.0);
-    const F::State difference = (run(c.step).state() - run(-c.step).state()) / (2.0 * c.step);
+    const F::State difference = (run(c.step).vector() - run(-c.step).vector()) / (2.0 * c.step);
     for (const F::Index i : {F::right, F::away, F::direction}) {
       const double slope = filter.covariance()(i, c.state);
       EXPECT_NEAR(slope, difference(i), 0.03 * std::abs(difference(i)) + 0.001) << c.trait << ' ' << i;
@@ -99,17 +99,17 @@ TEST(PersonFilter, SharesAnInnovationByVariance) {
   PersonFilter filter(unknown_person(), 0.0, 100.0, {.white_mm = 1.0, .correlated_mm = std::sqrt(2.0)});
   filter.begin(0.0, 0.1, 0.0, 2.0);
   EXPECT_NEAR(filter.observe(3.0, 0.0, 25.0), 9.0 / 7.0, 1e-12);
-  EXPECT_NEAR(filter.state()(F::right), 3.0 * 4.0 / 7.0, 1e-12);
-  EXPECT_NEAR(filter.state()(F::noise_right), 3.0 * 2.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.vector()(F::right), 3.0 * 4.0 / 7.0, 1e-12);
+  EXPECT_NEAR(filter.vector()(F::noise_right), 3.0 * 2.0 / 7.0, 1e-12);
   EXPECT_NEAR(filter.covariance()(F::right, F::right), 4.0 - 16.0 / 7.0, 1e-12);
 }
 
 TEST(PersonFilter, LeavesOutWhatTheGateRefuses) {
   PersonFilter filter = moving_filter();
-  const F::State state = filter.state();
+  const F::State state = filter.vector();
   const F::Covariance covariance = filter.covariance();
   EXPECT_GT(filter.observe(500.0, 0.0, 25.0), 25.0);
-  EXPECT_EQ(filter.state(), state);
+  EXPECT_EQ(filter.vector(), state);
   EXPECT_EQ(filter.covariance(), covariance);
 }
 
@@ -119,10 +119,10 @@ TEST(PersonFilter, CorrelatedNoiseDecaysWithinItsTime) {
     PersonFilter filter(unknown_person(), 5.0, 100.0, {0.1, 3.0, correlation_s});
     filter.begin(0.0, 0.1, 0.02, 1e-6);
     filter.observe(3.0, 0.0, 1e9);
-    const double before_mm = filter.state()(F::noise_right);
+    const double before_mm = filter.vector()(F::noise_right);
     ASSERT_GT(before_mm, 2.5);
     filter.rest(correlation_s);
-    EXPECT_NEAR(filter.state()(F::noise_right), before_mm / std::exp(1.0), 1e-9);
+    EXPECT_NEAR(filter.vector()(F::noise_right), before_mm / std::exp(1.0), 1e-9);
     // The variance returns to the stationary one.
     EXPECT_LT(filter.covariance()(F::noise_right, F::noise_right), 8.0);
     filter.rest(20.0 * correlation_s);
@@ -145,7 +145,7 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
     }
     PersonFilter truth(drawn, 5.0, 100.0, {});
     PersonFilter filter(belief, 5.0, 100.0, {});
-    filter.begin(truth.state()(F::log_rate), truth.state()(F::evenness), 0.02, 0.3);
+    filter.begin(truth.vector()(F::log_rate), truth.vector()(F::evenness), 0.02, 0.3);
     double noise_right = 0.9 * draws.normal();
     double noise_away = 0.9 * draws.normal();
     const double kept = std::exp(-0.1);
@@ -155,8 +155,8 @@ TEST(PersonFilter, ItsInnovationsAreAsLargeAsItExpects) {
       const double fresh = 0.9 * std::sqrt(1.0 - kept * kept);
       noise_right = kept * noise_right + fresh * draws.normal();
       noise_away = kept * noise_away + fresh * draws.normal();
-      sum += filter.observe(truth.state()(F::right) + noise_right + 0.8 * draws.normal(),
-                            truth.state()(F::away) + noise_away + 0.8 * draws.normal(), 100.0);
+      sum += filter.observe(truth.vector()(F::right) + noise_right + 0.8 * draws.normal(),
+                            truth.vector()(F::away) + noise_away + 0.8 * draws.normal(), 100.0);
       ++samples;
     }
   }
@@ -171,11 +171,11 @@ TEST(PersonFilter, StaysPositiveOverLongRuns) {
       filter.begin(0.0, 0.1, 0.02, 0.3);
       for (int i = 0; i < 2000; ++i) {
         filter.move(seconds, 60.0 * std::sin(0.01 * i));
-        filter.observe(filter.state()(F::right) + 0.01 * (i % 7 - 3), filter.state()(F::away), 25.0);
+        filter.observe(filter.vector()(F::right) + 0.01 * (i % 7 - 3), filter.vector()(F::away), 25.0);
         if (i % 100 == 0) filter.loosen_clock(0.07);
         if (i % 500 == 0) filter.place_at(1.0, 2.0);
       }
-      EXPECT_TRUE(filter.state().allFinite());
+      EXPECT_TRUE(filter.vector().allFinite());
       EXPECT_GT(filter.covariance().diagonal().minCoeff(), 0.0);
       EXPECT_GT(min_eigenvalue(filter.covariance()), -1e-9);
     }
@@ -190,8 +190,8 @@ TEST(PersonFilter, KeepsEachTraitInItsRange) {
   }
   const PersonBelief belief = filter.belief();
   for (int i = 0; i < PersonTrait::count; ++i) {
-    EXPECT_GE(belief.mean(i), trait_range[i].min) << i;
-    EXPECT_LE(belief.mean(i), trait_range[i].max) << i;
+    EXPECT_GE(belief.mean(i), person_traits[i].min) << i;
+    EXPECT_LE(belief.mean(i), person_traits[i].max) << i;
   }
 }
 

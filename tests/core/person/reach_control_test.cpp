@@ -68,7 +68,7 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
       // Felt at once, so that the plan is about the direction of now.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
                                            {right_mm, 100.0}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0, 0.0});
-      EXPECT_LE(std::abs(planned.plate_deg - filter.state()(F::direction)), bound_deg + 1e-9);
+      EXPECT_LE(std::abs(planned.plate_deg - filter.state().direction_deg), bound_deg + 1e-9);
       EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
     }
   }
@@ -88,14 +88,14 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
       double plate_deg = ready_orientation_deg({}, person, aim);
       trace.add(0.0, plate_deg);
       double time_s = 0.0;
-      while (person.state()(F::phase) < 1.0) {
+      while (person.state().phase < 1.0) {
         const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg, 0.0});
         plate_deg = planned.plate_deg;
         trace.add(time_s, plate_deg);
         person.move(step_s, trace.at(time_s + 0.5 * step_s - sensory_delay_s));
         time_s += step_s;
       }
-      EXPECT_NEAR(person.state()(F::right), 0.0, 0.3) << duration_s << ' ' << virtual_deg;
+      EXPECT_NEAR(person.state().right_mm, 0.0, 0.3) << duration_s << ' ' << virtual_deg;
     }
   }
 }

@@ -44,7 +44,7 @@ TEST(StudyTrace, FilterKnowsTheFingerAndThePerson) {
     const TracedSample& last = trace.samples.back();
     const auto within = [&](PersonFilter::Index state, double truth) {
       EXPECT_NEAR(last.mean[state], truth, 4.0 * last.deviation[state] + 1e-9)
-          << family << ' ' << PersonFilter::names[state];
+          << family << ' ' << person_state_names[state];
     };
     within(PersonFilter::right, 1e3 * last.finger.right_m);
     within(PersonFilter::away, 1e3 * last.finger.away_m);
@@ -59,7 +59,7 @@ TEST(StudyTrace, TableHasAColumnAStateAndItsDeviation) {
   std::getline(table, line);
   EXPECT_NE(line.find(",bias_deg,bias_deg_sd,"), line.npos) << line;
   const std::size_t commas = count(line, ",");
-  EXPECT_EQ(commas, 7u + 2 * PersonFilter::size);
+  EXPECT_EQ(commas, 7u + 2 * std::size(person_state_names));
   int rows = 0;
   for (; std::getline(table, line); ++rows) {
     ASSERT_EQ(count(line, ","), commas) << line;
