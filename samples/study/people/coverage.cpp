@@ -6,7 +6,7 @@
 
 #include "core/calibrate/slide_plan.h"
 #include "core/math/trigonometry.h"
-#include "core/simulation/calibration_trial.h"
+#include "core/simulation/slide.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 
@@ -103,7 +103,7 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
                                std::uint32_t index) {
   CoveragePerson person;
   const auto trials = coverage_slides(kind, session, index, &person.truth);
-  const auto result = calibrate(trials, {.variances = false});
+  const auto result = calibrate(trials);
   const auto* found = std::get_if<Calibration>(&result);
   person.refused = found == nullptr;
   if (!found) {

@@ -11,8 +11,8 @@ import numpy as np
 
 import haptic_retargeting as hrt
 
-TRUTH = {"tactile_weight": 0.11, "bias_deg": 2.0, "motor_variance_deg2": 0.5, "sensory_variance_deg2": 0.1,
-         "tracker_noise_m": 0.0003}
+TRUTH = {"tactile_weight": 0.11, "bias_deg": 2.0, "tracker_noise_m": 0.0003}
+MOTOR_VARIANCE_DEG2, SENSORY_VARIANCE_DEG2 = 0.5, 0.1
 RATE_HZ, REST_S, SLIDE_S, SPEED_M_S, STEP_S = 90, 0.5, 3.0, 0.1 / 3, 0.1
 
 
@@ -21,11 +21,11 @@ def slide(plate_deg: float, random: np.random.Generator) -> "np.ndarray[Any, np.
     directions, finger_deg, variance = [], 0.0, 0.0
     for _ in range(round(SLIDE_S / STEP_S)):
         directions.append(finger_deg)
-        prior = variance + TRUTH["motor_variance_deg2"]
-        gain = prior / (prior + TRUTH["sensory_variance_deg2"])
+        prior = variance + MOTOR_VARIANCE_DEG2
+        gain = prior / (prior + SENSORY_VARIANCE_DEG2)
         variance = (1 - gain) * prior
         felt_deg = TRUTH["tactile_weight"] * plate_deg + (1 - TRUTH["tactile_weight"]) * finger_deg
-        noise = math.sqrt(TRUTH["motor_variance_deg2"] + variance) * random.standard_normal()
+        noise = math.sqrt(MOTOR_VARIANCE_DEG2 + variance) * random.standard_normal()
         finger_deg += -gain * (felt_deg - TRUTH["bias_deg"]) + noise
 
     angles = np.radians(directions)

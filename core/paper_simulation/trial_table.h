@@ -12,11 +12,13 @@
 #include <optional>
 #include <vector>
 
-#include "core/simulation/batch_result.h"
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/batch_result.h"
+#include "core/paper_simulation/trial.h"
 
 namespace hrt {
 
+struct ControlLaw;
+struct FilterGain;
 template <class Lanes>
 class PhiloxKeys;
 
@@ -57,6 +59,7 @@ class TrialTable {
   };
 
   TrialTable() = default;
+  static Step step_of(const ControlLaw& law, const Participant& participant, const FilterGain& felt);
   const Step& step(int k) const;
   // The normal draws of steps 4 quad to 4 quad + 3 for the block of trials that starts with `first_trial`.
   template <class Lanes>
