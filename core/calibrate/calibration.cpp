@@ -5,7 +5,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/calibrate/variance_fit.h"
 #include "core/math/time.h"
 #include "core/paper/estimator.h"
 
@@ -14,6 +13,8 @@ namespace {
 
 constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
+// Slides that are like one another.
+constexpr std::size_t min_alike = 8;
 // The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
 constexpr double min_offset_deg = 60.0;
 // An interval that is wider says nothing of a person.
@@ -24,12 +25,9 @@ constexpr int band_steps = 15;  // to either side, of 5 degrees
 constexpr std::int64_t before_onset_ns = 50'000'000;
 
 std::optional<CalibrationRefusal> check(const std::vector<CalibrationTrial>& trials,
-                                        const CalibrationConfig& config) {
-  if (!std::isfinite(config.goal_direction_deg))
+                                        double goal_direction_deg) {
+  if (!std::isfinite(goal_direction_deg))
     return CalibrationRefusal{"the goal direction is not a finite number"};
-  if (config.step_period_ns < 1'000'000 || config.step_period_ns > 10'000'000'000) {
-    return CalibrationRefusal{"the step period is out of range; allowed: 1 ms to 10 s"};
-  }
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const std::string name = "trial " + std::to_string(i + 1);
     if (!std::isfinite(trials[i].plate_orientation_deg)) {
@@ -86,6 +84,71 @@ void describe_controllers_curve(const PersonFit& person, Calibration* calibratio
                     curve.deviation * curve.deviation) /
                        (2.0 * product),
                    -1.0, 1.0);
+}
+
+// The trials' slides: over a plate at rest, with their places in the data, and over a turning one.
+struct Slides {
+  std::vector<SlideTrack> resting;
+  std::vector<double> order;
+  std::vector<TurningSlide> turning;
+};
+
+Slides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
+  Slides slides;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const auto track = track_slide(trials[i], goal_direction_deg);
+    if (!track) continue;
+    if (auto turning = turning_slide(trials[i], *track, goal_direction_deg)) {
+      slides.turning.push_back(std::move(*turning));
+      continue;
+    }
+    slides.resting.push_back(*track);
+    slides.order.push_back(static_cast<double>(i));
+  }
+  return slides;
+}
+
+std::optional<CalibrationRefusal> check(const Slides& slides, std::size_t trials) {
+  const std::string needed = "; at least " + std::to_string(min_trials) + " are needed";
+  if (slides.resting.size() < min_trials)
+    return CalibrationRefusal{std::to_string(slides.resting.size()) + " of " + std::to_string(trials) +
+                              " trials have a slide of at least 30 mm over a plate at rest" + needed};
+  const std::vector<SlideVerdict> verdicts = slide_verdicts(slides.resting);
+  std::vector<SlideTrack> counting;
+  for (std::size_t i = 0; i < slides.resting.size(); ++i)
+    if (verdicts[i] == SlideVerdict::used) counting.push_back(slides.resting[i]);
+  if (counting.size() < min_trials)
+    return CalibrationRefusal{std::to_string(counting.size()) + " of " +
+                              std::to_string(slides.resting.size()) + " slides are not along the ridges" +
+                              needed + ": bring the plate nearer to the goal"};
+  const int angles = different_angles(counting);
+  const auto [low, high] =
+      std::minmax_element(counting.begin(), counting.end(),
+                          [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
+  if (angles >= min_plate_angles && high->plate_deg - low->plate_deg >= min_plate_span_deg)
+    return std::nullopt;
+  return CalibrationRefusal{
+      "the plate stood at " + std::to_string(angles) +
+      " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
+}
+
+// The finger before a slide.
+std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack& track) {
+  const auto& samples = trial.samples;
+  return {samples.begin(), std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& p) {
+            return p.time_ns >= track.onset_ns || elapsed_ns(p.time_ns, track.onset_ns) < before_onset_ns;
+          })};
+}
+
+SteeringFit steering_of(const std::vector<TurningSlide>& turning, const CurveFit& person,
+                        const Calibration& calibration) {
+  SteeringFit steering;
+  steering.slides = static_cast<int>(turning.size());
+  if (steering.slides < min_turning_slides) return steering;
+  steering = fit_steering(turning, person, calibration.noise);
+  for (Interval* interval : {&steering.rate_per_s, &steering.delay_s})
+    interval->known = interval->known && calibration.fits() && steering.law_p >= min_fit_p;
+  return steering;
 }
 
 CurvePeak weaker_peak(const IllusionCurve& curve) {
@@ -177,48 +240,16 @@ std::vector<std::string> Calibration::advice() const {
 }
 
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
-                                                        const CalibrationConfig& config) {
-  if (auto refusal = check(trials, config)) return *refusal;
-  std::vector<SlideTrack> tracks;
-  std::vector<TurningSlide> turning;
-  std::vector<double> order;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const auto track = track_slide(trials[i], config.goal_direction_deg);
-    if (!track) continue;
-    if (auto slide = turning_slide(trials[i], *track, config.goal_direction_deg)) {
-      turning.push_back(std::move(*slide));
-      continue;
-    }
-    tracks.push_back(*track);
-    order.push_back(static_cast<double>(i));
-  }
-  if (tracks.size() < min_trials) {
-    return CalibrationRefusal{std::to_string(tracks.size()) + " of " + std::to_string(trials.size()) +
-                              " trials have a slide of at least 30 mm over a plate at rest; at least " +
-                              std::to_string(min_trials) + " are needed"};
-  }
-  const std::vector<SlideVerdict> verdicts = slide_verdicts(tracks);
-  std::vector<SlideTrack> counting;
-  for (std::size_t i = 0; i < tracks.size(); ++i)
-    if (verdicts[i] == SlideVerdict::used) counting.push_back(tracks[i]);
-  if (counting.size() < min_trials)
-    return CalibrationRefusal{std::to_string(counting.size()) + " of " + std::to_string(tracks.size()) +
-                              " slides are not along the ridges; at least " + std::to_string(min_trials) +
-                              " are needed: bring the plate nearer to the goal"};
-  const int angles = different_angles(counting);
-  const auto [low, high] =
-      std::minmax_element(counting.begin(), counting.end(),
-                          [](const SlideTrack& a, const SlideTrack& b) { return a.plate_deg < b.plate_deg; });
-  if (angles < min_plate_angles || high->plate_deg - low->plate_deg < min_plate_span_deg) {
-    return CalibrationRefusal{
-        "the plate stood at " + std::to_string(angles) +
-        " different angles; at least 3 that span 40 degrees are needed to separate w_T from a bias"};
-  }
-
-  const PersonFit person = fit_person(tracks, order);
-  if (person.used.size() < 8)
-    return CalibrationRefusal{std::to_string(person.used.size()) + " of " + std::to_string(tracks.size()) +
-                              " slides are like one another; at least 8 are needed: check the tracker"};
+                                                        double goal_direction_deg) {
+  if (auto refusal = check(trials, goal_direction_deg)) return *refusal;
+  const Slides slides = slides_of(trials, goal_direction_deg);
+  if (auto refusal = check(slides, trials.size())) return *refusal;
+  const PersonFit person = fit_person(slides.resting, slides.order);
+  if (person.used.size() < min_alike)
+    return CalibrationRefusal{std::to_string(person.used.size()) + " of " +
+                              std::to_string(slides.resting.size()) +
+                              " slides are like one another; at least " + std::to_string(min_alike) +
+                              " are needed: check the tracker"};
   Calibration calibration = described(person);
   const Interval& w = calibration.tactile_weight;
   if (!(w.lower > Estimator::min_tactile_weight && w.upper < Estimator::max_tactile_weight)) {
@@ -227,39 +258,21 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
         three_digits(w.upper) +
         "; within 0.02 to 0.48 is needed: more trials, or this hand does not feel the ridges"};
   }
-  std::vector<const CalibrationTrial*> used;
   std::vector<std::vector<TimedPoint>> rests;
-  for (std::size_t i = 0; i < tracks.size(); ++i) {
-    const auto trial = static_cast<std::size_t>(order[i]);
+  for (std::size_t i = 0; i < slides.resting.size(); ++i) {
+    const SlideTrack& track = slides.resting[i];
+    const auto trial = static_cast<std::size_t>(slides.order[i]);
     calibration.slides.push_back({.trial = trial,
-                                  .plate_deg = tracks[i].plate_deg,
-                                  .parts_deg = tracks[i].direction_deg,
-                                  .fitted_deg = predicted_directions(tracks[i], person.best().person),
+                                  .plate_deg = track.plate_deg,
+                                  .parts_deg = track.direction_deg,
+                                  .fitted_deg = predicted_directions(track, person.best().person),
                                   .verdict = person.verdicts[i]});
     if (person.verdicts[i] != SlideVerdict::used) continue;
-    used.push_back(&trials[trial]);
-    const std::vector<TimedPoint>& samples = trials[trial].samples;
-    rests.emplace_back(samples.begin(),
-                       std::find_if(samples.begin(), samples.end(), [&](const TimedPoint& p) {
-                         return p.time_ns >= tracks[i].onset_ns ||
-                                elapsed_ns(p.time_ns, tracks[i].onset_ns) < before_onset_ns;
-                       }));
-    calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(tracks[i].plate_deg));
+    rests.push_back(rest_of(trials[trial], track));
+    calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(track.plate_deg));
   }
   calibration.noise = fit_rest_noise(rests);
-  calibration.steering.slides = static_cast<int>(turning.size());
-  if (calibration.steering.slides >= min_turning_slides) {
-    calibration.steering = fit_steering(turning, person.best(), calibration.noise);
-    for (Interval* interval : {&calibration.steering.rate_per_s, &calibration.steering.delay_s})
-      interval->known = interval->known && calibration.fits() && calibration.steering.law_p >= min_fit_p;
-  }
-  if (config.variances) {
-    const Variances variances =
-        fit_variances(used, config.goal_direction_deg + calibration.bias_deg.value, w.value,
-                      calibration.noise.white_m.value, config.step_period_ns);
-    calibration.motor_variance_deg2 = variances.motor_deg2;
-    calibration.sensory_variance_deg2 = variances.sensory_deg2;
-  }
+  calibration.steering = steering_of(slides.turning, person.best(), calibration);
   return calibration;
 }
 

@@ -6,7 +6,6 @@
 // Off-line work: it allocates and takes as long as it needs. Any thread.
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -17,12 +16,6 @@
 #include "core/tracker/tracker_noise.h"
 
 namespace hrt {
-
-struct CalibrationConfig {
-  double goal_direction_deg = 0.0;  ///< direction of the target that the participant goes for, finite
-  std::int64_t step_period_ns = 100'000'000;  ///< of the paper's model, 1 ms to 10 s
-  bool variances = true;  ///< whether to look for sigma_u^2 and sigma_h^2, which takes most of the time
-};
 
 /// One slide of the data.
 struct CalibratedSlide {
@@ -56,8 +49,6 @@ struct Calibration {
   Interval slope;                            ///< w of the controller's curve w t - b t (t / 75)^2
   Interval curve;                            ///< b of it
   double slope_curve_correlation = 0.0;
-  Interval motor_variance_deg2{0.5, 0.05, 5.0, false};    ///< sigma_u^2; never known
-  Interval sensory_variance_deg2{0.1, 0.01, 3.0, false};  ///< sigma_h^2; never known
   RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
 
   SteeringFit steering;  ///< known with slides over a turning plate only
@@ -81,13 +72,15 @@ struct CalibrationRefusal {
   std::string reason;
 };
 
+/// `goal_direction_deg`: direction of the target that the participant goes for, finite.
+///
 /// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
 /// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `min_curve_angles`; with
 /// fewer the illusion is taken for linear. The steering takes `min_turning_slides` slides more, within
 /// which the plate turns; they count for nothing else. Refuses a w_T whose interval is not within the usable
 /// range (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
-                                                        const CalibrationConfig& config = {});
+                                                        double goal_direction_deg = 0.0);
 
 inline constexpr int min_trials = 10;
 

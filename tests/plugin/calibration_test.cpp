@@ -98,14 +98,12 @@ void expect_same(const hrt_interval& streamed, const Interval& known) {
 }
 
 void expect_same(const hrt_calibration_result& streamed, const std::vector<CalibrationTrial>& trials,
-                 const CalibrationConfig& config) {
-  const auto whole = std::get<Calibration>(calibrate(trials, config));
+                 double goal_direction_deg) {
+  const auto whole = std::get<Calibration>(calibrate(trials, goal_direction_deg));
   EXPECT_EQ(streamed.trials, trials.size());
   EXPECT_EQ(streamed.trials_used, whole.slides.size());
   expect_same(streamed.tactile_weight, whole.tactile_weight);
   expect_same(streamed.bias_deg, whole.bias_deg);
-  expect_same(streamed.motor_variance_deg2, whole.motor_variance_deg2);
-  expect_same(streamed.sensory_variance_deg2, whole.sensory_variance_deg2);
   expect_same(streamed.tracker_noise_m, whole.noise.white_m);
   expect_same(streamed.habit_deg, whole.habit_deg);
   expect_same(streamed.max_gap_deg, whole.max_gap_deg);
@@ -119,15 +117,12 @@ TEST_F(CalibrationTest, StreamedTrialsGiveWhatWholeOnesGive) {
   CalibrationCondition condition{.participant = {.bias_deg = 2.0}, .goal_direction_deg = 4.0};
   condition.participant.tactile_weight = 0.2;
   const auto trials = simulate(condition, 3);
-  hrt_session_config session_setup = session_config();
-  session_setup.step_period_ns = 90'000'000;
-  create(session_setup);
   hrt_calibration_config setup = calibration_config();
   setup.goal_direction_deg = 4.0;
   make(setup);
   stream(trials);
   const hrt_calibration_result result = solve();
-  expect_same(result, trials, {.goal_direction_deg = 4.0, .step_period_ns = 90'000'000});
+  expect_same(result, trials, 4.0);
   EXPECT_NEAR(result.tactile_weight.value, 0.2, 0.03);
   EXPECT_NEAR(result.bias_deg.value, 2.0, 1.0);
   EXPECT_NEAR(result.tracker_noise_m.value, 0.0012, 0.0003);
@@ -342,8 +337,6 @@ hrt_calibration_result all_known() {
   auto result = output<hrt_calibration_result>();
   result.tactile_weight = {0.2, 0.1608, 0.2392, 1, 0};
   result.bias_deg = {-3.0, -4.0, -2.0, 1, 0};
-  result.motor_variance_deg2 = {1.0, 0.804, 1.196, 1, 0};
-  result.sensory_variance_deg2 = {0.3, 0.2, 0.4, 1, 0};
   result.tracker_noise_m = {0.001, 0.0009, 0.0011, 1, 0};
   return result;
 }
@@ -524,23 +517,19 @@ TEST_F(CalibrationTest, AKnownCurveBecomesThePerson) {
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
-// The intervals are 2 times 1.96 times 0.02 and 0.1 wide.
+// The interval is 2 times 1.96 times 0.02 wide.
 TEST_F(CalibrationTest, ResultBecomesTheSessionsConfiguration) {
   const hrt_calibration_result result = all_known();
   ASSERT_OK(hrt_calibration_apply(session, &result));
   EXPECT_EQ(config().tactile_weight, 0.2);
   EXPECT_NEAR(config().tactile_weight_sd, 0.02, 1e-6);
   EXPECT_EQ(config().bias_deg, -3.0);
-  EXPECT_EQ(config().motor_variance_deg2, 1.0);
-  EXPECT_NEAR(config().motor_variance_sd_deg2, 0.1, 1e-5);
-  EXPECT_EQ(config().sensory_variance_deg2, 0.3);
   EXPECT_EQ(config().tracker_noise_m, 0.001);
 }
 
 TEST_F(CalibrationTest, WhatIsNotKnownStaysAsItIs) {
   hrt_calibration_result result = all_known();
-  result.tactile_weight.known = result.bias_deg.known = result.motor_variance_deg2.known =
-      result.sensory_variance_deg2.known = result.tracker_noise_m.known = 0;
+  result.tactile_weight.known = result.bias_deg.known = result.tracker_noise_m.known = 0;
   result.bias_deg.value = std::nan("");
   hrt_session_config before = config();
   ASSERT_OK(hrt_calibration_apply(session, &result));
@@ -548,10 +537,8 @@ TEST_F(CalibrationTest, WhatIsNotKnownStaysAsItIs) {
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
   // No data make a user surer than this: people change.
   result.tactile_weight = {0.2, 0.2, 0.2, 1, 0};
-  result.motor_variance_deg2 = {1.0, 1.0, 1.0, 1, 0};
   ASSERT_OK(hrt_calibration_apply(session, &result));
   EXPECT_EQ(config().tactile_weight_sd, 0.01);
-  EXPECT_EQ(config().motor_variance_sd_deg2, 0.1);
 }
 
 TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
@@ -566,10 +553,8 @@ TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
   refused([](auto& r) { r.tactile_weight = {0.2, -5.0, 5.0, 1, 0}; }, "tactile_weight_sd");
   refused([](auto& r) { r.bias_deg.lower = std::nan(""); }, "bias_deg is -3 in an interval from NaN");
   refused([](auto& r) { r.bias_deg = {-90.0, -91.0, -89.0, 1, 0}; }, "bias_deg is -90; allowed: -45 to 45");
-  refused([](auto& r) { r.motor_variance_deg2.upper = 0.9; }, "motor_variance_deg2");
-  refused([](auto& r) { r.motor_variance_deg2.upper = std::numeric_limits<double>::infinity(); },
-          "motor_variance_sd_deg2");
-  refused([](auto& r) { r.sensory_variance_deg2 = {0.0, 0.0, 0.0, 1, 0}; }, "sensory_variance_deg2");
+  refused([](auto& r) { r.tactile_weight.upper = std::numeric_limits<double>::infinity(); },
+          "tactile_weight_sd");
   refused([](auto& r) { r.tracker_noise_m.known = 2; }, "tracker_noise_m.known is 2");
   refused([](auto& r) { r.tracker_noise_m.reserved = 1; }, "reserved");
   auto result = all_known();
@@ -594,7 +579,6 @@ TEST_F(CalibrationTest, IsWhatTheProfileThenSays) {
   ASSERT_OK(hrt_profile_load(session, text, length));
   EXPECT_EQ(config().bias_deg, -3.0);
   EXPECT_EQ(config().tracker_noise_m, 0.001);
-  EXPECT_EQ(config().motor_variance_deg2, 1.0);
 }
 
 constexpr hrt_interval known(double value, double width) {
@@ -662,12 +646,6 @@ TEST(CalibrationComparison, BadResultsAreRefusedByField) {
   expect_error(hrt_calibration_compare(&good, &good, nullptr), HRT_ERROR_NULL_ARGUMENT,
                "out_comparison is null");
   EXPECT_EQ(comparison.differing, 77u);
-  // A result of version 0.2 has no largest gap and no habit.
-  hrt_calibration_result former = good;
-  former.struct_size = 176;
-  ASSERT_OK(hrt_calibration_compare(&former, &good, &comparison));
-  EXPECT_EQ(comparison.max_gap_deg.known, 0u);
-  EXPECT_EQ(comparison.tactile_weight.known, 1u);
 }
 
 }  // namespace

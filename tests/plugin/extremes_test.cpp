@@ -248,10 +248,9 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
     if (hrt_calibration_solve(calibration, &result) == HRT_OK) {
       ++solved;
       for (const hrt_interval& interval :
-           {result.tactile_weight, result.bias_deg, result.motor_variance_deg2, result.sensory_variance_deg2,
-            result.tracker_noise_m, result.person_weight, result.person_curve, result.max_gap_deg,
-            result.habit_deg, result.correlated_noise_m, result.noise_correlation_s,
-            result.steering_rate_per_s, result.steering_delay_s}) {
+           {result.tactile_weight, result.bias_deg, result.tracker_noise_m, result.person_weight,
+            result.person_curve, result.max_gap_deg, result.habit_deg, result.correlated_noise_m,
+            result.noise_correlation_s, result.steering_rate_per_s, result.steering_delay_s}) {
         EXPECT_TRUE(std::isfinite(interval.value) && std::isfinite(interval.lower) &&
                     std::isfinite(interval.upper));
         EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);

@@ -283,7 +283,7 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   for (std::size_t i = 0; i < here.commands.size(); ++i)
     ASSERT_EQ(std::memcmp(&here.commands[i], &there.commands[i], sizeof(hrt_command)), 0) << i;
 
-  // A profile without them, as version 0.2 wrote it, is of another person.
+  // A profile without them is of another person.
   const std::string old =
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.25,"tactile_weight_sd":0.02})";
   ASSERT_OK(hrt_profile_load(session, old.data(), old.size()));

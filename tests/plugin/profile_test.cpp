@@ -66,8 +66,7 @@ TEST_F(ProfileTest, KeepsTheSteeringIfItIsKnown) {
   EXPECT_EQ(config_of(session).steering_delay_s, 0.0625);
 }
 
-// As libraries of version 0.1 wrote them.
-TEST_F(ProfileTest, EarlierProfilesLoadAndLeaveTheRest) {
+TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   hrt_session_config config = session_config();
   config.bias_deg = 1.5;
   config.motor_variance_sd_deg2 = 0.25;

@@ -204,24 +204,6 @@ TEST_F(AuthorityTest, IsAboutTheMotionUnderArrival) {
   EXPECT_NEAR(authority.paper_max_gap_deg, 84.5 * 0.2 / 0.8, 1e-12);
 }
 
-// A caller that was compiled against version 0.2, whose elements are this far apart.
-TEST_F(AuthorityTest, SmallerElementsAreFilledAsFarAsTheyGo) {
-  add(HRT_TARGET_REAL, -5.0);
-  add(HRT_TARGET_VIRTUAL, 5.0);
-  add(HRT_TARGET_VIRTUAL, 4.0);
-  constexpr std::size_t size_0_2 = offsetof(hrt_authority, paper_max_gap_deg);
-  alignas(hrt_authority) unsigned char all[3 * size_0_2];
-  std::memset(all, 0xff, sizeof all);
-  const std::uint32_t size = size_0_2;
-  std::memcpy(all, &size, sizeof size);
-  std::uint64_t count = 0;
-  ASSERT_OK(hrt_authority_query_all(session, 2, reinterpret_cast<hrt_authority*>(all), &count));
-  double gap_deg = 0.0;
-  std::memcpy(&gap_deg, all + size_0_2 + offsetof(hrt_authority, gap_deg), sizeof gap_deg);
-  EXPECT_DOUBLE_EQ(gap_deg, 9.0);
-  for (std::size_t i = 2 * size_0_2; i < sizeof all; ++i) ASSERT_EQ(all[i], 0xff);
-}
-
 // From the default start, 5 cm towards the user of the plate's centre, a target 5 cm to the right of the
 // centre is 45 degrees to the right, and one straight ahead is at 0.
 TEST_F(AuthorityTest, TakesDirectionsFromTheStart) {

@@ -54,5 +54,5 @@ def _scaled(number: str, written_in: str | None, unit: str) -> Decimal:
 def without_range(comment: str) -> str:
     """The comment up to its range and default, for a host that shows those in its own way."""
     sentences = re.split(r"(?<=\.) ", comment)
-    kept = [s for s in sentences if not re.match(rf"Default |Since version |Each within |{_NUMBER}( ms| s)? to ", s)]
+    kept = [s for s in sentences if not re.match(rf"Default |Each within |{_NUMBER}( ms| s)? to ", s)]
     return " ".join(kept)

@@ -33,7 +33,7 @@ typedef struct hrt_authority {
   double plate_orientation_deg;
   /** Direction in which the finger settles: the real target's, if reachable. */
   double settling_direction_deg;
-  /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. Since version 0.3. */
+  /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. */
   double paper_max_gap_deg;
 } hrt_authority;
 
@@ -69,8 +69,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_authority_query_best(hrt_session session, h
  * other numbers are those of the nearest real target, of the first among equals. Takes up to half a second
  * for 1000 of each with EXCLUSIVE. `flags` is HRT_ASSIGN_*. Errors: BUFFER_TOO_SMALL if `capacity` is below
  * `virtual_count`; INVALID_HANDLE or OUT_OF_RANGE naming the argument and the index of an id that is not of
- * its role or is there twice, also for a count of 0 or above HRT_ASSIGN_TARGETS_MAX; OUT_OF_MEMORY. Since
- * version 0.3. [one-thread] */
+ * its role or is there twice, also for a count of 0 or above HRT_ASSIGN_TARGETS_MAX; OUT_OF_MEMORY.
+ * [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets,
                                                    uint64_t virtual_count, const hrt_target* real_targets,
                                                    uint64_t real_count, uint32_t flags, uint64_t capacity,

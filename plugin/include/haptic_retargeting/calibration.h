@@ -37,15 +37,14 @@ typedef struct hrt_calibration_config {
    *  100000: 18 minutes at 90 Hz. */
   uint32_t max_samples;
   uint32_t reserved;
-  /** Direction of the user's target. -180 to 180. Default 0: straight ahead, where the motor variance is
-   *  accurate. */
+  /** Direction of the user's target. -180 to 180. Default 0: straight ahead. */
   double goal_direction_deg;
   /** Range of the plate orientations that hrt_calibration_next_angle() chooses from, relative to the goal
-   *  direction. -89 to 89, the upper at least 40 above the lower. Default -75 and 75. Since version 0.3. */
+   *  direction. -89 to 89, the upper at least 40 above the lower. Default -75 and 75. */
   double lower_plate_deg;
   double upper_plate_deg;
   /** Width of the 95 % interval of the tactile weight at which hrt_calibration_next_angle() reports enough
-   *  slides. Lowering it asks for more. 0.001 to 0.5. Default 0.02. Since version 0.3. */
+   *  slides. Lowering it asks for more. 0.001 to 0.5. Default 0.02. */
   double enough_weight_width;
 } hrt_calibration_config;
 
@@ -83,7 +82,7 @@ typedef struct hrt_interval {
 typedef struct hrt_calibration_result {
   uint32_t struct_size;
   /** Trials with a slide within which the plate turned by more than 5 degrees: they show the steering alone,
-   *  and are not among trials_used. Named `reserved` before version 0.3. */
+   *  and are not among trials_used. */
   uint32_t slides_turning;
   /** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
   uint32_t trials;
@@ -95,16 +94,10 @@ typedef struct hrt_calibration_result {
   /** Goal at the middle of the path minus target direction, left positive. Known unless lack_of_fit is set or
    * the interval is wider than 10 degrees. */
   hrt_interval bias_deg;
-  /** Never known since version 0.3: slides of people who steer continuously look as those of the paper's
-   *  person with other variances. The value is the likeliest of the paper's person. */
-  hrt_interval motor_variance_deg2;
-  /** As motor_variance_deg2. */
-  hrt_interval sensory_variance_deg2;
   /** Of the white part of the tracker's noise. Known with enough samples of the finger at rest, unless the
    *  parts of the noise may decay within 1.5 samples, which cannot be separated. */
   hrt_interval tracker_noise_m;
-  /** HRT_ILLUSION_*, the likeliest family; LINEAR without a test with fewer than 7 plate orientations. Since
-   *  version 0.3, as all fields below. */
+  /** HRT_ILLUSION_*, the likeliest family; LINEAR without a test with fewer than 7 plate orientations. */
   uint32_t illusion;
   /** HRT_LACK_OF_FIT_*; 0: none was found, each at 1 % of people whom the model fits. */
   uint32_t lack_of_fit;
@@ -151,7 +144,7 @@ typedef struct hrt_calibration_result {
 #define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< left out: the illusion flips along the ridges */
 
 /** One slide of the last hrt_calibration_solve(). Angles are relative to the goal direction. Set
- *  `struct_size` before the call. Since version 0.3. */
+ *  `struct_size` before the call. */
 typedef struct hrt_calibration_slide {
   uint32_t struct_size;
   /** HRT_SLIDE_*. */
@@ -177,7 +170,7 @@ typedef struct hrt_calibration_slide {
 
 /** Test and retest: two calibrations of a user, or of two users. Each field is the second value less the
  *  first, with the 95 % interval of the difference; known if both values are. Set `struct_size` before the
- *  call. Since version 0.3. */
+ *  call. */
 typedef struct hrt_calibration_comparison {
   uint32_t struct_size;
   /** HRT_DIFFERS_*, by Holm's procedure over the known values: if nothing has changed, any of them is set in
@@ -196,8 +189,8 @@ typedef struct hrt_calibration_comparison {
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config,
                                                                 uint32_t struct_size) HRT_NOEXCEPT;
 
-/** Creates a calibration without trials. It copies the plate's pose, the lift height and the step period
- *  from the session. Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY. [one-thread] for
+/** Creates a calibration without trials. It copies the plate's pose and the lift height from the session.
+ *  Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY. [one-thread] for
  *  the session */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_create(hrt_session session,
                                                         const hrt_calibration_config* config,
@@ -229,9 +222,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_calibration_cancel_trial(hrt_calibration ca
 
 /** Chooses the plate orientation of the next slide, in plate coordinates, by what it is expected to show
  *  given the trials so far; the first nine open the range. `*out_enough` is 1 if the trials so far determine
- *  the tactile weight within enough_weight_width and the model fits them, else 0. As slow as
- *  hrt_calibration_solve() without its variances, some tenths of a second. Errors: NULL_ARGUMENT, WRONG_STATE
- *  during a trial, OUT_OF_MEMORY. Since version 0.3. [one-thread] */
+ *  the tactile weight within enough_weight_width and the model fits them, else 0. Takes as long as
+ *  hrt_calibration_solve(). Errors: NULL_ARGUMENT, WRONG_STATE during a trial, OUT_OF_MEMORY. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_next_angle(hrt_calibration calibration,
                                                             double* out_plate_orientation_deg,
                                                             uint32_t* out_enough) HRT_NOEXCEPT;
@@ -245,19 +237,19 @@ HRT_NODISCARD HRT_API hrt_result hrt_calibration_solve(hrt_calibration calibrati
                                                        hrt_calibration_result* out_result) HRT_NOEXCEPT;
 
 /** Returns a slide of the last hrt_calibration_solve(), `slide` from 0 to trials_used minus 1. Errors:
- *  WRONG_STATE before a solve that succeeded, OUT_OF_RANGE. Since version 0.3. [one-thread] */
+ *  WRONG_STATE before a solve that succeeded, OUT_OF_RANGE. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_get_residual(hrt_calibration calibration, uint32_t slide,
                                                               hrt_calibration_slide* out_slide) HRT_NOEXCEPT;
 
 /** Compares two results of hrt_calibration_solve(), which the host has kept. Errors: OUT_OF_RANGE naming the
- *  field, OUT_OF_MEMORY. Since version 0.3. [any-thread] */
+ *  field, OUT_OF_MEMORY. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result
 hrt_calibration_compare(const hrt_calibration_result* first, const hrt_calibration_result* second,
                         hrt_calibration_comparison* out_comparison) HRT_NOEXCEPT;
 
 /** Copies the known values into the session's configuration, and so into its profile; unknown ones are
- *  unchanged. The deviations of tactile_weight and motor_variance_deg2 come from their intervals, with the
- *  minimum of HRT_ADAPTATION_CARRIED. A known weight or bias replaces what reaches have learnt of the person
+ *  unchanged. The deviation of tactile_weight comes from its interval, with the minimum of
+ *  HRT_ADAPTATION_CARRIED. A known weight or bias replaces what reaches have learnt of the person
  *  (person_mean, person_covariance). If person_weight, person_curve, bias_deg and habit_deg are known, they
  *  become what is believed of the person, and peak_offset_deg becomes motion_bound_deg. A known
  *  correlated_noise_m above 0 goes in with noise_correlation_s if that is known; else tracker_noise_m becomes

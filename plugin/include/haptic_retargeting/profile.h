@@ -9,11 +9,9 @@
  *
  *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config. A library of version 0.1 refuses bias_deg,
- * motor_variance_sd_deg2 and tracker_noise_m; one of 0.2 refuses person_mean and person_covariance, which are
- * there once a reach of the person was carried, tracker_correlated_noise_m and tracker_correlation_s, which
- * are there if a calibration found such noise, steering_rate_per_s and steering_delay_s, likewise, and the
- * conditions.
+ * Fields and ranges are those of hrt_session_config. person_mean and person_covariance are there once a reach
+ * of the person was carried; tracker_correlated_noise_m and tracker_correlation_s, steering_rate_per_s and
+ * steering_delay_s if a calibration found them.
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -29,8 +27,7 @@ extern "C" {
 #define HRT_CONDITION_PLATE UINT32_C(1)
 #define HRT_CONDITION_TRACKER UINT32_C(2)
 
-/** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. Since
- *  version 0.3. */
+/** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
   /** Output: HRT_CONDITION_*, of what both the profile and the host name, and not alike. Input: not read. */
@@ -44,13 +41,13 @@ typedef struct hrt_conditions {
 
 /** Sets the session's conditions of now: what hrt_calibration_apply() measures under, and what profiles are
  *  compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
- *  Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. Since version 0.3. [one-thread] */
+ *  Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
 /** Returns the conditions under which the person was measured: of the loaded profile, or of now if a
  *  calibration was applied since; unknown without both. `differing` compares them with those of now. Set
- *  `struct_size` before the call. Since version 0.3. [one-thread] */
+ *  `struct_size` before the call. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
                                                             hrt_conditions* out_conditions) HRT_NOEXCEPT;
 

@@ -16,8 +16,7 @@ extern "C" {
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts where the finger is first seen, instead of at hrt_session_config::start_position_m:
  *  directions and distances are measured from there. The plate stands ready for the configured start until
- *  then, and samples before it are not counted. In a reach of directions alone this has no effect. Since
- *  version 0.3. */
+ *  then, and samples before it are not counted. In a reach of directions alone this has no effect. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. hrt_reach_config_default() fills every field. */
@@ -33,7 +32,7 @@ typedef struct hrt_reach_config {
   /** Plate orientation (base.h) before the reach, clamped to the stops. -3600 to 3600. Default 0. */
   double plate_orientation_deg;
   /** Expected duration of the motion under GUIDANCE_ARRIVAL, if the host knows it; it is learnt from the
-   * finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. Since version 0.3. */
+   * finger's progress otherwise. 0.1 to 20 s; 0: unknown. Default 0. */
   double duration_s;
 } hrt_reach_config;
 
@@ -117,21 +116,21 @@ typedef struct hrt_command {
   double tactile_weight;
   /** Standard deviation of tactile_weight; 0: taken as known. */
   double tactile_weight_sd;
-  /** Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION. Since version 0.3.
+  /** Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION.
    */
   double time_to_go_s;
   /** Felt minus intended direction now, as estimated: what the person could notice. For visual redirection
-   * about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. Since version 0.3. */
+   * about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. */
   double felt_error_deg;
   /** Predicted bearing of the place of arrival, seen from the start, minus the real target's; 0 under
-   *  FIXED_DIRECTION. Since version 0.3. */
+   *  FIXED_DIRECTION. */
   double predicted_miss_deg;
   /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits,
-   *  MISFIT from 4.5. 0 under FIXED_DIRECTION. Since version 0.3. */
+   *  MISFIT from 4.5. 0 under FIXED_DIRECTION. */
   double normalised_innovation;
   /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
    *  start: by what the estimator knows of the place and by plate_covariance. At the end, of
-   * bearing_error_deg. 0 under FIXED_DIRECTION. Since version 0.3. */
+   * bearing_error_deg. 0 under FIXED_DIRECTION. */
   double bearing_error_sd_deg;
 } hrt_command;
 
@@ -139,7 +138,7 @@ typedef struct hrt_command {
 typedef struct hrt_reach_summary {
   uint32_t struct_size;
   /** HRT_COMMAND_*: UNREACHABLE at the end, MISFIT and REGISTRATION at any time, OFF_TARGET of where the
-   * finger ended, FAULT. Named `reserved` before version 0.3. */
+   * finger ended, FAULT. */
   uint32_t flags;
   /** Samples, and those of them that were dropouts or rejected as outliers. */
   int64_t samples;
@@ -167,14 +166,14 @@ typedef struct hrt_reach_summary {
   /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
    *  ARRIVAL of all noise. */
   double tracker_noise_m;
-  /** Motor variance: the configured one, corrected by this reach. Since version 0.2. */
+  /** Motor variance: the configured one, corrected by this reach. */
   double motor_variance_deg2;
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little
-   *  data; 0: taken as known. Since version 0.2. */
+   *  data; 0: taken as known. */
   double motor_variance_sd_deg2;
   /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions, or if
    * the finger never moved, which distance_to_target_m shows. This and the following: 0 under
-   * FIXED_DIRECTION, since version 0.3. */
+   * FIXED_DIRECTION. */
   double bearing_error_deg;
   /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
   double peak_felt_error_deg;
@@ -224,13 +223,13 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
  * its flags say UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is
  * left is too short. Distances, predicted_miss_deg and bearing_error_deg are those of the new real target.
  * Errors, after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if,
- * seen from the start, the pair is 90 degrees apart; WRONG_STATE without a reach. Since version 0.3.
+ * seen from the start, the pair is 90 degrees apart; WRONG_STATE without a reach.
  * [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Ends the reach without a summary and learns nothing from it. The plate is where the last command left it.
- *  Errors: WRONG_STATE without a reach. Since version 0.3. [real-time] */
+ *  Errors: WRONG_STATE without a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
 /** Ends the reach. Errors: WRONG_STATE without a reach. [real-time] */

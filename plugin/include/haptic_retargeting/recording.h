@@ -62,7 +62,7 @@ typedef struct hrt_replay_report {
   /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as
    *  8 bytes, step and the eleven numbers after it, least significant byte first. */
   uint64_t hash;
-  /** HRT_ENDING_*. Since version 0.3. */
+  /** HRT_ENDING_*. */
   uint32_t ending;
   uint32_t reserved;
 } hrt_replay_report;

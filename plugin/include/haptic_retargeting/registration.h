@@ -142,8 +142,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_registration_check(const hrt_registration* 
  * limit of the registration is set, samples get HRT_COMMAND_REGISTRATION until the next
  * hrt_registration_apply(). A check that a host leaves out is flagged once the last one is older than
  * max_registration_age_ns. `registration` is the one that was applied. Errors: OUT_OF_RANGE naming the field,
- * or if the session's plate is not where `registration` has it; WRONG_STATE during a reach. Since version
- * 0.3. [one-thread] */
+ * or if the session's plate is not where `registration` has it; WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_registration_confirm(hrt_session session,
                                                           const hrt_registration* registration,
                                                           const hrt_mark_touch* touch, int64_t time_ns,
@@ -181,7 +180,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_fingertip_fit(const hrt_registration_config
  * rotation * offset_m, and HRT_SAMPLE_WORLD_POSITION replaces HRT_SAMPLE_DIRECTION and
  * HRT_SAMPLE_PLATE_POSITION. Other fields are unchanged. For every sample of that hand, and for the touches
  * of a registration that its reaches use. Errors: OUT_OF_RANGE naming the field, or if the offset is not
- * `known`. Since version 0.3. [any-thread] [real-time] */
+ * `known`. [any-thread] [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_fingertip_place(const hrt_fingertip* fingertip,
                                                      const hrt_joint_touch* joint,
                                                      hrt_sample* out_sample) HRT_NOEXCEPT;

@@ -33,8 +33,6 @@ typedef struct hrt_session {
  *  curve of the illusion, bias, habits and the tracker's noise as unknown, and learns them. Needs positions:
  *  in a reach with directions alone this is FIXED_DIRECTION. Measured on simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
-/** Name of ARRIVAL in version 0.2, whose line of sight it replaces. */
-#define HRT_GUIDANCE_LINE_OF_SIGHT 1
 
 /** Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
  * and the motor variance. */
@@ -89,7 +87,7 @@ typedef struct hrt_session_config {
   uint32_t guidance;
   /** HRT_ADAPTATION_*. Default HRT_ADAPTATION_CARRIED. */
   uint32_t adaptation;
-  /** HRT_SESSION_*. Default 0. Named `reserved` before version 0.3. */
+  /** HRT_SESSION_*. Default 0. */
   uint32_t flags;
   /** Cost of the error that the user feels. Raising it keeps the felt direction closer to the virtual one
    *  and steers more slowly. 1e-6 to 1e6. Default 1. */
@@ -152,35 +150,32 @@ typedef struct hrt_session_config {
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
    *  direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default
-   * 0. Since version 0.2. */
+   * 0. */
   double bias_deg;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation
-   *  faster and less steady. 0.001 to 10. Default 0.5. Since version 0.2. */
+   *  faster and less steady. 0.001 to 10. Default 0.5. */
   double motor_variance_sd_deg2;
   /** Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended direction, as
    * predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer targets: of
    * simulated people, 3.5 costs about 2 reaches in 100. What the person adds, by noise or by being other than
-   * estimated, comes on top. 0.1 to 45. Default 5. Since version 0.3. */
+   * estimated, comes on top. 0.1 to 45. Default 5. */
   double max_felt_error_deg;
   /** Largest angle between the plate orientation and the finger's direction under GUIDANCE_ARRIVAL. Raising
    * it allows larger gaps for people whose illusion still grows there; published data cover 60. Never beyond
-   *  the peak of the person's illusion. 1 to 89. Default 75. Since version 0.3. */
+   *  the peak of the person's illusion. 1 to 89. Default 75. */
   double motion_bound_deg;
-  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. Since
-   *  version 0.3. */
+  /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. */
   int64_t tracker_latency_ns;
   /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0:
    * then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to 90, the habit
    * -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to 2.4, the fading -0.2
-   * to 1. Default 0. Since version 0.3. */
+   * to 1. Default 0. */
   double person_mean[HRT_PERSON_TRAITS];
   /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an
-   *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. Since
-   *  version 0.3. */
+   *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. */
   double person_covariance[HRT_PERSON_COVARIANCES];
   /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides
-   *  positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. This and the
-   *  following: since version 0.3. */
+   *  positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. */
   double plate_scale;
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
    *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
@@ -240,7 +235,7 @@ HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
  *  passed to it, and may say which of the host's objects the session belongs to. Null: the process's again,
  *  the default. The former callback is not called any more for this session once this returns; the call
  *  waits for it to end. Keep `context` until then, or until hrt_session_destroy() has returned, which may
- *  log. Since version 0.3. [one-thread] */
+ *  log. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set_log_callback(hrt_session session, hrt_log_callback callback,
                                                               void* context) HRT_NOEXCEPT;
 
@@ -248,7 +243,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_set_log_callback(hrt_session sessio
 HRT_NODISCARD HRT_API hrt_result hrt_session_get_config(hrt_session session,
                                                         hrt_session_config* out_config) HRT_NOEXCEPT;
 
-/** Replaces the configuration. Targets stay, and so do fields that an older caller's struct lacks. Errors:
+/** Replaces the configuration. Targets stay. Errors:
  *  as hrt_session_create(), and WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set_config(hrt_session session,
                                                         const hrt_session_config* config) HRT_NOEXCEPT;

@@ -1,4 +1,4 @@
-// Checks on what crosses the boundary: structs of other versions, numbers out of range.
+// Checks on what crosses the boundary: struct sizes, numbers out of range.
 #pragma once
 
 #include <cmath>
@@ -15,28 +15,6 @@
 
 namespace hrt::plugin {
 
-/// The size of a struct in the first version that had it; those below have grown since.
-template <class Struct>
-inline constexpr std::uint32_t first_size = sizeof(Struct);
-template <>
-inline constexpr std::uint32_t first_size<hrt_session_config> = 248;
-template <>
-inline constexpr std::uint32_t first_size<hrt_reach_summary> = 120;
-template <>
-inline constexpr std::uint32_t first_size<hrt_reach_config> = 32;
-template <>
-inline constexpr std::uint32_t first_size<hrt_command> = 72;
-template <>
-inline constexpr std::uint32_t first_size<hrt_authority> = 64;
-template <>
-inline constexpr std::uint32_t first_size<hrt_replay_report> = 32;
-static_assert(first_size<hrt_replay_report> == offsetof(hrt_replay_report, ending));
-static_assert(first_size<hrt_authority> == offsetof(hrt_authority, paper_max_gap_deg));
-static_assert(first_size<hrt_reach_config> == offsetof(hrt_reach_config, duration_s));
-static_assert(first_size<hrt_command> == offsetof(hrt_command, time_to_go_s));
-static_assert(first_size<hrt_session_config> == offsetof(hrt_session_config, bias_deg));
-static_assert(first_size<hrt_reach_summary> == offsetof(hrt_reach_summary, motor_variance_deg2));
-
 /// No version of any struct is larger: a number beyond this is not a size.
 inline constexpr std::uint32_t max_struct_size = 4096;
 
@@ -44,12 +22,12 @@ template <class Struct>
 hrt_result check_struct_size(const char* name, std::uint32_t size) {
   // Every version ends with a whole field, and so at a multiple of this: 8, or 4 for pointers of 4 bytes.
   constexpr std::uint32_t alignment = alignof(Struct);
-  if (size >= first_size<Struct> && size <= max_struct_size && size % alignment == 0) return HRT_OK;
+  if (size >= sizeof(Struct) && size <= max_struct_size && size % alignment == 0) return HRT_OK;
   return fail(HRT_ERROR_STRUCT_SIZE, name, ": struct_size is ", size, "; this library's is ", sizeof(Struct),
-              ", at least ", first_size<Struct>, " and a multiple of ", alignment, " is needed");
+              ", at least that and a multiple of ", alignment, " is needed");
 }
 
-/// Reads a struct of any version into `*known`, which holds the defaults.
+/// Reads a struct of this version, or of a later one whose further bytes are 0, into `*known`.
 template <class Struct>
 hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   if (!given) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
@@ -62,7 +40,7 @@ hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
       return fail(HRT_ERROR_STRUCT_SIZE, name, ": byte ", i, " is not 0, and only ", sizeof(Struct),
                   " bytes are known to this library");
   }
-  std::memcpy(known, given, size < sizeof(Struct) ? size : sizeof(Struct));
+  std::memcpy(known, given, sizeof(Struct));
   known->struct_size = sizeof(Struct);
   return HRT_OK;
 }
@@ -76,11 +54,11 @@ hrt_result check_output(const char* name, const Struct* out) {
   return check_struct_size<Struct>(name, size);
 }
 
-/// Writes as much of `known` as a struct of `size` bytes has room for, and zeros beyond.
+/// Writes `known` into a struct of `size` bytes, and zeros beyond.
 template <class Struct>
 void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
-  std::memcpy(out, &known, size < sizeof(Struct) ? size : sizeof(Struct));
-  if (size > sizeof(Struct)) std::memset(static_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
+  std::memcpy(out, &known, sizeof(Struct));
+  std::memset(static_cast<char*>(out) + sizeof(Struct), 0, size - sizeof(Struct));
   std::memcpy(out, &size, sizeof size);
 }
 

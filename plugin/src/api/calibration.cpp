@@ -1,7 +1,6 @@
 #include "haptic_retargeting/calibration.h"
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -16,13 +15,6 @@
 #include "plugin/src/recording/recorded_calibration.h"
 
 namespace hrt::plugin {
-
-template <>
-inline constexpr std::uint32_t first_size<hrt_calibration_config> = 24;
-template <>
-inline constexpr std::uint32_t first_size<hrt_calibration_result> = 176;
-static_assert(first_size<hrt_calibration_config> == offsetof(hrt_calibration_config, lower_plate_deg));
-static_assert(first_size<hrt_calibration_result> == offsetof(hrt_calibration_result, illusion));
 
 namespace {
 
@@ -80,12 +72,6 @@ hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_r
     config.tactile_weight_sd = std::max(sd_of(result.tactile_weight), min_carried_weight_sd);
   }
   if (result.bias_deg.known) config.bias_deg = result.bias_deg.value;
-  if (result.motor_variance_deg2.known) {
-    config.motor_variance_deg2 = result.motor_variance_deg2.value;
-    config.motor_variance_sd_deg2 =
-        std::max(sd_of(result.motor_variance_deg2), min_carried_motor_variance_sd_deg2);
-  }
-  if (result.sensory_variance_deg2.known) config.sensory_variance_deg2 = result.sensory_variance_deg2.value;
   write_noise(result, &config);
   write_steering(result, &config);
   // What reaches have learnt would override the weight and the bias.
@@ -112,8 +98,6 @@ hrt_result check_calibration_result(const hrt_calibration_result& result) {
   const std::pair<const char*, const hrt_interval&> intervals[] = {
       {"tactile_weight", result.tactile_weight},
       {"bias_deg", result.bias_deg},
-      {"motor_variance_deg2", result.motor_variance_deg2},
-      {"sensory_variance_deg2", result.sensory_variance_deg2},
       {"tracker_noise_m", result.tracker_noise_m},
       {"correlated_noise_m", result.correlated_noise_m},
       {"noise_correlation_s", result.noise_correlation_s},
@@ -148,7 +132,7 @@ constexpr ComparedValue compared_values[] = {
     {"steering_delay_s", &R::steering_delay_s, &D::steering_delay_s, HRT_DIFFERS_STEERING_DELAY},
 };
 
-// What is not known may be anything in a result of a former version.
+// An unknown value may be anything.
 hrt_result check_compared(const hrt_calibration_result& result) {
   for (const ComparedValue& value : compared_values) {
     const hrt_interval& interval = result.*value.value;

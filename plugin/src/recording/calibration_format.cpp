@@ -14,8 +14,6 @@ struct IntervalName {
 constexpr IntervalName intervals[] = {
     {"tactile_weight", &R::tactile_weight},
     {"bias_deg", &R::bias_deg},
-    {"motor_variance_deg2", &R::motor_variance_deg2},
-    {"sensory_variance_deg2", &R::sensory_variance_deg2},
     {"tracker_noise_m", &R::tracker_noise_m},
     {"person_weight", &R::person_weight},
     {"person_curve", &R::person_curve},

@@ -37,7 +37,6 @@ constexpr std::string_view header =
     "summary_flags,bearing_error_deg,peak_felt_error_deg,rms_felt_error_deg,illusion_curve,illusion_curve_sd,"
     "gain_per_s,gain_sd_per_s,bias_deg,bias_sd_deg,habit_deg,habit_sd_deg,duration_learnt_s"
     ",calibration,calibration_result\n";
-static_assert(header.ends_with("\n") && header.substr(0, header.size() - 1).ends_with(calibration_columns));
 
 struct ArgumentName {
   Refused::Argument argument;
@@ -222,9 +221,9 @@ void write_end(std::uint64_t checksum, RecordText& out) {
   out << end_comment << checksum << "\n";
 }
 
-hrt_result read_row(std::string_view line, bool has_calibrations, Record* out) {
+hrt_result read_row(std::string_view line, Record* out) {
   Cells cells;
-  HRT_RETURN_IF_FAILED(split(line, has_calibrations ? columns : calibration_column, &cells));
+  HRT_RETURN_IF_FAILED(split(line, columns, &cells));
   HRT_RETURN_IF_FAILED(read_cell(cells, 1, &out->result));
   if (!cells[refused_column].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
@@ -238,9 +237,9 @@ hrt_result read_row(std::string_view line, bool has_calibrations, Record* out) {
     out->call = ReachEnded{};
     return HRT_OK;
   }
-  if (has_calibrations && is_calibration_call(cells[0])) return read_calibration_call(cells, out);
+  if (is_calibration_call(cells[0])) return read_calibration_call(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, retarget, cancel, end", has_calibrations ? calibration_calls : "");
+              "\"; allowed: begin, update, retarget, cancel, end", calibration_calls);
 }
 
 bool is_same_row(std::string_view row, std::string_view other) {

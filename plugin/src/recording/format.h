@@ -116,10 +116,6 @@ using RecordText = Text<8192>;
 /// The first lines of a recording: what it is, what its columns mean, and their names.
 std::string_view recording_header();
 
-/// The end of the header that recordings without calibrations may lack, as the earliest of version 3 do: two
-/// columns, empty in other rows.
-inline constexpr std::string_view calibration_columns = ",calibration,calibration_result";
-
 /// The line of a record, with its line feed: a comment for what configures, a row of the table for the rest.
 void write_record(const Record& record, RecordText& out);
 
@@ -135,8 +131,7 @@ inline constexpr std::string_view end_comment = "# end ";
 void write_end(std::uint64_t checksum, RecordText& out);
 
 /// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
-/// `has_calibrations`: the table has the calibration_columns.
-hrt_result read_row(std::string_view line, bool has_calibrations, Record* out);
+hrt_result read_row(std::string_view line, Record* out);
 
 /// Whether every cell of two rows is the same, numbers to the bit.
 bool is_same_row(std::string_view row, std::string_view other);

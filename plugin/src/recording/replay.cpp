@@ -54,12 +54,6 @@ class Replay {
       std::erase(with_line_feeds, '\r');
       text = with_line_feeds;
     }
-    for (const auto& [header, release] : {std::pair{"# haptic retargeting recording, version 1\n", "0.1"},
-                                          std::pair{"# haptic retargeting recording, version 2\n", "0.2"}}) {
-      if (text.starts_with(header))
-        return fail(HRT_ERROR_BAD_FORMAT, "the recording is one that version ", release,
-                    " of the library replays; this one replays recordings of version 3");
-    }
     HRT_RETURN_IF_FAILED(take_header(&text));
     while (!text.empty() && report_.ending != HRT_ENDING_LOST_ROWS) {
       ++line_number_;
@@ -77,18 +71,19 @@ class Replay {
 
  private:
   hrt_result take_header(std::string_view* text) {
-    std::string_view common = recording_header();
-    common.remove_suffix(calibration_columns.size() + 1);
-    const std::string_view whole = *text;
-    if (!starts_with_and_drops(*text, common))
-      return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
-    has_calibrations_ = starts_with_and_drops(*text, calibration_columns);
-    if (!starts_with_and_drops(*text, "\n"))
-      return fail(HRT_ERROR_BAD_FORMAT, "the columns are not those of a recording of version 3");
-    const std::string_view header = whole.substr(0, whole.size() - text->size());
+    const std::string_view header = recording_header();
+    if (!starts_with_and_drops(*text, header)) return refuse_header(*text);
     for (const char c : header) line_number_ += c == '\n' ? 1 : 0;
     checksum_.add(header);
     return HRT_OK;
+  }
+
+  static hrt_result refuse_header(std::string_view text) {
+    std::uint64_t version = 0;
+    if (starts_with_and_drops(text, "# haptic retargeting recording, version ") &&
+        read_number(text.substr(0, text.find('\n')), &version) && version != 3)
+      return fail(HRT_ERROR_BAD_FORMAT, "version ", version, " is not supported; version 3 is");
+    return fail(HRT_ERROR_BAD_FORMAT, "the text does not begin as a recording of version 3 does");
   }
 
   hrt_result take(std::string_view line) {
@@ -164,13 +159,12 @@ class Replay {
   hrt_result take_row(std::string_view line) {
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
-    HRT_RETURN_IF_FAILED(read_row(line, has_calibrations_, &record));
+    HRT_RETURN_IF_FAILED(read_row(line, &record));
     HRT_RETURN_IF_FAILED(rerun(&record));
     ++report_.rows;
     RecordText again;
     write_record(record, again);
-    std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (!has_calibrations_) row.remove_suffix(2);  // their columns, empty
+    const std::string_view row = again.view().substr(0, again.view().size() - 1);
     if (report_.first_different_line == 0 && !is_same_row(row, line))
       report_.first_different_line = line_number_;
     return HRT_OK;
@@ -238,7 +232,6 @@ class Replay {
   std::optional<Session> session_;
   std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
   ReplayedCalibrations calibrations_;
-  bool has_calibrations_ = false;  // the table has their columns
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,

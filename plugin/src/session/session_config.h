@@ -28,8 +28,7 @@ hrt_session_config default_session_config();
 /// Fails naming the first field that is out of its range.
 hrt_result check_session_config(const hrt_session_config& config);
 
-/// Reads what a caller gave, of any version, and checks it. `*config` holds what is taken for fields that an
-/// older version lacks.
+/// Reads what a caller gave, and checks it.
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
 
 /// True if person_mean and person_covariance hold something.

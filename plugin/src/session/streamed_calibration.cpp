@@ -152,8 +152,7 @@ hrt_result StreamedCalibration::next_angle(double* out_plate_orientation_deg,
 
 hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
   HRT_RETURN_IF_FAILED(check_no_trial());
-  auto found = calibrate(whole_trials(), {.goal_direction_deg = config_.goal_direction_deg,
-                                          .step_period_ns = session_config_.step_period_ns});
+  auto found = calibrate(whole_trials(), config_.goal_direction_deg);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&found))
     return fail(HRT_ERROR_INSUFFICIENT_DATA, refusal->reason);
   auto& calibration = std::get<Calibration>(found);
@@ -164,8 +163,6 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
       .trials_used = static_cast<std::uint32_t>(calibration.slides.size()),
       .tactile_weight = to_abi(calibration.tactile_weight),
       .bias_deg = to_abi(calibration.bias_deg),
-      .motor_variance_deg2 = to_abi(calibration.motor_variance_deg2),
-      .sensory_variance_deg2 = to_abi(calibration.sensory_variance_deg2),
       .tracker_noise_m = to_abi(calibration.noise.white_m),
       .illusion = illusion_of(calibration),
       .lack_of_fit = lack_of_fit_flags(calibration.lack_of_fit),

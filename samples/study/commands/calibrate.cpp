@@ -28,8 +28,7 @@ constexpr std::size_t max_bytes = std::size_t{1} << 29;
 struct Options {
   std::string data;
   std::string retest;
-  CalibrationConfig config;
-  double step_period_s = 0.1;
+  double goal_direction_deg = 0.0;
   std::string format = "text";
   std::string plot;
   std::string profile;
@@ -69,11 +68,11 @@ std::string draw(const Figure& figure, const std::string& path) {
   return Workshop("--plot", parent.string()).draw(figure, ending);
 }
 
-CalibrationReport calibrated(const std::string& data, const CalibrationConfig& config) {
-  CalibrationReport report{.name = data, .config = config};
+CalibrationReport calibrated(const std::string& data, double goal_direction_deg) {
+  CalibrationReport report{.name = data, .goal_direction_deg = goal_direction_deg};
   const auto trials = parse_calibration_csv(data, read_input("FILE", data, max_bytes));
   report.trials = trials.size();
-  const auto result = calibrate(trials, config);
+  const auto result = calibrate(trials, goal_direction_deg);
   if (const auto* refusal = std::get_if<CalibrationRefusal>(&result))
     throw std::runtime_error(data + ": no calibration: " + refusal->reason);
   report.calibration = std::get<Calibration>(result);
@@ -95,7 +94,6 @@ std::string json_page(const CalibrationReport& report, const std::optional<Retes
 }
 
 void run(Options options) {
-  options.config.step_period_ns = std::llround(options.step_period_s * 1e9);
   if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
     throw UsageError(not_allowed("--plot", options.plot, "a file whose name ends with .svg or .png"));
   const Output out("--out", options.out);
@@ -103,10 +101,10 @@ void run(Options options) {
   const Output profile("--profile", options.profile);
 
   // Everything that can fail does so before anything is written.
-  const CalibrationReport report = calibrated(options.data, options.config);
+  const CalibrationReport report = calibrated(options.data, options.goal_direction_deg);
   std::optional<RetestReport> retest;
   if (!options.retest.empty())
-    retest = compare_calibrations(report, calibrated(options.retest, options.config));
+    retest = compare_calibrations(report, calibrated(options.retest, options.goal_direction_deg));
   const std::string page = options.format == "json" ? json_page(report, retest) : text_page(report, retest);
   const std::string picture =
       options.plot.empty() ? ""
@@ -144,9 +142,7 @@ Examples:
   add_path(command, "--retest", &options->retest, "a file that can be read",
            "A second calibration's data: whether the two differ, and by how much. --plot then shows both;\n"
            "--profile is of FILE.");
-  add_number(command, "--goal", &options->config.goal_direction_deg, {-45.0, 45.0},
-             "Direction of the goal, deg. Best 0: off the mid-line the motor variance is overestimated.");
-  add_number(command, "--step-period", &options->step_period_s, {0.001, 10.0}, "Of the model's steps, s.");
+  add_number(command, "--goal", &options->goal_direction_deg, {-45.0, 45.0}, "Direction of the goal, deg.");
   add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
   add_path(command, "--plot", &options->plot, "a file whose name ends with .svg or .png",
            "Draw curve, directions and residuals there. Needs gnuplot.");

@@ -60,7 +60,7 @@ Found calibrate_person(const PeopleFamily& family, const Options& options, std::
     trials.push_back(
         simulate_turning_slide(condition, side * options.angle_deg, options.seed, index, slide++));
   }
-  const auto result = calibrate(trials, {.variances = false});
+  const auto result = calibrate(trials);
   const auto* calibration = std::get_if<Calibration>(&result);
   return {.person = condition.person, .steering = calibration ? calibration->steering : SteeringFit{}};
 }

@@ -84,19 +84,16 @@ std::string best_fit(const Quantity& quantity) {
 }  // namespace
 
 std::vector<Quantity> quantities(const Calibration& calibration) {
-  return {
-      {"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
-      {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
-      {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
-      {"max_gap_deg", "largest gap, °", calibration.max_gap_deg, 1},
-      {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
-      {"person_curve", "curve b of it", calibration.curve, 3},
-      {"motor_variance_deg2", "motor variance σ_u², (°)²", calibration.motor_variance_deg2, 3, true},
-      {"sensory_variance_deg2", "sensory variance σ_h², (°)²", calibration.sensory_variance_deg2, 3, true},
-      {"tracker_noise_mm", "tracker noise, white, mm", in_thousandths(calibration.noise.white_m), 3},
-      {"correlated_noise_mm", "tracker noise, correlated, mm", in_thousandths(calibration.noise.correlated_m),
-       3},
-      {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
+  return {{"tactile_weight", "tactile weight w_T at 60°", calibration.tactile_weight, 3},
+          {"bias_deg", "bias, °, left positive", calibration.bias_deg, 2},
+          {"habit_deg", "habit of curving, °", calibration.habit_deg, 2},
+          {"max_gap_deg", "largest gap, °", calibration.max_gap_deg, 1},
+          {"person_weight", "slope w of the controller's curve", calibration.slope, 3},
+          {"person_curve", "curve b of it", calibration.curve, 3},
+          {"tracker_noise_mm", "tracker noise, white, mm", in_thousandths(calibration.noise.white_m), 3},
+          {"correlated_noise_mm", "tracker noise, correlated, mm",
+           in_thousandths(calibration.noise.correlated_m), 3},
+          {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
 }
 
 std::vector<Quantity> steering_quantities(const SteeringFit& steering) {
@@ -110,11 +107,7 @@ std::string calibration_text(const CalibrationReport& report) {
                      std::to_string(calibration.count(SlideVerdict::used)) + " of " +
                      std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
-  for (const Quantity& quantity : quantities(calibration))
-    text += quantity.withheld ? row(quantity.words, "withheld",
-                                    "slides do not show it; the paper's person would have " +
-                                        fixed(quantity.interval.value, quantity.decimals))
-                              : quantity_row(quantity, best_fit(quantity));
+  for (const Quantity& quantity : quantities(calibration)) text += quantity_row(quantity, best_fit(quantity));
   const SteeringFit& steering = calibration.steering;
   if (steering.slides > 0)
     for (const Quantity& quantity : steering_quantities(steering))
@@ -132,14 +125,12 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
       {"tried_on", "simulated people only"},
       {"trials", report.trials},
       {"trials_used", calibration.count(SlideVerdict::used)},
-      {"goal_direction_deg", report.config.goal_direction_deg},
-      {"step_period_s", 1e-9 * static_cast<double>(report.config.step_period_ns)},
+      {"goal_direction_deg", report.goal_direction_deg},
   };
   for (const Quantity& quantity : quantities(calibration))
     page[quantity.name] = {{"value", quantity.interval.value},
                            {"interval", {quantity.interval.lower, quantity.interval.upper}},
-                           {"known", quantity.interval.known},
-                           {"withheld", quantity.withheld}};
+                           {"known", quantity.interval.known}};
   const SteeringFit& steering = calibration.steering;
   page["turning_slides"] = steering.slides;
   page["steering_p"] = steering.law_p;
@@ -271,7 +262,7 @@ Figure calibration_figure(const CalibrationReport& report) {
       family_text(calibration) + "\\nw_T = " + fixed(all[0].interval.value, 3) + " (" +
       interval_text(all[0]) + "), largest gap " + fixed(all[3].interval.value, 1) + "° (" +
       interval_text(all[3]) +
-      ")\\nσ_u² and σ_h² withheld: slides do not show them\" font ',12'\nset key top left\nset xrange "
+      ")\" font ',12'\nset key top left\nset xrange "
       "[-80:80]\nset xtics 15\n"
       "set xlabel 'ridge normal less motion, °'\nset ylabel 'felt shift, °'\n"
       "plot $band using 1:3:4 with filledcurves fc rgb '#c6dbef' title '95 %', $band using 1:2 with lines lw "

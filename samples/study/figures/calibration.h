@@ -13,7 +13,7 @@ namespace hrt::study {
 struct CalibrationReport {
   std::string name;  ///< of the data
   std::size_t trials = 0;
-  CalibrationConfig config;
+  double goal_direction_deg = 0.0;
   Calibration calibration;
 };
 
@@ -23,7 +23,6 @@ struct Quantity {
   const char* words;  ///< with unit
   Interval interval;
   int decimals;
-  bool withheld = false;  ///< whatever the slides are
 };
 
 std::vector<Quantity> quantities(const Calibration& calibration);

@@ -103,7 +103,7 @@ CoveragePerson coverage_person(const CoverageKind& kind, const CoverageSession& 
                                std::uint32_t index) {
   CoveragePerson person;
   const auto trials = coverage_slides(kind, session, index, &person.truth);
-  const auto result = calibrate(trials, {.variances = false});
+  const auto result = calibrate(trials);
   const auto* found = std::get_if<Calibration>(&result);
   person.refused = found == nullptr;
   if (!found) {

@@ -37,7 +37,7 @@ std::vector<CalibrationTrial> slides(const PersonCondition& condition, std::uint
 }
 
 Calibration calibrated(const std::vector<CalibrationTrial>& trials) {
-  const auto result = calibrate(trials, {.variances = false});
+  const auto result = calibrate(trials);
   const auto* refusal = std::get_if<CalibrationRefusal>(&result);
   EXPECT_EQ(refusal, nullptr) << refusal->reason;
   return refusal ? Calibration{} : std::get<Calibration>(result);

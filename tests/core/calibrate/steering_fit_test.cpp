@@ -31,7 +31,7 @@ PersonCondition person(double rate_per_s, double delay_s) {
 }
 
 Calibration calibrated(const std::vector<CalibrationTrial>& trials) {
-  const auto result = calibrate(trials, {.variances = false});
+  const auto result = calibrate(trials);
   const auto* refusal = std::get_if<CalibrationRefusal>(&result);
   EXPECT_EQ(refusal, nullptr) << refusal->reason;
   return refusal ? Calibration{} : std::get<Calibration>(result);

@@ -67,8 +67,6 @@ int main(void) {
   FIELD(hrt_calibration_result, trials_used)
   FIELD(hrt_calibration_result, tactile_weight)
   FIELD(hrt_calibration_result, bias_deg)
-  FIELD(hrt_calibration_result, motor_variance_deg2)
-  FIELD(hrt_calibration_result, sensory_variance_deg2)
   FIELD(hrt_calibration_result, tracker_noise_m)
   FIELD(hrt_calibration_result, illusion)
   FIELD(hrt_calibration_result, lack_of_fit)

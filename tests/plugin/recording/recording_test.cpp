@@ -189,17 +189,6 @@ TEST_F(RecordingTest, AlteredOrCutIsNotComplete) {
             HRT_ENDING_LOST_ROWS);
 }
 
-// A caller of version 0.2 has a shorter report.
-TEST_F(RecordingTest, ReportOfFormerVersionsIsFilled) {
-  const std::string text = recording();
-  auto report = output<hrt_replay_report>();
-  report.struct_size = 32;
-  report.ending = 77;
-  ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
-  EXPECT_EQ(report.complete, 1u);
-  EXPECT_EQ(report.ending, 77u);
-}
-
 TEST_F(RecordingTest, NothingFollowsTheEnd) {
   const std::string text = recording() + "update,0\n";
   auto report = output<hrt_replay_report>();
@@ -410,10 +399,10 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
       golden.substr(header.size(), golden.find('\n', header.size()) + 1 - header.size());
   refused("", "does not begin");
   refused("time,x\n1,2\n", "does not begin");
-  refused("# haptic retargeting recording, version 1\n", "is one that version 0.1 of the library");
-  refused("# haptic retargeting recording, version 2\n",
-          "is one that version 0.2 of the library replays; this one replays recordings of version 3");
-  refused("# haptic retargeting recording, version 4\n", "does not begin as a recording of version 3");
+  refused("# haptic retargeting recording, version 2\n", "version 2 is not supported; version 3 is");
+  refused("# haptic retargeting recording, version 4\r\n", "version 4 is not supported");
+  refused("# haptic retargeting recording, version 3\nupdate,0\n",
+          "does not begin as a recording of version 3");
   refused(header + "update,0\n", "line 9: this comes before the configuration");
   refused(header + "# config {}\n", "line 9: the configuration has 0 fields");
   const auto refused_after_config = [&](const std::string& line, const std::string& part) {

@@ -87,7 +87,7 @@ class _Rows:
             results=np.array(self._column("result", 0), np.int32), final_direction_deg=self.final_direction_deg)
 
     def _column(self, name: str, missing: float) -> list[float]:
-        """A column that the recording lacks, as commands of an earlier version had fewer, is missing in each row."""
+        """`missing` where a row has no value."""
         return [missing if row.get(name) is None else row[name] for row in self.updates]
 
 
