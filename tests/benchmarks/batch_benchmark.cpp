@@ -6,9 +6,9 @@
 #include <cstdint>
 #include <ctime>
 
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
+#include "core/paper_simulation/trial_table.h"
 #include "core/simulation/lanes.h"
-#include "core/simulation/trial_table.h"
 
 namespace hrt {
 namespace {

@@ -6,7 +6,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/simulation/calibration_trial.h"
+#include "core/paper_simulation/paper_slide.h"
+#include "core/simulation/slide.h"
 #include "fixture.h"
 
 namespace hrt::test {

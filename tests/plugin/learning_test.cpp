@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/math/trigonometry.h"
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "fixture.h"
 

@@ -3,7 +3,7 @@
 #include <cstring>
 #include <limits>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "fixture.h"
 
 namespace hrt::test {

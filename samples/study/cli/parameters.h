@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/trial.h"
 #include "samples/study/cli/arguments.h"
 
 namespace hrt::study {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "core/calibrate/calibration.h"
-#include "core/simulation/calibration_trial.h"
 #include "core/simulation/controllers.h"
 #include "core/simulation/person_trial.h"
+#include "core/simulation/slide.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"

@@ -1,5 +1,5 @@
 // hrt-study trial: one simulated reach as CSV, a row a step; or traced, a row a sample, with pictures.
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/trial.h"
 
 #include <cmath>
 #include <limits>

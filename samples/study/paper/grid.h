@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 #include "samples/study/cli/parameters.h"
 
 namespace hrt::study {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 #include "samples/study/numbers/statistics.h"
 
 namespace hrt::study {

@@ -6,7 +6,7 @@
 
 #include "core/calibrate/slide_plan.h"
 #include "core/math/trigonometry.h"
-#include "core/simulation/calibration_trial.h"
+#include "core/simulation/slide.h"
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
 

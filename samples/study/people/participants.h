@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/calibrate/calibration.h"
-#include "core/simulation/calibration_trial.h"
+#include "core/paper_simulation/paper_slide.h"
 
 namespace hrt::study {
 

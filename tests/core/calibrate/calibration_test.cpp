@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/math/trigonometry.h"
-#include "core/simulation/calibration_trial.h"
+#include "core/paper_simulation/paper_slide.h"
 
 namespace hrt {
 namespace {

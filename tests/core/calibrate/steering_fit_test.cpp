@@ -7,7 +7,7 @@
 
 #include "core/calibrate/calibration.h"
 #include "core/calibrate/slide_plan.h"
-#include "core/simulation/calibration_trial.h"
+#include "core/simulation/slide.h"
 
 namespace hrt {
 namespace {

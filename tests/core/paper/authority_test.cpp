@@ -6,7 +6,7 @@
 
 #include "core/paper/mpc.h"
 #include "core/paper/perception.h"
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 
 namespace hrt {
 namespace {

@@ -6,7 +6,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 #include "core/simulation/sliding_finger.h"
 

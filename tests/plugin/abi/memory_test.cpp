@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/calibration_trial.h"
+#include "core/paper_simulation/paper_slide.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {

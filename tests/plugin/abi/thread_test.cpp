@@ -2,7 +2,7 @@
 #include <atomic>
 #include <thread>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {

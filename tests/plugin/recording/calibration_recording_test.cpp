@@ -5,7 +5,7 @@
 #include <thread>
 #endif
 
-#include "core/simulation/calibration_trial.h"
+#include "core/paper_simulation/paper_slide.h"
 #include "recording_fixture.h"
 
 namespace hrt::test {

@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {

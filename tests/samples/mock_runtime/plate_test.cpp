@@ -4,7 +4,7 @@
 #include <cstring>
 #include <numbers>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "core/simulation/person.h"
 #include "tests/samples/mock_runtime/support.h"
 

@@ -9,7 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/simulation/calibration_trial.h"
+#include "core/simulation/slide.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/people/participants.h"
 #include "tests/samples/study/process.h"

@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "core/paper/authority.h"
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {

@@ -1,11 +1,11 @@
 // The mode "Replay": a recorded reach as it was tracked and commanded. What was felt is not in a recording; the chart
 // shows what the controller believed of it.
-import type { Desk } from "./desk";
-import type { Place } from "./geometry";
-import type { Now } from "./now";
-import { element, say, sideways } from "./page";
-import type { RecordedReach } from "./recording";
-import { Trace, tracePeriod_ms } from "./trace";
+import type { Desk } from "../desk";
+import type { Place } from "../geometry";
+import type { Now } from "../now";
+import { element, say, sideways } from "../page";
+import type { RecordedReach } from "../recording";
+import { Trace, tracePeriod_ms } from "../trace";
 
 const pause_ms = 2200;
 const longestFrame_ms = 100;

@@ -1,12 +1,12 @@
 // The mode "Your scene": a glTF file's plate and targets, the table of what can be held, and reaches of the simulated person
 // between its targets.
 import type { Library } from "haptic-retargeting";
-import { element, say, sideways } from "./page";
-import { pageCourse } from "./controller";
-import type { World } from "./person";
-import { weights, type VisitorScene } from "./scene";
-import type { Settings } from "./settings";
-import { Watch } from "./watch";
+import { element, say, sideways } from "../page";
+import { pageCourse } from "../controller";
+import type { World } from "../person";
+import { weights, type VisitorScene } from "../scene";
+import type { Settings } from "../settings";
+import { Watch } from "../watch";
 
 export class Viewing {
   scene: VisitorScene | null = null;

@@ -1,9 +1,9 @@
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/trial.h"
 #include "core/retargeter.h"
 
 #include <cmath>
 
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
 
 namespace hrt {

@@ -1,13 +1,13 @@
 // The mode "Be the finger": pointer and keys move the finger; what it would feel is drawn beside it.
-import { pageCourse } from "./controller";
-import type { Desk } from "./desk";
-import { distance_m, length_m, start, virtualPlace, type Place } from "./geometry";
-import type { Hand } from "./hand";
-import type { Now } from "./now";
-import { element, say, sideways } from "./page";
-import type { World } from "./person";
-import type { Voice } from "./voice";
-import type { Settings } from "./settings";
+import { pageCourse } from "../controller";
+import type { Desk } from "../desk";
+import { distance_m, length_m, start, virtualPlace, type Place } from "../geometry";
+import type { Hand } from "../hand";
+import type { Now } from "../now";
+import { element, say, sideways } from "../page";
+import type { World } from "../person";
+import type { Voice } from "../voice";
+import type { Settings } from "../settings";
 
 const keySpeed_m_s = 0.05;
 const keyTurn_deg_s = 40;

@@ -1,4 +1,4 @@
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 
 #include <algorithm>
 #include <atomic>
@@ -8,8 +8,8 @@
 #include <thread>
 #include <vector>
 
+#include "core/paper_simulation/trial_table.h"
 #include "core/simulation/lanes.h"
-#include "core/simulation/trial_table.h"
 
 namespace hrt {
 namespace {

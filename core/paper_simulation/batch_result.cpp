@@ -1,4 +1,4 @@
-#include "core/simulation/batch_result.h"
+#include "core/paper_simulation/batch_result.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "core/simulation/participant.h"
+#include "core/paper_simulation/participant.h"
 
 #include <cmath>
 

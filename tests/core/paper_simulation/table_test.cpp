@@ -5,10 +5,10 @@
 #include <limits>
 #include <random>
 
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
+#include "core/paper_simulation/trial_table.h"
 #include "core/simulation/lanes.h"
 #include "core/simulation/random.h"
-#include "core/simulation/trial_table.h"
 
 namespace hrt {
 namespace {

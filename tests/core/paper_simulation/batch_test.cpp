@@ -1,4 +1,4 @@
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 
 #include <gtest/gtest.h>
 

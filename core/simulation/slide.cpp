@@ -1,10 +1,6 @@
-#include "core/simulation/calibration_trial.h"
+#include "core/simulation/slide.h"
 
 #include "core/plate/plate_model.h"
-
-#include <cmath>
-
-#include "core/simulation/participant.h"
 #include "core/simulation/random.h"
 #include "core/simulation/sliding_finger.h"
 #include "core/simulation/tracker.h"
@@ -17,47 +13,6 @@ constexpr std::uint32_t tracking_stream = 16;
 constexpr std::uint32_t steering_stream = 17;
 constexpr double start_deviation_deg = 2.0;
 constexpr double slide_tail_s = 0.1;  // tracked at rest after the motion
-
-// Whether a plate that turns within a slide is on its other side when the finger is at `share` of the way.
-bool is_across(double share) {
-  return share > 0.2 && share <= 0.55;
-}
-
-}  // namespace
-
-CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id, bool turns) {
-  NormalDraws normal(id.seed, id.condition, id.trial);
-  SimulatedParticipant participant(condition.participant, condition.goal_direction_deg);
-  SlidingFinger finger({}, condition.distance_m, condition.duration_s);
-
-  const PlatePoint start = finger.place();
-  const auto plate_deg = [&] {
-    const bool across = turns && is_across(distance_m(start, finger.place()) / condition.distance_m);
-    return across ? 2.0 * condition.goal_direction_deg - plate_orientation_deg : plate_orientation_deg;
-  };
-
-  CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}};
-  std::uint32_t step = 0;
-  for (std::uint32_t sample = 0;; ++sample) {
-    const double time_s = -condition.rest_s + sample / condition.tracker_rate_hz;
-    if (time_s > condition.duration_s) break;
-    while ((step + 1) * condition.step_period_s <= time_s) {
-      finger.slide(++step * condition.step_period_s, participant.finger_direction_deg());
-      participant.step(plate_deg(), normal(step));
-    }
-    finger.slide(time_s, participant.finger_direction_deg());
-    // The tracker's draws follow those of the steps.
-    const std::uint32_t draw = tracker_draws + 2 * sample;
-    trial.samples.push_back({std::llround(time_s * 1e9),
-                             {finger.place().right_m + condition.tracker_noise_m * normal(draw),
-                              finger.place().away_m + condition.tracker_noise_m * normal(draw + 1)}});
-    if (turns) trial.plate_deg.push_back(plate_deg());
-  }
-  return trial;
-}
-
-namespace {
 
 // Without `turns` the plate rests.
 CalibrationTrial slide_of(const PersonCondition& condition, double plate_orientation_deg, bool turns,
@@ -77,7 +32,7 @@ CalibrationTrial slide_of(const PersonCondition& condition, double plate_orienta
     const double now_s = 1e-9 * static_cast<double>(now_ns);
     plate.advance(now_ns);
     if (turns) {
-      const bool across = is_across(distance_m(start, finger.position()) / condition.distance_m);
+      const bool across = plate_is_across(distance_m(start, finger.position()) / condition.distance_m);
       plate.command(across ? -plate_orientation_deg : plate_orientation_deg);
     }
     if (now_s > rest_s && !finger.done()) finger.advance(plate.orientation_deg());

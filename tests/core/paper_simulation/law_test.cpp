@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "core/simulation/control_law.h"
+#include "core/paper_simulation/control_law.h"
 
 namespace hrt {
 namespace {

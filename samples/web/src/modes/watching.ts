@@ -1,13 +1,13 @@
 // The mode "Watch": plays reach after reach, at the chosen speed, and says what happens.
-import type { Desk } from "./desk";
-import type { Place } from "./geometry";
-import type { Now } from "./now";
-import { element, say, sideways } from "./page";
-import type { World } from "./person";
-import type { Voice } from "./voice";
-import { resultText, type Results } from "./results";
-import type { Settings } from "./settings";
-import type { Watch } from "./watch";
+import type { Desk } from "../desk";
+import type { Place } from "../geometry";
+import type { Now } from "../now";
+import { element, say, sideways } from "../page";
+import type { World } from "../person";
+import type { Voice } from "../voice";
+import { resultText, type Results } from "../results";
+import type { Settings } from "../settings";
+import type { Watch } from "../watch";
 
 /** Between two reaches. */
 const pause_ms = 2200;

@@ -1,4 +1,4 @@
-#include "core/simulation/trial_table.h"
+#include "core/paper_simulation/trial_table.h"
 
 #include <algorithm>
 #include <array>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "core/paper_simulation/control_law.h"
 #include "core/plate/plate_limits.h"
-#include "core/simulation/control_law.h"
 #include "core/simulation/lanes.h"
 #include "core/simulation/random_lanes.h"
 

@@ -12,8 +12,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/simulation/batch_result.h"
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/batch_result.h"
+#include "core/paper_simulation/trial.h"
 
 namespace hrt {
 

@@ -1,4 +1,4 @@
-#include "core/simulation/trial.h"
+#include "core/paper_simulation/trial.h"
 
 #include <gtest/gtest.h>
 

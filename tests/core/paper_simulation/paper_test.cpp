@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/paper/perception.h"
-#include "core/simulation/batch.h"
+#include "core/paper_simulation/batch.h"
 
 namespace hrt {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/simulation/control_law.h"
+#include "core/paper_simulation/control_law.h"
 
 #include <algorithm>
 #include <cmath>

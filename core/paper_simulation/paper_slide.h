@@ -1,0 +1,29 @@
+// Simulated slides of the paper's person over a plate that stands still, or turns within the slide, as a
+// calibration records them.
+#pragma once
+
+#include "core/calibrate/slide_track.h"
+#include "core/paper/participant.h"
+#include "core/paper_simulation/trial.h"
+
+namespace hrt {
+
+/// Who slides, and how they are tracked.
+struct CalibrationCondition {
+  Participant participant;
+  double goal_direction_deg = 0.0;  ///< of the target
+  double distance_m = 0.1;          ///< of the path, > 0
+  double duration_s = 3.0;          ///< of the path, > 0
+  double step_period_s = 0.1;       ///< of the participant's steps, > 0
+  double rest_s = 0.5;              ///< tracked at rest before the path, >= 0
+  double tracker_noise_m = 0.0012;  ///< >= 0
+  double tracker_rate_hz = 90.0;    ///< > 0
+};
+
+/// One slide with the plate at `plate_orientation_deg`; with `turns`, at once on the goal's other side
+/// between a fifth and 55 % of the way, and the trial has its orientations. Any thread.
+CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
+                                            double plate_orientation_deg, const TrialId& id,
+                                            bool turns = false);
+
+}  // namespace hrt

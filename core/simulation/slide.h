@@ -1,0 +1,21 @@
+// Simulated slides of people (people.h) over a plate that stands still, or turns within the slide, as a
+// calibration records them.
+#pragma once
+
+#include "core/calibrate/slide_track.h"
+#include "core/simulation/people.h"
+
+namespace hrt {
+
+/// One slide straight ahead, with the plate at rest at `plate_orientation_deg`; the
+/// gap of the condition does not count. `slide` is its number in the session; each sets out within 2 degrees
+/// (standard deviation) of the person's start direction. Any thread.
+CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg,
+                                std::uint64_t seed, std::uint32_t person, std::uint32_t slide);
+
+/// The same over a plate that begins at `plate_orientation_deg` and is commanded to the opposite side after
+/// a fifth of the way and back after 55 %; the condition's servo turns it. The trial has its orientations.
+CalibrationTrial simulate_turning_slide(const PersonCondition& condition, double plate_orientation_deg,
+                                        std::uint64_t seed, std::uint32_t person, std::uint32_t slide);
+
+}  // namespace hrt
