@@ -4,11 +4,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/calibrate/slide_onset.h"
 #include "core/math/median.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/plate_limits.h"
+#include "core/tracker/onset.h"
 
 namespace hrt {
 namespace {
@@ -18,9 +18,19 @@ constexpr double steps_a_slide = 200.0;
 // Half the width of the lines that smooth the pace.
 constexpr double smoothing_s = 0.075;
 constexpr std::array<double, slide_parts + 1> window_edges{0.15, 0.35, 0.55, 0.75, 1.01};
+// The slide is over where the tracker was away for longer.
 constexpr double max_gap_s = 5.0;
+// A position is made up if it is this many deviations from the median of its neighbours, so many to each
+// side, and at least this far.
 constexpr int median_reach = 5;
 constexpr double max_deviations = 6.0;
+constexpr double min_made_up_m = 0.001;
+// Fewer places do not make four parts.
+constexpr std::size_t min_places = 6;
+// A line through fewer places is not smooth.
+constexpr std::size_t min_line_places = 4;
+// A part that is shorter, as a share of the path, has no direction.
+constexpr double min_part_share = 0.02;
 
 // A position relative to where the finger rested: along the goal, and to its left.
 struct Place {
@@ -44,7 +54,7 @@ std::vector<bool> plausible(const std::vector<TimedPoint>& samples) {
     off_m[static_cast<std::size_t>(i)] =
         distance_m({median(right_m), median(away_m)}, samples[static_cast<std::size_t>(i)].position);
   }
-  const double max_m = std::max(0.001, max_deviations * mad_to_deviation * median(off_m));
+  const double max_m = std::max(min_made_up_m, max_deviations * mad_to_deviation * median(off_m));
   std::vector<bool> keep;
   for (const double off : off_m) keep.push_back(off <= max_m);
   return keep;
@@ -61,7 +71,7 @@ double smooth_along_m(const std::vector<Place>& places, double time_s, std::size
     while (from > 0 && places[from - 1].time_s > time_s - reach_s) --from;
     until = from;
     while (until < places.size() && places[until].time_s < time_s + reach_s) ++until;
-    if (until - from >= 4 || (from == 0 && until == places.size())) break;
+    if (until - from >= min_line_places || (from == 0 && until == places.size())) break;
   }
   double n = 0.0;
   double t = 0.0;
@@ -82,6 +92,73 @@ double smooth_along_m(const std::vector<Place>& places, double time_s, std::size
   return spread > 1e-6 * n * n ? (a * tt - t * ta) / spread : a / n;
 }
 
+// The samples from the onset on, until the tracker is away for long.
+std::vector<Place> places_of(const std::vector<TimedPoint>& samples, const Onset& onset,
+                             double goal_direction_deg) {
+  const double sine = sin_deg(goal_direction_deg);
+  const double cosine = cos_deg(goal_direction_deg);
+  std::vector<Place> places;
+  for (const TimedPoint& sample : samples) {
+    if (sample.time_ns < onset.time_ns()) continue;
+    const double time_s = elapsed_s(onset.time_ns(), sample.time_ns);
+    if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
+    const double right_m = sample.position.right_m - onset.place().right_m;
+    const double away_m = sample.position.away_m - onset.place().away_m;
+    places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
+  }
+  return places;
+}
+
+// The pace at steps of `step_s`; none of a slide that is too short. Returns the length.
+double set_pace(const std::vector<Place>& places, SlideTrack* track) {
+  const auto count = static_cast<std::size_t>(places.back().time_s / track->step_s);
+  std::vector<double> along_m{0.0};
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= count; ++i)
+    along_m.push_back(smooth_along_m(places, static_cast<double>(i) * track->step_s, &first));
+  const double length_m = *std::max_element(along_m.begin(), along_m.end());
+  for (std::size_t i = 0; i < count && length_m >= min_slide_m; ++i) {
+    const double share = 0.5 * (along_m[i] + along_m[i + 1]) / length_m;
+    SlideTrack::Step step{.advance_m = along_m[i + 1] - along_m[i], .share = share};
+    if (share >= window_edges[0] && share < window_edges[slide_parts])
+      step.window = static_cast<int>(std::upper_bound(window_edges.begin(), window_edges.end(), share) -
+                                     window_edges.begin()) -
+                    1;
+    track->steps.push_back(step);
+  }
+  return length_m;
+}
+
+// The chords of the parts, between means of the places in each window: two samples would be noisier. False if
+// a part was not seen, or goes back.
+bool set_directions(const std::vector<Place>& places, double length_m, SlideTrack* track) {
+  SlideDirections left_m = SlideDirections::Zero();
+  SlideDirections mean_along_m = SlideDirections::Zero();
+  for (const Place& place : places) {
+    const auto i = static_cast<std::size_t>(place.time_s / track->step_s);
+    if (i >= track->steps.size()) continue;
+    SlideTrack::Step& step = track->steps[i];
+    step.seen += 1.0;
+    step.left_m += (place.left_m - step.left_m) / step.seen;
+    if (step.window < 0) continue;
+    step.samples += 1.0;
+    track->window_samples(step.window) += 1.0;
+    left_m(step.window) += place.left_m;
+    mean_along_m(step.window) += place.along_m;
+  }
+  if (track->window_samples.minCoeff() < 1.0) return false;
+  left_m = left_m.cwiseQuotient(track->window_samples);
+  mean_along_m = mean_along_m.cwiseQuotient(track->window_samples);
+  for (int part = 0; part < slide_parts; ++part) {
+    const double from_left_m = part > 0 ? left_m(part - 1) : 0.0;
+    const double from_along_m = part > 0 ? mean_along_m(part - 1) : 0.0;
+    track->advance_m(part) = mean_along_m(part) - from_along_m;
+    if (!(track->advance_m(part) > min_part_share * length_m)) return false;
+    track->direction_deg(part) = atan2_deg(left_m(part) - from_left_m, track->advance_m(part));
+  }
+  return true;
+}
+
 }  // namespace
 
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg) {
@@ -89,71 +166,17 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   std::vector<TimedPoint> samples;
   for (std::size_t i = 0; i < trial.samples.size(); ++i)
     if (keep[i]) samples.push_back(trial.samples[i]);
-  const std::optional<SlideOnset> onset = find_onset(samples);
+  const std::optional<Onset> onset = find_onset(samples);
   if (!onset) return std::nullopt;
-
-  const double sine = sin_deg(goal_direction_deg);
-  const double cosine = cos_deg(goal_direction_deg);
-  std::vector<Place> places;
-  for (const TimedPoint& sample : samples) {
-    if (sample.time_ns < onset->time_ns) continue;
-    // The slide is over where the tracker was away for long.
-    const double time_s = elapsed_s(onset->time_ns, sample.time_ns);
-    if (!places.empty() && time_s - places.back().time_s > max_gap_s) break;
-    const double right_m = sample.position.right_m - onset->place.right_m;
-    const double away_m = sample.position.away_m - onset->place.away_m;
-    places.push_back({time_s, away_m * cosine - right_m * sine, -right_m * cosine - away_m * sine});
-  }
-  if (places.size() < 6) return std::nullopt;
+  const std::vector<Place> places = places_of(samples, *onset, goal_direction_deg);
+  if (places.size() < min_places) return std::nullopt;
 
   SlideTrack track;
   track.plate_deg = ridge_normal_deg(trial.plate_orientation_deg, goal_direction_deg) - goal_direction_deg;
-  track.onset_ns = onset->time_ns;
-  const double duration_s = places.back().time_s;
-  track.step_s = std::max(min_step_s, duration_s / steps_a_slide);
-  const auto count = static_cast<std::size_t>(duration_s / track.step_s);
-  std::vector<double> along_m{0.0};
-  std::size_t first = 0;
-  for (std::size_t i = 1; i <= count; ++i)
-    along_m.push_back(smooth_along_m(places, static_cast<double>(i) * track.step_s, &first));
-  const double length_m = *std::max_element(along_m.begin(), along_m.end());
-  if (!(length_m >= min_slide_m)) return std::nullopt;
-
-  for (std::size_t i = 0; i < count; ++i) {
-    const double share = 0.5 * (along_m[i] + along_m[i + 1]) / length_m;
-    SlideTrack::Step step{.advance_m = along_m[i + 1] - along_m[i], .share = share};
-    if (share >= window_edges[0] && share < window_edges[slide_parts])
-      step.window = static_cast<int>(std::upper_bound(window_edges.begin(), window_edges.end(), share) -
-                                     window_edges.begin()) -
-                    1;
-    track.steps.push_back(step);
-  }
-
-  // Means of the places in each window: that of a chord's ends, where two samples would be noisier.
-  SlideDirections left_m = SlideDirections::Zero();
-  SlideDirections mean_along_m = SlideDirections::Zero();
-  for (const Place& place : places) {
-    const auto i = static_cast<std::size_t>(place.time_s / track.step_s);
-    if (i >= track.steps.size()) continue;
-    SlideTrack::Step& step = track.steps[i];
-    step.seen += 1.0;
-    step.left_m += (place.left_m - step.left_m) / step.seen;
-    if (step.window < 0) continue;
-    step.samples += 1.0;
-    track.window_samples(step.window) += 1.0;
-    left_m(step.window) += place.left_m;
-    mean_along_m(step.window) += place.along_m;
-  }
-  if (track.window_samples.minCoeff() < 1.0) return std::nullopt;
-  left_m = left_m.cwiseQuotient(track.window_samples);
-  mean_along_m = mean_along_m.cwiseQuotient(track.window_samples);
-  for (int part = 0; part < slide_parts; ++part) {
-    const double from_left_m = part > 0 ? left_m(part - 1) : 0.0;
-    const double from_along_m = part > 0 ? mean_along_m(part - 1) : 0.0;
-    track.advance_m(part) = mean_along_m(part) - from_along_m;
-    if (!(track.advance_m(part) > 0.02 * length_m)) return std::nullopt;
-    track.direction_deg(part) = atan2_deg(left_m(part) - from_left_m, track.advance_m(part));
-  }
+  track.onset_ns = onset->time_ns();
+  track.step_s = std::max(min_step_s, places.back().time_s / steps_a_slide);
+  const double length_m = set_pace(places, &track);
+  if (!(length_m >= min_slide_m) || !set_directions(places, length_m, &track)) return std::nullopt;
   return track;
 }
 

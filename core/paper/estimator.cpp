@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/math/time.h"
 #include "core/math/trigonometry.h"
 
 namespace hrt {
@@ -20,15 +19,8 @@ constexpr double initial_direction_sd_deg = 4.0;
 constexpr double weight_drift_sd = 0.001;
 // The direction of an exact sample.
 constexpr double exact_direction_variance_deg2 = 1e-12;
-// Tracker noise: what is assumed before two intervals are seen, and the least that is believed.
-constexpr double initial_noise_mm2 = 0.3 * 0.3;
-constexpr double min_noise_mm2 = 0.01 * 0.01;
 // Positions beyond five standard deviations are left out.
 constexpr double outlier_innovation = 25.0;
-
-double seconds(std::int64_t from_ns, std::int64_t to_ns) {
-  return static_cast<double>(elapsed_ns(from_ns, to_ns)) * 1e-9;
-}
 
 }  // namespace
 
@@ -42,15 +34,14 @@ bool is_valid(const EstimatorConfig& config) {
 Estimator::Estimator(const EstimatorConfig& config, const Participant& participant, double goal_direction_deg,
                      const PlatePoint& start)
     : config_(config),
+      noise_(config.tracker_noise_m),
       goal_direction_deg_(goal_direction_deg),
       motor_variance_deg2_(participant.motor_variance_deg2),
       motor_variance_information_(1.0 / (config.motor_variance_sd_deg2 * config.motor_variance_sd_deg2)) {
-  const double noise_mm = config.tracker_noise_m * mm_per_m;
-  noise_variance_mm2_ = noise_mm > 0.0 ? noise_mm * noise_mm : initial_noise_mm2;
   state_ << start.right_m * mm_per_m, start.away_m * mm_per_m, initial_speed_mm_s, 0.0,
       participant.tactile_weight;
   covariance_.setZero();
-  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
   covariance_(speed, speed) = initial_speed_sd_mm_s * initial_speed_sd_mm_s;
   covariance_(direction, direction) = initial_direction_sd_deg * initial_direction_sd_deg;
   if (config.adapt) covariance_(weight, weight) = config.tactile_weight_sd * config.tactile_weight_sd;
@@ -59,7 +50,7 @@ Estimator::Estimator(const EstimatorConfig& config, const Participant& participa
 void Estimator::rest_at(const PlatePoint& place) {
   state_(right) = place.right_m * mm_per_m;
   state_(away) = place.away_m * mm_per_m;
-  covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+  covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
 }
 
 void Estimator::move(double elapsed_s) {
@@ -118,14 +109,13 @@ void Estimator::observe_direction(double direction_deg) {
 bool Estimator::observe_position(const PlatePoint& position) {
   const double right_innovation_mm = position.right_m * mm_per_m - state_(right);
   const double away_innovation_mm = position.away_m * mm_per_m - state_(away);
-  const double a = covariance_(right, right) + noise_variance_mm2_;
+  const double a = covariance_(right, right) + noise_.variance_mm2();
   const double b = covariance_(right, away);
-  const double c = covariance_(away, away) + noise_variance_mm2_;
-  innovation_determinant_mm4_ = a * c - b * b;
+  const double c = covariance_(away, away) + noise_.variance_mm2();
   normalised_innovation_ =
       (c * right_innovation_mm * right_innovation_mm - 2.0 * b * right_innovation_mm * away_innovation_mm +
        a * away_innovation_mm * away_innovation_mm) /
-      innovation_determinant_mm4_;
+      (a * c - b * b);
   if (normalised_innovation_ > outlier_innovation && ++outliers_ <= max_outliers) return false;
   if (outliers_ > max_outliers) {
     // The tracker has jumped, or the finger has been moved: the believed place is void.
@@ -133,38 +123,16 @@ bool Estimator::observe_position(const PlatePoint& position) {
     covariance_.col(right).setZero();
     covariance_.row(away).setZero();
     covariance_.col(away).setZero();
-    covariance_(right, right) = covariance_(away, away) = noise_variance_mm2_;
+    covariance_(right, right) = covariance_(away, away) = noise_.variance_mm2();
     state_(right) = position.right_m * mm_per_m;
     state_(away) = position.away_m * mm_per_m;
     outliers_ = 0;
     return true;
   }
   outliers_ = 0;
-  correct(right, right_innovation_mm, noise_variance_mm2_);
-  correct(away, position.away_m * mm_per_m - state_(away), noise_variance_mm2_);
+  correct(right, right_innovation_mm, noise_.variance_mm2());
+  correct(away, position.away_m * mm_per_m - state_(away), noise_.variance_mm2());
   return true;
-}
-
-void Estimator::learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) {
-  if (config_.tracker_noise_m > 0.0 || (last_ && time_ns <= last_->time_ns)) return;
-  if (last_but_one_) {
-    const double share =
-        seconds(last_but_one_->time_ns, last_->time_ns) / seconds(last_but_one_->time_ns, time_ns);
-    const auto departure_mm2 = [&](double first_m, double middle_m, double last_m) {
-      const double departure_mm = mm_per_m * (middle_m - ((1.0 - share) * first_m + share * last_m));
-      return departure_mm * departure_mm / (1.0 + (1.0 - share) * (1.0 - share) + share * share);
-    };
-    const double seen_mm2 =
-        0.5 * (departure_mm2(last_but_one_->position.right_m, last_->position.right_m, position.right_m) +
-               departure_mm2(last_but_one_->position.away_m, last_->position.away_m, position.away_m));
-    noise_weight_ += 1.0;
-    // A jump is no noise: it counts for nine times the variance at most.
-    noise_variance_mm2_ +=
-        (std::min(seen_mm2, 9.0 * noise_variance_mm2_) - noise_variance_mm2_) / noise_weight_;
-    noise_variance_mm2_ = std::max(noise_variance_mm2_, min_noise_mm2);
-  }
-  last_but_one_ = last_;
-  last_ = {time_ns, position};
 }
 
 // One scalar measurement of one component.
@@ -183,7 +151,7 @@ FingerEstimate Estimator::estimate() const {
           .direction_deg = state_(direction),
           .tactile_weight = state_(weight),
           .tactile_weight_sd = std::sqrt(std::max(covariance_(weight, weight), 0.0)),
-          .tracker_noise_m = std::sqrt(noise_variance_mm2_) / mm_per_m,
+          .tracker_noise_m = noise_.noise_m(),
           .motor_variance_deg2 =
               std::clamp(motor_variance_deg2_ + motor_variance_score_ / motor_variance_information_,
                          min_motor_variance_deg2, max_motor_variance_deg2),

@@ -8,11 +8,11 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 
 #include "core/paper/participant.h"
 #include "core/plate/plate_frame.h"
 #include "core/reach/reach.h"
+#include "core/tracker/noise_learner.h"
 
 namespace hrt {
 
@@ -65,18 +65,16 @@ class Estimator {
   /// left out (five standard deviations; at most `max_outliers` samples in a row).
   bool observe_position(const PlatePoint& position);
 
-  /// Learns the tracker's noise from how a position departs from the line through its neighbours in time:
-  /// slow motion cancels, white noise stays. To be called with every position, also of a finger at rest.
-  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position);
+  /// Learns the tracker's noise. To be called with every position, also of a finger at rest.
+  void learn_tracker_noise(std::int64_t time_ns, const PlatePoint& position) {
+    noise_.observe(time_ns, position);
+  }
 
   FingerEstimate estimate() const;
 
   /// Normalised innovation squared of the last position, chi-squared with 2 degrees of freedom if the
   /// filter's assumptions hold.
   double normalised_innovation() const { return normalised_innovation_; }
-
-  /// Determinant of that innovation's covariance, mm^4.
-  double innovation_determinant_mm4() const { return innovation_determinant_mm4_; }
 
   static constexpr int max_outliers = 5;
   /// sigma_u^2 as learnt is kept in this range.
@@ -95,11 +93,11 @@ class Estimator {
   void correct(Index measured, double innovation, double noise_variance);
 
   EstimatorConfig config_;
+  NoiseLearner noise_;
   double goal_direction_deg_;
   State state_;
   Covariance covariance_;
   double normalised_innovation_ = 0.0;
-  double innovation_determinant_mm4_ = 0.0;
   int outliers_ = 0;
 
   // At the beginning of the current step, to see how far its samples correct it.
@@ -108,11 +106,6 @@ class Estimator {
   double motor_variance_deg2_;       // as assumed
   double motor_variance_score_ = 0.0;
   double motor_variance_information_;
-
-  std::optional<TimedPoint> last_;
-  std::optional<TimedPoint> last_but_one_;
-  double noise_variance_mm2_;
-  double noise_weight_ = 1.0;  // samples that noise_variance_mm2_ stands for
 };
 
 }  // namespace hrt

@@ -133,7 +133,7 @@ Observation ReachEstimator::take(const FingerSample& sample, PlateModel& plate) 
       return Observation::none;
     case Observation::lifted:
       paused_ = true;
-      onset_ = Onset(averaged_onset);  // it may be set down elsewhere
+      onset_ = Onset();  // it may be set down elsewhere
       return Observation::none;
     case Observation::direction:
       if (!clock_.started()) start(sample.time_ns, start_);

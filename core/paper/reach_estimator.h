@@ -66,7 +66,6 @@ class ReachEstimator {
   const std::optional<PlatePoint>& place() const { return place_; }
 
  private:
-  static constexpr bool averaged_onset = true;
   void start(std::int64_t time_ns, const PlatePoint& place);
   void advance(std::int64_t time_ns, PlateModel& plate);
   void end_step(double plate_orientation_deg);
@@ -78,7 +77,7 @@ class ReachEstimator {
   Participant participant_;
   double goal_direction_deg_;
   PlatePoint start_;
-  Onset onset_{averaged_onset};
+  Onset onset_;
   Estimator estimator_;
   StepClock clock_;
   GainWindow gains_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "core/plate/plate_frame.h"
 
@@ -14,11 +15,11 @@ class Onset {
  public:
   /// `averaged`: the mean of three positions decides and not a single one, which comes off by chance where
   /// the noise is not known yet.
-  explicit Onset(bool averaged = false) : averaged_(averaged) {}
+  explicit Onset(bool averaged = true) : averaged_(averaged) {}
 
   /// Takes one position in; `noise_m` is the standard deviation of its coordinates as far as it is
   /// known. Returns true once the finger is four of them, and at least `min_travel_m`, from where it
-  /// rested; more while there are but a few samples.
+  /// rested; more while there are few samples.
   bool observe(std::int64_t time_ns, const PlatePoint& position, double noise_m);
 
   /// The last time at which the finger was still at rest, as far as the noise shows.
@@ -39,5 +40,9 @@ class Onset {
   std::array<PlatePoint, 3> last_{};
   std::int64_t rest_ns_ = 0;
 };
+
+/// The onset in recorded positions, of a tracker whose noise is learnt from all of them. None without a
+/// motion, or of fewer than eight positions.
+std::optional<Onset> find_onset(std::span<const TimedPoint> samples);
 
 }  // namespace hrt

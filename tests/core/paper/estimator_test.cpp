@@ -12,7 +12,6 @@
 #include "core/paper/perception.h"
 #include "core/paper_simulation/participant.h"
 #include "core/simulation/random.h"
-#include "core/tracker/onset.h"
 
 namespace hrt {
 namespace {
@@ -85,24 +84,6 @@ TEST(Estimator, FindsSpeedAndDirectionOfExactPositions) {
   EXPECT_NEAR(estimate.direction_deg, 12.0, 0.1);
   EXPECT_NEAR(estimate.speed_m_s, 0.033, 0.0005);
   EXPECT_LT(estimate.tracker_noise_m, 0.0001);
-}
-
-TEST(Estimator, LearnsTheTrackersNoiseAtAnyRate) {
-  for (const double noise_m : {0.0002, 0.0012, 0.002}) {
-    for (const double rate_hz : {40.0, 90.0, 1000.0}) {
-      Estimator estimator({}, Participant{}, 0.0, {});
-      for (std::uint32_t i = 0; i < 300; ++i) {
-        const auto noise = [&](std::uint32_t axis) {
-          return noise_m * standard_normal({.seed = 3, .condition = 0, .trial = axis, .step = i});
-        };
-        // Jittered sampling of a finger that moves.
-        const double time_s = (i + 0.3 * (i % 3)) / rate_hz;
-        estimator.learn_tracker_noise(static_cast<std::int64_t>(time_s * 1e9),
-                                      {noise(0), 0.033 * time_s + noise(1)});
-      }
-      EXPECT_NEAR(estimator.estimate().tracker_noise_m, noise_m, 0.15 * noise_m) << noise_m << ' ' << rate_hz;
-    }
-  }
 }
 
 TEST(Estimator, LeavesOutliersOutButFollowsAFingerThatWasMoved) {
@@ -184,29 +165,6 @@ TEST(Estimator, IsConsistent) {
   // constant speed needs, which makes the innovations a little small.
   EXPECT_NEAR(innovations / samples, 2.0, 0.05);
   EXPECT_NEAR(weight_errors / reaches, 1.0, 4.0 * std::sqrt(2.0 / reaches));
-}
-
-TEST(Onset, FingerAtRestDoesNotStart) {
-  Onset onset;
-  for (std::uint32_t i = 0; i < 1000; ++i) {
-    const auto noise = [&](std::uint32_t axis) {
-      return 0.001 * standard_normal({.seed = 5, .condition = 0, .trial = axis, .step = i});
-    };
-    ASSERT_FALSE(onset.observe(i * 10 * ms, {noise(0), 0.2 + noise(1)}, 0.0012)) << i;
-  }
-  EXPECT_NEAR(onset.place().away_m, 0.2, 0.0002);
-}
-
-// At rest until 200 ms, then 30 mm/s.
-TEST(Onset, ReportsWhenAnExactMotionStarted) {
-  Onset onset;
-  int i = 0;
-  for (;; ++i) {
-    const double away_m = 0.0003 * std::max(0, i - 20);
-    if (onset.observe(i * 10 * ms, {0.0, away_m}, 0.00001)) break;
-    ASSERT_LT(i, 40);
-  }
-  EXPECT_EQ(onset.time_ns(), 200 * ms);
 }
 
 }  // namespace
