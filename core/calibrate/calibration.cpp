@@ -13,8 +13,6 @@ namespace {
 
 constexpr double min_plate_span_deg = 40.0;
 constexpr int min_plate_angles = 3;
-// Slides that are like one another.
-constexpr std::size_t min_alike = 8;
 // The largest gap is extrapolated, and unknown, if the slides end farther from 75 degrees than this.
 constexpr double min_offset_deg = 60.0;
 // An interval that is wider says nothing of a person.
@@ -86,29 +84,7 @@ void describe_controllers_curve(const PersonFit& person, Calibration* calibratio
                    -1.0, 1.0);
 }
 
-// The trials' slides: over a plate at rest, with their places in the data, and over a turning one.
-struct Slides {
-  std::vector<SlideTrack> resting;
-  std::vector<double> order;
-  std::vector<TurningSlide> turning;
-};
-
-Slides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
-  Slides slides;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const auto track = track_slide(trials[i], goal_direction_deg);
-    if (!track) continue;
-    if (auto turning = turning_slide(trials[i], *track, goal_direction_deg)) {
-      slides.turning.push_back(std::move(*turning));
-      continue;
-    }
-    slides.resting.push_back(*track);
-    slides.order.push_back(static_cast<double>(i));
-  }
-  return slides;
-}
-
-std::optional<CalibrationRefusal> check(const Slides& slides, std::size_t trials) {
+std::optional<CalibrationRefusal> check(const CalibrationSlides& slides, std::size_t trials) {
   const std::string needed = "; at least " + std::to_string(min_trials) + " are needed";
   if (slides.resting.size() < min_trials)
     return CalibrationRefusal{std::to_string(slides.resting.size()) + " of " + std::to_string(trials) +
@@ -149,12 +125,6 @@ SteeringFit steering_of(const std::vector<TurningSlide>& turning, const CurveFit
   for (Interval* interval : {&steering.rate_per_s, &steering.delay_s})
     interval->known = interval->known && calibration.fits() && steering.law_p >= min_fit_p;
   return steering;
-}
-
-CurvePeak weaker_peak(const IllusionCurve& curve) {
-  const CurvePeak left = curve_peak(curve, 1.0);
-  const CurvePeak right = curve_peak(curve, -1.0);
-  return left.shift_deg < right.shift_deg ? left : right;
 }
 
 Calibration described(const PersonFit& person) {
@@ -239,16 +209,31 @@ std::vector<std::string> Calibration::advice() const {
   return sentences;
 }
 
+CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg) {
+  CalibrationSlides slides;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const auto track = track_slide(trials[i], goal_direction_deg);
+    if (!track) continue;
+    if (auto turning = turning_slide(trials[i], *track, goal_direction_deg)) {
+      slides.turning.push_back(std::move(*turning));
+      continue;
+    }
+    slides.resting.push_back(*track);
+    slides.order.push_back(static_cast<double>(i));
+  }
+  return slides;
+}
+
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg) {
   if (auto refusal = check(trials, goal_direction_deg)) return *refusal;
-  const Slides slides = slides_of(trials, goal_direction_deg);
+  const CalibrationSlides slides = slides_of(trials, goal_direction_deg);
   if (auto refusal = check(slides, trials.size())) return *refusal;
   const PersonFit person = fit_person(slides.resting, slides.order);
-  if (person.used.size() < min_alike)
+  if (person.used.size() < static_cast<std::size_t>(min_fitted_slides))
     return CalibrationRefusal{std::to_string(person.used.size()) + " of " +
                               std::to_string(slides.resting.size()) +
-                              " slides are like one another; at least " + std::to_string(min_alike) +
+                              " slides are like one another; at least " + std::to_string(min_fitted_slides) +
                               " are needed: check the tracker"};
   Calibration calibration = described(person);
   const Interval& w = calibration.tactile_weight;

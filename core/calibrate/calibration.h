@@ -67,6 +67,14 @@ struct Calibration {
   std::vector<std::string> advice() const;
 };
 
+/// The slides of trials: over a plate at rest, with the trials' places in the data, and over a turning one.
+struct CalibrationSlides {
+  std::vector<SlideTrack> resting;
+  std::vector<double> order;
+  std::vector<TurningSlide> turning;
+};
+CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
+
 /// Why there is no calibration: one sentence with the mistake and the requirement.
 struct CalibrationRefusal {
   std::string reason;

@@ -29,8 +29,19 @@ constexpr double habit_as_bias = 0.04;
 // People who steer to a place, not in a direction, turn back what they have felt: as by a curve that is
 // larger by twice this share. Half of it is allowed for, since most people need none.
 constexpr double place_as_curve = 0.005;
+// The rate k of correction is 1.6 to 37 /s, D up to 0.2 s as in slide_model.h, L within 0.15 s.
 constexpr double min_log_gain = 0.5;
 constexpr double max_log_gain = 3.6;
+constexpr double max_delay_s = 0.2;
+constexpr double max_goal_delay_s = 0.15;
+// Directions are within max_direction_deg; a curve's first number within these, with room about those of
+// people.
+constexpr double min_first = -0.2;
+constexpr double max_first = 0.8;
+constexpr double min_start_share = -0.5;
+constexpr double max_start_share = 1.5;
+// The weight from which a fit sets out.
+constexpr double first_weight = 0.18;
 
 enum Parameter { bias, habit, start, log_gain, delay, goal_delay, start_share, first, second };
 
@@ -44,19 +55,19 @@ Limits limits(CurveFamily family, int parameter) {
     case log_gain:
       return {min_log_gain, max_log_gain};
     case delay:
-      return {0.0, 0.2};
+      return {0.0, max_delay_s};
     case goal_delay:
-      return {-0.15, 0.15};
+      return {-max_goal_delay_s, max_goal_delay_s};
     case start_share:
-      return {-0.5, 1.5};
+      return {min_start_share, max_start_share};
     case first:
-      return {-0.2, 0.8};
+      return {min_first, max_first};
     case second: {
       const CurveRange range = second_range(family);
       return {range.min, range.max};
     }
     default:
-      return {-60.0, 60.0};
+      return {-max_direction_deg, max_direction_deg};
   }
 }
 
@@ -203,19 +214,12 @@ SlidingPersonModel fitted_person(CurveFamily family, const FitVector& parameters
 }
 
 SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person) {
-  const CurveFamily family = person.curve.family;
   const FitVector middle = fit_vector(person);
   SlideJacobian jacobian(slide_parts, middle.size());
-  for (int i = 0; i < middle.size(); ++i) {
-    const double step = fit_derivative_step(family, i);
-    FitVector above = middle;
-    FitVector below = middle;
-    above(i) += step;
-    below(i) -= step;
-    jacobian.col(i) = (predicted_directions(track, fitted_person(family, above)) -
-                       predicted_directions(track, fitted_person(family, below))) /
-                      (2.0 * step);
-  }
+  for (int i = 0; i < middle.size(); ++i)
+    jacobian.col(i) = fit_derivative(person.curve.family, middle, i, [&](const SlidingPersonModel& other) {
+      return predicted_directions(track, other);
+    });
   return jacobian;
 }
 
@@ -226,7 +230,7 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
   const LeastSquares problem = problem_of(family, slides, root);
   LeastSquaresFit found;
   for (const double guess : first_guesses(family)) {
-    const LeastSquaresFit tried = descend(problem, fit_vector({.curve = {family, 0.18, guess}}));
+    const LeastSquaresFit tried = descend(problem, fit_vector({.curve = {family, first_weight, guess}}));
     if (found.parameters.size() == 0 || tried.misfit < found.misfit) found = tried;
   }
 

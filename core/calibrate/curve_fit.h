@@ -47,33 +47,35 @@ CurveFit fit_curve(CurveFamily family, std::span<const SlideTrack> slides,
 /// The derivatives of one slide's predicted directions.
 SlideJacobian slide_jacobian(const SlideTrack& track, const SlidingPersonModel& person);
 
+// Steps of numerical derivatives, in the parameters' order.
+inline constexpr double fit_step[max_fit_parameters] = {0.05,  0.05, 0.05,  0.02, 0.003,
+                                                        0.003, 0.01, 0.002, 0.002};
+double fit_derivative_step(CurveFamily family, int parameter);
+
+/// The derivative by one parameter of what `function` makes of the person.
+template <class Function>
+auto fit_derivative(CurveFamily family, const FitVector& middle, int parameter, const Function& function) {
+  const double step = fit_derivative_step(family, parameter);
+  FitVector above = middle;
+  FitVector below = middle;
+  above(parameter) += step;
+  below(parameter) -= step;
+  using Value = decltype(function(fitted_person(family, middle)));
+  return Value((function(fitted_person(family, above)) - function(fitted_person(family, below))) /
+               (2.0 * step));
+}
+
 /// A number that depends on the fitted person, and its standard deviation to first order.
 struct FitValue {
   double value;
   double deviation;
 };
 template <class Function>
-FitValue fit_value(const CurveFit& fit, const Function& function);
-
-// Steps of numerical derivatives, in the parameters' order.
-inline constexpr double fit_step[max_fit_parameters] = {0.05,  0.05, 0.05,  0.02, 0.003,
-                                                        0.003, 0.01, 0.002, 0.002};
-double fit_derivative_step(CurveFamily family, int parameter);
-
-template <class Function>
 FitValue fit_value(const CurveFit& fit, const Function& function) {
-  const CurveFamily family = fit.person.curve.family;
   const FitVector middle = fit_vector(fit.person);
   FitVector gradient(middle.size());
-  for (int i = 0; i < middle.size(); ++i) {
-    const double step = fit_derivative_step(family, i);
-    FitVector above = middle;
-    FitVector below = middle;
-    above(i) += step;
-    below(i) -= step;
-    gradient(i) =
-        (function(fitted_person(family, above)) - function(fitted_person(family, below))) / (2.0 * step);
-  }
+  for (int i = 0; i < middle.size(); ++i)
+    gradient(i) = fit_derivative(fit.person.curve.family, middle, i, function);
   const double variance = gradient.dot(fit.covariance * gradient);
   return {function(fit.person), variance > 0.0 ? std::sqrt(variance) : 0.0};
 }

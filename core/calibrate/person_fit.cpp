@@ -11,45 +11,29 @@
 namespace hrt {
 namespace {
 
+// Slides over plates within this of each other are of one angle.
 constexpr double near_angle_deg = 4.0;
+// With so many left within max_offset_deg the others are left out.
 constexpr std::size_t enough_slides = 10;
 constexpr int enough_angles = 5;
-
-// The x with P(mixture <= x) = `share`.
-double mixture_quantile(const std::vector<FitValue>& values, const std::vector<FamilyFit>& families,
-                        double share) {
-  double low = values.front().value;
-  double high = low;
-  for (const FitValue& value : values) {
-    low = std::min(low, value.value - 8.0 * value.deviation);
-    high = std::max(high, value.value + 8.0 * value.deviation);
-  }
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    double below = 0.0;
-    for (std::size_t k = 0; k < values.size(); ++k) {
-      const double off = middle - values[k].value;
-      const double cdf = values[k].deviation > 0.0 ? normal_cdf(off / values[k].deviation) : (off >= 0.0);
-      below += families[k].probability * cdf;
-    }
-    (below < share ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
 
 }  // namespace
 
 Interval PersonFit::value(const std::function<double(const SlidingPersonModel&)>& number) const {
-  std::vector<FitValue> values;
+  std::vector<NormalPart> parts;
   for (const FamilyFit& family : families) {
-    FitValue value = fit_value(family.fit, number);
+    const FitValue value = fit_value(family.fit, number);
     const double degrees =
         static_cast<double>(used.size()) - static_cast<double>(family.fit.covariance.rows());
-    value.deviation *= student_975(degrees) / normal_975;
-    values.push_back(value);
+    parts.push_back({family.probability, value.value, value.deviation * student_975(degrees) / normal_975});
   }
-  return {mixture_quantile(values, families, 0.5), mixture_quantile(values, families, 0.025),
-          mixture_quantile(values, families, 0.975), true};
+  return mixture_interval(parts);
+}
+
+CurvePeak weaker_peak(const IllusionCurve& curve) {
+  const CurvePeak left = curve_peak(curve, 1.0);
+  const CurvePeak right = curve_peak(curve, -1.0);
+  return left.shift_deg < right.shift_deg ? left : right;
 }
 
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides) {

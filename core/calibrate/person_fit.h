@@ -43,10 +43,16 @@ inline constexpr int min_curve_angles = 7;
 inline constexpr double max_offset_deg = 78.0;
 inline constexpr double max_needed_offset_deg = 85.0;
 
+/// The peak of the curve on the side where it is lower.
+CurvePeak weaker_peak(const IllusionCurve& curve);
+
 /// Slides that count for `track`: the settled motion stays away from the ridges' own direction.
 std::vector<SlideVerdict> slide_verdicts(std::span<const SlideTrack> slides);
 
-/// At least 8 slides that count. `order`: as in lack_of_fit().
+/// Fewest slides that count of which a person is fitted.
+inline constexpr int min_fitted_slides = 8;
+
+/// At least min_fitted_slides that count. `order`: as in lack_of_fit().
 PersonFit fit_person(std::span<const SlideTrack> slides, std::span<const double> order);
 
 }  // namespace hrt

@@ -10,6 +10,10 @@
 namespace hrt {
 namespace {
 
+// A motion along the ridges, except for a hair, so that its side is known.
+constexpr double along_ridges_deg = 89.99;
+constexpr int halvings = 40;
+
 // The tangent within max_direction_deg, by its continued fraction; to 1e-5.
 double tangent(double angle_deg) {
   const double x = rad_per_deg * angle_deg;
@@ -67,10 +71,10 @@ double settled_model_deg(const SlidingPersonModel& person, double plate_deg) {
     return direction_deg + curve_shift_deg(person.curve, plate_deg - direction_deg) - person.bias_deg;
   };
   double goal_deg = person.bias_deg;
-  double along_deg = plate_deg + (plate_deg > goal_deg ? -89.99 : 89.99);
+  double along_deg = plate_deg + (plate_deg > goal_deg ? -along_ridges_deg : along_ridges_deg);
   const bool rises = felt_error_deg(goal_deg) > 0.0;
   if ((felt_error_deg(along_deg) > 0.0) == rises) return along_deg;
-  for (int i = 0; i < 40; ++i) {
+  for (int i = 0; i < halvings; ++i) {
     const double middle_deg = 0.5 * (goal_deg + along_deg);
     ((felt_error_deg(middle_deg) > 0.0) == rises ? goal_deg : along_deg) = middle_deg;
   }

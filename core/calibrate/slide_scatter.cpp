@@ -12,6 +12,11 @@ namespace {
 constexpr int max_degree = 5;
 constexpr double same_angle_deg = 3.0;
 constexpr int passes = 12;
+constexpr int outlier_passes = 4;
+// Smaller residuals count no more in least absolute deviations.
+constexpr double min_residual_deg = 0.05;
+// Next to nothing, and not 0, so that a row keeps its place.
+constexpr double outlier_weight = 1e-9;
 // Of a normal slide, squared and over all parts: far beyond what chi-squared with four degrees exceeds once
 // in 100000 slides (28.5), since the first part of a path has heavier tails.
 constexpr double max_distance = 40.0;
@@ -97,7 +102,7 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
   Rows weights = Rows::Ones(count, slide_parts);
   Rows residuals = residuals_of(design, directions, weights);
   for (int pass = 0; pass < passes; ++pass) {
-    weights = residuals.cwiseAbs().cwiseMax(0.05).cwiseInverse();
+    weights = residuals.cwiseAbs().cwiseMax(min_residual_deg).cwiseInverse();
     residuals = residuals_of(design, directions, weights);
   }
   PartsMatrix covariance = PartsMatrix::Zero();
@@ -112,14 +117,14 @@ SlideScatter slide_scatter(std::span<const SlideTrack> slides) {
 
   // Parts lie about 0 together, so their covariance decides in the end what is an outlier.
   scatter.outlying.assign(slides.size(), false);
-  for (int pass = 0; pass < 4; ++pass) {
+  for (int pass = 0; pass < outlier_passes; ++pass) {
     const PartsMatrix weight = inverse(covariance);
     for (Eigen::Index i = 0; i < count; ++i) {
       const SlideDirections off = residuals.row(i).transpose();
       scatter.outlying[static_cast<std::size_t>(i)] = off.dot(weight * off) > max_distance;
     }
     for (Eigen::Index i = 0; i < count; ++i)
-      weights.row(i).setConstant(scatter.outlying[static_cast<std::size_t>(i)] ? 1e-9 : 1.0);
+      weights.row(i).setConstant(scatter.outlying[static_cast<std::size_t>(i)] ? outlier_weight : 1.0);
     residuals = residuals_of(design, directions, weights);
     covariance = covariance_of(residuals, scatter.outlying, scatter.degree);
   }

@@ -11,6 +11,7 @@
 #include "core/math/least_squares.h"
 #include "core/math/linear_algebra.h"
 #include "core/math/trigonometry.h"
+#include "core/paper/estimator.h"
 
 namespace hrt {
 namespace {
@@ -20,11 +21,27 @@ constexpr double bin_s = 0.04;
 constexpr double noise_deg2_per_s = 8.0;
 constexpr double usual_rate_per_s = 8.0;
 constexpr double usual_log_rate = 2.08;
+constexpr double log_rate_deviation = 1.0;
+constexpr double usual_delay_s = 0.07;
+constexpr double delay_deviation_s = 0.15;
+// Delays from which the fit sets out: it may settle in a local optimum.
+constexpr std::array<double, 2> first_delays_s{0.02, 0.1};
+// Nobody is taken to be beyond: rates of 1 to 40 /s, and a curve of a fifth to three times that at rest.
+constexpr double max_log_rate = 3.7;
+constexpr double max_delay_s = 0.35;
+constexpr double max_start_deg = 45.0;
+constexpr double min_scale = 0.2;
+constexpr double max_scale = 3.0;
+constexpr double start_prior_deg = 5.0;
 constexpr double start_deviation_deg = 3.0;
 constexpr double start_place_deviation_m = 0.0003;
 constexpr double min_noise_m = 0.0003;
+constexpr double min_correlation_s = 0.01;
 // The values of slides over a plate at rest hold within this many of their deviations.
 constexpr double rest_deviations = 1.5;
+// And no better than this.
+constexpr double min_rest_deviation_deg = 0.05;
+constexpr double min_scale_deviation = 0.01;
 // What the laws may get wrong.
 constexpr double law_log_rate = 0.05;
 constexpr double law_delay_s = 0.004;
@@ -48,7 +65,8 @@ struct Observed {
   Eigen::MatrixXd whitening;  // L^-1 of the covariance L L'
 };
 
-Observed observe(const TurningSlide& slide, const RestNoise& noise) {
+// The slide's places in means over bin_s or more, each with a position at least.
+Observed binned(const TurningSlide& slide) {
   const SlideTrack& track = slide.track;
   Observed observed{.slide = &slide, .bins = {}, .left_m = {}, .whitening = {}};
   std::vector<double> left_m;
@@ -66,43 +84,54 @@ Observed observe(const TurningSlide& slide, const RestNoise& noise) {
     observed.bins.push_back(bin);
     left_m.push_back(sum_m / bin.seen);
   }
-  const auto count = static_cast<Eigen::Index>(observed.bins.size());
-  observed.left_m = Eigen::Map<const Eigen::VectorXd>(left_m.data(), count);
+  observed.left_m =
+      Eigen::Map<const Eigen::VectorXd>(left_m.data(), static_cast<Eigen::Index>(left_m.size()));
+  return observed;
+}
 
-  // What a kick of one degree at a step does to the places in the bins.
+// What a kick of one degree at each step does to the places in the bins.
+Eigen::MatrixXd kicks_of(const SlideTrack& track, const std::vector<SlideBin>& bins) {
   const auto steps = static_cast<Eigen::Index>(track.steps.size());
-  Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(count, steps);
+  Eigen::MatrixXd kicks = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(bins.size()), steps);
   const double kept = exponential(-usual_rate_per_s * track.step_s);
   for (Eigen::Index j = 0; j < steps; ++j) {
     double left = 1.0;
     double here_m = 0.0;
     std::size_t bin = 0;
     for (auto i = static_cast<std::size_t>(j); i < track.steps.size(); ++i) {
-      while (bin < observed.bins.size() && i >= observed.bins[bin].end) ++bin;
-      if (bin == observed.bins.size()) break;
+      while (bin < bins.size() && i >= bins[bin].end) ++bin;
+      if (bin == bins.size()) break;
       here_m += rad_per_deg * track.steps[i].advance_m * left;
       left *= kept;
       kicks(static_cast<Eigen::Index>(bin), j) +=
-          here_m / static_cast<double>(observed.bins[bin].end - observed.bins[bin].begin);
+          here_m / static_cast<double>(bins[bin].end - bins[bin].begin);
     }
   }
+  return kicks;
+}
+
+Observed observe(const TurningSlide& slide, const RestNoise& noise) {
+  const SlideTrack& track = slide.track;
+  Observed observed = binned(slide);
+  const std::vector<SlideBin>& bins = observed.bins;
+  const Eigen::MatrixXd kicks = kicks_of(track, bins);
   const Eigen::VectorXd first_kick = start_deviation_deg * kicks.col(0);
   Eigen::MatrixXd covariance = noise_deg2_per_s * track.step_s * product(kicks, kicks.transpose()) +
                                product(first_kick, first_kick.transpose());
   covariance.array() += start_place_deviation_m * start_place_deviation_m;
   const double white_m = std::max(noise.white_m.value, min_noise_m);
   const double correlated_m = noise.correlated_m.value;
-  const auto middle_s = [&](Eigen::Index b) {
-    const SlideBin& bin = observed.bins[static_cast<std::size_t>(b)];
-    return 0.5 * track.step_s * static_cast<double>(bin.begin + bin.end);
+  const double correlation_s = std::max(noise.correlation_s.value, min_correlation_s);
+  const auto middle_s = [&](std::size_t b) {
+    return 0.5 * track.step_s * static_cast<double>(bins[b].begin + bins[b].end);
   };
-  for (Eigen::Index a = 0; a < count; ++a) {
-    covariance(a, a) += white_m * white_m / observed.bins[static_cast<std::size_t>(a)].seen;
+  for (std::size_t a = 0; a < bins.size(); ++a) {
+    const auto row = static_cast<Eigen::Index>(a);
+    covariance(row, row) += white_m * white_m / bins[a].seen;
     if (!(correlated_m > 0.0)) continue;
-    for (Eigen::Index b = 0; b < count; ++b)
-      covariance(a, b) +=
-          correlated_m * correlated_m *
-          exponential(-std::abs(middle_s(a) - middle_s(b)) / std::max(noise.correlation_s.value, 0.01));
+    for (std::size_t b = 0; b < bins.size(); ++b)
+      covariance(row, static_cast<Eigen::Index>(b)) +=
+          correlated_m * correlated_m * exponential(-std::abs(middle_s(a) - middle_s(b)) / correlation_s);
   }
   observed.whitening = whitening_of(covariance);
   return observed;
@@ -115,10 +144,10 @@ struct LawFit {
 };
 
 Vector clamped(Vector person) {
-  person(steering_log_rate) = std::clamp(person(steering_log_rate), 0.0, 3.7);
-  person(steering_delay_s) = std::clamp(person(steering_delay_s), 0.0, 0.35);
-  person(steering_start_deg) = std::clamp(person(steering_start_deg), -45.0, 45.0);
-  person(steering_scale) = std::clamp(person(steering_scale), 0.2, 3.0);
+  person(steering_log_rate) = std::clamp(person(steering_log_rate), 0.0, max_log_rate);
+  person(steering_delay_s) = std::clamp(person(steering_delay_s), 0.0, max_delay_s);
+  person(steering_start_deg) = std::clamp(person(steering_start_deg), -max_start_deg, max_start_deg);
+  person(steering_scale) = std::clamp(person(steering_scale), min_scale, max_scale);
   return person;
 }
 
@@ -164,12 +193,14 @@ SteeringFitter::SteeringFitter(std::span<const TurningSlide> slides, const Curve
     prior_mean_(parameter) = mean;
     prior_deviation_(parameter) = sd;
   };
-  expect(steering_log_rate, usual_log_rate, 1.0);
-  expect(steering_delay_s, 0.07, 0.15);
-  expect(steering_bias_deg, bias_deg.value, rest_deviations * bias_deg.deviation + 0.05);
-  expect(steering_habit_deg, habit_deg.value, rest_deviations * habit_deg.deviation + 0.05);
-  expect(steering_start_deg, person.person.start_deg, 5.0);
-  expect(steering_scale, 1.0, rest_deviations * weight.deviation / std::max(weight.value, 0.02) + 0.01);
+  expect(steering_log_rate, usual_log_rate, log_rate_deviation);
+  expect(steering_delay_s, usual_delay_s, delay_deviation_s);
+  expect(steering_bias_deg, bias_deg.value, rest_deviations * bias_deg.deviation + min_rest_deviation_deg);
+  expect(steering_habit_deg, habit_deg.value, rest_deviations * habit_deg.deviation + min_rest_deviation_deg);
+  expect(steering_start_deg, person.person.start_deg, start_prior_deg);
+  expect(steering_scale, 1.0,
+         rest_deviations * weight.deviation / std::max(weight.value, Estimator::min_tactile_weight) +
+             min_scale_deviation);
   for (const TurningSlide& slide : slides) observed_.push_back(observe(slide, noise));
 }
 
@@ -180,7 +211,7 @@ LawFit SteeringFitter::fit(SteeringLaw law) const {
                              .prior_mean = prior_mean_,
                              .prior_deviation = prior_deviation_};
   LawFit best;
-  for (const double late_s : {0.02, 0.1}) {
+  for (const double late_s : first_delays_s) {
     Vector first = prior_mean_;
     first(steering_delay_s) = late_s;
     const LeastSquaresFit found = descend(problem, first);
@@ -247,21 +278,11 @@ double SteeringFitter::law_p(const Vector& person, SteeringLaw law) const {
 // The median and the 95 % interval of one parameter over the laws.
 Interval mixture(const std::array<LawFit, steering_laws>& fits,
                  const std::array<double, steering_laws>& probability, int parameter, double widening) {
-  const auto quantile = [&](double share) {
-    double low = -10.0;
-    double high = 10.0;
-    for (int i = 0; i < 60; ++i) {
-      const double middle = 0.5 * (low + high);
-      double below = 0.0;
-      for (std::size_t law = 0; law < fits.size(); ++law) {
-        const double sd = widening * std::sqrt(fits[law].covariance(parameter, parameter));
-        below += probability[law] * normal_cdf((middle - fits[law].person(parameter)) / sd);
-      }
-      (below < share ? low : high) = middle;
-    }
-    return 0.5 * (low + high);
-  };
-  return {quantile(0.5), quantile(0.025), quantile(0.975), true};
+  std::vector<NormalPart> parts;
+  for (std::size_t law = 0; law < fits.size(); ++law)
+    parts.push_back({probability[law], fits[law].person(parameter),
+                     widening * std::sqrt(fits[law].covariance(parameter, parameter))});
+  return mixture_interval(parts);
 }
 
 }  // namespace

@@ -14,6 +14,8 @@ namespace {
 
 // Nearer to the target, as a share of the path, nobody turns after its place.
 constexpr double min_place_share = 0.15;
+// The finger rests at the ends of the path, and a turn of the plate there is not felt.
+constexpr double end_share = 0.02;
 
 }  // namespace
 
@@ -36,7 +38,7 @@ std::optional<TurningSlide> turning_slide(const CalibrationTrial& trial, const S
       plate_deg += share * (trial.plate_deg[before + 1] - plate_deg);
     }
     slide.plate_deg.push_back(plate_deg - goal_direction_deg);
-    if (track.steps[i].share < 0.02 || track.steps[i].share > 0.98) continue;
+    if (track.steps[i].share < end_share || track.steps[i].share > 1.0 - end_share) continue;
     min_deg = std::min(min_deg, plate_deg);
     max_deg = std::max(max_deg, plate_deg);
   }

@@ -33,6 +33,51 @@ bool breaks_rate_bound(const WindowProblem& window, const WindowSolution& soluti
   return breaks;
 }
 
+// The problem from step `first` on, in units of what is felt of the plate.
+WindowProblem window_of(const MpcConfig& config, const MpcProblem& problem, int first, double miss_deg,
+                        double last_plate_deg) {
+  const double w = problem.tactile_weight;
+  return {
+      .horizon = config.horizon - first,
+      .perceived_weight = config.perceived_weight,
+      .actual_weight = config.actual_weight,
+      .miss_deg = miss_deg,
+      .real_offset_deg = problem.real_offset_deg,
+      .proprioceptive_weight = 1.0 - w,
+      .bound_deg = w * config.plate_bound_deg,
+      .rate_deg = w * config.plate_rate_bound_deg,
+      .last_plate_deg = w * last_plate_deg,
+      .gains = problem.gains + first,
+  };
+}
+
+// What the plate does in a step of the window, from `last_plate_deg`.
+Mpc::Command command_of(const MpcConfig& config, const WindowProblem& window, const WindowSolution& solution,
+                        const WorkingSet& held, int step, double tactile_weight, double last_plate_deg) {
+  const double bound_deg = config.plate_bound_deg;
+  const double rate_deg = config.plate_rate_bound_deg;
+  // Where the plate is not felt it turns to where it next is, or stays.
+  int felt = step;
+  while (felt < window.horizon && window.gains[felt] < smallest_gain)
+    felt = std::isfinite(rate_deg) ? felt + 1 : window.horizon;
+  ActiveBound active = felt == step ? active_bound(held, step) : ActiveBound::none;
+  double wanted_deg =
+      felt < window.horizon ? solution.plate_deg[felt] * (1.0 / tactile_weight) : last_plate_deg;
+  if (active == ActiveBound::upper || active == ActiveBound::lower) wanted_deg = held.pin[step] * bound_deg;
+  if (active == ActiveBound::rate_up) wanted_deg = last_plate_deg + rate_deg;
+  if (active == ActiveBound::rate_down) wanted_deg = last_plate_deg - rate_deg;
+  // Rounding, or a path that is not optimal, must not carry the plate past a bound.
+  const double low_deg = last_plate_deg - rate_deg;
+  const double high_deg = last_plate_deg + rate_deg;
+  const double plate_deg = std::clamp(std::clamp(wanted_deg, low_deg, high_deg), -bound_deg, bound_deg);
+  if (plate_deg != wanted_deg && (active != ActiveBound::none || !solution.optimal))
+    active = plate_deg == bound_deg    ? ActiveBound::upper
+             : plate_deg == -bound_deg ? ActiveBound::lower
+             : plate_deg < wanted_deg  ? ActiveBound::rate_up
+                                       : ActiveBound::rate_down;
+  return {plate_deg, active, solution.optimal};
+}
+
 }  // namespace
 
 bool is_valid(const MpcConfig& config) {
@@ -54,10 +99,10 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
   double finger_deg = problem.finger_offset_deg;
   int i = 0;
   Command command{};
-  const auto take = [&](double plate_deg, ActiveBound active, bool optimal) {
-    if (i == 0) command = {plate_deg, active, optimal};
-    if (plan) plan->plate_offset_deg[i] = plate_deg, plan->active[i] = active;
-    last_plate_deg = plate_deg;
+  const auto take = [&](const Command& step) {
+    if (i == 0) command = step;
+    if (plan) plan->plate_offset_deg[i] = step.plate_offset_deg, plan->active[i] = step.active;
+    last_plate_deg = step.plate_offset_deg;
     ++i;
   };
 
@@ -71,56 +116,21 @@ Mpc::Command Mpc::solve(const MpcProblem& problem, MpcPlan* plan) {
                                     .plate_orientation_deg = ridge_normal_deg(plate_deg, 0.0),
                                     .finger_direction_deg = finger_deg})
                       .motor_command_deg;
-    take(plate_deg, above ? ActiveBound::rate_down : ActiveBound::rate_up, true);
+    take({plate_deg, above ? ActiveBound::rate_down : ActiveBound::rate_up, true});
   }
   if (i == config_.horizon) return command;
 
   const int forced = i;
-  const WindowProblem window{
-      .horizon = config_.horizon - forced,
-      .perceived_weight = config_.perceived_weight,
-      .actual_weight = config_.actual_weight,
-      .miss_deg = finger_deg - problem.real_offset_deg,
-      .real_offset_deg = problem.real_offset_deg,
-      .proprioceptive_weight = 1.0 - w,
-      .bound_deg = w * bound_deg,
-      .rate_deg = w * rate_deg,
-      .last_plate_deg = w * last_plate_deg,
-      .gains = problem.gains + forced,
-  };
+  const WindowProblem window =
+      window_of(config_, problem, forced, finger_deg - problem.real_offset_deg, last_plate_deg);
   WindowSolution solution;
   const WorkingSet* held = &plate_bound_solver_.solve(window, has_rate_bound || plan, solution);
   if (!solution.optimal || (has_rate_bound && breaks_rate_bound(window, solution))) {
     solve_active_set(window, working_set_, solution);
     held = &working_set_;
   }
-  if (!has_rate_bound && !plan && window.gains[0] >= smallest_gain && solution.optimal) {
-    const std::int8_t pin = held->pin[0];
-    const double plate_deg = pin != 0 ? pin * bound_deg : solution.plate_deg[0] * (1.0 / w);
-    return {std::clamp(plate_deg, -bound_deg, bound_deg), active_bound(*held, 0), true};
-  }
   do {
-    const int step = i - forced;
-    // Where the plate is not felt it turns to where it next is, or stays.
-    int felt = step;
-    while (felt < window.horizon && window.gains[felt] < smallest_gain)
-      felt = has_rate_bound ? felt + 1 : window.horizon;
-    ActiveBound active = felt == step ? active_bound(*held, step) : ActiveBound::none;
-    double wanted_deg = felt < window.horizon ? solution.plate_deg[felt] * (1.0 / w) : last_plate_deg;
-    if (active == ActiveBound::upper || active == ActiveBound::lower)
-      wanted_deg = held->pin[step] * bound_deg;
-    if (active == ActiveBound::rate_up) wanted_deg = last_plate_deg + rate_deg;
-    if (active == ActiveBound::rate_down) wanted_deg = last_plate_deg - rate_deg;
-    // Rounding, or a path that is not optimal, must not carry the plate past a bound.
-    const double low_deg = last_plate_deg - rate_deg;
-    const double high_deg = last_plate_deg + rate_deg;
-    const double plate_deg = std::clamp(std::clamp(wanted_deg, low_deg, high_deg), -bound_deg, bound_deg);
-    if (plate_deg != wanted_deg && (active != ActiveBound::none || !solution.optimal))
-      active = plate_deg == bound_deg    ? ActiveBound::upper
-               : plate_deg == -bound_deg ? ActiveBound::lower
-               : plate_deg < wanted_deg  ? ActiveBound::rate_up
-                                         : ActiveBound::rate_down;
-    take(plate_deg, active, solution.optimal);
+    take(command_of(config_, window, solution, *held, i - forced, w, last_plate_deg));
   } while (plan && i < config_.horizon);
   return command;
 }

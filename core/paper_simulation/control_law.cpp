@@ -62,6 +62,27 @@ Nodes swapped(Nodes nodes) {
   return nodes;
 }
 
+// Where the plate stands at the bound. None if it does so between two places where it does not.
+std::optional<ControlLaw> with_saturation(Nodes plate, double bound_deg) {
+  for (Node& node : plate) {
+    // Of two nodes that all but coincide, the one that stays may be a rounding error short of the bound.
+    if (std::abs(node.value) > (1.0 - 1e-10) * bound_deg) node.value = std::copysign(bound_deg, node.value);
+  }
+  const auto at_bound = [&](const Node& node) { return std::abs(node.value) == bound_deg; };
+  const double infinity = std::numeric_limits<double>::infinity();
+  ControlLaw law{PiecewiseLinear(plate), -infinity, infinity};
+  std::size_t first = 0;
+  std::size_t last = plate.size() - 1;
+  const auto same_bound = [&](std::size_t a, std::size_t b) {
+    return at_bound(plate[a]) && plate[a].value == plate[b].value;
+  };
+  while (first < last && same_bound(first, first + 1)) law.saturated_below_deg = plate[++first].x;
+  while (last > first && same_bound(last, last - 1)) law.saturated_above_deg = plate[--last].x;
+  for (std::size_t i = first; i < last; ++i)
+    if (same_bound(i, i + 1)) return std::nullopt;
+  return law;
+}
+
 }  // namespace
 
 double PiecewiseLinear::operator()(double x) const {
@@ -116,24 +137,8 @@ std::optional<ControlLaw> control_law(const MpcConfig& config, const MpcProblem&
     derivative = PiecewiseLinear(simplified(cost));
   }
 
-  for (Node& node : plate) {
-    node.x += problem.real_offset_deg;
-    // Of two nodes that all but coincide, the one that stays may be a rounding error short of the bound.
-    if (std::abs(node.value) > (1.0 - 1e-10) * bound_deg) node.value = std::copysign(bound_deg, node.value);
-  }
-  const auto at_bound = [&](const Node& node) { return std::abs(node.value) == bound_deg; };
-  const double infinity = std::numeric_limits<double>::infinity();
-  ControlLaw law{PiecewiseLinear(plate), -infinity, infinity};
-  std::size_t first = 0;
-  std::size_t last = plate.size() - 1;
-  const auto same_bound = [&](std::size_t a, std::size_t b) {
-    return at_bound(plate[a]) && plate[a].value == plate[b].value;
-  };
-  while (first < last && same_bound(first, first + 1)) law.saturated_below_deg = plate[++first].x;
-  while (last > first && same_bound(last, last - 1)) law.saturated_above_deg = plate[--last].x;
-  for (std::size_t i = first; i < last; ++i)
-    if (same_bound(i, i + 1)) return std::nullopt;
-  return law;
+  for (Node& node : plate) node.x += problem.real_offset_deg;
+  return with_saturation(std::move(plate), bound_deg);
 }
 
 }  // namespace hrt

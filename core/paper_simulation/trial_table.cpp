@@ -40,6 +40,21 @@ ControlLaw constant_law(double plate_offset_deg) {
           -infinity, infinity};
 }
 
+// t_k over p_k for the gains of a window.
+std::optional<ControlLaw> law_of(const Condition& condition, const std::vector<double>& gains) {
+  const RetargeterConfig& controller = condition.controller;
+  if (controller.mode == ControlMode::fixed_plate)
+    return constant_law(
+        ridge_normal_deg(controller.fixed_plate_orientation_deg, condition.virtual_direction_deg) -
+        condition.virtual_direction_deg);
+  return control_law(controller.mpc,
+                     {.finger_offset_deg = 0.0,
+                      .real_offset_deg = condition.real_direction_deg - condition.virtual_direction_deg,
+                      .tactile_weight = controller.participant.tactile_weight,
+                      .plate_offset_deg = 0.0,
+                      .gains = gains.data()});
+}
+
 }  // namespace
 
 std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
@@ -64,43 +79,38 @@ std::optional<TrialTable> TrialTable::tabulate(const Condition& condition) {
     last_gains = window;
     last_felt = felt;
 
-    const std::optional<ControlLaw> law =
-        controller.mode == ControlMode::fixed_plate
-            ? constant_law(
-                  ridge_normal_deg(controller.fixed_plate_orientation_deg, condition.virtual_direction_deg) -
-                  condition.virtual_direction_deg)
-            : control_law(controller.mpc, {.finger_offset_deg = 0.0,
-                                           .real_offset_deg = table.real_offset_deg_,
-                                           .tactile_weight = controller.participant.tactile_weight,
-                                           .plate_offset_deg = 0.0,
-                                           .gains = window.data()});
+    const std::optional<ControlLaw> law = law_of(condition, window);
     if (!law) return std::nullopt;
-    std::vector<PiecewiseLinear::Node> nodes = law->plate_offset_deg.nodes();
-    for (PiecewiseLinear::Node& node : nodes)
-      node.value = node.x + participant_step({.tactile_weight = condition.participant.tactile_weight,
-                                              .gain = felt.gain,
-                                              .goal_direction_deg = 0.0,
-                                              .plate_orientation_deg = node.value,
-                                              .finger_direction_deg = node.x})
-                                .motor_command_deg;
-    const PiecewiseLinear next(std::move(nodes));
-
-    Step step{
-        .slope = next.slope(0),
-        .saturated_below_deg = law->saturated_below_deg,
-        .saturated_above_deg = law->saturated_above_deg,
-        .noise_sd_deg = std::sqrt(condition.participant.motor_variance_deg2 + felt.variance_deg2),
-    };
-    const PiecewiseLinear::Node& anchor = next.nodes()[1];
-    step.constant_deg = anchor.value - step.slope * anchor.x;
-    for (std::size_t i = 1; i + 1 < next.nodes().size(); ++i) {
-      const Hinge hinge{next.nodes()[i].x, next.slope(i) - next.slope(i - 1)};
-      step.constant_deg -= hinge.change * hinge.at_deg;
-      step.hinges.push_back(hinge);
-    }
-    table.table_.push_back(std::move(step));
+    table.table_.push_back(step_of(*law, condition.participant, felt));
   }
   return table;
+}
+
+TrialTable::Step TrialTable::step_of(const ControlLaw& law, const Participant& participant,
+                                     const FilterGain& felt) {
+  std::vector<PiecewiseLinear::Node> nodes = law.plate_offset_deg.nodes();
+  for (PiecewiseLinear::Node& node : nodes)
+    node.value = node.x + participant_step({.tactile_weight = participant.tactile_weight,
+                                            .gain = felt.gain,
+                                            .goal_direction_deg = 0.0,
+                                            .plate_orientation_deg = node.value,
+                                            .finger_direction_deg = node.x})
+                              .motor_command_deg;
+  const PiecewiseLinear next(std::move(nodes));
+  Step step{
+      .slope = next.slope(0),
+      .saturated_below_deg = law.saturated_below_deg,
+      .saturated_above_deg = law.saturated_above_deg,
+      .noise_sd_deg = std::sqrt(participant.motor_variance_deg2 + felt.variance_deg2),
+  };
+  const PiecewiseLinear::Node& anchor = next.nodes()[1];
+  step.constant_deg = anchor.value - step.slope * anchor.x;
+  for (std::size_t i = 1; i + 1 < next.nodes().size(); ++i) {
+    const Hinge hinge{next.nodes()[i].x, next.slope(i) - next.slope(i - 1)};
+    step.constant_deg -= hinge.change * hinge.at_deg;
+    step.hinges.push_back(hinge);
+  }
+  return step;
 }
 
 const TrialTable::Step& TrialTable::step(int k) const {

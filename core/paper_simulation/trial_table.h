@@ -17,6 +17,8 @@
 
 namespace hrt {
 
+struct ControlLaw;
+struct FilterGain;
 template <class Lanes>
 class PhiloxKeys;
 
@@ -57,6 +59,7 @@ class TrialTable {
   };
 
   TrialTable() = default;
+  static Step step_of(const ControlLaw& law, const Participant& participant, const FilterGain& felt);
   const Step& step(int k) const;
   // The normal draws of steps 4 quad to 4 quad + 3 for the block of trials that starts with `first_trial`.
   template <class Lanes>

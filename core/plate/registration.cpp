@@ -17,6 +17,8 @@ constexpr double min_spread_m = 0.01;
 // Of the touch's deviation: so many squares is the assumed one worth.
 constexpr double assumed_squares = 6.0;
 constexpr double max_offset_sd_m = 0.005;
+// The least eigenvalue of the offset's information, at most 2 a touch: below this the joint was not turned.
+constexpr double min_turned = 1e-6;
 constexpr double min_cosine_up = 0.5;
 // A tracker's unit of length is off by less.
 constexpr double min_scale = 0.5;
@@ -222,8 +224,7 @@ FingertipOffset fit_fingertip(const RegistrationConfig& config, std::span<const 
     information += product(j.transpose(), j);
     moment -= product(j.transpose(), touch.joint_m - mean_m);
   }
-  // The eigenvalues are at most 2 a touch; below this the joint was not turned.
-  if (singular_values(information).values(5) < 1e-6) return result;
+  if (singular_values(information).values(5) < min_turned) return result;
   const Eigen::MatrixXd inverted = inverse(information);
   const Eigen::VectorXd solution = product(inverted, moment);
   double square_sum_m2 = 0.0;

@@ -130,45 +130,9 @@ void SlidingPerson::advance(double plate_orientation_deg) {
   const double s = progress(time_s_);
   const double travel_m = distance_m_ * (s - before);
   speed_m_s_ = travel_m / tick_s;
-
-  // Motion along the present direction; a heavy arm is pulled that way.
-  if (person_.steering == Steering::heavy_arm) {
-    constexpr double damping_n_s_m = 20.0;
-    constexpr double muscle_s = 0.04;
-    const double wanted_right_n =
-        damping_n_s_m * (-speed_m_s_ * sin_deg(direction_deg_) - velocity_right_m_s_);
-    const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cos_deg(direction_deg_) - velocity_away_m_s_);
-    force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / muscle_s;
-    force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / muscle_s;
-    velocity_right_m_s_ += force_right_n_ * tick_s;
-    velocity_away_m_s_ += force_away_n_ * tick_s;
-    position_.right_m += velocity_right_m_s_ * tick_s;
-    position_.away_m += velocity_away_m_s_ * tick_s;
-  } else {
-    position_.right_m -= travel_m * sin_deg(direction_deg_);
-    position_.away_m += travel_m * cos_deg(direction_deg_);
-  }
-  const double speed =
-      std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
-  const double motion_deg = person_.steering == Steering::heavy_arm && speed > 0.002
-                                ? atan2_deg(-velocity_right_m_s_, velocity_away_m_s_)
-                                : direction_deg_;
-
-  SimulatedIllusion illusion = person_.illusion;
-  illusion.tactile_weight =
-      std::clamp(illusion.tactile_weight + person_.weight_drift * (time_s_ / total_s()), 0.01, 0.49);
-  const double offset_deg = plate_orientation_deg - motion_deg;
-  double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
-  if (person_.steering == Steering::crossings) {
-    ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
-    crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / touch_memory_s;
-    if (ridge_travel_m_ >= ridge_spacing_m) {
-      ridge_travel_m_ -= ridge_spacing_m;
-      crossed_shift_deg_ = shift_deg;
-    }
-    shift_deg = crossed_shift_deg_;
-  }
-  felt_deg_ = motion_deg + person_.own_bias_deg + shift_deg;
+  const double motion_deg = move(travel_m);
+  felt_deg_ =
+      motion_deg + person_.own_bias_deg + felt_shift_deg(plate_orientation_deg - motion_deg, travel_m);
 
   goal_deg_ = virtual_direction_deg_ + person_.bias_deg + person_.habit_deg * (1.0 - 2.0 * s);
   felt_position_.right_m -= travel_m * sin_deg(felt_deg_);
@@ -177,33 +141,74 @@ void SlidingPerson::advance(double plate_orientation_deg) {
       hrt::distance_m(felt_position_, virtual_place_) > 0.15 * distance_m_) {
     goal_deg_ += bearing_deg(felt_position_, virtual_place_) - virtual_direction_deg_;
   }
+  steer(motion_deg);
+  done_ = time_s_ >= total_s() + (person_.steering == Steering::heavy_arm ? 0.25 : 0.0);
+}
 
+// Along the present direction; a heavy arm is pulled that way. Returns the direction of the motion.
+double SlidingPerson::move(double travel_m) {
+  if (person_.steering != Steering::heavy_arm) {
+    position_.right_m -= travel_m * sin_deg(direction_deg_);
+    position_.away_m += travel_m * cos_deg(direction_deg_);
+    return direction_deg_;
+  }
+  constexpr double damping_n_s_m = 20.0;
+  constexpr double muscle_s = 0.04;
+  const double wanted_right_n = damping_n_s_m * (-speed_m_s_ * sin_deg(direction_deg_) - velocity_right_m_s_);
+  const double wanted_away_n = damping_n_s_m * (speed_m_s_ * cos_deg(direction_deg_) - velocity_away_m_s_);
+  force_right_n_ += (wanted_right_n - force_right_n_) * tick_s / muscle_s;
+  force_away_n_ += (wanted_away_n - force_away_n_) * tick_s / muscle_s;
+  velocity_right_m_s_ += force_right_n_ * tick_s;
+  velocity_away_m_s_ += force_away_n_ * tick_s;
+  position_.right_m += velocity_right_m_s_ * tick_s;
+  position_.away_m += velocity_away_m_s_ * tick_s;
+  const double speed =
+      std::sqrt(velocity_right_m_s_ * velocity_right_m_s_ + velocity_away_m_s_ * velocity_away_m_s_);
+  return speed > 0.002 ? atan2_deg(-velocity_right_m_s_, velocity_away_m_s_) : direction_deg_;
+}
+
+double SlidingPerson::felt_shift_deg(double offset_deg, double travel_m) {
+  SimulatedIllusion illusion = person_.illusion;
+  illusion.tactile_weight =
+      std::clamp(illusion.tactile_weight + person_.weight_drift * (time_s_ / total_s()), 0.01, 0.49);
+  const double shift_deg = hrt::felt_shift_deg(illusion, offset_deg);
+  if (person_.steering != Steering::crossings) return shift_deg;
+  ridge_travel_m_ += std::abs(travel_m * cos_deg(offset_deg));
+  crossed_shift_deg_ -= crossed_shift_deg_ * tick_s / touch_memory_s;
+  if (ridge_travel_m_ >= ridge_spacing_m) {
+    ridge_travel_m_ -= ridge_spacing_m;
+    crossed_shift_deg_ = shift_deg;
+  }
+  return crossed_shift_deg_;
+}
+
+void SlidingPerson::steer(double motion_deg) {
   const double noise_deg = std::sqrt(person_.noise_deg2_per_s * tick_s) * draws_.normal();
+  const bool predicts = person_.steering == Steering::predictive;
+  // Of touch and of bias, apart from the direction itself, for who knows the own motion without delay.
+  const double answered_deg = predicts ? felt_deg_ - motion_deg : felt_deg_;
   // A finger at rest feels no motion to steer.
   if (std::abs(speed_m_s_) < min_felt_speed_m_s) {
-    felt_history_.fill(person_.steering == Steering::predictive ? felt_deg_ - motion_deg : felt_deg_);
-  } else if (person_.steering == Steering::steps) {
-    if (millisecond_ % 100 == 0) {
-      const Participant participant;
-      const auto [gain, variance_deg2] = next_gain(participant, perceived_variance_deg2_);
-      perceived_variance_deg2_ = variance_deg2;
-      direction_deg_ += -gain * (felt_deg_ - goal_deg_) +
-                        std::sqrt(participant.motor_variance_deg2 + variance_deg2) * draws_.normal();
-    }
-  } else {
-    const double own_shift = felt_deg_ - motion_deg;  // of touch and of bias, apart from the direction itself
-    felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] =
-        person_.steering == Steering::predictive ? own_shift : felt_deg_;
-    const int delay =
-        std::clamp(static_cast<int>(std::lround(person_.delay_s / tick_s)), 0, history_size - 1);
-    if (millisecond_ > delay) {
-      double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
-      if (person_.steering == Steering::predictive) delayed += direction_deg_;
-      direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
-    }
-    direction_deg_ += noise_deg;
+    felt_history_.fill(answered_deg);
+    return;
   }
-  done_ = time_s_ >= total_s() + (person_.steering == Steering::heavy_arm ? 0.25 : 0.0);
+  if (person_.steering == Steering::steps) {
+    if (millisecond_ % 100 != 0) return;
+    const Participant participant;
+    const auto [gain, variance_deg2] = next_gain(participant, perceived_variance_deg2_);
+    perceived_variance_deg2_ = variance_deg2;
+    direction_deg_ += -gain * (felt_deg_ - goal_deg_) +
+                      std::sqrt(participant.motor_variance_deg2 + variance_deg2) * draws_.normal();
+    return;
+  }
+  felt_history_[static_cast<std::size_t>(millisecond_ % history_size)] = answered_deg;
+  const int delay = std::clamp(static_cast<int>(std::lround(person_.delay_s / tick_s)), 0, history_size - 1);
+  if (millisecond_ > delay) {
+    double delayed = felt_history_[static_cast<std::size_t>((millisecond_ - delay) % history_size)];
+    if (predicts) delayed += direction_deg_;
+    direction_deg_ += -person_.gain_per_s * (delayed - goal_deg_) * tick_s;
+  }
+  direction_deg_ += noise_deg;
 }
 
 }  // namespace hrt

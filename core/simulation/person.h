@@ -109,6 +109,9 @@ class SlidingPerson {
   double progress(double time_s) const;
   double total_s() const;
   void answer();
+  double move(double travel_m);
+  double felt_shift_deg(double offset_deg, double travel_m);
+  void steer(double motion_deg);
 
   Person person_;
   double virtual_direction_deg_;

@@ -12,10 +12,42 @@ namespace {
 
 constexpr std::int64_t tick_ns = 1'000'000;
 constexpr double reach_tail_s = 0.3;  // tracked at rest after the motion
+constexpr PlatePoint start{0.0, 0.0};
+
+// The targets of a reach, which may move within it.
+class Targets {
+ public:
+  explicit Targets(const PersonCondition& condition)
+      : condition_(condition),
+        real_(point_ahead(start, condition.real_direction_deg, condition.distance_m)),
+        moves_(condition.move.has_value()) {}
+
+  // Moves them once the finger is far enough.
+  void follow(SlidingPerson& person, Retargeter* controller) {
+    if (!moves_ || distance_m(start, person.position()) < condition_.move->at_share * condition_.distance_m)
+      return;
+    moves_ = false;
+    const PlatePoint& by = condition_.move->by;
+    const PlatePoint virtual_place =
+        point_ahead(start, condition_.virtual_direction_deg, condition_.distance_m);
+    const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
+    real_ = {real_.right_m + by.right_m, real_.away_m + by.away_m};
+    person.retarget(virtual_now);
+    if (controller) controller->retarget(real_, virtual_now);
+  }
+
+  double real_direction_deg() const {
+    return condition_.move && !moves_ ? bearing_deg(start, real_) : condition_.real_direction_deg;
+  }
+
+ private:
+  const PersonCondition& condition_;
+  PlatePoint real_;
+  bool moves_;
+};
 
 PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* controller, std::uint64_t seed,
                              std::uint32_t index, std::uint32_t reach_number, const PersonWatch& watch) {
-  const PlatePoint start{0.0, 0.0};
   Draws draws(seed, PersonStream::tracking, index, reach_number);
   const double rest_s = 0.4 + 0.4 * draws.uniform();
   Tracker tracker(condition.tracker, start, draws);
@@ -31,9 +63,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                        .real_distance_m = condition.distance_m});
     plate.command(controller->command().plate_orientation_deg);
   }
-  const PlatePoint virtual_place = point_ahead(start, condition.virtual_direction_deg, condition.distance_m);
-  PlatePoint real_place = point_ahead(start, condition.real_direction_deg, condition.distance_m);
-  bool moves = condition.move.has_value();
+  Targets targets(condition);
   double peak_deg = 0.0;
   double ended_s = -1.0;
   for (std::int64_t now_ns = 0;; now_ns += tick_ns) {
@@ -44,14 +74,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
       if (person.elapsed_s() > 0.05 && person.speed_m_s() > 0.01)
         peak_deg = std::max(peak_deg, std::abs(person.felt_error_deg()));
     }
-    if (moves && distance_m(start, person.position()) >= condition.move->at_share * condition.distance_m) {
-      moves = false;
-      const PlatePoint& by = condition.move->by;
-      const PlatePoint virtual_now{virtual_place.right_m + by.right_m, virtual_place.away_m + by.away_m};
-      real_place = {real_place.right_m + by.right_m, real_place.away_m + by.away_m};
-      person.retarget(virtual_now);
-      if (controller) controller->retarget(real_place, virtual_now);
-    }
+    targets.follow(person, controller);
     if (person.done() && ended_s < 0.0) ended_s = now_s;
     if (ended_s >= 0.0 &&
         now_s > ended_s + reach_tail_s + condition.tracker.latency_s + condition.tracker.late_s)
@@ -67,9 +90,7 @@ PersonOutcome simulate_reach(const PersonCondition& condition, Retargeter* contr
                controller->person_filter()});
     }
   }
-  const double real_deg =
-      condition.move && !moves ? bearing_deg(start, real_place) : condition.real_direction_deg;
-  const double error_deg = bearing_deg(start, person.position()) - real_deg;
+  const double error_deg = bearing_deg(start, person.position()) - targets.real_direction_deg();
   return {.bearing_error_deg = error_deg,
           .miss_m = distance_m(start, person.position()) * sin_deg(error_deg),
           .peak_felt_error_deg = peak_deg,

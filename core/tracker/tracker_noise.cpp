@@ -28,6 +28,18 @@ constexpr double min_separate_periods = 1.5;
 constexpr double grossly_outlying = 6.0;
 // Twice the log-likelihood drops by this at the ends of a 95 % interval: chi-squared with one degree.
 constexpr double likelihood_drop = 3.841458820694124;
+// The log-likelihood drops by this at the ends of a 99.8 % interval.
+constexpr double zoom_drop = 5.0;
+// The ends of a deviation's interval are searched between these shares of all noise, in steps of this ratio.
+constexpr double min_searched = 0.001;
+constexpr double max_searched = 3.0;
+constexpr double search_ratio = 1.1;
+constexpr int halvings = 20;
+// Half of the distances from the middle of normal noise in two coordinates are within this many deviations.
+constexpr double median_distance = 1.1774;
+// Coordinates nearer to each other than this are the same; further apart than that they are of no tracker.
+constexpr double same_coordinate_m = 1e-9;
+constexpr double max_quantum_m = 1.0;
 // Successive innovations of noise of this kind are independent: 99.9 % point of chi-squared with 10 degrees.
 constexpr double max_dependence = 29.588;
 
@@ -47,8 +59,7 @@ std::vector<Rest> screened(std::span<const std::vector<TimedPoint>> rests) {
     for (const TimedPoint& sample : rests[r]) distances[r].push_back(distance_m(middles[r], sample.position));
     all.insert(all.end(), distances[r].begin(), distances[r].end());
   }
-  // Half of the distances are within 1.18 deviations.
-  const double max_m = grossly_outlying * median(std::move(all)) / 1.1774;
+  const double max_m = grossly_outlying * median(std::move(all)) / median_distance;
   std::vector<Rest> kept;
   for (std::size_t r = 0; r < rests.size(); ++r) {
     Rest rest;
@@ -113,9 +124,9 @@ Surface evaluate(const std::vector<Rest>& rests, const Box& box, std::size_t n) 
   return surface;
 }
 
-// The part of `box` that 99.8 % intervals do not reach beyond, and a step of the grid more.
+// The part of `box` that intervals of 99.8 % do not reach beyond, and a step of the grid more.
 Box zoomed(const Surface& surface, const Box& box, std::size_t n) {
-  const double floor = surface.peak() - 5.0;
+  const double floor = surface.peak() - zoom_drop;
   Box inner{1.0, 0.0, box.max_s, box.min_s};
   for (const Point& point : surface.points) {
     if (point.peak() < floor) continue;
@@ -167,16 +178,16 @@ Interval deviation_interval(const Surface& surface, double drop,
       if (ratio > 1.0 ? inside > last : inside < last) return inside;
       outside *= ratio;
     }
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < halvings; ++i) {
       const double middle = 0.5 * (inside + outside);
       (profile(middle) >= floor ? inside : outside) = middle;
     }
     return inside;
   };
-  const double min_m = 0.001 * total_m;
-  Interval interval{value, 0.0, end(std::max(value, min_m), 1.1, 3.0 * total_m), true};
+  const double min_m = min_searched * total_m;
+  Interval interval{value, 0.0, end(std::max(value, min_m), search_ratio, max_searched * total_m), true};
   if (value > min_m && profile(0.0) < floor) {
-    interval.lower = end(value, 1.0 / 1.1, min_m);
+    interval.lower = end(value, 1.0 / search_ratio, min_m);
     if (interval.lower <= min_m) interval.lower = 0.0;
   }
   interval.known = interval.lower > 0.0 || interval.upper < little * total_m;
@@ -228,7 +239,7 @@ double quantum_m(const std::vector<Rest>& rests) {
         values.push_back(std::abs(rest[i].place_m[a] - rest[i - 1].place_m[a]));
   double min_m = std::numeric_limits<double>::infinity();
   for (const double value : values)
-    if (value > 1e-9) min_m = std::min(min_m, value);
+    if (value > same_coordinate_m) min_m = std::min(min_m, value);
   return min_m;
 }
 
@@ -247,7 +258,7 @@ RestNoise fit_rest_noise(std::span<const std::vector<TimedPoint>> rests) {
   const double period_s = median(std::move(periods_s));
   Box whole{0.0, 1.0, std::max(shortest_correlation_s, min_periods * period_s), max_correlation_s};
   const double quantum = quantum_m(kept);
-  const bool searchable = whole.min_s < whole.max_s && quantum < 1.0;
+  const bool searchable = whole.min_s < whole.max_s && quantum < max_quantum_m;
   RestNoise unknown{{0.0, 0.0, 0.0, false},
                     {0.0, 0.0, 0.0, false},
                     {shortest_correlation_s, shortest_correlation_s, max_correlation_s, false}};
