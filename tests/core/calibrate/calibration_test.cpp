@@ -5,10 +5,10 @@
 #include <cmath>
 #include <limits>
 
-#include "core/math/trigonometry.h"
 #include "core/paper_simulation/paper_slide.h"
+#include "tests/core/calibrate/calibrated.h"
 
-namespace hrt {
+namespace hrt::test {
 namespace {
 
 constexpr double angles_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
@@ -26,20 +26,6 @@ std::vector<CalibrationTrial> simulate(const CalibrationCondition& condition, in
   return trials;
 }
 
-Calibration calibrated(const std::vector<CalibrationTrial>& trials, double goal_direction_deg = 0.0) {
-  const auto result = calibrate(trials, goal_direction_deg);
-  const auto* refusal = std::get_if<CalibrationRefusal>(&result);
-  EXPECT_EQ(refusal, nullptr) << refusal->reason;
-  return refusal ? Calibration{} : std::get<Calibration>(result);
-}
-
-std::string refused(const std::vector<CalibrationTrial>& trials, double goal_direction_deg = 0.0) {
-  const auto result = calibrate(trials, goal_direction_deg);
-  const auto* refusal = std::get_if<CalibrationRefusal>(&result);
-  EXPECT_NE(refusal, nullptr);
-  return refusal ? refusal->reason : "";
-}
-
 // Straight paths at the directions of rest, by hand: P = (2 - 0.2 T) / 0.8 is w_T = 0.2 with a bias of 2.
 TEST(Calibration, StraightPathsByHand) {
   std::vector<CalibrationTrial> trials;
@@ -47,13 +33,7 @@ TEST(Calibration, StraightPathsByHand) {
     for (int repeat = 0; repeat < 2; ++repeat) {
       // A touch of difference between repeats, so that there is a residual to estimate.
       const double direction_deg = (2.0 - 0.2 * angle_deg) / 0.8 + (repeat ? 0.01 : -0.01);
-      CalibrationTrial trial{.plate_orientation_deg = angle_deg, .samples = {}};
-      for (int i = 0; i <= 270; ++i) {
-        const double travel_m = 0.1 * i / 270.0;
-        trial.samples.push_back(
-            {i * 11'000'000LL, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
-      }
-      trials.push_back(trial);
+      trials.push_back(straight_slide(angle_deg, direction_deg, 270));
     }
   }
   const Calibration calibration = calibrated(trials);
@@ -72,14 +52,7 @@ TEST(Calibration, RefusesSlopesBeyondAnyWeight) {
   std::vector<CalibrationTrial> trials;
   for (const double angle_deg : {-20.0, -10.0, 0.0, 10.0, 20.0}) {
     for (const double scatter_deg : {-36.0, 36.0}) {
-      const double direction_deg = 1.64 * angle_deg + scatter_deg;
-      CalibrationTrial trial{.plate_orientation_deg = angle_deg, .samples = {}};
-      for (int i = 0; i <= 90; ++i) {
-        const double travel_m = 0.1 * i / 90.0;
-        trial.samples.push_back(
-            {i * 33'000'000LL, {-travel_m * sin_deg(direction_deg), travel_m * cos_deg(direction_deg)}});
-      }
-      trials.push_back(trial);
+      trials.push_back(straight_slide(angle_deg, 1.64 * angle_deg + scatter_deg, 90));
     }
   }
   EXPECT_NE(refused(trials).find("w_T is -0."), std::string::npos) << refused(trials);
@@ -108,9 +81,6 @@ TEST(Calibration, IntervalsCoverTheTruth) {
     condition.participant.tactile_weight = 0.1 + 0.032 * person;
     condition.participant.bias_deg = -3.0 + person;
     const Calibration calibration = calibrated(simulate(condition, 3, person));
-    const auto covers = [](const Interval& interval, double truth) {
-      return interval.lower <= truth && truth <= interval.upper;
-    };
     weight_covered += covers(calibration.tactile_weight, condition.participant.tactile_weight);
     bias_covered += covers(calibration.bias_deg, condition.participant.bias_deg);
     noise_covered += covers(calibration.noise.white_m, condition.tracker_noise_m);
@@ -174,4 +144,4 @@ TEST(Calibration, MirrorSymmetry) {
 }
 
 }  // namespace
-}  // namespace hrt
+}  // namespace hrt::test

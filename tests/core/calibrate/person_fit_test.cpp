@@ -6,50 +6,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/calibrate/calibration.h"
 #include "core/calibrate/slide_plan.h"
-#include "core/simulation/slide.h"
+#include "tests/core/calibrate/calibrated.h"
 
-namespace hrt {
+namespace hrt::test {
 namespace {
-
-std::vector<double> grid(int slides_an_angle) {
-  std::vector<double> angles;
-  // Neighbours far apart, so that no trend of the session is one over the angle.
-  for (int i = 0; i < 11 * slides_an_angle; ++i) angles.push_back(-75.0 + 15.0 * ((i * 7) % 11));
-  return angles;
-}
 
 PersonCondition drawn(const char* family, std::uint32_t index) {
   return draw_person(*people_family(family), 2.0, 1, index);
 }
 
-std::vector<CalibrationTrial> slides(const PersonCondition& condition, std::uint32_t index,
-                                     const std::vector<double>& angles, double weight_trend = 0.0) {
-  std::vector<CalibrationTrial> trials;
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    PersonCondition now = condition;
-    now.person.illusion.tactile_weight +=
-        weight_trend * (static_cast<double>(i) / static_cast<double>(angles.size()) - 0.5);
-    trials.push_back(simulate_slide(now, angles[i], 1, index, static_cast<std::uint32_t>(i)));
-  }
-  return trials;
-}
-
-Calibration calibrated(const std::vector<CalibrationTrial>& trials) {
-  const auto result = calibrate(trials);
-  const auto* refusal = std::get_if<CalibrationRefusal>(&result);
-  EXPECT_EQ(refusal, nullptr) << refusal->reason;
-  return refusal ? Calibration{} : std::get<Calibration>(result);
-}
-
 double true_weight(const PersonCondition& condition) {
   const SimulatedIllusion& illusion = condition.person.illusion;
   return (felt_shift_deg(illusion, 60.0) - felt_shift_deg(illusion, -60.0)) / 120.0;
-}
-
-bool covers(const Interval& interval, double truth) {
-  return interval.lower <= truth && truth <= interval.upper;
 }
 
 // The families are those of the simulation, written a second time.
@@ -153,7 +122,15 @@ TEST(PersonFit, NamesSlidesThatWentElsewhere) {
 TEST(PersonFit, WithholdsWhatChangesOverTheSession) {
   int found = 0;
   for (std::uint32_t index = 0; index < 5; ++index) {
-    const Calibration calibration = calibrated(slides(drawn("linear", index), index, grid(4), -0.08));
+    std::vector<CalibrationTrial> trials;
+    const std::vector<double> angles = grid(4);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      PersonCondition now = drawn("linear", index);
+      now.person.illusion.tactile_weight -=
+          0.08 * (static_cast<double>(i) / static_cast<double>(angles.size()) - 0.5);
+      trials.push_back(simulate_slide(now, angles[i], 1, index, static_cast<std::uint32_t>(i)));
+    }
+    const Calibration calibration = calibrated(trials);
     if (calibration.lack_of_fit.order_p >= min_fit_p) continue;
     ++found;
     EXPECT_FALSE(calibration.tactile_weight.known);
@@ -228,4 +205,4 @@ TEST(SlidePlan, SaysWhenItIsEnough) {
 }
 
 }  // namespace
-}  // namespace hrt
+}  // namespace hrt::test

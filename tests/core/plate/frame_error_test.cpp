@@ -2,22 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <vector>
 
-#include "core/simulation/random.h"
+#include "tests/core/plate/touches.h"
 
-namespace hrt {
+namespace hrt::test {
 namespace {
-
-using Eigen::AngleAxisd;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-constexpr double rad_per_deg = 0.017453292519943295;
 
 FrameCovariance of_turn_about(const PlatePoint& centre, double sd_deg) {
   const double sd_rad = sd_deg * rad_per_deg;
@@ -82,10 +75,9 @@ TEST(FrameError, RefusesWhatIsNoCovariance) {
 // A finger that is believed to be at the target, of 2,000 registrations by touches of five marks with 1 and 3
 // mm of noise: binomial bounds of four deviations about 95 %.
 TEST(FrameError, CoversWhereTheFingerEnds) {
-  const Matrix3d rotation =
-      (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
+  const Matrix3d rotation = some_rotation();
   const Vector3d position(0.3, 0.75, -0.4);
-  const std::vector<Vector3d> marks = {
+  const std::vector<Vector3d> five = {
       {0.0, 0.0, 0.0}, {0.0, 0.0, 0.05}, {0.075, 0.0, 0.0}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
   const PlatePoint start{0.0, -0.05};
   const PlatePoint target = point_ahead(start, -5.0, 0.1);
@@ -94,10 +86,7 @@ TEST(FrameError, CoversWhereTheFingerEnds) {
     double sd_sum_deg = 0.0;
     for (std::uint32_t i = 0; i < 2000; ++i) {
       Draws draws(11, 0, i, 0);
-      std::vector<MarkTouch> touches;
-      for (const Vector3d& mark : marks)
-        touches.push_back({mark, rotation * mark + position +
-                                     noise_m * Vector3d(draws.normal(), draws.normal(), draws.normal())});
+      const std::vector<MarkTouch> touches = touches_of(position, noise_m, draws, 1.0, five);
       const Registration found = fit_registration({.touch_sd_m = noise_m}, touches);
       if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
       ++fitted;
@@ -118,4 +107,4 @@ TEST(FrameError, CoversWhereTheFingerEnds) {
 }
 
 }  // namespace
-}  // namespace hrt
+}  // namespace hrt::test

@@ -2,46 +2,20 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 #include <vector>
 
-#include "core/simulation/random.h"
+#include "tests/core/plate/touches.h"
 
-namespace hrt {
+namespace hrt::test {
 namespace {
 
-using Eigen::AngleAxisd;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
-
-constexpr double rad_per_deg = 0.017453292519943295;
-
-// Centre, start and four marks on the rim of a plate of 75 mm.
-std::vector<Vector3d> marks() {
-  return {{0.0, 0.0, 0.0},   {0.0, 0.0, 0.05},   {0.075, 0.0, 0.0},
-          {0.0, 0.0, 0.075}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
-}
-
-Matrix3d some_rotation() {
-  return (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
-}
-
-std::vector<MarkTouch> touches_of(const Matrix3d& rotation, const Vector3d& position_m, double scale,
-                                  double noise_m, Draws& draws) {
-  std::vector<MarkTouch> touches;
-  for (const Vector3d& mark : marks()) {
-    const Vector3d noise(noise_m * draws.normal(), noise_m * draws.normal(), noise_m * draws.normal());
-    touches.push_back({mark, scale * (rotation * mark) + position_m + noise});
-  }
-  return touches;
-}
-
 std::vector<MarkTouch> exact_touches(const Matrix3d& rotation, const Vector3d& position_m) {
-  Draws draws(1, 0, 0, 0);
-  return touches_of(rotation, position_m, 1.0, 0.0, draws);
+  std::vector<MarkTouch> touches;
+  for (const Vector3d& mark : marks()) touches.push_back({mark, rotation * mark + position_m});
+  return touches;
 }
 
 double turn_rad(const Matrix3d& found, const Matrix3d& truth) {
@@ -84,8 +58,8 @@ TEST(Registration, IntervalsCoverTheTruth) {
     for (std::uint32_t i = 0; i < 1000; ++i) {
       Draws draws(2, 0, i, 0);
       const Vector3d position(0.3, 0.75, -0.4);
-      const Registration found = fit_registration({.touch_sd_m = assumed_m},
-                                                  touches_of(some_rotation(), position, 1.0, 0.003, draws));
+      const Registration found =
+          fit_registration({.touch_sd_m = assumed_m}, touches_of(position, 0.003, draws));
       if (found.verdict != RegistrationVerdict::holds || found.left_out) continue;
       ++fitted;
       turn_covered +=
@@ -102,7 +76,7 @@ TEST(Registration, IntervalsCoverTheTruth) {
 
 TEST(Registration, FramesOfTheTrackerDoNotMatter) {
   Draws draws(3, 0, 0, 0);
-  std::vector<MarkTouch> touches = touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.0, 0.002, draws);
+  std::vector<MarkTouch> touches = touches_of({0.1, 0.7, -0.3}, 0.002, draws);
   const Registration here = fit_registration({}, touches);
   const Matrix3d turn = AngleAxisd(2.5, Vector3d(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
   const Vector3d shift(40.0, -7.0, 3.0);
@@ -117,7 +91,7 @@ TEST(Registration, FramesOfTheTrackerDoNotMatter) {
 TEST(Registration, OneBadTouchIsNamedAndLeftOut) {
   for (int bad = 0; bad < 6; ++bad) {
     Draws draws(4, 0, static_cast<std::uint32_t>(bad), 0);
-    std::vector<MarkTouch> touches = touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.0, 0.002, draws);
+    std::vector<MarkTouch> touches = touches_of({0.1, 0.7, -0.3}, 0.002, draws);
     touches[static_cast<std::size_t>(bad)].touched_m.x() += 0.04;
     const Registration found = fit_registration({}, touches);
     ASSERT_EQ(found.verdict, RegistrationVerdict::holds) << bad;
@@ -205,7 +179,7 @@ TEST(Registration, RefusesTooFewAndMarksOnALine) {
 
 TEST(Registration, ScaleIsFoundOnRequest) {
   Draws draws(5, 0, 0, 0);
-  const auto touches = touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.05, 0.0005, draws);
+  const auto touches = touches_of({0.1, 0.7, -0.3}, 0.0005, draws, 1.05);
   const Registration found = fit_registration({.touch_sd_m = 0.001, .fit_scale = true}, touches);
   ASSERT_EQ(found.verdict, RegistrationVerdict::holds);
   EXPECT_NEAR(found.scale, 1.05, 4.0 * std::sqrt(found.covariance(6, 6)));
@@ -218,10 +192,10 @@ TEST(Registration, ALaterTouchIsChecked) {
   int refused = 0;
   for (std::uint32_t i = 0; i < 2000; ++i) {
     Draws draws(6, 0, i, 0);
-    auto touches = touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.0, 0.003, draws);
+    auto touches = touches_of({0.1, 0.7, -0.3}, 0.003, draws);
     const Registration found = fit_registration({}, touches);
     if (found.verdict != RegistrationVerdict::holds) continue;
-    const auto later = touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.0, 0.003, draws);
+    const auto later = touches_of({0.1, 0.7, -0.3}, 0.003, draws);
     refused += !check_registration(found, later[1]).holds;
     MarkTouch moved = later[1];
     moved.touched_m.z() += 0.03;
@@ -238,11 +212,10 @@ TEST(Registration, CheckFindsAPlateThatHasMovedByCentimetres) {
     int found = 0, held = 0;
     for (std::uint32_t i = 0; i < 1000; ++i) {
       Draws draws(8, 0, i, 0);
-      const Registration here =
-          fit_registration({}, touches_of(some_rotation(), {0.1, 0.7, -0.3}, 1.0, 0.003, draws));
+      const Registration here = fit_registration({}, touches_of({0.1, 0.7, -0.3}, 0.003, draws));
       if (here.verdict != RegistrationVerdict::holds) continue;
       ++held;
-      const auto later = touches_of(some_rotation(), {0.1 + moved_m, 0.7, -0.3}, 1.0, 0.003, draws);
+      const auto later = touches_of({0.1 + moved_m, 0.7, -0.3}, 0.003, draws);
       found += !check_registration(here, later[1]).holds;
     }
     const double percent = 100.0 * found / held;
@@ -285,4 +258,4 @@ TEST(Fingertip, IsUnknownWithoutTurns) {
 }
 
 }  // namespace
-}  // namespace hrt
+}  // namespace hrt::test

@@ -109,40 +109,6 @@ TEST(SimulationPerson, LargestShiftByHand) {
     }
 }
 
-TEST(SimulationPerson, DrawsAreAFunctionOfTheirKeyAlone) {
-  Draws one(7, 1, 2, 3);
-  Draws same(7, 1, 2, 3);
-  std::vector<double> firsts;
-  for (int i = 0; i < 100; ++i) EXPECT_EQ(one.normal(), same.normal());
-  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3),
-                      Draws(7, 1, 2, 2), Draws(7, 1, 3, 2)})
-    firsts.push_back(other.uniform());
-  std::sort(firsts.begin(), firsts.end());
-  EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());
-}
-
-// Standard errors of n draws: mean and variance of a normal, 1 / sqrt(n) and sqrt(2 / n); mean of a uniform,
-// 1 / sqrt(12 n). Neighbouring people are independent.
-TEST(SimulationPerson, DrawsHaveTheirDistribution) {
-  constexpr std::uint32_t n = 100'000;
-  double sum = 0.0, squares = 0.0, uniforms = 0.0, products = 0.0, last = 0.0;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    Draws person(1, 0, i, 0);
-    const double x = person.normal();
-    sum += x;
-    squares += x * x;
-    products += x * last;
-    last = x;
-    const double u = person.uniform();
-    ASSERT_TRUE(u >= 0.0 && u < 1.0);
-    uniforms += u;
-  }
-  EXPECT_NEAR(sum / n, 0.0, 4.0 / std::sqrt(n));
-  EXPECT_NEAR(squares / n, 1.0, 4.0 * std::sqrt(2.0 / n));
-  EXPECT_NEAR(uniforms / n, 0.5, 4.0 / std::sqrt(12.0 * n));
-  EXPECT_NEAR(products / n, 0.0, 4.0 / std::sqrt(n));
-}
-
 // The path is as long as it is asked to be, however it is paced and bent; who overshoots by a tenth and comes
 // back goes 1.2 times as far.
 TEST(SimulationPerson, PathAndTimeAreAsAskedFor) {

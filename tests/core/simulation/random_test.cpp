@@ -223,20 +223,38 @@ TEST(SimulationDraws, TakeHalfABlockAtATime) {
   EXPECT_EQ(draws.normal(), normal_pair<ScalarLanes>(second.second).first);
 }
 
-TEST(SimulationDraws, HaveTheMomentsOfTheirDistributions) {
-  Draws draws(1, 0, 0, 0);
-  constexpr int count = 100'000;
-  double uniform = 0.0, normal = 0.0, square = 0.0;
-  for (int i = 0; i < count; ++i) {
-    uniform += draws.uniform() / count;
-    const double z = draws.normal();
-    normal += z / count;
-    square += z * z / count;
+TEST(SimulationDraws, AreAFunctionOfTheirKeyAlone) {
+  Draws one(7, 1, 2, 3);
+  Draws same(7, 1, 2, 3);
+  std::vector<double> firsts;
+  for (int i = 0; i < 100; ++i) EXPECT_EQ(one.normal(), same.normal());
+  for (Draws other : {Draws(7, 1, 2, 3), Draws(8, 1, 2, 3), Draws(7, 0, 2, 3), Draws(7, 1, 3, 3),
+                      Draws(7, 1, 2, 2), Draws(7, 1, 3, 2)})
+    firsts.push_back(other.uniform());
+  std::sort(firsts.begin(), firsts.end());
+  EXPECT_EQ(std::adjacent_find(firsts.begin(), firsts.end()), firsts.end());
+}
+
+// Standard errors of n draws: mean and variance of a normal, 1 / sqrt(n) and sqrt(2 / n); mean of a uniform,
+// 1 / sqrt(12 n). Neighbouring people are independent.
+TEST(SimulationDraws, HaveTheirDistribution) {
+  constexpr std::uint32_t n = 100'000;
+  double sum = 0.0, squares = 0.0, uniforms = 0.0, products = 0.0, last = 0.0;
+  for (std::uint32_t i = 0; i < n; ++i) {
+    Draws person(1, 0, i, 0);
+    const double x = person.normal();
+    sum += x;
+    squares += x * x;
+    products += x * last;
+    last = x;
+    const double u = person.uniform();
+    ASSERT_TRUE(u >= 0.0 && u < 1.0);
+    uniforms += u;
   }
-  const double error = 4.0 / std::sqrt(count);  // four standard errors
-  EXPECT_NEAR(uniform, 0.5, error * std::sqrt(1.0 / 12.0));
-  EXPECT_NEAR(normal, 0.0, error);
-  EXPECT_NEAR(square, 1.0, error * std::sqrt(2.0));
+  EXPECT_NEAR(sum / n, 0.0, 4.0 / std::sqrt(n));
+  EXPECT_NEAR(squares / n, 1.0, 4.0 * std::sqrt(2.0 / n));
+  EXPECT_NEAR(uniforms / n, 0.5, 4.0 / std::sqrt(12.0 * n));
+  EXPECT_NEAR(products / n, 0.0, 4.0 / std::sqrt(n));
 }
 
 }  // namespace

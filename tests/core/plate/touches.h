@@ -1,0 +1,39 @@
+// What tests of registrations share: touches of a plate's marks.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "core/plate/registration.h"
+#include "core/simulation/random.h"
+
+namespace hrt::test {
+
+using Eigen::AngleAxisd;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+inline constexpr double rad_per_deg = 0.017453292519943295;
+
+/// Centre, start and four marks on the rim of a plate of 75 mm.
+inline std::vector<Vector3d> marks() {
+  return {{0.0, 0.0, 0.0},   {0.0, 0.0, 0.05},   {0.075, 0.0, 0.0},
+          {0.0, 0.0, 0.075}, {-0.075, 0.0, 0.0}, {0.0, 0.0, -0.075}};
+}
+
+inline Matrix3d some_rotation() {
+  return (AngleAxisd(0.7, Vector3d::UnitY()) * AngleAxisd(-0.2, Vector3d::UnitX())).toRotationMatrix();
+}
+
+/// A plate turned by some_rotation(), touched with noise.
+inline std::vector<MarkTouch> touches_of(const Vector3d& position_m, double noise_m, Draws& draws,
+                                         double scale = 1.0, const std::vector<Vector3d>& touched = marks()) {
+  std::vector<MarkTouch> touches;
+  for (const Vector3d& mark : touched) {
+    const Vector3d noise(noise_m * draws.normal(), noise_m * draws.normal(), noise_m * draws.normal());
+    touches.push_back({mark, scale * (some_rotation() * mark) + position_m + noise});
+  }
+  return touches;
+}
+
+}  // namespace hrt::test
