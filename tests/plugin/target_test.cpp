@@ -361,7 +361,7 @@ TEST_F(AssignTest, RefusesWhatIsNoSet) {
   expect_error(assign(cups, 1, reals, 1, 0, 2, out), HRT_ERROR_STRUCT_SIZE, "out_authorities");
 }
 
-// The elements of a caller with older headers are as far apart as its struct is large.
+// The elements of a caller with later headers are as far apart as its struct is large.
 TEST_F(AssignTest, ElementsHaveTheCallersSize) {
   const std::vector<hrt_target> reals{add(HRT_TARGET_REAL, 0.0)},
       virtuals{add(HRT_TARGET_VIRTUAL, 5.0), add(HRT_TARGET_VIRTUAL, 6.0)};
