@@ -5,8 +5,8 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/power_page.h"
 #include "samples/study/figures/workshop.h"
+#include "samples/study/pages/power_page.h"
 #include "samples/study/paper/power_study.h"
 
 namespace hrt::study {

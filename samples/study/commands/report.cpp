@@ -5,8 +5,8 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/page.h"
 #include "samples/study/figures/workshop.h"
+#include "samples/study/pages/page.h"
 
 namespace hrt::study {
 namespace {

@@ -1,5 +1,5 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
-#include "samples/study/figures/robustness_text.h"
+#include "samples/study/pages/robustness_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,8 +10,8 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/robustness_page.h"
 #include "samples/study/figures/workshop.h"
+#include "samples/study/pages/robustness_page.h"
 #include "samples/study/people/person_file.h"
 #include "samples/study/people/replay.h"
 #include "samples/text.h"

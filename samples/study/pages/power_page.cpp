@@ -1,7 +1,7 @@
-#include "samples/study/figures/power_page.h"
+#include "samples/study/pages/power_page.h"
 
 #include "samples/study/cli/output.h"
-#include "samples/study/figures/html.h"
+#include "samples/study/pages/html.h"
 #include "samples/text.h"
 
 namespace hrt::study {

@@ -1,7 +1,7 @@
-#include "samples/study/figures/page.h"
+#include "samples/study/pages/page.h"
 
 #include "samples/study/cli/output.h"
-#include "samples/study/figures/html.h"
+#include "samples/study/pages/html.h"
 #include "samples/text.h"
 
 namespace hrt::study {

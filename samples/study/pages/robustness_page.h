@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "samples/study/figures/figures.h"
-#include "samples/study/figures/robustness_text.h"
+#include "samples/study/pages/robustness_text.h"
 
 namespace hrt::study {
 

@@ -1,4 +1,4 @@
-#include "samples/study/figures/html.h"
+#include "samples/study/pages/html.h"
 
 #include <algorithm>
 

@@ -1,9 +1,9 @@
-#include "samples/study/figures/robustness_page.h"
+#include "samples/study/pages/robustness_page.h"
 
 #include <cmath>
 
 #include "samples/study/cli/output.h"
-#include "samples/study/figures/html.h"
+#include "samples/study/pages/html.h"
 #include "samples/text.h"
 
 namespace hrt::study {

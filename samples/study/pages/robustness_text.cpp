@@ -1,4 +1,4 @@
-#include "samples/study/figures/robustness_text.h"
+#include "samples/study/pages/robustness_text.h"
 
 #include <algorithm>
 #include <cmath>
