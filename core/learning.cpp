@@ -10,8 +10,8 @@ using T = PersonTrait;
 
 constexpr double fall_deviations = 1.2;
 
-// A fall looks like a curve that peaks early, and the plate then stays within the peak, where no motion can
-// show that there is none.
+// A drop of the weight resembles an early peak. The plate then stays within that peak and never tests it, so
+// the illusion is reset.
 bool has_fallen(const PersonBelief& before, const PersonBelief& learnt) {
   const LinearIllusion was = linear_illusion(before);
   return was.weight - linear_illusion(learnt).weight > fall_deviations * was.weight_sd;

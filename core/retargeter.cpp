@@ -9,9 +9,9 @@
 namespace hrt {
 namespace {
 
-// Nearer than this a direction says nothing, and what the tracker's noise adds to a way is not small.
+// Below this length the tracker's noise dominates the bearing.
 constexpr double min_leg_m = 0.01;
-// As the finger passes the real target its direction turns to anywhere.
+// At the real target its bearing is undefined.
 constexpr double max_seen_gap_deg = 89.0;
 constexpr double min_seen_distance_m = 0.001;
 // No part of a tracker's noise is known to be less: without any a filter takes every trace for the person.
@@ -29,8 +29,8 @@ PaperReachConfig paper_config(const RetargeterConfig& config) {
   return paper;
 }
 
-// Of a tracker of whose noise only the size is known, two thirds and three quarters of it, whose squares add
-// up to it: correlated noise that is absent costs little, and unmodelled noise becomes a motion.
+// If only the total noise is known, two thirds of it are white and three quarters correlated: their squares
+// add up to it. Correlated noise that is absent costs little; unmodelled noise becomes a motion.
 std::optional<TrackerNoise> noise_of(const EstimatorConfig& config) {
   if (config.correlated_noise_m > 0.0)
     return TrackerNoise{.white_mm = std::max(mm_per_m * config.tracker_noise_m, min_known_noise_mm),
@@ -72,18 +72,18 @@ void Retargeter::begin(const Reach& reach) {
 }
 
 void Retargeter::begin_here(const Reach& reach) {
-  std::optional<ReachSoFar> awaiting = so_far();
+  std::optional<PlateHandover> awaiting = handover();
   if (awaiting) awaiting->samples = awaiting->dropped_samples = 0;
   begin(reach, awaiting);
 }
 
-void Retargeter::begin(const Reach& reach, const std::optional<ReachSoFar>& so_far) {
+void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
   if (config_.mode == ControlMode::reach) {
-    leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, so_far);
+    leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
-    leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, so_far);
+    leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach, handover);
   }
 }
 
@@ -124,7 +124,8 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
   const PlatePoint felt = point_ahead(felt_passed_, reach_.virtual_direction_deg, passed_m);
   // They turn to the target as they see it once they answer.
   const double speed_m_s = std::visit([](const auto& leader) { return leader.speed_m_s(); }, *leader_);
-  const PlatePoint answers_from = point_ahead(felt, reach_.virtual_direction_deg, answer_s * speed_m_s);
+  const PlatePoint answers_from =
+      point_ahead(felt, reach_.virtual_direction_deg, reaction_time_s * speed_m_s);
   if (passed_m > min_leg_m) {
     passed_ = seen.start;
     felt_passed_ = felt;
@@ -140,13 +141,13 @@ Reach Retargeter::seen_from_here(const PlatePoint& real, const PlatePoint& virtu
 }
 
 // Before a first sample no command has been returned: the plate stands where it stood.
-std::optional<ReachSoFar> Retargeter::so_far() const {
-  const ReachSoFar so_far = std::visit([](const auto& leader) { return leader.so_far(); }, *leader_);
-  return so_far.samples > 0 ? std::optional(so_far) : std::nullopt;
+std::optional<PlateHandover> Retargeter::handover() const {
+  const PlateHandover handover = std::visit([](const auto& leader) { return leader.handover(); }, *leader_);
+  return handover.samples > 0 ? std::optional(handover) : std::nullopt;
 }
 
 void Retargeter::lead_by_directions() {
-  leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach_, so_far());
+  leader_.emplace(std::in_place_type<PaperReach>, paper_config(config_), reach_, handover());
 }
 
 }  // namespace hrt

@@ -55,8 +55,8 @@ class Retargeter {
   std::optional<PersonBelief> learnt() const;
 
  private:
-  void begin(const Reach& reach, const std::optional<ReachSoFar>& so_far);
-  std::optional<ReachSoFar> so_far() const;
+  void begin(const Reach& reach, const std::optional<PlateHandover>& handover);
+  std::optional<PlateHandover> handover() const;
   void lead_by_directions();
   Reach seen_from_here(const PlatePoint& real, const PlatePoint& virtual_place);
 

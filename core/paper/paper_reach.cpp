@@ -31,7 +31,7 @@ bool is_rate_limited(ActiveBound active) {
 }  // namespace
 
 PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
-                       const std::optional<ReachSoFar>& so_far)
+                       const std::optional<PlateHandover>& handover)
     : config_(config),
       reach_(reach),
       goal_deg_(goal_direction_deg(config.participant, reach.virtual_direction_deg)),
@@ -39,26 +39,26 @@ PaperReach::PaperReach(const PaperReachConfig& config, const Reach& reach,
       estimator_(config.estimator, config.participant, goal_deg_, reach.start, config.step_period_ns,
                  config.mpc.horizon + max_lead),
       control_(config.mpc, config.plate, config.step_period_ns, goal_deg_),
-      plate_(so_far ? so_far->plate
-                    : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
+      plate_(handover ? handover->plate
+                      : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, control_.plans_turns(), reach.real_direction_deg, goal_deg_,
                         plate_.orientation_deg())),
-      decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(so_far)},
+      decision_{.aim = {reach.real_direction_deg, false}, .plate = initial_plate(handover)},
       finger_{.direction_deg = 0.0,
               .perceived_direction_deg = 0.0,
               .tactile_weight = config.participant.tactile_weight,
               .tactile_weight_sd = estimator_.estimate().tactile_weight_sd},
       command_(publish({}, true)) {
   plate_.command(decision_.plate.orientation_deg);
-  if (!so_far) return;
-  samples_before_ = so_far->samples;
-  dropped_before_ = so_far->dropped_samples;
+  if (!handover) return;
+  samples_before_ = handover->samples;
+  dropped_before_ = handover->dropped_samples;
 }
 
-PlateOrientation PaperReach::initial_plate(const std::optional<ReachSoFar>& so_far) const {
+PlateOrientation PaperReach::initial_plate(const std::optional<PlateHandover>& handover) const {
   const double stands_deg = plate_.orientation_deg();
   if (!config_.fixed_plate_orientation_deg)
-    return {so_far ? so_far->commanded_deg : stands_deg, ActiveBound::none};
+    return {handover ? handover->commanded_deg : stands_deg, ActiveBound::none};
   return {nearest_equivalent_deg(*config_.fixed_plate_orientation_deg, stands_deg, config_.plate.stops),
           ActiveBound::none};
 }
@@ -116,7 +116,7 @@ ReachSummary PaperReach::summary() const {
           .estimate = estimator_.estimate()};
 }
 
-ReachSoFar PaperReach::so_far() const {
+PlateHandover PaperReach::handover() const {
   const SampleCounts counts = estimator_.counts();
   return {plate_, decision_.plate.orientation_deg, samples_before_ + counts.samples,
           dropped_before_ + counts.dropped_samples};

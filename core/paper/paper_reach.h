@@ -27,9 +27,9 @@ struct PaperReachConfig {
 /// estimate. In between the command is held. No heap, no lock, no exception. One thread at a time.
 class PaperReach {
  public:
-  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  /// `handover`: takes the place of another reach; none: the plate stands. Requires valid arguments.
   PaperReach(const PaperReachConfig& config, const Reach& reach,
-             const std::optional<ReachSoFar>& so_far = std::nullopt);
+             const std::optional<PlateHandover>& handover = std::nullopt);
 
   /// Takes one sample in, not before the last one's.
   PlateCommand update(const FingerSample& sample);
@@ -46,7 +46,7 @@ class PaperReach {
   std::optional<PlatePoint> place() const { return command_.step >= 0 ? estimator_.place() : std::nullopt; }
   double speed_m_s() const { return 0.0; }  ///< not used to aim
   ReachSummary summary() const;
-  ReachSoFar so_far() const;
+  PlateHandover handover() const;
 
  private:
   /// Where the finger is wanted.
@@ -68,7 +68,7 @@ class PaperReach {
     double tactile_weight_sd;
   };
 
-  PlateOrientation initial_plate(const std::optional<ReachSoFar>& so_far) const;
+  PlateOrientation initial_plate(const std::optional<PlateHandover>& handover) const;
   Aim aim(const ReachState& state) const;
   PlateOrientation plan(const ReachState& state, const Aim& aim);
   void decide(const Decision& decision);

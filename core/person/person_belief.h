@@ -15,7 +15,7 @@ struct PersonBelief {
   double wander_sd_deg;  ///< of the fast part dr of the goal: larger on a person's first reach
 };
 
-/// A person of whom nothing is known. `tactile_weight` and its standard deviation are those of a linear
+/// The prior of an unknown person. `tactile_weight` and its standard deviation are those of a linear
 /// illusion; a curve is as uncertain in proportion. `bias_deg` is that of a calibration, or 0. Clamped to the
 /// ranges.
 PersonBelief unknown_person(double tactile_weight = 0.2, double tactile_weight_sd = 0.05,

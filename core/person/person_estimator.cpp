@@ -115,7 +115,8 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
     return;
   }
   // A target that moves on before they have answered is answered with it.
-  if (!retarget_) retarget_ = {.time_s = time_s + answer_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
+  if (!retarget_)
+    retarget_ = {.time_s = time_s + reaction_time_s, .virtual_direction_deg = 0.0, .longer_mm = 0.0};
   retarget_->virtual_direction_deg = virtual_direction_deg;
   retarget_->longer_mm += longer_mm;
   if (motion_ == FingerMotion::paused || filter_.state().phase <= arrived_phase) return;
@@ -125,7 +126,7 @@ void PersonEstimator::retarget(double time_s, double virtual_direction_deg, doub
   outliers_ = 0;
 }
 
-std::optional<PersonFilter> PersonEstimator::to_come() const {
+std::optional<PersonFilter> PersonEstimator::after_retarget() const {
   if (!retarget_) return std::nullopt;
   std::optional<PersonFilter> filter = filter_;
   filter->retarget(retarget_->virtual_direction_deg, retarget_->longer_mm, false);
@@ -314,7 +315,7 @@ bool PersonEstimator::take(const Sample& sample, const PlateTrace& plate) {
     pause_ = still;
     filter_.place_at(still.right_mm - origin_.right_mm, still.away_mm - origin_.away_mm);
     filter_.loosen_clock(pause_clock_sd_s);
-    fit_ = {};  // the model has words for a rest, only not for when it begins
+    fit_ = {};  // the start of a pause is not modelled: the statistics begin anew
     outliers_ = 0;
     return true;
   }

@@ -12,7 +12,7 @@
 namespace hrt {
 
 /// From a target's move to the person's answer.
-inline constexpr double answer_s = 0.2;
+inline constexpr double reaction_time_s = 0.2;
 
 enum class FingerMotion {
   resting,  ///< before the reach
@@ -55,7 +55,7 @@ class PersonEstimator {
   void lift(double time_s, const PlateTrace& plate);
 
   /// The target has moved at `time_s`: asked to go in `virtual_direction_deg`, over a path that is
-  /// `longer_mm` longer. The person answers after answer_s.
+  /// `longer_mm` longer. The person answers after reaction_time_s.
   void retarget(double time_s, double virtual_direction_deg, double longer_mm);
 
   FingerMotion motion() const { return motion_; }
@@ -63,7 +63,7 @@ class PersonEstimator {
   bool caught_up() const { return backlog_ == 0; }
   const PersonFilter& filter() const { return filter_; }
   /// The filter with the person's answer to a moved target, while that is still to come.
-  std::optional<PersonFilter> to_come() const;
+  std::optional<PersonFilter> after_retarget() const;
   /// Of the filter; before the finger moves, of the last position.
   double time_s() const { return filter_s_; }
   /// Where the finger rested: the filter's places are measured from here.

@@ -56,7 +56,7 @@ PlateLimits limits_of(const PersonReachConfig& config, const Reach& reach, doubl
 }  // namespace
 
 PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
-                         const std::optional<ReachSoFar>& so_far)
+                         const std::optional<PlateHandover>& handover)
     : config_(config),
       reach_(reach),
       target_(point_ahead(reach.start, reach.real_direction_deg, reach.real_distance_m)),
@@ -64,13 +64,13 @@ PersonReach::PersonReach(const PersonReachConfig& config, const Reach& reach,
       frame_sd_deg_(frame_bearing_sd_deg(config.frame, reach.start, target_)),
       estimator_(person_of(config, reach), reach.virtual_direction_deg, mm_per_m * reach.real_distance_m,
                  to_mm(reach.start), config.noise),
-      plate_(so_far ? so_far->plate
-                    : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
+      plate_(handover ? handover->plate
+                      : PlateModel(config.plate, clamped(reach.plate_orientation_deg, config.plate.stops))),
       limits_(limits_of(config, reach, plate_.orientation_deg())) {
-  decision_.plate.orientation_deg = so_far ? so_far->commanded_deg : plate_.orientation_deg();
-  if (so_far) {
-    counts_.samples = so_far->samples;
-    counts_.dropped_samples = so_far->dropped_samples;
+  decision_.plate.orientation_deg = handover ? handover->commanded_deg : plate_.orientation_deg();
+  if (handover) {
+    counts_.samples = handover->samples;
+    counts_.dropped_samples = handover->dropped_samples;
   }
   stand_ready();
   command_ = publish({}, 0.0, false);
@@ -165,9 +165,9 @@ bool PersonReach::observe(const FingerSample& sample, double time_s) {
 PersonReach::Decision PersonReach::decide(double now_s) {
   const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
   const double later_deg = plate_.orientation_at_deg(later_ns(*position_ns_, config_.plate.latency_ns));
-  const std::optional<PersonFilter> to_come = estimator_.to_come();
+  const std::optional<PersonFilter> retargeted = estimator_.after_retarget();
   const ReachPlan plan =
-      plan_reach(config_.control, to_come ? *to_come : estimator_.filter(), estimator_.time_s(), aim(),
+      plan_reach(config_.control, retargeted ? *retargeted : estimator_.filter(), estimator_.time_s(), aim(),
                  {trace_, now_s, latency_s, later_deg, slew_s_});
   // On average a turn is half done after half its time.
   slew_s_ =
@@ -195,8 +195,8 @@ ReachAim PersonReach::aim() const {
 
 // By the filter, which may stand at an earlier time.
 double PersonReach::time_to_go_s(double now_s) const {
-  const std::optional<PersonFilter> to_come = estimator_.to_come();
-  const PersonState x = (to_come ? *to_come : estimator_.filter()).state();
+  const std::optional<PersonFilter> retargeted = estimator_.after_retarget();
+  const PersonState x = (retargeted ? *retargeted : estimator_.filter()).state();
   const double left_s = (1.0 - x.phase) / exponential(x.log_rate);
   return std::max(0.0, left_s - (now_s - estimator_.time_s()));
 }
@@ -319,7 +319,7 @@ ReachSummary PersonReach::summary() const {
   return summary;
 }
 
-ReachSoFar PersonReach::so_far() const {
+PlateHandover PersonReach::handover() const {
   return {plate_, decision_.plate.orientation_deg, counts_.samples, counts_.dropped_samples};
 }
 

@@ -30,9 +30,9 @@ struct PersonReachConfig {
 /// No heap, no lock, no exception. One thread at a time.
 class PersonReach {
  public:
-  /// `so_far`: takes the place of another reach; none: the plate stands. Requires valid arguments.
+  /// `handover`: takes the place of another reach; none: the plate stands. Requires valid arguments.
   PersonReach(const PersonReachConfig& config, const Reach& reach,
-              const std::optional<ReachSoFar>& so_far = std::nullopt);
+              const std::optional<PlateHandover>& handover = std::nullopt);
 
   /// Takes one sample in, not before the last one's, of any observation but a direction.
   PlateCommand update(const FingerSample& sample);
@@ -49,7 +49,7 @@ class PersonReach {
   /// A position has been seen.
   bool seen() const { return position_ns_.has_value(); }
   ReachSummary summary() const;
-  ReachSoFar so_far() const;
+  PlateHandover handover() const;
   /// What is known of finger and person, as a whole.
   const PersonFilter& filter() const { return estimator_.filter(); }
 

@@ -42,9 +42,9 @@ double nearest_equivalent_deg(double orientation_deg, double current_deg, const 
 /// freely: the one nearest to `expected_deg`. Between stops the encoder is right.
 double reported_orientation_deg(double orientation_deg, double expected_deg, const PlateStops& stops);
 
-/// For a plate that shall turn anywhere from `lowest_deg` to `highest_deg` without a swing of half a turn in
-/// between: how many half turns further it does so while the stops cut the least from that range, and of
-/// those the ones nearest to `current_deg`. A whole number.
+/// Half turns to add so that the range from `lowest_deg` to `highest_deg` fits between the stops, or is cut
+/// the least, without a swing of half a turn within it. Of equal ones those nearest to `current_deg`. A whole
+/// number.
 double half_turns_between_stops(double lowest_deg, double highest_deg, double current_deg,
                                 const PlateStops& stops);
 

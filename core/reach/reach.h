@@ -24,7 +24,7 @@ struct Reach {
 bool is_valid(const Reach& reach, double goal_direction_deg);
 
 /// What a reach hands on to the one that takes its place: the plate under way, and the samples so far.
-struct ReachSoFar {
+struct PlateHandover {
   PlateModel plate;
   double commanded_deg;
   std::int64_t samples;

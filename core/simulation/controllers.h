@@ -12,7 +12,7 @@ RetargeterConfig people_controller();
 /// The same, with the tracker's declared latency.
 RetargeterConfig people_controller(const PersonCondition& condition);
 
-/// A controller for people with plate, tracker and person known, as far as its model has words for them.
+/// A controller for people with plate, tracker and person known, as far as its model describes them.
 RetargeterConfig informed_controller(const PersonCondition& condition);
 
 /// The paper's, with w_T assumed 0.15.

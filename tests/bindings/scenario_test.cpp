@@ -16,6 +16,10 @@ class Caller {
     EXPECT_EQ(hrt_session_create(&config, &session_), HRT_OK);
   }
   ~Caller() { hrt_session_destroy(session_); }
+  Caller(const Caller&) = delete;
+  Caller& operator=(const Caller&) = delete;
+  Caller(Caller&&) = delete;
+  Caller& operator=(Caller&&) = delete;
 
   Answer call(const Call& call) {
     values_.clear();

@@ -38,17 +38,18 @@ Quality quality(const std::vector<double>& costs, std::size_t columns,
 
 // By trying every column, and none, for every row.
 void try_all(const std::vector<double>& costs, std::size_t columns, std::size_t row, std::vector<bool>& taken,
-             const Quality& so_far, Quality& best) {
+             const Quality& handover, Quality& best) {
   if (row * columns == costs.size()) {
-    if (so_far.served > best.served || (so_far.served == best.served && so_far.max < best.max)) best = so_far;
+    if (handover.served > best.served || (handover.served == best.served && handover.max < best.max))
+      best = handover;
     return;
   }
-  try_all(costs, columns, row + 1, taken, so_far, best);
+  try_all(costs, columns, row + 1, taken, handover, best);
   for (std::size_t column = 0; column < columns; ++column) {
     const double cost = costs[row * columns + column];
     if (taken[column] || cost == never) continue;
     taken[column] = true;
-    try_all(costs, columns, row + 1, taken, {so_far.served + 1, std::max(so_far.max, cost)}, best);
+    try_all(costs, columns, row + 1, taken, {handover.served + 1, std::max(handover.max, cost)}, best);
     taken[column] = false;
   }
 }

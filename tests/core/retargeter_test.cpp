@@ -46,18 +46,18 @@ TEST(Retargeter, DirectionsAreLedByThePapersController) {
     Retargeter retargeter({.mode = ControlMode::reach, .plate = plate});
     retargeter.begin(reach);
     EXPECT_NE(retargeter.command().plate_orientation_deg, 20.0);
-    std::optional<ReachSoFar> so_far;
+    std::optional<PlateHandover> handover;
     if (commanded) {
       PersonReach person({.person = unknown_person(), .plate = plate}, reach);
       for (const int early : {200, 100, 50}) {
         retargeter.update({.time_ns = -early * ms});
         person.update({.time_ns = -early * ms});
       }
-      so_far = person.so_far();
-      EXPECT_NEAR(std::abs(so_far->plate.orientation_deg() - 20.0), 12.0, 1e-9)
+      handover = person.handover();
+      EXPECT_NEAR(std::abs(handover->plate.orientation_deg() - 20.0), 12.0, 1e-9)
           << "150 ms less 30, at 100 deg/s";
     }
-    PaperReach paper({.plate = plate}, reach, so_far);
+    PaperReach paper({.plate = plate}, reach, handover);
     for (int i = 0; i < 10; ++i) {
       const PlateCommand command = retargeter.update(direction(i));
       EXPECT_FALSE(retargeter.leads_person());

@@ -180,7 +180,7 @@ typedef struct hrt_session_config {
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
    *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
    * row by row. Variances 0 to 1. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into UNREACHABLE
-   * and bearing_error_sd_deg; where the plate leads does not depend on it. Default 0. */
+   * and bearing_error_sd_deg; it does not change commands. Default 0. */
   double plate_covariance[6];
   /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Default 0.
    */

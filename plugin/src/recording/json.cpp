@@ -333,7 +333,7 @@ hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_c
   std::vector<Field> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config known = *config;
-  // A profile that says nothing of these is of a person of whom nothing was learnt in reaches.
+  // A profile without learnt traits resets them.
   forget_person(&known);
   for (const NumberField& field : number_fields())
     if (field.known_by) known.*field.known_by = 0.0;

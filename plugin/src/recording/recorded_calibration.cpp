@@ -7,7 +7,7 @@ namespace hrt::plugin {
 RecordedCalibration::RecordedCalibration(const hrt_session_config& session_config,
                                          const hrt_calibration_config& checked_config,
                                          std::shared_ptr<std::atomic<int>> under_way,
-                                         std::shared_ptr<RecordingLine> line, std::uint64_t number)
+                                         std::shared_ptr<RecorderGate> line, std::uint64_t number)
     : calibration_(session_config, checked_config, std::move(under_way)),
       line_(std::move(line)),
       recording_(line_->current()),

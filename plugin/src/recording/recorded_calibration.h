@@ -15,7 +15,7 @@ class RecordedCalibration {
  public:
   /// `number` is what the recording that runs calls this calibration.
   RecordedCalibration(const hrt_session_config& session_config, const hrt_calibration_config& checked_config,
-                      std::shared_ptr<std::atomic<int>> under_way, std::shared_ptr<RecordingLine> line,
+                      std::shared_ptr<std::atomic<int>> under_way, std::shared_ptr<RecorderGate> line,
                       std::uint64_t number);
   ~RecordedCalibration();
   RecordedCalibration(const RecordedCalibration&) = delete;
@@ -40,7 +40,7 @@ class RecordedCalibration {
   }
 
   StreamedCalibration calibration_;
-  std::shared_ptr<RecordingLine> line_;
+  std::shared_ptr<RecorderGate> line_;
   std::uint64_t recording_;  // that it began in; 0: none
   std::uint64_t number_;
 };

@@ -9,16 +9,16 @@ namespace hrt::plugin {
 namespace {
 
 // Removes the targets that were added unless all of them are kept.
-class Addition {
+class TargetRollback {
  public:
-  explicit Addition(Targets& targets) : targets_(targets) {}
-  ~Addition() {
+  explicit TargetRollback(Targets& targets) : targets_(targets) {}
+  ~TargetRollback() {
     for (const std::uint64_t id : ids_) targets_.remove(id);
   }
-  Addition(const Addition&) = delete;
-  Addition& operator=(const Addition&) = delete;
-  Addition(Addition&&) = delete;
-  Addition& operator=(Addition&&) = delete;
+  TargetRollback(const TargetRollback&) = delete;
+  TargetRollback& operator=(const TargetRollback&) = delete;
+  TargetRollback(TargetRollback&&) = delete;
+  TargetRollback& operator=(TargetRollback&&) = delete;
 
   hrt_result add(const hrt_target_config& checked_config) {
     ids_.push_back(0);
@@ -81,7 +81,7 @@ hrt_result RecordedSession::remove_target(std::uint64_t id) {
 hrt_result RecordedSession::add_scene(const hrt_session_config& checked_config,
                                       std::span<const hrt_target_config> checked_targets,
                                       std::vector<std::uint64_t>* out_ids) {
-  Addition addition(session_.targets);
+  TargetRollback addition(session_.targets);
   for (const hrt_target_config& target : checked_targets) HRT_RETURN_IF_FAILED(addition.add(target));
   HRT_RETURN_IF_FAILED(set_config(checked_config));
   *out_ids = addition.keep();

@@ -86,7 +86,7 @@ class RecordedSession {
   bool registration_logged_ = false;  // for this configuration
   // How many trials of calibrations of this session are under way, for as long as any of them exists.
   std::shared_ptr<std::atomic<int>> trials_ = std::make_shared<std::atomic<int>>(0);
-  std::shared_ptr<RecordingLine> line_ = std::make_shared<RecordingLine>();
+  std::shared_ptr<RecorderGate> line_ = std::make_shared<RecorderGate>();
   std::uint64_t calibrations_ = 0;      // made in the recording that runs
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };

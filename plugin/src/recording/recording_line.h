@@ -11,7 +11,7 @@ namespace hrt::plugin {
 
 /// Outlives its session for as long as calibrations have it. record() is real-time, and may be called from
 /// any threads; the others are the session's.
-class RecordingLine {
+class RecorderGate {
  public:
   /// Hands on what `make_record()` returns; nothing is built for a recording that is off.
   template <class MakeRecord>

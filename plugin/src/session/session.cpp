@@ -280,7 +280,7 @@ void Session::carry(const FingerEstimate& estimate) {
     const ReachSummary summary = retargeter_.summary();
     const bool missed = summary.unreachable || summary.off_target;
     write_person(carried(to_core(config_).person, *learnt, missed, unknown_person()), &next);
-    // The filter knows no bounds: after motions that nobody made it may believe what nobody can be.
+    // Impossible motions can give invalid beliefs: these are discarded.
     if (holds_belief(next)) config_ = next;
   } else {
     const RetargeterConfig next = carried(to_core(config_), estimate);

@@ -74,11 +74,10 @@ double limit_or_none(double limit) {
 
 // "person_mean[HRT_PERSON_WEIGHT]"
 std::string name_of_mean(const Trait& trait) {
-  std::string name = std::string("person_mean[HRT_PERSON_") + trait.name + ']';
-  std::transform(name.begin() + std::strlen("person_mean"), name.end(),
-                 name.begin() + std::strlen("person_mean"),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
-  return name;
+  std::string name = "person_mean[HRT_PERSON_";
+  for (const char* c = trait.name; *c != '\0'; ++c)
+    name += *c >= 'a' && *c <= 'z' ? static_cast<char>(*c - 'a' + 'A') : *c;
+  return name + ']';
 }
 
 hrt_result check_person(const hrt_session_config& config) {

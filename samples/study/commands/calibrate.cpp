@@ -93,7 +93,7 @@ std::string json_page(const CalibrationReport& report, const std::optional<Retes
   return page.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
 }
 
-void run(Options options) {
+void run(const Options& options) {
   if (!options.plot.empty() && !options.plot.ends_with(".svg") && !options.plot.ends_with(".png"))
     throw UsageError(not_allowed("--plot", options.plot, "a file whose name ends with .svg or .png"));
   const Output out("--out", options.out);

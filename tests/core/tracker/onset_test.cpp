@@ -79,8 +79,11 @@ TEST(Onset, IsFoundInARecording) {
   EXPECT_NEAR(static_cast<double>(found->time_ns()), 200e6, 10e6);
   EXPECT_NEAR(found->place().away_m, 0.2, 1e-4);
   EXPECT_FALSE(find_onset({samples.data(), 20}));
-  EXPECT_FALSE(find_onset({samples.data() + 30, 7}));
-  EXPECT_TRUE(find_onset({samples.data() + 30, 30}));
+  std::vector<TimedPoint> fast;
+  for (int i = 0; i < 7; ++i) fast.push_back({i * 10 * ms, {0.0, 0.01 * i}});
+  EXPECT_FALSE(find_onset(fast));
+  fast.push_back({70 * ms, {0.0, 0.07}});
+  EXPECT_TRUE(find_onset(fast));
 }
 
 }  // namespace
