@@ -2,7 +2,7 @@
 // simulated person, in real time.
 #include <gtest/gtest.h>
 
-#include "tests/plugin/plate/pty_dynamixel.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::plate {
@@ -25,7 +25,7 @@ TEST(ReachWithDynamixel, ReachesTheTarget) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_NE(outcome.out.find("Dynamixel XL330-M288, id 1"), std::string::npos) << outcome.out;
-  EXPECT_GT(servo.max_turn_deg(), 30.0);
+  EXPECT_GT(servo.with(&EmulatedDynamixel::max_turn_deg), 30.0);
 }
 
 TEST(ReachWithDynamixel, AMalformedNameIsAWrongCommandLine) {

@@ -14,10 +14,8 @@
 #include "samples/plate/tool/measure.h"
 #include "samples/plate/tool/report.h"
 #include "samples/plate/tool/trim.h"
-#include "tests/plugin/plate/emulated_dynamixel.h"
-#include "tests/samples/plate/board_line.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/plate/emulated_servo.h"
-#include "tests/samples/plate/pty_board.h"
 #include "tests/samples/process.h"
 
 namespace hrt::plate {
@@ -28,11 +26,9 @@ Outcome run_program(std::vector<std::string> arguments) {
   return Process(arguments, {}).wait();
 }
 
-std::unique_ptr<Line> line_to(EmulatedBoard& board) {
-  return std::make_unique<BoardLine>(board);
-}
-std::unique_ptr<Line> line_to(EmulatedDynamixel& servo) {
-  return std::make_unique<DynamixelLine>(servo);
+template <class Emulated>
+std::unique_ptr<Line> line_to(Emulated& device) {
+  return std::make_unique<EmulatedLine<Emulated>>(device);
 }
 
 // The commands, with the device at the line "board"; other lines are the computer's. The person enters
@@ -97,6 +93,16 @@ TEST(PlateTool, RefusesAWrongCommandLine) {
   EXPECT_EQ(wrong.err, "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
 }
 
+// An answer takes 3 ms of line and a tick of the emulator's receiver.
+TEST(PlateTool, MeasuresTheLineToTheFirmware) {
+  EmulatedBoard board;
+  PlateLink link(line_to(board));
+  ASSERT_TRUE(link.round_trip());
+  EXPECT_GT(*link.round_trip(), std::chrono::milliseconds(3));
+  EXPECT_LT(*link.round_trip(), std::chrono::milliseconds(6));
+  EXPECT_EQ(link.refusals(), 0U);
+}
+
 TEST(PlateTool, NamesWhatFails) {
   const Outcome outcome = run_program({"measure", "/dev/null"});
   EXPECT_EQ(outcome.exit_code, 9);
@@ -104,7 +110,7 @@ TEST(PlateTool, NamesWhatFails) {
 }
 
 TEST(PlateTool, IsAProgram) {
-  PtyBoard board;
+  PtyDevice<EmulatedBoard> board;
   const Outcome outcome = run_program({"find", board.device()});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, "serial:" + board.device() + ": protocol 2, firmware 1.0.0, serial number 000000\n");
@@ -155,7 +161,7 @@ TEST(PlateTool, FindsBacklash) {
   };
   EmulatedBoard board(eeprom_with_feedback());
   const Loose servo(board);
-  PlateLink link(std::make_unique<BoardLine>(board));
+  PlateLink link(line_to(board));
   const Measurements found = measure(link, [](const std::string&) {});
   ASSERT_TRUE(found.backlash_deg);
   EXPECT_NEAR(*found.backlash_deg, 5.0, 0.5);
@@ -200,7 +206,7 @@ TEST(PlateTool, TrimsAndSaves) {
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 21.0);
   EmulatedBoard again(board.eeprom());
-  PlateLink link(std::make_unique<BoardLine>(again));
+  PlateLink link(line_to(again));
   EXPECT_EQ(link.setting("zero"), 1467.0);
 }
 
@@ -210,7 +216,7 @@ TEST(PlateTool, AnAbandonedTrimChangesNothing) {
   EXPECT_EQ(outcome.exit_code, 1);
   EXPECT_NE(outcome.out.find("0 has moved by +1.98 deg\nnot saved: the old trim holds\n"), std::string::npos)
       << outcome.out;
-  PlateLink link(std::make_unique<BoardLine>(board));
+  PlateLink link(line_to(board));
   EXPECT_EQ(link.setting("zero"), 1500.0);
 }
 
@@ -287,7 +293,7 @@ TEST(PlateTool, WaitsForASlowDynamixel) {
 }
 
 TEST(PlateTool, TrimsFromStandardInput) {
-  PtyBoard board;
+  PtyDevice<EmulatedBoard> board;
   const Outcome saved =
       Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + board.device()}, {})
           .wait();

@@ -10,7 +10,7 @@
 #include <cmath>
 
 #include "samples/reach/base/exit_code.h"
-#include "tests/plugin/plate/pty_plate.h"
+#include "tests/plugin/plate/pty_device.h"
 
 namespace hrt::reach {
 namespace {
@@ -40,7 +40,7 @@ std::string failure_of_service(DevicePlate& plate) {
   });
 }
 
-bool has_heard(const PtyPlate& plate, const std::string& body) {
+bool has_heard(PtyPlate& plate, const std::string& body) {
   const auto heard = plate.heard();
   return std::find(heard.begin(), heard.end(), body) != heard.end();
 }

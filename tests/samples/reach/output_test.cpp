@@ -18,7 +18,7 @@
 #include <sstream>
 #include <thread>
 
-#include "tests/plugin/plate/pty_plate.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::reach {
