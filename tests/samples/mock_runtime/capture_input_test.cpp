@@ -430,7 +430,7 @@ TEST_F(MockCapture11, GivesTheSameAgain) {
   const std::string first = run(true);
   setenv("HRT_MOCK_SCRIPT", (folder / "capture.json").c_str(), 1);
   EXPECT_TRUE(first == run(false));
-  EXPECT_NE(read_file(folder / "capture.json").find("[\"located\",1,1450000000,"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "capture.json"), "[\"located\",1,1450000000,"));
 }
 
 }  // namespace

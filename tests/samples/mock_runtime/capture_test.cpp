@@ -203,8 +203,8 @@ TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
     testing::internal::CaptureStderr();
     EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
     const std::string message = testing::internal::GetCapturedStderr();
-    EXPECT_NE(message.find(folder / "broken.json"), std::string::npos) << message;
-    EXPECT_NE(message.find(why), std::string::npos) << message;
+    EXPECT_TRUE(has(message, folder / "broken.json"));
+    EXPECT_TRUE(has(message, why));
   };
   for (const std::size_t size : {whole.size() / 2, whole.size() - 5, std::size_t{100}})
     expect_refused(whole.substr(0, size), "parse error");
@@ -248,7 +248,7 @@ TEST_F(MockCapture, NeedsAFileThatCanBeWritten) {
   capture_to(folder / "no/such/folder/capture.json");
   testing::internal::CaptureStderr();
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("no/such/folder"), std::string::npos);
+  EXPECT_TRUE(has(testing::internal::GetCapturedStderr(), "no/such/folder"));
 }
 
 // An implicit layer is found by where its manifest is, and enabled and disabled by its two variables.
@@ -257,7 +257,7 @@ TEST_F(MockCapture, IsImplicitWhereItsManifestIsInstalled) {
   std::filesystem::create_directories(implicit);
   std::string manifest = read_file(HRT_CAPTURE_MANIFESTS "/hrtx_capture.json");
   const std::string beside = "\"../libhrtx_capture.so\"";
-  ASSERT_NE(manifest.find(beside), std::string::npos);
+  ASSERT_TRUE(has(manifest, beside));
   manifest.replace(manifest.find(beside), beside.size(), "\"" HRT_CAPTURE_LIBRARY "\"");
   std::ofstream(implicit / "hrtx_capture.json") << manifest;
   setenv("XDG_DATA_HOME", folder.path.c_str(), 1);

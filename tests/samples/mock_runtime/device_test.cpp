@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/text.h"
 
 namespace hrt::mock {
 namespace {
@@ -401,9 +402,8 @@ TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
   auto log = call_log();
   EXPECT_STREQ(log.back().function, "xrCreateReferenceSpace");
   const std::string arguments = log.back().arguments;
-  EXPECT_NE(arguments.find("{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"),
-            std::string::npos)
-      << arguments;
+  EXPECT_TRUE(
+      has(arguments, "{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"));
   EXPECT_TRUE(arguments.ends_with(std::string(", ") + handle + ")")) << arguments;
   EXPECT_GE(log.back().thread, 1U);
   EXPECT_EQ(log.back().thread, log.front().thread);

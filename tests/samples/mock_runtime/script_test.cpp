@@ -132,7 +132,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
   };
   for (const auto& [script, why] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
-    EXPECT_NE(std::string(call_log().back().reason).find(why), std::string::npos) << call_log().back().reason;
+    EXPECT_TRUE(has(std::string(call_log().back().reason), why)) << call_log().back().reason;
   }
   create_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
@@ -569,8 +569,7 @@ TEST_F(MockEnvironment, ScriptOfTheEnvironmentAppliesFromTheFirstCall) {
   XrSystemId system = XR_NULL_SYSTEM_ID;
   EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  EXPECT_NE(read_log().find(") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(read_log(), ") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
 }
 
 std::vector<std::string> enumerated_extensions() {
@@ -660,7 +659,7 @@ TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
   write_script(R"({"colour": "green"})");
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
-  EXPECT_NE(read_log().find("script.colour is not known"), std::string::npos);
+  EXPECT_TRUE(has(read_log(), "script.colour is not known"));
 }
 
 }  // namespace

@@ -13,7 +13,8 @@
 namespace hrt::plate {
 namespace {
 
-const std::string desk = HRT_SCENES "/desk.gltf";
+using reach::desk;
+
 const std::string real_time = R"({"clock": "real-time", )" + reach::calm + "}";
 
 // The board with a servo, as its potentiometer reports it.
@@ -46,8 +47,8 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
       real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
-  EXPECT_NE(outcome.out.find("protocol 2, firmware 1.0.0"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("orientation measured"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "protocol 2, firmware 1.0.0"));
+  EXPECT_TRUE(has(outcome.out, "orientation measured"));
   EXPECT_GT(max_turn_deg(board), 30.0);
   // What was measured is what the controller planned with: 20 ms of the plate's own, and half of the line.
   const std::string recorded = read_file(recording);
@@ -77,7 +78,7 @@ TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
     const char* const why = reset ? "has restarted" : "was stopped by its emergency stop";
-    EXPECT_NE(outcome.err.find(why), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, why));
     EXPECT_LE(pulses(), before + (reset ? 0 : 2));
   }
 }

@@ -79,7 +79,7 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
        {"protocol 2, firmware 1.0.0, serial number 000000\n",
         "range -90 to 90 deg, 300 deg/s, latency 22 ms with half of the line, orientation assumed",
         "setting zero 1500", "setting serial 0", "test settings default", "test emergency closed"})
-    EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+    EXPECT_TRUE(has(outcome.out, line));
   EXPECT_TRUE(board.pulses().empty());
 }
 
@@ -139,11 +139,11 @@ TEST(PlateTool, MeasuresAPlateWithASensor) {
   EXPECT_EQ(session.at("plate_lower_stop_deg"), -90.0);
   EXPECT_NEAR(session.at("plate_max_speed_deg_s").get<double>(), 240.0, 40.0);
   EXPECT_EQ(file.at("scene").at("haptic").at("role"), "plate");
-  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 
   const Outcome after = run_with(board, {"show", "board"});
-  EXPECT_NE(after.out.find("test settings saved"), std::string::npos) << after.out;
-  EXPECT_EQ(after.out.find("setting speed 300\n"), std::string::npos) << after.out;
+  EXPECT_TRUE(has(after.out, "test settings saved"));
+  EXPECT_FALSE(has(after.out, "setting speed 300\n"));
 }
 
 // 5 degrees of the servo's gears: the plate turns only when they have been taken up.
@@ -173,13 +173,13 @@ TEST(PlateTool, SaysWhatAPlateWithoutASensorCannotShow) {
   found.limits = {-90.0, 90.0, 300.0, std::chrono::milliseconds(23)};
   found.round_trip = std::chrono::milliseconds(6);
   found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
-  EXPECT_NE(text_of(found).find("backlash      not measurable: the plate has no sensor"), std::string::npos);
+  EXPECT_TRUE(has(text_of(found), "backlash      not measurable: the plate has no sensor"));
   const auto file = nlohmann::json::parse(json_of(found));
   EXPECT_TRUE(file.at("backlash_deg").is_null());
   EXPECT_TRUE(file.at("speed_deg_s").is_null());
   EXPECT_EQ(file.at("session").at("plate_latency_ns"), 23'000'000);
   EXPECT_EQ(file.at("session").at("plate_max_speed_deg_s"), 300.0);
-  EXPECT_NE(svg_of(found).find("has no sensor"), std::string::npos);
+  EXPECT_TRUE(has(svg_of(found), "has no sensor"));
 }
 
 TEST(PlateTool, WritesAFileWholeOrNotAtAll) {
@@ -198,9 +198,9 @@ TEST(PlateTool, TrimsAndSaves) {
   EmulatedBoard board;
   const Outcome outcome = run_with(board, {"trim", "board"}, {"x", "31", "3", ""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\"x\" is not a number from -30 to 30"), std::string::npos);
-  EXPECT_NE(outcome.out.find("\"31\" is not a number"), std::string::npos);
-  EXPECT_NE(outcome.out.find("0 has moved by -2.97 deg\nsaved\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "\"x\" is not a number from -30 to 30"));
+  EXPECT_TRUE(has(outcome.out, "\"31\" is not a number"));
+  EXPECT_TRUE(has(outcome.out, "0 has moved by -2.97 deg\nsaved\n"));
   const auto& pulses = board.pulses();
   EXPECT_NEAR(pulses.back().width_us(), 1467.0, 0.6);
   for (std::size_t i = 1; i < pulses.size(); ++i)
@@ -214,8 +214,7 @@ TEST(PlateTool, AnAbandonedTrimChangesNothing) {
   EmulatedBoard board;
   const Outcome outcome = run_with(board, {"trim", "board"}, {"-2"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("0 has moved by +1.98 deg\nnot saved: the old trim holds\n"), std::string::npos)
-      << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "0 has moved by +1.98 deg\nnot saved: the old trim holds\n"));
   PlateLink link(line_to(board));
   EXPECT_EQ(link.setting("zero"), 1500.0);
 }
@@ -242,7 +241,7 @@ TEST(PlateTool, ShowsADynamixel) {
   for (const char* line :
        {"Dynamixel XL330-M288, id 1, firmware 52\n", "range -179.9 to 179.9 deg, 299.532 deg/s",
         "orientation measured\n", "operating mode 3\n", "homing offset 0 steps\n", "hardware error 0\n"})
-    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+    EXPECT_TRUE(has(outcome.out, line));
   EXPECT_EQ(servo.get(64, 1), 0);
 }
 
@@ -250,7 +249,7 @@ TEST(PlateTool, TrimsADynamixel) {
   EmulatedDynamixel servo;
   const Outcome outcome = run_with(servo, {"trim", "dynamixel:board"}, {"3", "-1", ""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("0 has moved by -2.02 deg\nsaved\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "0 has moved by -2.02 deg\nsaved\n"));
   servo.restart();
   EXPECT_EQ(servo.get(20, 4), 23);
   EXPECT_EQ(run_with(servo, {"trim", "dynamixel:board"}, {"5"}).exit_code, 1);
@@ -280,7 +279,7 @@ TEST(PlateTool, MeasuresADynamixel) {
   EXPECT_LT(file.at("latency_ms").get<double>(), 40.0);
   EXPECT_EQ(file.at("session").at("plate_upper_stop_deg"), 179.9);
   EXPECT_EQ(file.at("sweep").size(), 49U);
-  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 }
 
 // A turn through its range takes 7 s.
@@ -298,7 +297,7 @@ TEST(PlateTool, TrimsFromStandardInput) {
       Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + board.device()}, {})
           .wait();
   EXPECT_EQ(saved.exit_code, 0) << saved.out << saved.err;
-  EXPECT_NE(saved.out.find("0 has moved by +0.99 deg\nsaved\n"), std::string::npos) << saved.out;
+  EXPECT_TRUE(has(saved.out, "0 has moved by +0.99 deg\nsaved\n"));
 }
 
 }  // namespace

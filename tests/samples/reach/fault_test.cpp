@@ -14,8 +14,6 @@
 namespace hrt::reach {
 namespace {
 
-const std::string desk = HRT_SCENES "/desk.gltf";
-
 Outcome run_desk(const std::string& script) {
   return run_scripted(script, {desk});
 }
@@ -29,10 +27,6 @@ std::string failing_call(const std::string& function, int call, const std::strin
          R"(, "result": ")" + result + R"("}]})";
 }
 
-bool says(const Outcome& outcome, const std::string& text) {
-  return outcome.err.find(text) != std::string::npos;
-}
-
 // Everything went its way in the end: all three targets, each once.
 void expect_all_reached(const Outcome& outcome, const std::string& script) {
   EXPECT_EQ(outcome.exit_code, 0) << script << "\n" << outcome.out << outcome.err;
@@ -43,9 +37,9 @@ void expect_all_reached(const Outcome& outcome, const std::string& script) {
 TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
   const Outcome outcome = run_scripted(R"({"seed": 1e400})", {desk});
   EXPECT_EQ(outcome.exit_code, 5);
-  EXPECT_NE(outcome.err.find("1e400"), std::string::npos) << outcome.err;
-  EXPECT_NE(outcome.err.find("the OpenXR runtime does not start"), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.err.find("install"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "1e400"));
+  EXPECT_TRUE(has(outcome.err, "the OpenXR runtime does not start"));
+  EXPECT_FALSE(has(outcome.err, "install"));
 }
 
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
@@ -127,7 +121,7 @@ TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
           "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) + ", " + what + "}]}";
       const Outcome outcome = run_desk(script);
       expect_all_reached(outcome, script);
-      EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+      EXPECT_TRUE(has(outcome.err, "starting anew"));
     }
   }
 }
@@ -140,7 +134,7 @@ TEST(ReachFault, ALossChangesNoReach) {
   const std::vector<std::string> arguments = {desk, "--controller", "paper", "--seed", "5"};
   const Outcome outcome =
       run_scripted("{" + paper + R"(, "events": [{"frame": 400, "do": "lose_session"}]})", arguments);
-  EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "starting anew"));
   const std::vector<Row> lost = rows_of(outcome);
   const std::vector<Row> whole = rows_of(run_scripted("{" + paper + "}", arguments));
   ASSERT_EQ(lost.size(), 3U);
@@ -158,7 +152,7 @@ TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
     const Outcome outcome = run_desk("{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
                                      R"(, "do": "lose_session"}]})");
     EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
-    EXPECT_TRUE(says(outcome, "lost repeatedly")) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "lost repeatedly"));
     EXPECT_TRUE(rows_of(outcome).empty());
   }
 }
@@ -170,8 +164,8 @@ TEST(ReachFault, ACallFindsTheSessionLost) {
     const std::string script = failing_call(function, 400, "XR_ERROR_SESSION_LOST");
     const Outcome outcome = run_desk(script);
     EXPECT_EQ(rows_of(outcome).size(), 3U) << script << outcome.err;
-    EXPECT_TRUE(says(outcome, function + " returned XR_ERROR_SESSION_LOST")) << outcome.err;
-    EXPECT_TRUE(says(outcome, "starting anew")) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, function + " returned XR_ERROR_SESSION_LOST"));
+    EXPECT_TRUE(has(outcome.err, "starting anew"));
   }
 }
 
@@ -181,7 +175,7 @@ TEST(ReachFault, ACallThatAlwaysFindsTheSessionLostIsGivenUp) {
     const Outcome outcome = run_desk(R"({"calls": [{"function": ")" + function +
                                      R"(", "count": 1000, "result": "XR_ERROR_SESSION_LOST"}]})");
     EXPECT_EQ(outcome.exit_code, 7) << function << outcome.err;
-    EXPECT_TRUE(says(outcome, "lost repeatedly: " + function)) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "lost repeatedly: " + function));
   }
 }
 
@@ -207,10 +201,8 @@ TEST(ReachFault, AFailedCallIsNamed) {
     for (const int call : calls) {
       const Outcome outcome = run_desk(failing_call(function, call, "XR_ERROR_RUNTIME_FAILURE"));
       EXPECT_EQ(outcome.exit_code, 7) << function << " " << call << "\n" << outcome.err;
-      EXPECT_TRUE(says(outcome, std::string(function) + " returned XR_ERROR_RUNTIME_FAILURE"))
-          << function << " " << call << "\n"
-          << outcome.err;
-      EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+      EXPECT_TRUE(has(outcome.err, std::string(function) + " returned XR_ERROR_RUNTIME_FAILURE")) << call;
+      EXPECT_EQ(occurrences(outcome.err, "\n"), 1U) << outcome.err;
     }
   }
 }
@@ -219,8 +211,8 @@ TEST(ReachFault, AFailedCallIsNamed) {
 void expect_refused(const Outcome& outcome, int exit_code, const std::string& sentence) {
   EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;
   EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(says(outcome, sentence)) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, sentence));
+  EXPECT_EQ(occurrences(outcome.err, "\n"), 1U) << outcome.err;
 }
 
 TEST(ReachFault, TheRuntimeLacksWhatIsNeeded) {
@@ -259,40 +251,20 @@ TEST(ReachFault, ThereIsNoTime) {
   const Outcome outcome =
       run_desk(R"({"frame_times": false, "withhold_extensions": ["XR_KHR_convert_timespec_time"]})");
   EXPECT_EQ(outcome.exit_code, 7);
-  EXPECT_TRUE(says(outcome, "gives its frames no time and has no XR_KHR_convert_timespec_time"))
+  EXPECT_TRUE(has(outcome.err, "gives its frames no time and has no XR_KHR_convert_timespec_time"))
       << outcome.err;
 }
 
-std::string slow_frame(int call, int delay_ms, const std::string& people = R"("seed": 1)") {
-  return "{" + people + R"(, "calls": [{"function": "xrWaitFrame", "call": )" + std::to_string(call) +
-         R"(, "delay_ms": )" + std::to_string(delay_ms) + "}]}";
-}
-
 TEST(ReachFault, AFrameComesLate) {
-  EXPECT_EQ(run_desk(slow_frame(150, 400)).out, run_program({desk}).out);
-}
-
-// Nothing can call the runtime back; what can be put in order without it is.
-TEST(ReachFault, AFrameNeverComes) {
-  for (const int call : {1, 2, 150, 300}) {
-    const std::string folder = scratch_folder();
-    const auto began = std::chrono::steady_clock::now();
-    const Outcome outcome = run_scripted(
-        slow_frame(call, 50'000, calm),
-        {desk, "--runtime-limit", "0.3", "--record", folder + "/r.csv", "--plot", folder + "/r.svg"});
-    EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(20));
-    EXPECT_EQ(outcome.exit_code, 11) << outcome.err;
-    EXPECT_TRUE(says(outcome, "has not returned from xrWaitFrame within 0.3 s")) << outcome.err;
-    EXPECT_EQ(rows_of(outcome).size(), call == 300 ? 1U : 0U) << outcome.out;
-    EXPECT_NE(read_file(folder + "/r.csv").find("\n# end "), std::string::npos);
-    EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
-  }
+  EXPECT_EQ(
+      run_desk(R"({"seed": 1, "calls": [{"function": "xrWaitFrame", "call": 150, "delay_ms": 400}]})").out,
+      run_program({desk}).out);
 }
 
 TEST(ReachFault, NoHeadsetIsThere) {
   const Outcome outcome = run_desk(failing_call("xrGetSystem", 1, "XR_ERROR_FORM_FACTOR_UNAVAILABLE"));
   EXPECT_EQ(outcome.exit_code, 6);
-  EXPECT_TRUE(says(outcome, "no head-mounted display")) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "no head-mounted display"));
 }
 
 // Velocities are not used, so nothing changes.

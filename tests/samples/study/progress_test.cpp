@@ -72,8 +72,8 @@ const std::vector<std::string> endless{"table1", "--trials", "100000000"};
 
 TEST(StudyProgress, ABarOnATerminalOnceWorkHasTakenASecond) {
   const Watched watched = watch(endless, StandardError::terminal, "s left", 60.0);
-  EXPECT_NE(watched.text.find("[---"), std::string::npos) << watched.text;
-  EXPECT_NE(watched.text.find(" %, "), std::string::npos) << watched.text;
+  EXPECT_TRUE(has(watched.text, "[---"));
+  EXPECT_TRUE(has(watched.text, " %, "));
   EXPECT_GE(watched.first_text_s, 1.0);
 }
 

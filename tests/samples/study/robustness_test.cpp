@@ -197,10 +197,10 @@ TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
 
 TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
   const StudyRun text = run_study({"robustness", "--people", "1"});
-  EXPECT_NE(text.out.find("there was no human trial"), std::string::npos);
+  EXPECT_TRUE(has(text.out, "there was no human trial"));
   for (const std::string& line : lines(text.out)) EXPECT_LE(length_of(line), 120U) << line;
   for (const PeopleFamily& family : people_families())
-    EXPECT_NE(text.out.find(std::string("\n") + family.name + ' '), std::string::npos) << family.name;
+    EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
   const json page = json::parse(
       run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"})
           .out);
@@ -214,8 +214,8 @@ TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
 TEST(StudyRobustness, HelpListsEveryFamily) {
   const StudyRun help = run_study({"robustness", "--help"});
   for (const PeopleFamily& family : people_families()) {
-    EXPECT_NE(help.out.find(std::string("  ") + family.name), std::string::npos) << family.name;
-    EXPECT_NE(help.out.find(family.says), std::string::npos) << family.name;
+    EXPECT_TRUE(has(help.out, std::string("  ") + family.name)) << family.name;
+    EXPECT_TRUE(has(help.out, family.says)) << family.name;
   }
 }
 
@@ -229,10 +229,10 @@ TEST(StudyRobustness, AFolderOfNumbersPicturesAndAPage) {
                                       "robustness_1000_ms.png", "robustness_1000_ms.svg",
                                       "robustness_1500_ms.png", "robustness_1500_ms.svg"}));
   const std::string page = read_file(folder.path / "study" / "robustness.html");
-  EXPECT_NE(page.find("There was no human trial"), std::string::npos);
-  EXPECT_NE(page.find("<h2>People who reach in 1.5 s"), std::string::npos);
-  EXPECT_NE(page.find(people_family("place")->says), std::string::npos);
-  EXPECT_EQ(page.find(" src="), std::string::npos);  // needs nothing else
+  EXPECT_TRUE(has(page, "There was no human trial"));
+  EXPECT_TRUE(has(page, "<h2>People who reach in 1.5 s"));
+  EXPECT_TRUE(has(page, people_family("place")->says));
+  EXPECT_FALSE(has(page, " src="));  // needs nothing else
   EXPECT_EQ(json::parse(read_file(folder.path / "study" / "robustness.json"))["people"], 2);
   EXPECT_EQ(lines(read_file(folder.path / "study" / "robustness.csv")).size(), 1 + 3 * 2 * leadings.size());
 }
@@ -274,13 +274,13 @@ TEST(StudyRobustness, APersonOfOnesOwn) {
   const StudyRun both = run_study({"robustness", "--person", folder / "me, myself.csv", "--people", "2",
                                    "--family", "linear", "--durations", "1,3"});
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_NE(both.out.find("\nlinear "), std::string::npos);
-  EXPECT_NE(both.out.find("\nme__myself "), std::string::npos);
-  EXPECT_NE(both.out.find(" 3 s"), std::string::npos);
+  EXPECT_TRUE(has(both.out, "\nlinear "));
+  EXPECT_TRUE(has(both.out, "\nme__myself "));
+  EXPECT_TRUE(has(both.out, " 3 s"));
 
   const StudyRun missing = run_study({"robustness", "--person", folder / "nobody.json"});
   EXPECT_EQ(missing.exit_code, 2);
-  EXPECT_NE(missing.err.find("--person"), std::string::npos);
+  EXPECT_TRUE(has(missing.err, "--person"));
 }
 
 // One person of clip-45, who cannot hold the gap: no point in the picture.
@@ -299,7 +299,7 @@ TEST(StudyRobustness, WithoutGnuplotTheFolderDoesNotAppear) {
   const StudyRun run =
       run_study({"robustness", "--people", "1", "--out", folder / "study"}, folder.path.string());
   EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("gnuplot-nox"), std::string::npos);
+  EXPECT_TRUE(has(run.err, "gnuplot-nox"));
   EXPECT_TRUE(entries(folder.path).empty());
 }
 

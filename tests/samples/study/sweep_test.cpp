@@ -173,7 +173,7 @@ TEST(StudySweep, TwoProcessesDoNotShareAFile) {
   first.send_signal(SIGKILL);
   first.wait();
   EXPECT_EQ(second.exit_code, 2);
-  EXPECT_NE(second.err.find("being written by another hrt-study"), std::string::npos) << second.err;
+  EXPECT_TRUE(has(second.err, "being written by another hrt-study"));
 }
 
 }  // namespace

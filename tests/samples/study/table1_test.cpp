@@ -74,8 +74,8 @@ void expect_claims(const json& table) {
   EXPECT_EQ(impaired["mean_percent"], 0.0);
   EXPECT_EQ(impaired["paper_mean_percent"], 40.0);
   EXPECT_EQ(impaired["reproduced"], false);
-  EXPECT_NE(impaired["verdict"].get<std::string>().find("cannot be held"), std::string::npos);
-  EXPECT_NE(impaired["verdict"].get<std::string>().find("4.4 deg"), std::string::npos);
+  EXPECT_TRUE(has(impaired["verdict"].get<std::string>(), "cannot be held"));
+  EXPECT_TRUE(has(impaired["verdict"].get<std::string>(), "4.4 deg"));
   for (const char* name : {"tactile_weight_0.2", "tactile_weight_0.3", "tactile_weight_0.45"})
     EXPECT_NEAR(claim(table, name)["mean_percent"].get<double>(), 92.8, 1.0) << name;
   EXPECT_NEAR(claim(table, "gap_12")["mean_percent"].get<double>(), 66.0, 1.5);
@@ -98,8 +98,7 @@ void expect_claims(const json& table) {
           std::stod(gap), 1e-12);
   }
   EXPECT_EQ(claim(table, "amplitude_2")["reproduced"], false);
-  EXPECT_NE(claim(table, "amplitude_2")["verdict"].get<std::string>().find("calls 10 deg the best"),
-            std::string::npos);
+  EXPECT_TRUE(has(claim(table, "amplitude_2")["verdict"].get<std::string>(), "calls 10 deg the best"));
 }
 
 TEST(StudyTable1, TwentyThousandTrials) {
@@ -145,8 +144,8 @@ TEST(StudyTable1, CsvHoldsTheSameNumbersAsJson) {
 
 TEST(StudyTable1, TextSaysThatItIsSimulationAndWhatDoesNotReproduce) {
   const StudyRun run = run_study({"table1", "--trials", "200"});
-  EXPECT_NE(run.out.find("there was no human trial"), std::string::npos);
-  EXPECT_NE(run.out.find("NOT reproducible: by the paper's own equations"), std::string::npos);
+  EXPECT_TRUE(has(run.out, "there was no human trial"));
+  EXPECT_TRUE(has(run.out, "NOT reproducible: by the paper's own equations"));
   for (const std::string& line : lines(run.out)) EXPECT_LE(line.size(), 110U) << line;
 }
 

@@ -30,7 +30,7 @@ TEST(Say, TurnsTheEmulatedPlate) {
     const auto give_up = std::chrono::steady_clock::now() + 30s;
     while (say.out().find(answer) == std::string::npos && std::chrono::steady_clock::now() < give_up)
       std::this_thread::sleep_for(10ms);
-    EXPECT_NE(say.out().find(answer), std::string::npos) << answer << " is missing in\n" << say.out();
+    EXPECT_TRUE(has(say.out(), answer)) << " is missing in\n";
   };
   answers("", "PLATE 2 ");
   answers("SET 10\n", "AT +010.00\n");
@@ -41,7 +41,7 @@ TEST(Say, TurnsTheEmulatedPlate) {
   close(ends[1]);
   const Outcome outcome = say.wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("TEST emergency closed\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "TEST emergency closed\n"));
   const std::vector<Pulse> pulses = board.with(&EmulatedBoard::pulses);
   ASSERT_FALSE(pulses.empty());
   EXPECT_NEAR(pulses.front().width_us(), 1500.0, 1.0);
