@@ -70,13 +70,7 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
-  template <typename Function>
-  Function get(const char* name) {
-    PFN_xrVoidFunction function = nullptr;
-    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(instance, name, &function)) << name;
-    return reinterpret_cast<Function>(function);
-  }
-#define CALL(name, ...) note(#name, get<PFN_##name>(#name)(__VA_ARGS__))
+#define CALL(name, ...) note(#name, direct<PFN_##name>(#name)(__VA_ARGS__))
 #define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, CALL(name, __VA_ARGS__))
   XrResult note(const char* function, XrResult result) {
     if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
@@ -91,15 +85,12 @@ class MockErrors : public MockNegotiation {
                                          "XR_KHR_locate_spaces",
                                          "XR_HRTX_ridged_plate",
                                          "XR_HRTX_mock_control"};
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
-    ASSERT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+    ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
   // A session with all kinds of handles, and the script's faults in its first frame.
   void create_session(const char* script) {
     const std::string all = std::string(R"({"clock": "real-time", "frame_rate_hz": 1000)") + script + "}";
-    ASSERT_XR(XR_SUCCESS, get<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
+    ASSERT_XR(XR_SUCCESS, direct<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
     ASSERT_XR(XR_SUCCESS, CALL(xrCreateSession, instance, &info, &session));
     local = space(XR_REFERENCE_SPACE_TYPE_LOCAL);
@@ -107,11 +98,8 @@ class MockErrors : public MockNegotiation {
                                           XR_HAND_JOINT_SET_DEFAULT_EXT};
     CALL(xrCreateHandTrackerEXT, session, &hand, &tracker);
     const std::string name = "set" + std::to_string(++sets);
-    XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::snprintf(set_info.actionSetName, sizeof set_info.actionSetName, "%s", name.c_str());
-    std::snprintf(set_info.localizedActionSetName, sizeof set_info.localizedActionSetName, "%s",
-                  name.c_str());
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &set_info, &set));
+    const XrActionSetCreateInfo of_set = set_info(name.c_str(), name.c_str());
+    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &of_set, &set));
     ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
   }
   void begin() {
@@ -129,18 +117,11 @@ class MockErrors : public MockNegotiation {
   }
   XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
                        std::vector<XrPath> subactions = {}) {
-    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-    std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
-    std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", localized);
-    info.actionType = type;
-    info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
-    info.subactionPaths = subactions.data();
+    const XrActionCreateInfo info = action_info(name, localized, type, subactions);
     return CALL(xrCreateAction, set, &info, made);
   }
   XrResult make_set(const char* name, const char* localized) {
-    XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
-    std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
+    const XrActionSetCreateInfo info = set_info(name, localized);
     XrActionSet made = XR_NULL_HANDLE;
     return CALL(xrCreateActionSet, instance, &info, &made);
   }
@@ -152,7 +133,8 @@ class MockErrors : public MockNegotiation {
 
   // Calls every function with this handle and zeros; with null handles if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, get<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) \
+  call_zeros(#name, direct<PFN_##name>(#name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
@@ -180,7 +162,6 @@ class MockErrors : public MockNegotiation {
   TemporaryFolder folder;
   Codes produced;
   int sets = 0;
-  XrInstance instance = XR_NULL_HANDLE;
   XrSession session = XR_NULL_HANDLE;
   XrSpace local = XR_NULL_HANDLE;
   XrHandTrackerEXT tracker = XR_NULL_HANDLE;
@@ -206,7 +187,7 @@ void MockErrors::provoke_at_instance() {
   EXPECT_XR(XR_ERROR_LIMIT_REACHED, create(XR_MAKE_VERSION(1, 0, 0), "second"));
   EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(XR_MAKE_VERSION(2, 0, 0), "later"));
   EXPECT_XR(XR_ERROR_NAME_INVALID, create(XR_MAKE_VERSION(1, 0, 0), ""));
-  const auto create_first = get<PFN_xrCreateInstance>("xrCreateInstance");
+  const auto create_first = direct<PFN_xrCreateInstance>("xrCreateInstance");
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const std::vector<const char*> unknown{"XR_EXT_dance"}, alone{"XR_EXT_hand_joints_motion_range"};
   XrInstanceCreateInfo info = instance_info(unknown);
@@ -497,7 +478,7 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
     call_all(false);
     destroy_session();
   }
-  const auto no_headless = get<PFN_xrCreateInstance>("xrCreateInstance");
+  const auto no_headless = direct<PFN_xrCreateInstance>("xrCreateInstance");
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const XrInstanceCreateInfo info = instance_info({});
   ASSERT_XR(XR_SUCCESS, no_headless(&info, &instance));

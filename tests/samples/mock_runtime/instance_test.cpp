@@ -49,26 +49,18 @@ TEST_F(MockNegotiation, RefusesWrongStructuresAndVersions) {
 // version."
 TEST_F(MockNegotiation, TakesApplicationsForOpenXR10And11) {
   ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-  const auto create = fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance");
   for (const XrVersion version :
        {XR_MAKE_VERSION(1, 0, 0), XR_MAKE_VERSION(1, 0, 99), XR_MAKE_VERSION(1, 1, 40)}) {
-    XrInstanceCreateInfo info = instance_info({});
-    info.applicationInfo.apiVersion = version;
-    XrInstance instance = XR_NULL_HANDLE;
-    ASSERT_XR(XR_SUCCESS, create(&info, &instance));
+    ASSERT_XR(XR_SUCCESS, create_direct({}, version));
     PFN_xrVoidFunction locate_spaces = nullptr;
     EXPECT_XR(XR_VERSION_MINOR(version) == 1 ? XR_SUCCESS : XR_ERROR_FUNCTION_UNSUPPORTED,
               request.get_instance_proc_addr(instance, "xrLocateSpaces", &locate_spaces));
     EXPECT_EQ(locate_spaces != nullptr, XR_VERSION_MINOR(version) == 1);
-    EXPECT_XR(XR_SUCCESS, fetch_direct<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance));
+    destroy_direct();
   }
   for (const XrVersion version :
-       {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)}) {
-    XrInstanceCreateInfo info = instance_info({});
-    info.applicationInfo.apiVersion = version;
-    XrInstance instance = XR_NULL_HANDLE;
-    EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(&info, &instance));
-  }
+       {XR_MAKE_VERSION(0, 9, 0), XR_MAKE_VERSION(1, 2, 0), XR_MAKE_VERSION(2, 0, 0)})
+    EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create_direct({}, version));
 }
 
 // "If instance is XR_NULL_HANDLE": functions other than those that need none are XR_ERROR_HANDLE_INVALID, and
