@@ -70,31 +70,11 @@ const std::vector<const char*>& default_extensions() {
   return names;
 }
 
-Functions::Functions(XrInstance instance)
-    : create_hand_tracker(fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")),
-      destroy_hand_tracker(fetch<PFN_xrDestroyHandTrackerEXT>(instance, "xrDestroyHandTrackerEXT")),
-      locate_hand_joints(fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")),
-      set_device_active(fetch<PFN_xrSetInputDeviceActiveEXT>(instance, "xrSetInputDeviceActiveEXT")),
-      set_device_bool(fetch<PFN_xrSetInputDeviceStateBoolEXT>(instance, "xrSetInputDeviceStateBoolEXT")),
-      set_device_float(fetch<PFN_xrSetInputDeviceStateFloatEXT>(instance, "xrSetInputDeviceStateFloatEXT")),
-      set_device_vector(
-          fetch<PFN_xrSetInputDeviceStateVector2fEXT>(instance, "xrSetInputDeviceStateVector2fEXT")),
-      set_device_location(fetch<PFN_xrSetInputDeviceLocationEXT>(instance, "xrSetInputDeviceLocationEXT")),
-      apply_script(fetch<PFN_xrApplyScriptHRTX>(instance, "xrApplyScriptHRTX")),
-      advance_time(fetch<PFN_xrAdvanceTimeHRTX>(instance, "xrAdvanceTimeHRTX")),
-      get_call_log(fetch<PFN_xrGetCallLogHRTX>(instance, "xrGetCallLogHRTX")),
-      place_plate(fetch<PFN_xrPlacePlateHRTX>(instance, "xrPlacePlateHRTX")),
-      set_seed(fetch<PFN_xrSetSimulationSeedHRTX>(instance, "xrSetSimulationSeedHRTX")),
-      set_plate_orientation(fetch<PFN_xrSetPlateOrientationHRTX>(instance, "xrSetPlateOrientationHRTX")),
-      get_plate_orientation(fetch<PFN_xrGetPlateOrientationHRTX>(instance, "xrGetPlateOrientationHRTX")),
-      instruct_reach(fetch<PFN_xrInstructReachHRTX>(instance, "xrInstructReachHRTX")),
-      get_reach_truth(fetch<PFN_xrGetReachTruthHRTX>(instance, "xrGetReachTruthHRTX")) {}
-
 void MockRuntime::SetUp() {
   ASSERT_TRUE(runtime_is_chosen);
   const XrInstanceCreateInfo info = instance_info(extensions_);
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  functions.emplace(instance);
+  functions.emplace(Functions{instance});
   const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
   ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
 }

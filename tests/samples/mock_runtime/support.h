@@ -48,25 +48,27 @@ const std::vector<const char*>& default_extensions();
 
 /// The functions that the loader does not export.
 struct Functions {
-  explicit Functions(XrInstance instance);
+  XrInstance instance;
 
-  PFN_xrCreateHandTrackerEXT create_hand_tracker;
-  PFN_xrDestroyHandTrackerEXT destroy_hand_tracker;
-  PFN_xrLocateHandJointsEXT locate_hand_joints;
-  PFN_xrSetInputDeviceActiveEXT set_device_active;
-  PFN_xrSetInputDeviceStateBoolEXT set_device_bool;
-  PFN_xrSetInputDeviceStateFloatEXT set_device_float;
-  PFN_xrSetInputDeviceStateVector2fEXT set_device_vector;
-  PFN_xrSetInputDeviceLocationEXT set_device_location;
-  PFN_xrApplyScriptHRTX apply_script;
-  PFN_xrAdvanceTimeHRTX advance_time;
-  PFN_xrGetCallLogHRTX get_call_log;
-  PFN_xrPlacePlateHRTX place_plate;
-  PFN_xrSetSimulationSeedHRTX set_seed;
-  PFN_xrSetPlateOrientationHRTX set_plate_orientation;
-  PFN_xrGetPlateOrientationHRTX get_plate_orientation;
-  PFN_xrInstructReachHRTX instruct_reach;
-  PFN_xrGetReachTruthHRTX get_reach_truth;
+#define HRT_FUNCTION(name, function) PFN_##function name = fetch<PFN_##function>(instance, #function)
+  HRT_FUNCTION(create_hand_tracker, xrCreateHandTrackerEXT);
+  HRT_FUNCTION(destroy_hand_tracker, xrDestroyHandTrackerEXT);
+  HRT_FUNCTION(locate_hand_joints, xrLocateHandJointsEXT);
+  HRT_FUNCTION(set_device_active, xrSetInputDeviceActiveEXT);
+  HRT_FUNCTION(set_device_bool, xrSetInputDeviceStateBoolEXT);
+  HRT_FUNCTION(set_device_float, xrSetInputDeviceStateFloatEXT);
+  HRT_FUNCTION(set_device_vector, xrSetInputDeviceStateVector2fEXT);
+  HRT_FUNCTION(set_device_location, xrSetInputDeviceLocationEXT);
+  HRT_FUNCTION(apply_script, xrApplyScriptHRTX);
+  HRT_FUNCTION(advance_time, xrAdvanceTimeHRTX);
+  HRT_FUNCTION(get_call_log, xrGetCallLogHRTX);
+  HRT_FUNCTION(place_plate, xrPlacePlateHRTX);
+  HRT_FUNCTION(set_seed, xrSetSimulationSeedHRTX);
+  HRT_FUNCTION(set_plate_orientation, xrSetPlateOrientationHRTX);
+  HRT_FUNCTION(get_plate_orientation, xrGetPlateOrientationHRTX);
+  HRT_FUNCTION(instruct_reach, xrInstructReachHRTX);
+  HRT_FUNCTION(get_reach_truth, xrGetReachTruthHRTX);
+#undef HRT_FUNCTION
 };
 
 /// A test with an instance of all extensions, and on request a session of it.

@@ -46,25 +46,17 @@ bool has_heard(PtyPlate& plate, const std::string& body) {
   return std::find(heard.begin(), heard.end(), body) != heard.end();
 }
 
+// What is felt the same within the limits, the nearer one of several; else the nearest limit.
 TEST(OrientationWithin, TakesWhatIsFeltTheSame) {
-  EXPECT_EQ(orientation_within(-90, 90, 30, 0), 30);
-  EXPECT_EQ(orientation_within(-90, 90, 100, 0), -80);
-  EXPECT_EQ(orientation_within(-90, 90, -100, 0), 80);
-  EXPECT_EQ(orientation_within(-90, 90, 370, 0), 10);
-  EXPECT_EQ(orientation_within(0, 180, -10, 0), 170);
-}
-
-TEST(OrientationWithin, TakesTheNearerOfSeveral) {
-  EXPECT_EQ(orientation_within(-180, 180, 100, 90), 100);
-  EXPECT_EQ(orientation_within(-180, 180, 100, -60), -80);
-  EXPECT_EQ(orientation_within(-360, 360, 0, 350), 360);
-  EXPECT_EQ(orientation_within(-360, 360, 0, 1000), 360);
-}
-
-TEST(OrientationWithin, TakesTheNearestLimitIfNothingIsFeltTheSame) {
-  EXPECT_EQ(orientation_within(-45, 45, 60, 0), 45);
-  EXPECT_EQ(orientation_within(-45, 45, -60, 0), -45);
-  EXPECT_EQ(orientation_within(-45, 45, 130, 0), -45);  // felt like -50
+  const struct {
+    double min_deg, max_deg, wanted_deg, now_deg, taken_deg;
+  } rows[] = {{-90, 90, 30, 0, 30},       {-90, 90, 100, 0, -80},   {-90, 90, -100, 0, 80},
+              {-90, 90, 370, 0, 10},      {0, 180, -10, 0, 170},    {-180, 180, 100, 90, 100},
+              {-180, 180, 100, -60, -80}, {-360, 360, 0, 350, 360}, {-360, 360, 0, 1000, 360},
+              {-45, 45, 60, 0, 45},       {-45, 45, -60, 0, -45},   {-45, 45, 130, 0, -45}};
+  for (const auto& row : rows)
+    EXPECT_EQ(orientation_within(row.min_deg, row.max_deg, row.wanted_deg, row.now_deg), row.taken_deg)
+        << row.wanted_deg;
 }
 
 TEST(DevicePlate, LearnsLimitsAndOrientation) {

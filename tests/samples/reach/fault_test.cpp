@@ -19,7 +19,11 @@ Outcome run_desk(const std::string& script) {
 }
 
 std::string event_at(int frame, const std::string& what) {
-  return R"({"events": [{"frame": )" + std::to_string(frame) + ", " + what + "}]}";
+  return R"({"frame": )" + std::to_string(frame) + ", " + what + "}";
+}
+
+std::string calm_with(const std::string& events) {
+  return "{" + calm + R"(, "events": [)" + events + "]}";
 }
 
 std::string failing_call(const std::string& function, int call, const std::string& result) {
@@ -44,10 +48,8 @@ TEST(ReachFault, ARuntimeThatDoesNotStartIsNotCalledMissing) {
 
 TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
   for (const int frame : {2, 40, 150, 230}) {
-    const std::string script = "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
-                               R"(, "do": "lose_tracking", "hand": "right"}, {"frame": )" +
-                               std::to_string(frame + 27) +
-                               R"(, "do": "regain_tracking", "hand": "right"}]})";
+    const std::string script = calm_with(event_at(frame, R"("do": "lose_tracking", "hand": "right")") + "," +
+                                         event_at(frame + 27, R"("do": "regain_tracking", "hand": "right")"));
     const Outcome outcome = run_desk(script);
     expect_all_reached(outcome, script);
     ASSERT_FALSE(rows_of(outcome).empty());
@@ -58,8 +60,8 @@ TEST(ReachFault, TrackingIsLostForAWhileAtAnyMoment) {
 
 // The headset does not know where it is: its hands' places on the plate are guesses, and do not count.
 TEST(ReachFault, TheHeadsetLosesTrackOfTheRoom) {
-  const std::string script = "{" + calm + R"(, "events": [{"frame": 100, "do": "lose_tracking", "of": "head"},
-      {"frame": 127, "do": "regain_tracking", "of": "head"}]})";
+  const std::string script = calm_with(event_at(100, R"("do": "lose_tracking", "of": "head")") + "," +
+                                       event_at(127, R"("do": "regain_tracking", "of": "head")"));
   const Outcome outcome = run_desk(script);
   expect_all_reached(outcome, script);
   ASSERT_FALSE(rows_of(outcome).empty());
@@ -67,8 +69,7 @@ TEST(ReachFault, TheHeadsetLosesTrackOfTheRoom) {
 }
 
 TEST(ReachFault, TrackingIsLostForGood) {
-  const Outcome outcome = run_scripted("{" + calm + R"(, "events": [{"frame": 60, "do": "lose_tracking",
-      "hand": "right"}]})",
+  const Outcome outcome = run_scripted(calm_with(event_at(60, R"("do": "lose_tracking", "hand": "right")")),
                                        {desk, "--target", "bottle"});
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_GT(rows_of(outcome)[0].lost, 200);
@@ -79,7 +80,7 @@ TEST(ReachFault, TrackingIsLostForGood) {
 TEST(ReachFault, TheHandFreezesOrJumps) {
   for (const std::string what :
        {R"("do": "freeze", "hand": "right")", R"("do": "jump", "hand": "right", "by_mm": [30, 0, 0])"}) {
-    const Outcome outcome = run_desk(event_at(100, what));
+    const Outcome outcome = run_desk(R"({"events": [)" + event_at(100, what) + "]}");
     EXPECT_TRUE(outcome.exit_code == 0 || outcome.exit_code == 1) << outcome.exit_code << outcome.err;
     EXPECT_EQ(rows_of(outcome).size(), 3U) << what;
     EXPECT_EQ(outcome.err, "") << what;
@@ -89,23 +90,21 @@ TEST(ReachFault, TheHandFreezesOrJumps) {
 // Without focus a runtime gives no hands (XR_EXT_hand_tracking leaves that to it): a dropout like any other.
 TEST(ReachFault, FocusComesAndGoes) {
   for (const std::string state : {"SYNCHRONIZED", "VISIBLE", "FOCUSED"}) {
-    const std::string script = "{" + calm +
-                               R"(, "events": [{"frame": 100, "do": "session_state", "state": ")" + state +
-                               R"("}, {"frame": 120, "do": "session_state", "state": "FOCUSED"}]})";
+    const std::string script = calm_with(event_at(100, R"("do": "session_state", "state": ")" + state + '"') +
+                                         "," + event_at(120, R"("do": "session_state", "state": "FOCUSED")"));
     expect_all_reached(run_desk(script), script);
   }
 }
 
 TEST(ReachFault, AStateIsReportedTwice) {
-  const std::string script = "{" + calm + R"(, "events": [{"frame": 1, "do": "repeat_session_state"},
-                                                          {"frame": 100, "do": "repeat_session_state"}]})";
+  const std::string repeat = R"("do": "repeat_session_state")";
+  const std::string script = calm_with(event_at(1, repeat) + "," + event_at(100, repeat));
   expect_all_reached(run_desk(script), script);
 }
 
 TEST(ReachFault, TheRuntimeStopsTheSessionAndStartsItAgain) {
   for (const int frame : {1, 100, 272, 400}) {
-    const std::string script = "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
-                               R"(, "do": "session_state", "state": "STOPPING"}]})";
+    const std::string script = calm_with(event_at(frame, R"("do": "session_state", "state": "STOPPING")"));
     expect_all_reached(run_desk(script), script);
   }
 }
@@ -117,8 +116,7 @@ TEST(ReachFault, SessionsAndInstancesAreLostAndMadeAnew) {
        {R"("do": "lose_session")", R"("do": "lose_instance")", R"("do": "instance_loss_pending")",
         R"("do": "session_state", "state": "LOSS_PENDING")"}) {
     for (const int frame : {280, 400, 500}) {
-      const std::string script =
-          "{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) + ", " + what + "}]}";
+      const std::string script = calm_with(event_at(frame, what));
       const Outcome outcome = run_desk(script);
       expect_all_reached(outcome, script);
       EXPECT_TRUE(has(outcome.err, "starting anew"));
@@ -149,8 +147,7 @@ TEST(ReachFault, ALossChangesNoReach) {
 
 TEST(ReachFault, ASessionThatIsAlwaysLostIsGivenUp) {
   for (const int frame : {1, 2, 50, 200}) {
-    const Outcome outcome = run_desk("{" + calm + R"(, "events": [{"frame": )" + std::to_string(frame) +
-                                     R"(, "do": "lose_session"}]})");
+    const Outcome outcome = run_desk(calm_with(event_at(frame, R"("do": "lose_session")")));
     EXPECT_EQ(outcome.exit_code, 7) << outcome.err;
     EXPECT_TRUE(has(outcome.err, "lost repeatedly"));
     EXPECT_TRUE(rows_of(outcome).empty());

@@ -20,10 +20,6 @@ using Clock = std::chrono::steady_clock;
 
 const Place start{0.0, 0.05};
 
-void expect_said(const Outcome& outcome, const std::string& text) {
-  EXPECT_TRUE(has(outcome.err, text));
-}
-
 Outcome reach_along(const Path& path) {
   return run_scripted(path.script(), person_and({"--time-limit", "12"}));
 }

@@ -13,10 +13,6 @@ void expect_reached(const Outcome& outcome) {
   EXPECT_TRUE(rows_of(outcome)[0].reached);
 }
 
-void expect_said(const Outcome& outcome, const std::string& text) {
-  EXPECT_TRUE(has(outcome.err, text));
-}
-
 const std::string no_stage = R"("stage": false, )";
 const std::string no_floor = no_stage + R"("withhold_extensions": ["XR_EXT_local_floor"], )";
 

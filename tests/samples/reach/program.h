@@ -41,6 +41,11 @@ Outcome run_scripted(const std::string& script, const std::vector<std::string>& 
 /// A reach to the bottle that a person makes on a simulated plate, with `more` arguments.
 std::vector<std::string> person_and(const std::vector<std::string>& more = {});
 
+/// On its error output.
+inline void expect_said(const Outcome& outcome, const std::string& text) {
+  EXPECT_TRUE(has(outcome.err, text));
+}
+
 /// A row of the result table.
 struct Row {
   std::string virtual_name;

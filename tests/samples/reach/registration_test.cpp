@@ -19,9 +19,6 @@ class ReachRegistration : public testing::Test {
   static Outcome run(const Path& path, const std::vector<std::string>& more) {
     return run_scripted(path.script(), person_and(more));
   }
-  static void expect_said(const Outcome& outcome, const std::string& part) {
-    EXPECT_TRUE(has(outcome.err, part));
-  }
   std::string written(const std::string& text) const {
     std::ofstream(file) << text;
     return file;
