@@ -7,13 +7,13 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "tests/plugin/plate/pty_dynamixel.h"
-#include "tests/samples/plate/pty_board.h"
+#include "tests/plugin/plate/pty_device.h"
+#include "tests/samples/plate/emulated_board.h"
 
 int main(int argc, char** argv) {
   constexpr int cannot_run = 127;
   if (argc < 2) return cannot_run;
-  const hrt::plate::PtyBoard board;
+  const hrt::plate::PtyDevice<hrt::plate::EmulatedBoard> board;
   const hrt::plate::PtyDynamixel servo;
   setenv("HRT_PLATE_DEVICE", ("serial:" + board.device()).c_str(), 1);
   setenv("HRT_PLATE_SERVO", ("dynamixel:" + servo.device()).c_str(), 1);

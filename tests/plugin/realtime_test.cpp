@@ -20,7 +20,7 @@
 
 #include "fixture.h"
 #include "haptic_retargeting/plate.h"
-#include "tests/plugin/plate/pty_plate.h"
+#include "tests/plugin/plate/pty_device.h"
 
 namespace {
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/samples/text.h"
+
 namespace hrt {
 
 struct Outcome {

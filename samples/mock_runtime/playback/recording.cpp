@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <string_view>
+#include <utility>
 
 #include "samples/mock_runtime/openxr_1_1.h"
 #include "samples/mock_runtime/playback/members.h"
@@ -274,6 +276,100 @@ void sort_by_time(std::map<Key, Stream<Value>>& streams) {
   for (auto& [key, stream] : streams) sort_by_time(stream);
 }
 
+// What a record of a session adds, by its kind.
+using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& names);
+constexpr std::pair<std::string_view, Reader> session_readers[] = {
+    {"spaces",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       auto& types = in.spaces.emplace();
+       fields.nested([&](Fields& each) {
+         while (each.more()) types.push_back(read_enum<XrReferenceSpaceType>(each));
+       });
+     }},
+    {"bounds",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto type = read_enum<XrReferenceSpaceType>(fields);
+       const bool available = fields.boolean();
+       const float width = fields.single();
+       const XrExtent2Df extent{width, fields.single()};
+       in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
+     }},
+    {"call", [](Fields& fields, RecordedSession& in,
+                const Recording&) { in.calls.push_back(read_call_kind(fields)); }},
+    {"frame",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       RecordedFrame frame{};
+       frame.time = fields.time();
+       frame.period = fields.whole<XrDuration>();
+       frame.should_render = fields.boolean();
+       in.frames.push_back(frame);
+     }},
+    {"converted",
+     [](Fields& fields, RecordedSession& in, const Recording&) { in.converted.push_back(fields.time()); }},
+    {"timespec",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto time = fields.whole<XrTime>();
+       in.clock_ns.emplace_back(time, fields.whole<std::int64_t>());
+     }},
+    {"event",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       RecordedEvent event{};
+       event.calls = fields.whole<std::size_t>();
+       event.frames = fields.whole<std::size_t>();
+       const auto buffer = read_event(fields);
+       if (!buffer) return;
+       event.buffer = *buffer;
+       in.events.push_back(event);
+     }},
+    {"joints",
+     [](Fields& fields, RecordedSession& in, const Recording& names) {
+       const auto time = fields.whole<XrTime>();
+       const int hand = fields.whole<int>();
+       const std::size_t base = read_space(fields, names);
+       in.joints[{hand, base}].emplace_back(time, read_joints(fields));
+     }},
+    {"located",
+     [](Fields& fields, RecordedSession& in, const Recording& names) {
+       const auto time = fields.whole<XrTime>();
+       const std::size_t space = read_space(fields, names);
+       const std::size_t base = read_space(fields, names);
+       in.locations[{space, base}].emplace_back(time, read_location(fields));
+     }},
+    {"views",
+     [](Fields& fields, RecordedSession& in, const Recording& names) {
+       const auto time = fields.whole<XrTime>();
+       const std::size_t base = read_space(fields, names);
+       in.views[base].emplace_back(time, read_views(fields));
+     }},
+    {"synced",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto present = fields.whole<XrTime>();
+       in.synced.emplace_back(present, fields.boolean());
+     }},
+    {"action",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto present = fields.whole<XrTime>();
+       const std::string action = fields.text();
+       const std::string subaction = fields.text();
+       in.states[{action, subaction}].emplace_back(present, read_state(fields));
+     }},
+    {"profile",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto present = fields.whole<XrTime>();
+       const std::string top_level = fields.text();
+       in.profiles[top_level].emplace_back(present, fields.text());
+     }},
+    {"plate",
+     [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto time = fields.whole<XrTime>();
+       in.plate_deg.emplace_back(time, fields.real());
+     }},
+    {"truth", [](Fields& fields, RecordedSession& in, const Recording&) {
+       const auto present = fields.whole<XrTime>();
+       const int hand = fields.whole<int>();
+       in.truths[hand].emplace_back(present, read_truth(fields));
+     }}};
+
 }  // namespace
 
 RecordedSession& Recording::session(std::uint64_t number, const std::string& where) {
@@ -285,9 +381,6 @@ RecordedSession& Recording::session(std::uint64_t number, const std::string& whe
 void Recording::add(const Json& record) {
   Fields fields(record, "playback.records[" + std::to_string(records_++) + "]");
   const std::string kind = fields.text();
-  const auto of_session = [&]() -> RecordedSession& {
-    return session(fields.whole<std::uint64_t>(), fields.where());
-  };
   if (kind == "instance") {
     runtime = fields.text();
     version = fields.whole<XrVersion>();
@@ -310,87 +403,12 @@ void Recording::add(const Json& record) {
     space.subaction = fields.text();
     space.pose = fields.nested_pose();
     spaces.push_back(space);
-  } else if (kind == "spaces") {
-    auto& types = of_session().spaces.emplace();
-    fields.nested([&](Fields& each) {
-      while (each.more()) types.push_back(read_enum<XrReferenceSpaceType>(each));
-    });
-  } else if (kind == "bounds") {
-    RecordedSession& in = of_session();
-    const auto type = read_enum<XrReferenceSpaceType>(fields);
-    const bool available = fields.boolean();
-    const float width = fields.single();
-    const XrExtent2Df extent{width, fields.single()};
-    in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
-  } else if (kind == "call") {
-    RecordedSession& in = of_session();
-    in.calls.push_back(read_call_kind(fields));
-  } else if (kind == "frame") {
-    RecordedSession& in = of_session();
-    RecordedFrame frame{};
-    frame.time = fields.time();
-    frame.period = fields.whole<XrDuration>();
-    frame.should_render = fields.boolean();
-    in.frames.push_back(frame);
-  } else if (kind == "converted") {
-    RecordedSession& in = of_session();
-    in.converted.push_back(fields.time());
-  } else if (kind == "timespec") {
-    RecordedSession& in = of_session();
-    const auto time = fields.whole<XrTime>();
-    in.clock_ns.emplace_back(time, fields.whole<std::int64_t>());
-  } else if (kind == "event") {
-    RecordedSession& in = of_session();
-    RecordedEvent event{};
-    event.calls = fields.whole<std::size_t>();
-    event.frames = fields.whole<std::size_t>();
-    if (const auto buffer = read_event(fields)) {
-      event.buffer = *buffer;
-      in.events.push_back(event);
-    }
-  } else if (kind == "joints") {
-    RecordedSession& in = of_session();
-    const auto time = fields.whole<XrTime>();
-    const int hand = fields.whole<int>();
-    const std::size_t base = read_space(fields, *this);
-    in.joints[{hand, base}].emplace_back(time, read_joints(fields));
-  } else if (kind == "located") {
-    RecordedSession& in = of_session();
-    const auto time = fields.whole<XrTime>();
-    const std::size_t space = read_space(fields, *this);
-    const std::size_t base = read_space(fields, *this);
-    in.locations[{space, base}].emplace_back(time, read_location(fields));
-  } else if (kind == "views") {
-    RecordedSession& in = of_session();
-    const auto time = fields.whole<XrTime>();
-    const std::size_t base = read_space(fields, *this);
-    in.views[base].emplace_back(time, read_views(fields));
-  } else if (kind == "synced") {
-    RecordedSession& in = of_session();
-    const auto present = fields.whole<XrTime>();
-    in.synced.emplace_back(present, fields.boolean());
-  } else if (kind == "action") {
-    RecordedSession& in = of_session();
-    const auto present = fields.whole<XrTime>();
-    const std::string action = fields.text();
-    const std::string subaction = fields.text();
-    in.states[{action, subaction}].emplace_back(present, read_state(fields));
-  } else if (kind == "profile") {
-    RecordedSession& in = of_session();
-    const auto present = fields.whole<XrTime>();
-    const std::string top_level = fields.text();
-    in.profiles[top_level].emplace_back(present, fields.text());
-  } else if (kind == "plate") {
-    RecordedSession& in = of_session();
-    const auto time = fields.whole<XrTime>();
-    in.plate_deg.emplace_back(time, fields.real());
-  } else if (kind == "truth") {
-    RecordedSession& in = of_session();
-    const auto present = fields.whole<XrTime>();
-    const int hand = fields.whole<int>();
-    in.truths[hand].emplace_back(present, read_truth(fields));
   } else {
-    refuse(fields.where(), "is a record of no known kind");
+    const auto reader = std::find_if(std::begin(session_readers), std::end(session_readers),
+                                     [&](const auto& each) { return each.first == kind; });
+    if (reader == std::end(session_readers)) refuse(fields.where(), "is a record of no known kind");
+    RecordedSession& in = session(fields.whole<std::uint64_t>(), fields.where());
+    reader->second(fields, in, *this);
   }
   fields.end();
 }

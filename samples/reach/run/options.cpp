@@ -73,18 +73,16 @@ std::filesystem::path default_plugin() {
   return std::filesystem::exists(beside, error) ? beside : std::filesystem::path(HRT_REACH_SONAME);
 }
 
-}  // namespace
-
-std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options) {
-  CLI::App app(description, "hrt-reach");
-  app.footer(exit_codes);
-  options.plugin = default_plugin();
+// What is not yet an option's value.
+struct Words {
   std::string hand = "right";
   std::string plate = "runtime";
   std::string controller = "people";
   double runtime_limit_s = 10.0;
   bool speak = false;
+};
 
+void add_reaches(CLI::App& app, Options& options, Words& words) {
   app.add_option("scene", options.scene, "glTF file with haptic roles (scene/README.md)")->required();
   app.add_option("--plugin", options.plugin,
                  "Library to open [../lib/libhaptic_retargeting.so, or the system's]");
@@ -98,10 +96,10 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
             return digits ? "" : "\"" + text + "\" is not a whole number from 0";
           },
           "a whole number from 0"));
-  app.add_option("--hand", hand, "left, right, or either: the first at the start [right]")
+  app.add_option("--hand", words.hand, "left, right, or either: the first at the start [right]")
       ->check(CLI::IsMember({"left", "right", "either"}));
   app.add_option(
-         "--plate", plate,
+         "--plate", words.plate,
          "What turns the plate: runtime (the one that a runtime simulates), servo[:SPEED] (one that this\n"
          "program simulates, degrees a second, [400]), or serial:LINE or dynamixel:LINE, as hrt_plate_open() "
          "of\n"
@@ -116,11 +114,14 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.add_option("--time-limit", options.time_limit_s,
                  "Longest reach, and longest wait for its start, seconds [30]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
-  app.add_option("--runtime-limit", runtime_limit_s,
+  app.add_option("--runtime-limit", words.runtime_limit_s,
                  "Longest call into the runtime, and longest wait for it, seconds [10]")
       ->check(between(0.1, 3600.0, "a number from 0.1 to 3600"));
+}
+
+void add_controller(CLI::App& app, Options& options, Words& words) {
   app.add_option(
-         "--controller", controller,
+         "--controller", words.controller,
          "people: learns how the user feels and moves, and aims at the target's place at arrival; or paper:\n"
          "takes the share of touch as known and aims in a fixed direction [people]")
       ->check(CLI::IsMember({"people", "paper"}));
@@ -130,6 +131,9 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   app.add_option("--motor-variance", options.motor_variance_deg2,
                  "Variance of motor noise that the paper's controller assumes, degrees squared a step [0.5]")
       ->check(between(1e-9, 1e4, "a number from 1e-9 to 10000"));
+}
+
+void add_place(CLI::App& app, Options& options) {
   CLI::Option* anew = app.add_option(
       "--register", options.register_to,
       "Ask a person to touch the plate's marks, find the plate by them, and keep its place in this file");
@@ -150,6 +154,9 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
          "How high the eyes are above the floor, metres, for a runtime that knows no floor, whose LOCAL\n"
          "space begins at the eyes [asked on the terminal]")
       ->check(between(0.3, 2.5, "a number from 0.3 to 2.5"));
+}
+
+void add_files(CLI::App& app, Options& options) {
   app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
   app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");
   app.add_option("--profile", options.profile, "Start from this user's profile, which --calibrate wrote")
@@ -166,14 +173,41 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
       ->needs("--calibrate");
   app.add_option("--calibration-limit", options.calibration_limit_s, "Longest calibration, seconds [600]")
       ->check(between(1.0, 36000.0, "a number from 1 to 36000"));
+}
+
+void add_person(CLI::App& app, Options& options, Words& words) {
   app.add_flag("--person", options.person,
                "Instruct a person on the terminal, even if the runtime simulates a user");
-  CLI::Option* aloud = app.add_flag("--speak", speak, "Speak what a person is asked, with espeak-ng");
+  CLI::Option* aloud = app.add_flag("--speak", words.speak, "Speak what a person is asked, with espeak-ng");
   app.add_option("--speak-with", options.speak_with,
                  "Speak with this program: its name and arguments, separated by spaces; each text is a line\n"
                  "on its standard input")
       ->excludes(aloud);
   app.add_flag("--verbose,-v", options.verbose, "Print a line a frame");
+}
+
+void take(const Words& words, Options& options) {
+  options.plate = *parse_plate(words.plate);
+  options.runtime_limit = std::chrono::milliseconds(std::llround(words.runtime_limit_s * 1e3));
+  if (words.speak) options.speak_with = "espeak-ng";
+  options.for_people = words.controller == "people";
+  if (words.hand == "left") options.hands = {Hand::left};
+  if (words.hand == "right") options.hands = {Hand::right};
+  if (words.hand == "either") options.hands = {Hand::right, Hand::left};
+}
+
+}  // namespace
+
+std::optional<int> parse_command_line(int argc, const char* const* argv, Options& options) {
+  CLI::App app(description, "hrt-reach");
+  app.footer(exit_codes);
+  options.plugin = default_plugin();
+  Words words;
+  add_reaches(app, options, words);
+  add_controller(app, options, words);
+  add_place(app, options);
+  add_files(app, options);
+  add_person(app, options, words);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -182,13 +216,7 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
     std::cerr << "hrt-reach: " << error.what() << " (--help lists the options)\n";
     return static_cast<int>(ExitCode::usage);
   }
-  options.plate = *parse_plate(plate);
-  options.runtime_limit = std::chrono::milliseconds(std::llround(runtime_limit_s * 1e3));
-  if (speak) options.speak_with = "espeak-ng";
-  options.for_people = controller == "people";
-  if (hand == "left") options.hands = {Hand::left};
-  if (hand == "right") options.hands = {Hand::right};
-  if (hand == "either") options.hands = {Hand::right, Hand::left};
+  take(words, options);
   return std::nullopt;
 }
 

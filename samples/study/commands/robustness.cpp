@@ -134,13 +134,8 @@ std::string family_list() {
   return list;
 }
 
-}  // namespace
-
-void add_robustness(CLI::App& app) {
-  const auto options = std::make_shared<Options>();
-  CLI::App& command = add_command(
-      app, "robustness", "The controllers on simulated people who differ from what they assume.",
-      R"(Answers: of the people of a family, how many arrive at the real target, how far off are the others,
+std::string description() {
+  return R"(Answers: of the people of a family, how many arrive at the real target, how far off are the others,
 how large an error do they feel, and does the controller flag a reach that fails? Each person reaches
 without a controller; with the paper's; five times with ours, which starts without knowledge of the
 person and carries what it learns; and once with ours informed of the person's traits, which shows
@@ -175,10 +170,18 @@ our commands.
 the header name,value. --people is then the number of times that the person does it all, each time as
 a stranger. Parameters (those left out keep their default):
 )" + person_parameters() +
-          R"(
+         R"(
 Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off):
-)" + family_list(),
-      [options] { run(*options); });
+)" + family_list();
+}
+
+}  // namespace
+
+void add_robustness(CLI::App& app) {
+  const auto options = std::make_shared<Options>();
+  CLI::App& command =
+      add_command(app, "robustness", "The controllers on simulated people who differ from what they assume.",
+                  description(), [options] { run(*options); });
   RobustnessOptions& robustness = options->robustness;
   add_integer(command, "--people", &robustness.people, 1, 100'000,
               "People of each family at each duration; 100 take a minute of one processor.");

@@ -40,9 +40,7 @@ std::string limit_curve(const std::string& name, double noise_variance_deg2) {
   return block + "EOD\n";
 }
 
-}  // namespace
-
-Figure frontier_figure(const FigureOptions& options) {
+std::vector<BatchResult> simulate_points(const FigureOptions& options) {
   std::vector<BatchJob> jobs;
   for (const double motor_variance_deg2 : motor_variances_deg2)
     for (const double tactile_weight : tactile_weights)
@@ -51,8 +49,27 @@ Figure frontier_figure(const FigureOptions& options) {
                         .condition_id = static_cast<std::uint32_t>(jobs.size()),
                         .first_trial = 0,
                         .last_trial = static_cast<std::uint32_t>(options.trials)});
-  const std::vector<BatchResult> results = run_with_progress(jobs, options.seed, options.threads);
+  return run_with_progress(jobs, options.seed, options.threads);
+}
 
+// Of one curve, a point for each actual weight.
+std::string points_block(const std::string& name, const BatchResult* results) {
+  std::string block = '$' + name + " << EOD\n";
+  for (const double actual_weight : actual_weights) {
+    const BatchResult& result = *results++;
+    // Of a normal error, the standard deviation of a root mean square is 1 / sqrt(2 n) of it.
+    const double relative = normal_975 / std::sqrt(2.0 * static_cast<double>(result.trials));
+    block += number(result.rms_felt_error_deg()) + ' ' + number(result.rms_miss_deg()) + ' ' +
+             number(relative * result.rms_felt_error_deg()) + ' ' + number(relative * result.rms_miss_deg()) +
+             ' ' + number(actual_weight) + '\n';
+  }
+  return block + "EOD\n";
+}
+
+}  // namespace
+
+Figure frontier_figure(const FigureOptions& options) {
+  const std::vector<BatchResult> results = simulate_points(options);
   Figure figure{
       .name = "frontier",
       .title = "Perceived against actual error as the weights vary",
@@ -77,16 +94,8 @@ Figure frontier_figure(const FigureOptions& options) {
              "' title 'limit, σ_u² = " + number(motor_variance_deg2) + "'";
     for (const double tactile_weight : tactile_weights) {
       const std::string block = "points" + std::to_string(job);
-      figure.script += '$' + block + " << EOD\n";
-      for (const double actual_weight : actual_weights) {
-        const BatchResult& result = results[job++];
-        // Of a normal error, the standard deviation of a root mean square is 1 / sqrt(2 n) of it.
-        const double relative = normal_975 / std::sqrt(2.0 * static_cast<double>(result.trials));
-        figure.script += number(result.rms_felt_error_deg()) + ' ' + number(result.rms_miss_deg()) + ' ' +
-                         number(relative * result.rms_felt_error_deg()) + ' ' +
-                         number(relative * result.rms_miss_deg()) + ' ' + number(actual_weight) + '\n';
-      }
-      figure.script += "EOD\n";
+      figure.script += points_block(block, &results[job]);
+      job += std::size(actual_weights);
       const bool is_held = tactile_weight > 0.12;
       const int point = (is_held ? 6 : 8) + style;
       plots += ", $" + block + " using 1:2:3:4 with xyerrorbars ps 1 lw 1.5 pt " + std::to_string(point) +

@@ -2,7 +2,7 @@
 // simulated person, in real time.
 #include <gtest/gtest.h>
 
-#include "tests/plugin/plate/pty_dynamixel.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::plate {
@@ -19,21 +19,19 @@ std::string unhurried() {
 TEST(ReachWithDynamixel, ReachesTheTarget) {
   PtyDynamixel servo;
   const std::string script = R"({"clock": "real-time", )" + unhurried() + "}";
-  const std::string desk = HRT_SCENES "/desk.gltf";
-  const Outcome outcome =
-      reach::run_scripted(script, {desk, "--target", "goblet", "--plate", "dynamixel:" + servo.device()});
+  const Outcome outcome = reach::run_scripted(
+      script, {reach::desk, "--target", "goblet", "--plate", "dynamixel:" + servo.device()});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
-  EXPECT_NE(outcome.out.find("Dynamixel XL330-M288, id 1"), std::string::npos) << outcome.out;
-  EXPECT_GT(servo.max_turn_deg(), 30.0);
+  EXPECT_TRUE(has(outcome.out, "Dynamixel XL330-M288, id 1"));
+  EXPECT_GT(servo.with(&EmulatedDynamixel::max_turn_deg), 30.0);
 }
 
 TEST(ReachWithDynamixel, AMalformedNameIsAWrongCommandLine) {
   const Outcome outcome =
-      reach::run_scripted(R"({"clock": "real-time", )" + reach::calm + "}",
-                          {HRT_SCENES "/desk.gltf", "--plate", "dynamixel:/dev/x?id=300"});
+      reach::run_scripted(R"({"clock": "real-time"})", {reach::desk, "--plate", "dynamixel:/dev/x?id=300"});
   EXPECT_EQ(outcome.exit_code, 2) << outcome.out;
-  EXPECT_NE(outcome.err.find("option id is \"300\"; allowed: 0 to 252"), std::string::npos) << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "option id is \"300\"; allowed: 0 to 252"));
 }
 
 }  // namespace

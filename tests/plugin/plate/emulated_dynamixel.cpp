@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hrt::plate {
 namespace {
@@ -68,19 +69,22 @@ void EmulatedDynamixel::set(int address, int size, std::int64_t value) {
   std::copy(bytes.begin(), bytes.end(), table_.begin() + address);
 }
 
-std::string EmulatedDynamixel::hear(std::string_view bytes, Time now) {
+std::string EmulatedDynamixel::take_output() {
+  return std::exchange(output_, {});
+}
+
+void EmulatedDynamixel::hear(std::string_view bytes, Time now) {
   run_until(now);
   reader_.take(bytes);
-  std::string sent(echoes ? bytes : "");
+  if (echoes) output_ += bytes;
   while (const auto packet = reader_.next()) {
     if (packet->id != id_ || packet->instruction == status) continue;
     heard_ = now;
     if (is_mute) continue;
     std::string reply = answer(*packet);
     if (damages_answers && ++answers_ % 2 == 0) reply.back() = static_cast<char>(reply.back() ^ 0x55);
-    sent += reply;
+    output_ += reply;
   }
-  return sent;
 }
 
 std::string EmulatedDynamixel::answer(const Packet& packet) {
@@ -165,6 +169,7 @@ void EmulatedDynamixel::run_until(Time now) {
     position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -max, max);
   }
   set(present_position, 4, present());
+  max_turn_deg_ = std::max(max_turn_deg_, std::abs(orientation_deg()));
 }
 
 }  // namespace hrt::plate

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "plugin/src/plate/dynamixel/packet.h"
-#include "plugin/src/plate/line.h"
+#include "tests/plugin/plate/emulated_line.h"
 
 namespace hrt::plate {
 
@@ -18,8 +18,10 @@ class EmulatedDynamixel {
 
   explicit EmulatedDynamixel(std::uint8_t id = 1, int model = 1200);
 
-  /// Takes bytes of the bus in, and returns those that the servo sends.
-  std::string hear(std::string_view bytes, Time now);
+  /// Takes bytes of the bus in.
+  void hear(std::string_view bytes, Time now);
+  /// What it has sent since the last call.
+  std::string take_output();
   /// Turns for as long as its profile allows; the watchdog may stop it.
   void run_until(Time now);
 
@@ -29,7 +31,14 @@ class EmulatedDynamixel {
   void set(int address, int size, std::int64_t value);
   /// Power fails and returns: the RAM has its initial values.
   void restart();
+  /// Farthest from 0 so far.
+  double max_turn_deg() const { return max_turn_deg_; }
   Time now() const { return now_; }
+  /// At 57600 baud, on a bus of which one end speaks at a time.
+  static Time byte_time() { return std::chrono::microseconds(174); }
+  Time answers_after(std::size_t heard) const {
+    return byte_time() * heard + std::chrono::microseconds(500) + delay;
+  }
   int writes_to_eeprom() const { return writes_to_eeprom_; }
 
   bool is_jammed = false;
@@ -48,6 +57,8 @@ class EmulatedDynamixel {
   std::uint8_t id_;
   std::array<std::uint8_t, 256> table_{};
   double position_ = 2048.0;
+  double max_turn_deg_ = 0.0;
+  std::string output_;
   Time now_{0};
   Time heard_{0};
   int writes_to_eeprom_ = 0;
@@ -55,38 +66,6 @@ class EmulatedDynamixel {
   dynamixel::PacketReader reader_;
 };
 
-/// A line straight to the servo, in simulated time, with the bytes' own time at 57600 baud.
-class DynamixelLine : public Line {
- public:
-  explicit DynamixelLine(EmulatedDynamixel& servo) : servo_(servo), now_(servo.now()) {}
-
-  Time now() const override { return Time(now_); }
-  void receive(std::string& bytes) override {
-    if (now_ < arrives_) return;
-    bytes += coming_;
-    coming_.clear();
-  }
-  void send(std::string_view bytes) override {
-    coming_ += servo_.hear(bytes, now_);
-    arrives_ = now_ + std::chrono::microseconds(174) * (bytes.size() + coming_.size()) +
-               std::chrono::microseconds(500) + servo_.delay;
-  }
-  void flush() override {}
-  bool has_unsent() const override { return false; }
-  void wait(std::chrono::milliseconds limit) override {
-    for (const auto end = now_ + limit; now_ < end && (coming_.empty() || now_ < arrives_);)
-      servo_.run_until(now_ += std::chrono::microseconds(100));
-  }
-  /// The host does nothing.
-  void pause(std::chrono::milliseconds time) {
-    for (const auto end = now_ + time; now_ < end;) servo_.run_until(now_ += std::chrono::microseconds(100));
-  }
-
- private:
-  EmulatedDynamixel& servo_;
-  std::chrono::nanoseconds now_;
-  std::chrono::nanoseconds arrives_{0};
-  std::string coming_;
-};
+using DynamixelLine = EmulatedLine<EmulatedDynamixel>;
 
 }  // namespace hrt::plate

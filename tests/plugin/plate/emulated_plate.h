@@ -1,15 +1,13 @@
-// A plate that does what samples/plate/protocol.md says, or fails to; and a line straight to it, in simulated
-// time.
+// A plate that does what samples/plate/protocol.md says, or fails to.
 #pragma once
 
 #include <chrono>
-#include <deque>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "plugin/src/plate/line.h"
 #include "plugin/src/plate/plate_line.h"
+#include "tests/plugin/plate/emulated_line.h"
 
 namespace hrt::plate {
 
@@ -22,10 +20,11 @@ class EmulatedPlate {
     std::string greeting = "PLATE 2 -90.00 90.00 400.00 10.00 measured";  ///< also selects the version
     bool answers = true;                                                  ///< to HELLO
     bool reports = true;                                                  ///< where it is, every 20 ms
-    bool turns = true;                  ///< to where it is sent, at once; else it stays at 0
-    double speed_deg_s = 1e9;           ///< at which it really turns
-    std::chrono::milliseconds boot{0};  ///< deaf and mute until then
-    std::string noise;                  ///< bytes sent before every line
+    bool turns = true;                        ///< to where it is sent, at once; else it stays at 0
+    double speed_deg_s = 1e9;                 ///< at which it really turns
+    std::chrono::milliseconds boot{0};        ///< deaf and mute until then
+    std::string noise;                        ///< bytes sent before every line
+    std::chrono::microseconds byte_time{87};  ///< in which a line carries a byte
   };
 
   explicit EmulatedPlate(Behaviour behaviour);
@@ -37,6 +36,10 @@ class EmulatedPlate {
   void run_until(Time now);
   /// What it has sent since the last call.
   std::string take_output();
+
+  Time now() const { return now_; }
+  Time byte_time() const { return behaviour_.byte_time; }
+  static Time answers_after(std::size_t) { return {}; }
 
   /// Falls silent, as if it had crashed.
   void fall_silent() { is_silent_ = true; }
@@ -72,52 +75,6 @@ class EmulatedPlate {
   std::vector<std::string> heard_;
 };
 
-/// Time passes in wait() and pause() alone. Every byte from the plate takes `byte_time`.
-class EmulatedPlateLine : public Line {
- public:
-  explicit EmulatedPlateLine(EmulatedPlate& plate,
-                             std::chrono::microseconds byte_time = std::chrono::microseconds(87))
-      : plate_(plate), byte_time_(byte_time) {}
-
-  Time now() const override { return Time(now_); }
-  void receive(std::string& bytes) override {
-    for (; has_arrived(); coming_.pop_front()) bytes += coming_.front().byte;
-  }
-  void send(std::string_view bytes) override {
-    plate_.hear(bytes, now_);
-    collect();
-  }
-  void flush() override {}
-  bool has_unsent() const override { return false; }
-  void wait(std::chrono::milliseconds limit) override {
-    for (const auto end = now_ + limit; now_ < end && !has_arrived();) run();
-  }
-  /// The host does nothing.
-  void pause(std::chrono::milliseconds time) {
-    for (const auto end = now_ + time; now_ < end;) run();
-  }
-
- private:
-  struct Coming {
-    std::chrono::nanoseconds arrives;
-    char byte;
-  };
-  bool has_arrived() const { return !coming_.empty() && coming_.front().arrives <= now_; }
-  void run() {
-    plate_.run_until(now_ += std::chrono::microseconds(100));
-    collect();
-  }
-  void collect() {
-    for (const char byte : plate_.take_output()) {
-      free_at_ = std::max(free_at_, now_) + byte_time_;
-      coming_.push_back({free_at_, byte});
-    }
-  }
-
-  EmulatedPlate& plate_;
-  std::chrono::nanoseconds byte_time_;
-  std::chrono::nanoseconds now_{0}, free_at_{0};
-  std::deque<Coming> coming_;
-};
+using EmulatedPlateLine = EmulatedLine<EmulatedPlate>;
 
 }  // namespace hrt::plate

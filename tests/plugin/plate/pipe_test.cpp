@@ -49,7 +49,8 @@ class PipeDynamixel {
       std::array<char, 256> bytes{};
       if (!PeekNamedPipe(pipe_, nullptr, 0, nullptr, &waiting, nullptr) || waiting == 0) continue;
       if (!ReadFile(pipe_, bytes.data(), static_cast<DWORD>(bytes.size()), &count, nullptr)) continue;
-      const std::string answer = servo_.hear({bytes.data(), count}, now);
+      servo_.hear({bytes.data(), count}, now);
+      const std::string answer = servo_.take_output();
       WriteFile(pipe_, answer.data(), static_cast<DWORD>(answer.size()), &count, nullptr);
     }
     CloseHandle(pipe_);

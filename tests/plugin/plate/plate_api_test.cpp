@@ -15,8 +15,7 @@
 #include <vector>
 
 #include "plugin/src/plate/snapshot.h"
-#include "tests/plugin/plate/pty_dynamixel.h"
-#include "tests/plugin/plate/pty_plate.h"
+#include "tests/plugin/plate/pty_device.h"
 
 namespace hrt::plate {
 namespace {

@@ -18,11 +18,10 @@ using namespace std::chrono_literals;
 
 class PlateLinkTest : public testing::Test {
  protected:
-  PlateLink& open(const EmulatedPlate::Behaviour& behaviour = {},
-                  std::chrono::microseconds byte_time = 87us) {
+  PlateLink& open(const EmulatedPlate::Behaviour& behaviour = {}) {
     link.reset();
     plate.emplace(behaviour);
-    auto made = std::make_unique<EmulatedPlateLine>(*plate, byte_time);
+    auto made = std::make_unique<EmulatedPlateLine>(*plate);
     line = made.get();
     link = std::make_unique<PlateLink>(std::move(made));
     return *link;
@@ -91,7 +90,7 @@ TEST_F(PlateLinkTest, SurvivesGarbage) {
 
 // Half a millisecond a byte: a report of 22 bytes takes 11 ms of the 20 between two.
 TEST_F(PlateLinkTest, SurvivesLinesThatComeByteByByte) {
-  open({}, 500us);
+  open({.byte_time = 500us});
   link->turn_to(5.0);
   serve(500ms);
   EXPECT_EQ(link->orientation_deg(), 5.0);

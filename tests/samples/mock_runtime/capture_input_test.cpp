@@ -1,7 +1,6 @@
 // The layer in samples/mock_runtime/capture: what an application with controllers was given, played back; an
 // application for OpenXR 1.1; one of several threads.
 #include <atomic>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <thread>
@@ -14,11 +13,6 @@ namespace {
 
 class MockCaptureInput : public CaptureFixture {
  protected:
-  XrPath path(const char* text) {
-    XrPath made = XR_NULL_PATH;
-    EXPECT_XR(XR_SUCCESS, xrStringToPath(instance, text, &made));
-    return made;
-  }
   // Paths are other numbers in another runtime.
   std::string text_of(XrPath of) {
     std::array<char, XR_MAX_PATH_LENGTH> text{};
@@ -29,25 +23,14 @@ class MockCaptureInput : public CaptureFixture {
     return text.data();
   }
 
-  XrAction make_action(const char* name, XrActionType type) {
-    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-    std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
-    std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", name);
-    info.actionType = type;
-    info.countSubactionPaths = 2;
-    info.subactionPaths = hands.data();
-    XrAction action = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateAction(set, &info, &action));
-    return action;
-  }
   void make_actions() {
     hands = {path("/user/hand/left"), path("/user/hand/right")};
-    const XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "Set", 0};
-    ASSERT_XR(XR_SUCCESS, xrCreateActionSet(instance, &info, &set));
-    press = make_action("press", XR_ACTION_TYPE_BOOLEAN_INPUT);
-    pull = make_action("pull", XR_ACTION_TYPE_FLOAT_INPUT);
-    move = make_action("move", XR_ACTION_TYPE_VECTOR2F_INPUT);
-    grip = make_action("grip", XR_ACTION_TYPE_POSE_INPUT);
+    set = make_set("set");
+    const std::vector<XrPath> subactions(hands.begin(), hands.end());
+    press = make_action(set, "press", XR_ACTION_TYPE_BOOLEAN_INPUT, subactions);
+    pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT, subactions);
+    move = make_action(set, "move", XR_ACTION_TYPE_VECTOR2F_INPUT, subactions);
+    grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, subactions);
     for (const auto& [profile, sources] :
          std::map<const char*, std::vector<std::pair<XrAction, std::string>>>{
              {"/interaction_profiles/oculus/touch_controller",
@@ -58,19 +41,15 @@ class MockCaptureInput : public CaptureFixture {
              {"/interaction_profiles/khr/simple_controller",
               {{press, "select/click"}, {grip, "aim/pose"}}}}) {
       std::vector<XrActionSuggestedBinding> bindings;
-      for (const char* hand : {"/user/hand/left/input/", "/user/hand/right/input/"})
+      for (const char* inputs : {"/user/hand/left/input/", "/user/hand/right/input/"})
         for (const auto& [action, source] : sources)
-          bindings.push_back({action, path((hand + source).c_str())});
-      const XrInteractionProfileSuggestedBinding suggested{
-          XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr, path(profile),
-          static_cast<std::uint32_t>(bindings.size()), bindings.data()};
-      ASSERT_XR(XR_SUCCESS, xrSuggestInteractionProfileBindings(instance, &suggested));
+          bindings.push_back({action, path((inputs + source).c_str())});
+      ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
     }
-    const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
-    ASSERT_XR(XR_SUCCESS, xrAttachSessionActionSets(session, &attach));
+    ASSERT_XR(XR_SUCCESS, attach({set}));
   }
-  XrSpace make_grip_space(XrPath hand, const XrPosef& pose) {
-    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip, hand, pose};
+  XrSpace make_grip_space(XrPath of, const XrPosef& pose) {
+    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip, of, pose};
     XrSpace space = XR_NULL_HANDLE;
     EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
     return space;
@@ -91,27 +70,25 @@ class MockCaptureInput : public CaptureFixture {
     return state;
   }
   void read_actions() {
-    const XrActiveActionSet active{set, XR_NULL_PATH};
-    const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
-    const XrResult result = xrSyncActions(session, &info);
+    const XrResult result = sync({{set, XR_NULL_PATH}});
     ASSERT_TRUE(XR_SUCCEEDED(result)) << result_name(result);
     given.add(result);
     seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
-    for (const XrPath hand : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
+    for (const XrPath user : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
       seen["pressed"] +=
-          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, hand)
+          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user)
               .currentState == XR_TRUE;
       seen["pulled"] +=
-          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, hand)
+          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user)
               .currentState != 0.0F;
       seen["moved"] +=
-          read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, hand)
+          read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
               .currentState.y != 0.0F;
-      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, hand);
+      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, user);
     }
-    for (const XrPath hand : hands) {
+    for (const XrPath user : hands) {
       XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
-      ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, hand, &state));
+      ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, user, &state));
       const std::string profile = text_of(state.interactionProfile);
       given.bytes += profile;
       ++seen[profile];
@@ -193,10 +170,10 @@ class MockCaptureInput : public CaptureFixture {
                                XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
     create_session();
     make_actions();
-    const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
     const std::vector<XrSpace> spaces{
         make_grip_space(hands[0], identity_pose), make_grip_space(hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
-        make_grip_space(XR_NULL_PATH, identity_pose), make_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
+        make_grip_space(XR_NULL_PATH, identity_pose), create_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
     for (int frames = 0; frames < 40;) {
       poll();
       if (!running) continue;
@@ -298,8 +275,8 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
   ASSERT_XR(XR_SUCCESS, create_instance());
   create_session();
   while (!running) poll();
-  const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL),
-                view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
   std::atomic<bool> stop = false;
   std::array<std::atomic<int>, 2> calls{};
   std::vector<std::thread> threads;
@@ -318,10 +295,8 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
   stop = true;
   for (std::thread& thread : threads) thread.join();
   end();
-  const std::string text = read_file(folder / "capture.json");
-  int located = 0;
-  for (std::size_t at = 0; (at = text.find("[\"located\",", at)) != std::string::npos; ++at) ++located;
-  EXPECT_EQ(located, calls[0] + calls[1]);
+  EXPECT_EQ(occurrences(read_file(folder / "capture.json"), "[\"located\","),
+            static_cast<std::size_t>(calls[0] + calls[1]));
   play(folder / "capture.json");
   EXPECT_XR(XR_SUCCESS, create_instance());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
@@ -354,7 +329,6 @@ class MockCapture11 : public MockNegotiation {
     const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
     XrInstanceCreateInfo info = instance_info(names);
     info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
-    XrInstance instance = XR_NULL_HANDLE;
     const auto create = [](const XrInstanceCreateInfo* of, const ApiLayerCreateInfo*, XrInstance* made) {
       PFN_xrVoidFunction function = nullptr;
       EXPECT_XR(XR_SUCCESS, runtime(XR_NULL_HANDLE, "xrCreateInstance", &function));
@@ -430,7 +404,7 @@ TEST_F(MockCapture11, GivesTheSameAgain) {
   const std::string first = run(true);
   setenv("HRT_MOCK_SCRIPT", (folder / "capture.json").c_str(), 1);
   EXPECT_TRUE(first == run(false));
-  EXPECT_NE(read_file(folder / "capture.json").find("[\"located\",1,1450000000,"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "capture.json"), "[\"located\",1,1450000000,"));
 }
 
 }  // namespace

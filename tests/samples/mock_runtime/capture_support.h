@@ -24,8 +24,9 @@ struct Given {
 };
 
 /// A test that captures an application and plays it back.
-class CaptureFixture : public ::testing::Test {
+class CaptureFixture : public MockRuntime {
  protected:
+  void SetUp() override {}
   void TearDown() override {
     for (const char* name : {"XR_ENABLE_API_LAYERS", "XR_API_LAYER_PATH", "HRT_CAPTURE_FILE",
                              "HRT_MOCK_SCRIPT", "XDG_DATA_HOME", "HRT_CAPTURE_DISABLE"})
@@ -54,21 +55,13 @@ class CaptureFixture : public ::testing::Test {
   }
   void create_session() {
     const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    XrSystemId system = XR_NULL_SYSTEM_ID;
     ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
     XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
     XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
     ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
     given.bytes += properties.systemName;
-    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
-    ASSERT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
+    MockRuntime::create_session();
     running = ended = false;
-  }
-  XrSpace make_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose) {
-    const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, type, pose};
-    XrSpace space = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace(session, &info, &space));
-    return space;
   }
   void poll() {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
@@ -86,10 +79,8 @@ class CaptureFixture : public ::testing::Test {
       given.add(change.state);
       given.add(change.time);
       given.states.push_back(change.state);
-      const XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
-                                     XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
       if (change.state == XR_SESSION_STATE_READY) {
-        ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &begin));
+        focus();
         running = true;
       }
       if (change.state == XR_SESSION_STATE_STOPPING) {
@@ -122,8 +113,6 @@ class CaptureFixture : public ::testing::Test {
   }
 
   TemporaryFolder folder;
-  XrInstance instance = XR_NULL_HANDLE;
-  XrSession session = XR_NULL_HANDLE;
   bool running = false;
   bool ended = false;
   Given given;

@@ -11,8 +11,8 @@ namespace {
 
 class MockCapture : public CaptureFixture {
  protected:
-  XrHandTrackerEXT track(XrHandEXT hand) {
-    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, hand,
+  XrHandTrackerEXT track(XrHandEXT which) {
+    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which,
                                           XR_HAND_JOINT_SET_DEFAULT_EXT};
     XrHandTrackerEXT tracker = XR_NULL_HANDLE;
     EXPECT_XR(XR_SUCCESS, fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")(
@@ -57,9 +57,9 @@ class MockCapture : public CaptureFixture {
     std::vector<XrReferenceSpaceType> types(count);
     EXPECT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, count, &count, types.data()));
     for (const XrReferenceSpaceType type : types) given.add(type);
-    const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-    const XrSpace aside = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0.1F, 1e-30F, -0.3F}});
-    const XrSpace view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    const XrSpace aside = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0.1F, 1e-30F, -0.3F}});
+    const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
     const XrHandTrackerEXT trackers[] = {track(XR_HAND_LEFT_EXT), track(XR_HAND_RIGHT_EXT)};
     for (int frames = 0; frames < 60;) {
       poll();
@@ -132,10 +132,10 @@ TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
   ASSERT_XR(XR_SUCCESS, create_instance());
   create_session();
   while (!running) poll();
-  const XrSpace local = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-  const XrSpace turned = make_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0.6F, 0, 0.8F}, {1, 2, 3}});
-  const XrSpace stage = make_space(XR_REFERENCE_SPACE_TYPE_STAGE);
-  const XrSpace view = make_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrSpace turned = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0.6F, 0, 0.8F}, {1, 2, 3}});
+  const XrSpace stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
   const XrHandTrackerEXT right = track(XR_HAND_RIGHT_EXT);
   frame();
   const XrTime first = frame();
@@ -203,8 +203,8 @@ TEST_F(MockCapture, WhatIsNoCaptureIsRefusedByName) {
     testing::internal::CaptureStderr();
     EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
     const std::string message = testing::internal::GetCapturedStderr();
-    EXPECT_NE(message.find(folder / "broken.json"), std::string::npos) << message;
-    EXPECT_NE(message.find(why), std::string::npos) << message;
+    EXPECT_TRUE(has(message, folder / "broken.json"));
+    EXPECT_TRUE(has(message, why));
   };
   for (const std::size_t size : {whole.size() / 2, whole.size() - 5, std::size_t{100}})
     expect_refused(whole.substr(0, size), "parse error");
@@ -236,7 +236,6 @@ TEST_F(MockCapture, PlaysFaultsOfTheScriptBeside) {
   play(folder / "faults.json");
   ASSERT_XR(XR_SUCCESS, create_instance());
   const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  XrSystemId system = XR_NULL_SYSTEM_ID;
   EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
   EXPECT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
@@ -248,7 +247,7 @@ TEST_F(MockCapture, NeedsAFileThatCanBeWritten) {
   capture_to(folder / "no/such/folder/capture.json");
   testing::internal::CaptureStderr();
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create_instance());
-  EXPECT_NE(testing::internal::GetCapturedStderr().find("no/such/folder"), std::string::npos);
+  EXPECT_TRUE(has(testing::internal::GetCapturedStderr(), "no/such/folder"));
 }
 
 // An implicit layer is found by where its manifest is, and enabled and disabled by its two variables.
@@ -257,7 +256,7 @@ TEST_F(MockCapture, IsImplicitWhereItsManifestIsInstalled) {
   std::filesystem::create_directories(implicit);
   std::string manifest = read_file(HRT_CAPTURE_MANIFESTS "/hrtx_capture.json");
   const std::string beside = "\"../libhrtx_capture.so\"";
-  ASSERT_NE(manifest.find(beside), std::string::npos);
+  ASSERT_TRUE(has(manifest, beside));
   manifest.replace(manifest.find(beside), beside.size(), "\"" HRT_CAPTURE_LIBRARY "\"");
   std::ofstream(implicit / "hrtx_capture.json") << manifest;
   setenv("XDG_DATA_HOME", folder.path.c_str(), 1);

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/text.h"
 
 namespace hrt::mock {
 namespace {
@@ -15,55 +16,30 @@ double distance_m(const XrPosef& a, const XrPosef& b) {
 
 class MockDevices : public MockRuntime {
  protected:
-  void SetUp() override {
-    const std::vector<const char*> more{XR_MND_HEADLESS_EXTENSION_NAME,
-                                        XR_EXT_HAND_TRACKING_EXTENSION_NAME,
-                                        XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME,
-                                        XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
-                                        XR_HRTX_MOCK_CONTROL_EXTENSION_NAME,
-                                        XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME,
-                                        XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME,
-                                        XR_EXT_USER_PRESENCE_EXTENSION_NAME,
-                                        XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,
-                                        XR_KHR_LOCATE_SPACES_EXTENSION_NAME};
-    const XrInstanceCreateInfo info = instance_info(more);
-    ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-    functions.emplace(instance);
-    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
-  }
-
-  void apply(const std::string& script) {
-    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
-  }
-
-  XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr) {
-    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, velocity};
-    EXPECT_XR(XR_SUCCESS, xrLocateSpace(space, base, time, &location));
-    return location;
-  }
+  MockDevices()
+      : MockRuntime({XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                     XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
+                     XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME,
+                     XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME, XR_EXT_USER_PRESENCE_EXTENSION_NAME,
+                     XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_KHR_LOCATE_SPACES_EXTENSION_NAME}) {}
 
   // The joints of the right hand, one second after the session began.
   Hand hand_with(const std::string& keyframe) {
-    apply(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe +
-          "}]}}}");
-    begin_session();
-    const Hand hand =
-        locate_hand(create_hand_tracker(), create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame());
+    begin_with(R"({"hands": {"right": {"path": [{"time_ms": 0, "position_m": [0, -0.4, -0.3])" + keyframe +
+               "}]}}}");
+    const Hand held = locate_hand(hand, local, frame());
     EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
-    return hand;
+    return held;
   }
 };
 
 // By hand: 0.2 m to the right in one second, turning left by 90 degrees; half way it is 0.1 m, and 45
 // degrees.
 TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
-  apply(R"({"head": {"path": [
+  begin_with(R"({"head": {"path": [
     {"time_ms": 0, "position_m": [0, 0, 0]},
     {"time_ms": 1000, "position_m": [0.2, 0, 0], "orientation": [0, 0.70710678, 0, 0.70710678]}]}})");
-  begin_session();
   const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrTime half = 1'500'000'000;  // the session was created at 1 s
   XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
   const XrSpaceLocation location = located(view, local, half, &velocity);
@@ -88,15 +64,12 @@ TEST_F(MockDevices, HeadFollowsItsPathAndTheViewsFollowTheHead) {
 // "XR_SPACE_LOCATION_POSITION_TRACKED_BIT [...] unset when the position is inferred [...] and not currently
 // tracked": a headset that does not know where it is sees hands, but not where they are in the room.
 TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
-  apply(
+  begin_with(
       R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 1000, "position_m": [0, 0, 1]}]},
       "events": [{"frame": 3, "do": "lose_tracking", "of": "head"},
                  {"frame": 6, "do": "regain_tracking", "of": "head"}]})");
-  begin_session();
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL),
-                view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
-  const XrSpace stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
-  const XrHandTrackerEXT tracker = create_hand_tracker();
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW),
+                stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
   constexpr XrSpaceLocationFlags all = 15, guessed = all & ~XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   XrPosef before{};
   for (int number = 1; number <= 7; ++number) {
@@ -110,7 +83,7 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
     EXPECT_TRUE(number != 5 || moved_m == 0.0) << moved_m;
     EXPECT_TRUE(number != 7 || moved_m > 0.01) << moved_m;
     before = head.pose;
-    const Hand in_room = locate_hand(tracker, local, time), in_view = locate_hand(tracker, view, time);
+    const Hand in_room = locate_hand(hand, local, time), in_view = locate_hand(hand, view, time);
     EXPECT_TRUE(in_room.active);
     EXPECT_EQ(in_room.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, lost ? guessed : all) << number;
     EXPECT_EQ(in_view.joints[XR_HAND_JOINT_INDEX_TIP_EXT].locationFlags, all) << number;
@@ -125,33 +98,20 @@ TEST_F(MockDevices, HeadLosesTrackOfTheRoom) {
 
 class MockControllers : public MockDevices {
  protected:
-  void attach(const std::vector<std::pair<const char*, const char*>>& profiles_and_triggers) {
-    XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
-    ASSERT_XR(XR_SUCCESS, xrCreateActionSet(instance, &set_info, &set));
-    XrActionCreateInfo info{
-        XR_TYPE_ACTION_CREATE_INFO, nullptr, "pull", XR_ACTION_TYPE_FLOAT_INPUT, 0, nullptr, "pull"};
-    ASSERT_XR(XR_SUCCESS, xrCreateAction(set, &info, &pull));
-    info = {XR_TYPE_ACTION_CREATE_INFO, nullptr, "aim", XR_ACTION_TYPE_POSE_INPUT, 0, nullptr, "aim"};
-    ASSERT_XR(XR_SUCCESS, xrCreateAction(set, &info, &aim));
-    for (const auto& [profile, trigger] : profiles_and_triggers) {
-      const XrActionSuggestedBinding bindings[] = {{pull, path(trigger)},
-                                                   {aim, path("/user/hand/right/input/aim/pose")}};
-      const XrInteractionProfileSuggestedBinding suggested{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING,
-                                                           nullptr, path(profile), 2, bindings};
-      ASSERT_XR(XR_SUCCESS, xrSuggestInteractionProfileBindings(instance, &suggested));
-    }
+  void attach_to(const std::vector<std::pair<const char*, const char*>>& profiles_and_triggers) {
+    set = make_set("set");
+    pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT);
+    aim = make_action(set, "aim", XR_ACTION_TYPE_POSE_INPUT);
+    for (const auto& [profile, trigger] : profiles_and_triggers)
+      ASSERT_XR(XR_SUCCESS,
+                suggest(profile, {{pull, path(trigger)}, {aim, path("/user/hand/right/input/aim/pose")}}));
     begin_session();
-    const XrSessionActionSetsAttachInfo attached{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
-    ASSERT_XR(XR_SUCCESS, xrAttachSessionActionSets(session, &attached));
+    ASSERT_XR(XR_SUCCESS, attach({set}));
   }
 
   float pulled() {
-    const XrActiveActionSet active{set, XR_NULL_PATH};
-    const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
-    EXPECT_XR(XR_SUCCESS, xrSyncActions(session, &sync));
-    const XrActionStateGetInfo get{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, pull, XR_NULL_PATH};
-    XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
-    EXPECT_XR(XR_SUCCESS, xrGetActionStateFloat(session, &get, &state));
+    EXPECT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+    const XrActionStateFloat state = scalar(pull);
     return state.isActive == XR_TRUE ? state.currentState : -1.0F;
   }
 
@@ -167,11 +127,8 @@ class MockControllers : public MockDevices {
 
   int profile_events() {
     int events = 0;
-    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-    while (xrPollEvent(instance, &event) == XR_SUCCESS) {
-      if (event.type == XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED) ++events;
-      event = {XR_TYPE_EVENT_DATA_BUFFER};
-    }
+    while (next_event<XrEventDataInteractionProfileChanged>(XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED))
+      ++events;
     return events;
   }
 
@@ -185,15 +142,12 @@ TEST_F(MockControllers, ButtonsAndPosesMoveAsTheScriptSays) {
       "path": [{"time_ms": 0, "position_m": [0.1, -0.3, -0.4]}, {"time_ms": 1000, "position_m": [0.1, -0.3, -0.6]}]}},
     "events": [{"frame": 2, "do": "input", "device": "right", "source": "trigger/value", "value": 0.75},
                {"frame": 3, "do": "input", "device": "right", "source": "thumbstick", "value": [0.5, -1]}]})");
-  attach({{"/interaction_profiles/oculus/touch_controller", "/user/hand/right/input/trigger/value"}});
+  attach_to({{"/interaction_profiles/oculus/touch_controller", "/user/hand/right/input/trigger/value"}});
   frame();
   EXPECT_EQ(pulled(), 0.0F);
   frame();
   EXPECT_EQ(pulled(), 0.75F);
-  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, aim, XR_NULL_PATH,
-                                     identity_pose};
-  XrSpace space = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+  const XrSpace space = create_action_space(aim);
   XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
   const auto location = located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1'500'000'000, &velocity);
   EXPECT_NEAR(location.pose.position.z, -0.55F, 1e-6F);  // 5 cm ahead of the grip at -0.5 m
@@ -205,8 +159,8 @@ TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {
     {"frame": 2, "do": "interaction_profile", "device": "right",
      "profile": "/interaction_profiles/valve/index_controller"},
     {"frame": 3, "do": "interaction_profile", "device": "right", "profile": null}]})");
-  attach({{"/interaction_profiles/khr/simple_controller", "/user/hand/right/input/select/click"},
-          {"/interaction_profiles/valve/index_controller", "/user/hand/right/input/trigger/value"}});
+  attach_to({{"/interaction_profiles/khr/simple_controller", "/user/hand/right/input/select/click"},
+             {"/interaction_profiles/valve/index_controller", "/user/hand/right/input/trigger/value"}});
   for (const char* expected :
        {"/interaction_profiles/khr/simple_controller", "/interaction_profiles/valve/index_controller", ""}) {
     frame();
@@ -222,18 +176,18 @@ TEST_F(MockDevices, FingersBendWithTheirBonesAsLongAsEver) {
   for (const char* bent :
        {R"(, "curl": 0)", R"(, "curl": 1)", R"(, "curl": [0.2, 0.4, 0.6, 0.8, 1])", R"(, "pinch": 1)",
         R"(, "pinch": 0.3)", R"(, "curl": [0, 0, 1, 1, 1], "pinch": 1)"}) {
-    const Hand hand = hand_with(bent);
-    ASSERT_TRUE(hand.active);
+    const Hand held = hand_with(bent);
+    ASSERT_TRUE(held.active);
     for (int joint = XR_HAND_JOINT_WRIST_EXT + 1; joint < XR_HAND_JOINT_COUNT_EXT; ++joint) {
       const bool first = joint == XR_HAND_JOINT_THUMB_METACARPAL_EXT || (joint >= 6 && joint % 5 == 1);
       const auto from = static_cast<std::size_t>(first ? XR_HAND_JOINT_WRIST_EXT : joint - 1);
       const auto to = static_cast<std::size_t>(joint);
-      EXPECT_NEAR(distance_m(hand.joints[from].pose, hand.joints[to].pose),
+      EXPECT_NEAR(distance_m(held.joints[from].pose, held.joints[to].pose),
                   distance_m(pointing.joints[from].pose, pointing.joints[to].pose), 1e-6)
           << bent << " joint " << joint;
     }
     // The path is the index tip's, however the hand is bent.
-    EXPECT_NEAR(hand.index_tip().z, -0.3F, 1e-6F) << bent;
+    EXPECT_NEAR(held.index_tip().z, -0.3F, 1e-6F) << bent;
   }
 }
 
@@ -252,9 +206,9 @@ TEST_F(MockDevices, CurledTipsComeToThePalmAndStraightOnesDoNot) {
 TEST_F(MockDevices, PinchBringsThumbAndIndexTipTogether) {
   double last_m = 1.0;
   for (const char* pinch : {"0", "0.25", "0.5", "0.75", "1"}) {
-    const Hand hand = hand_with(std::string(R"(, "pinch": )") + pinch);
-    const double gap_m = distance_m(hand.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose,
-                                    hand.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
+    const Hand held = hand_with(std::string(R"(, "pinch": )") + pinch);
+    const double gap_m = distance_m(held.joints[XR_HAND_JOINT_THUMB_TIP_EXT].pose,
+                                    held.joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose);
     EXPECT_LT(gap_m, last_m) << pinch;
     last_m = gap_m;
   }
@@ -263,15 +217,12 @@ TEST_F(MockDevices, PinchBringsThumbAndIndexTipTogether) {
 
 // The velocities of bending fingers are the rates of change.
 TEST_F(MockDevices, BendingFingersHaveTheirVelocities) {
-  apply(R"({"hands": {"right": {"path": [
+  begin_with(R"({"hands": {"right": {"path": [
     {"time_ms": 0, "position_m": [0, -0.4, -0.3], "curl": 0},
     {"time_ms": 1000, "position_m": [0, -0.4, -0.3], "curl": 1}]}}})");
-  begin_session();
-  const XrHandTrackerEXT tracker = create_hand_tracker();
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   const XrTime time = 1'500'000'000;
-  const Hand before = locate_hand(tracker, local, time - 1'000'000), now = locate_hand(tracker, local, time),
-             after = locate_hand(tracker, local, time + 1'000'000);
+  const Hand before = locate_hand(hand, local, time - 1'000'000), now = locate_hand(hand, local, time),
+             after = locate_hand(hand, local, time + 1'000'000);
   for (const std::size_t joint : {XR_HAND_JOINT_THUMB_TIP_EXT, XR_HAND_JOINT_LITTLE_TIP_EXT}) {
     const float rate = (after.joints[joint].pose.position.y - before.joints[joint].pose.position.y) / 0.002F;
     EXPECT_GT(std::abs(rate), 0.01F);
@@ -282,19 +233,17 @@ TEST_F(MockDevices, BendingFingersHaveTheirVelocities) {
 // XR_EXT_hand_joints_motion_range: around a held controller the fingers differ, and the wrist does not.
 TEST_F(MockDevices, FingersConformToAControllerWhereThereIsOne) {
   for (const bool held : {false, true}) {
-    apply(held ? R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})"
-               : "{}");
-    begin_session();
-    const XrHandTrackerEXT tracker = create_hand_tracker();
-    const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    begin_with(
+        held ? R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})"
+             : "{}");
     const XrTime time = frame();
-    const Hand free = locate_hand(tracker, local, time);
-    const auto conforming = [&](XrHandJointsMotionRangeEXT range, Hand& hand) {
+    const Hand free = locate_hand(hand, local, time);
+    const auto conforming = [&](XrHandJointsMotionRangeEXT range, Hand& in) {
       const XrHandJointsMotionRangeInfoEXT motion{XR_TYPE_HAND_JOINTS_MOTION_RANGE_INFO_EXT, nullptr, range};
       const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, &motion, local, time};
       XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
-                                        XR_HAND_JOINT_COUNT_EXT, hand.joints.data()};
-      return functions->locate_hand_joints(tracker, &info, &locations);
+                                        XR_HAND_JOINT_COUNT_EXT, in.joints.data()};
+      return functions->locate_hand_joints(hand, &info, &locations);
     };
     Hand around;
     ASSERT_XR(XR_SUCCESS, conforming(XR_HAND_JOINTS_MOTION_RANGE_CONFORMING_TO_CONTROLLER_EXT, around));
@@ -309,9 +258,7 @@ TEST_F(MockDevices, FingersConformToAControllerWhereThereIsOne) {
 }
 
 TEST_F(MockDevices, HandsOfASourceAreGivenToTrackersOfThatSource) {
-  apply(R"({"hands": {"right": {"data_source": "controller"}}})");
-  begin_session();
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  begin_with(R"({"hands": {"right": {"data_source": "controller"}}})");
   const auto create = [&](std::vector<XrHandTrackingDataSourceEXT> sources, XrHandTrackerEXT& tracker) {
     const XrHandTrackingDataSourceInfoEXT wanted{XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT, nullptr,
                                                  static_cast<std::uint32_t>(sources.size()), sources.data()};
@@ -341,8 +288,7 @@ TEST_F(MockDevices, HandsOfASourceAreGivenToTrackersOfThatSource) {
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &state, XR_FALSE,
                                     XR_HAND_JOINT_COUNT_EXT, joints.data()};
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, frame()};
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
-            functions->locate_hand_joints(create_hand_tracker(), &info, &locations));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(hand, &info, &locations));
   EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
             create({XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT, XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT},
                    tracker));
@@ -360,17 +306,11 @@ TEST_F(MockDevices, PresenceIsReportedAtTheBeginningAndAtChanges) {
   create_session();
   std::vector<bool> reported;
   const auto read = [&] {
-    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-    while (xrPollEvent(instance, &event) == XR_SUCCESS) {
-      if (event.type == XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT)
-        reported.push_back(reinterpret_cast<const XrEventDataUserPresenceChangedEXT&>(event).isUserPresent ==
-                           XR_TRUE);
-      event = {XR_TYPE_EVENT_DATA_BUFFER};
-    }
+    while (const auto event =
+               next_event<XrEventDataUserPresenceChangedEXT>(XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT))
+      reported.push_back(event->isUserPresent == XR_TRUE);
   };
-  const XrSessionBeginInfo begin{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
-                                 XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-  ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &begin));
+  focus();
   read();
   EXPECT_EQ(reported, std::vector<bool>({true}));
   for (int i = 0; i < 4; ++i) frame();
@@ -395,15 +335,14 @@ TEST_F(MockDevices, PromotedExtensionsServeOpenXR10) {
 // The log: thread, handles and arguments.
 TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
   begin_session();
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
   char handle[32];
   std::snprintf(handle, sizeof handle, "0x%llx", reinterpret_cast<unsigned long long>(local));
   auto log = call_log();
   EXPECT_STREQ(log.back().function, "xrCreateReferenceSpace");
   const std::string arguments = log.back().arguments;
-  EXPECT_NE(arguments.find("{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"),
-            std::string::npos)
-      << arguments;
+  EXPECT_TRUE(
+      has(arguments, "{referenceSpaceType=2, poseInReferenceSpace={orientation={x=0, y=0, z=0, w=1}"));
   EXPECT_TRUE(arguments.ends_with(std::string(", ") + handle + ")")) << arguments;
   EXPECT_GE(log.back().thread, 1U);
   EXPECT_EQ(log.back().thread, log.front().thread);

@@ -1,6 +1,6 @@
 // The error codes of every function, against those that OpenXR's registry lists for it
-// (script/registry_errors.h): each is provoked here, or stands below with the reason why this runtime does
-// not produce it; none is produced that is not listed.
+// (calls/registry_errors.h): each is provoked here, where nothing else of the call is wrong, or stands below
+// with the reason why this runtime does not produce it; none is produced that is not listed.
 #include <cstdlib>
 #include <fstream>
 #include <functional>
@@ -70,13 +70,8 @@ class MockErrors : public MockNegotiation {
     MockNegotiation::TearDown();
   }
 
-  template <typename Function>
-  Function get(const char* name) {
-    PFN_xrVoidFunction function = nullptr;
-    EXPECT_XR(XR_SUCCESS, request.get_instance_proc_addr(instance, name, &function)) << name;
-    return reinterpret_cast<Function>(function);
-  }
-#define CALL(name, ...) note(#name, get<PFN_##name>(#name)(__VA_ARGS__))
+#define CALL(name, ...) note(#name, direct<PFN_##name>(#name)(__VA_ARGS__))
+#define REFUSED(code, name, ...) EXPECT_XR(XR_ERROR_##code, CALL(name, __VA_ARGS__))
   XrResult note(const char* function, XrResult result) {
     if (XR_FAILED(result)) produced[function].insert(result_name(result).substr(9));
     return result;
@@ -90,15 +85,12 @@ class MockErrors : public MockNegotiation {
                                          "XR_KHR_locate_spaces",
                                          "XR_HRTX_ridged_plate",
                                          "XR_HRTX_mock_control"};
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
-    ASSERT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+    ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 0)));
   }
   // A session with all kinds of handles, and the script's faults in its first frame.
   void create_session(const char* script) {
     const std::string all = std::string(R"({"clock": "real-time", "frame_rate_hz": 1000)") + script + "}";
-    ASSERT_XR(XR_SUCCESS, get<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
+    ASSERT_XR(XR_SUCCESS, direct<PFN_xrApplyScriptHRTX>("xrApplyScriptHRTX")(instance, all.c_str()));
     const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
     ASSERT_XR(XR_SUCCESS, CALL(xrCreateSession, instance, &info, &session));
     local = space(XR_REFERENCE_SPACE_TYPE_LOCAL);
@@ -106,11 +98,8 @@ class MockErrors : public MockNegotiation {
                                           XR_HAND_JOINT_SET_DEFAULT_EXT};
     CALL(xrCreateHandTrackerEXT, session, &hand, &tracker);
     const std::string name = "set" + std::to_string(++sets);
-    XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::snprintf(set_info.actionSetName, sizeof set_info.actionSetName, "%s", name.c_str());
-    std::snprintf(set_info.localizedActionSetName, sizeof set_info.localizedActionSetName, "%s",
-                  name.c_str());
-    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &set_info, &set));
+    const XrActionSetCreateInfo of_set = set_info(name.c_str(), name.c_str());
+    ASSERT_XR(XR_SUCCESS, CALL(xrCreateActionSet, instance, &of_set, &set));
     ASSERT_XR(XR_SUCCESS, make_action("act", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &action));
   }
   void begin() {
@@ -128,18 +117,11 @@ class MockErrors : public MockNegotiation {
   }
   XrResult make_action(const char* name, const char* localized, XrActionType type, XrAction* made,
                        std::vector<XrPath> subactions = {}) {
-    XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
-    std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
-    std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", localized);
-    info.actionType = type;
-    info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
-    info.subactionPaths = subactions.data();
+    const XrActionCreateInfo info = action_info(name, localized, type, subactions);
     return CALL(xrCreateAction, set, &info, made);
   }
   XrResult make_set(const char* name, const char* localized) {
-    XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
-    std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
-    std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
+    const XrActionSetCreateInfo info = set_info(name, localized);
     XrActionSet made = XR_NULL_HANDLE;
     return CALL(xrCreateActionSet, instance, &info, &made);
   }
@@ -151,7 +133,8 @@ class MockErrors : public MockNegotiation {
 
   // Calls every function with this handle and zeros; with null handles if `null`.
   void call_all(bool null) {
-#define HRT_CALL(name, implementation, extension, returned) call_zeros(#name, get<PFN_##name>(#name), null);
+#define HRT_CALL(name, implementation, extension, returned) \
+  call_zeros(#name, direct<PFN_##name>(#name), null);
     HRT_MOCK_FUNCTIONS(HRT_CALL)
 #undef HRT_CALL
   }
@@ -179,7 +162,6 @@ class MockErrors : public MockNegotiation {
   TemporaryFolder folder;
   Codes produced;
   int sets = 0;
-  XrInstance instance = XR_NULL_HANDLE;
   XrSession session = XR_NULL_HANDLE;
   XrSpace local = XR_NULL_HANDLE;
   XrHandTrackerEXT tracker = XR_NULL_HANDLE;
@@ -190,26 +172,26 @@ class MockErrors : public MockNegotiation {
 void MockErrors::provoke_at_instance() {
   std::uint32_t count = 0;
   XrExtensionProperties extension{XR_TYPE_EXTENSION_PROPERTIES};
-  CALL(xrEnumerateInstanceExtensionProperties, nullptr, 1, &count, &extension);
-  CALL(xrEnumerateInstanceExtensionProperties, "layer", 0, &count, nullptr);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateInstanceExtensionProperties, nullptr, 1, &count, &extension);
+  REFUSED(API_LAYER_NOT_PRESENT, xrEnumerateInstanceExtensionProperties, "layer", 0, &count, nullptr);
   PFN_xrVoidFunction function = nullptr;
-  CALL(xrGetInstanceProcAddr, instance, "xrDance", &function);
-  CALL(xrGetInstanceProcAddr, XR_NULL_HANDLE, "xrPollEvent", &function);
+  REFUSED(FUNCTION_UNSUPPORTED, xrGetInstanceProcAddr, instance, "xrDance", &function);
+  REFUSED(HANDLE_INVALID, xrGetInstanceProcAddr, XR_NULL_HANDLE, "xrPollEvent", &function);
   XrInstance second = XR_NULL_HANDLE;
-  const auto create = [&](std::vector<const char*> names, XrVersion version, const char* application) {
-    XrInstanceCreateInfo info = instance_info(names);
+  const auto create = [&](XrVersion version, const char* application) {
+    XrInstanceCreateInfo info = instance_info({});
     info.applicationInfo.apiVersion = version;
     std::snprintf(info.applicationInfo.applicationName, XR_MAX_APPLICATION_NAME_SIZE, "%s", application);
-    CALL(xrCreateInstance, &info, &second);
+    return CALL(xrCreateInstance, &info, &second);
   };
-  create({}, XR_MAKE_VERSION(1, 0, 0), "second");
-  create({}, XR_MAKE_VERSION(2, 0, 0), "later");
-  create({}, XR_MAKE_VERSION(1, 0, 0), "");
-  const auto create_first = get<PFN_xrCreateInstance>("xrCreateInstance");
+  EXPECT_XR(XR_ERROR_LIMIT_REACHED, create(XR_MAKE_VERSION(1, 0, 0), "second"));
+  EXPECT_XR(XR_ERROR_API_VERSION_UNSUPPORTED, create(XR_MAKE_VERSION(2, 0, 0), "later"));
+  EXPECT_XR(XR_ERROR_NAME_INVALID, create(XR_MAKE_VERSION(1, 0, 0), ""));
+  const auto create_first = direct<PFN_xrCreateInstance>("xrCreateInstance");
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const std::vector<const char*> unknown{"XR_EXT_dance"}, alone{"XR_EXT_hand_joints_motion_range"};
   XrInstanceCreateInfo info = instance_info(unknown);
-  note("xrCreateInstance", create_first(&info, &second));
+  EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, note("xrCreateInstance", create_first(&info, &second)));
   info = instance_info(alone);
   info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 0);
   note("xrCreateInstance", create_first(&info, &second));
@@ -226,134 +208,134 @@ void MockErrors::provoke_at_instance() {
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   XrSystemGetInfo form{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HANDHELD_DISPLAY};
   XrSystemId system = 0;
-  CALL(xrGetSystem, instance, &form, &system);
+  REFUSED(FORM_FACTOR_UNSUPPORTED, xrGetSystem, instance, &form, &system);
   XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES};
-  CALL(xrGetSystemProperties, instance, none, &properties);
-  CALL(xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
-  CALL(xrEnumerateEnvironmentBlendModes, instance, 1, odd, 0, &count, nullptr);
-  CALL(xrEnumerateViewConfigurations, instance, none, 0, &count, nullptr);
+  REFUSED(SYSTEM_INVALID, xrGetSystemProperties, instance, none, &properties);
+  REFUSED(SYSTEM_INVALID, xrEnumerateEnvironmentBlendModes, instance, none, odd, 0, &count, nullptr);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateEnvironmentBlendModes, instance, 1, odd, 0, &count,
+          nullptr);
+  REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurations, instance, none, 0, &count, nullptr);
   XrViewConfigurationProperties view{XR_TYPE_VIEW_CONFIGURATION_PROPERTIES};
-  CALL(xrGetViewConfigurationProperties, instance, none, odd, &view);
-  CALL(xrGetViewConfigurationProperties, instance, 1, odd, &view);
+  REFUSED(SYSTEM_INVALID, xrGetViewConfigurationProperties, instance, none, odd, &view);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrGetViewConfigurationProperties, instance, 1, odd, &view);
   XrViewConfigurationView one{XR_TYPE_VIEW_CONFIGURATION_VIEW};
-  CALL(xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
-  CALL(xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count, nullptr);
-  CALL(xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1, &count,
-       &one);
+  REFUSED(SYSTEM_INVALID, xrEnumerateViewConfigurationViews, instance, none, odd, 0, &count, nullptr);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrEnumerateViewConfigurationViews, instance, 1, odd, 0, &count,
+          nullptr);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateViewConfigurationViews, instance, 1,
+          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1, &count, &one);
   // Of valid systems and views what is left is the missing count.
-  for (const auto& name : {0, 1}) {
-    std::uint32_t* missing = nullptr;
-    if (name == 0)
-      CALL(xrEnumerateEnvironmentBlendModes, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0,
-           missing, nullptr);
-    if (name == 1)
-      CALL(xrEnumerateViewConfigurationViews, instance, 1, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0,
-           missing, nullptr);
-  }
-  CALL(xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateEnvironmentBlendModes, instance, 1,
+          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurationViews, instance, 1,
+          XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 0, nullptr, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrEnumerateViewConfigurations, instance, 1, 0, nullptr, nullptr);
   XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, none};
   XrSession made = XR_NULL_HANDLE;
-  CALL(xrCreateSession, instance, &session_info, &made);
+  REFUSED(SYSTEM_INVALID, xrCreateSession, instance, &session_info, &made);
   const timespec before{-1, 0};
   timespec back{};
   XrTime time = 0;
-  CALL(xrConvertTimespecTimeToTimeKHR, instance, &before, &time);
-  CALL(xrConvertTimeToTimespecTimeKHR, instance, 0, &back);
+  REFUSED(TIME_INVALID, xrConvertTimespecTimeToTimeKHR, instance, &before, &time);
+  REFUSED(TIME_INVALID, xrConvertTimeToTimespecTimeKHR, instance, 0, &back);
   XrPath atom = XR_NULL_PATH;
-  CALL(xrStringToPath, instance, "no path", &atom);
+  REFUSED(PATH_FORMAT_INVALID, xrStringToPath, instance, "no path", &atom);
   char text[4];
-  CALL(xrPathToString, instance, 12345, 0, &count, nullptr);
-  CALL(xrPathToString, instance, path("/user/hand/left"), 4, &count, text);
-  CALL(xrPathToString, instance, path("/user/hand/left"), 0, nullptr, nullptr);
-  make_set("taken", "Taken");
-  make_set("taken", "Other");
-  make_set("other", "Taken");
-  make_set("", "Other");
-  make_set("other", "");
-  make_set("Other!", "Other");
+  REFUSED(PATH_INVALID, xrPathToString, instance, 12345, 0, &count, nullptr);
+  REFUSED(SIZE_INSUFFICIENT, xrPathToString, instance, path("/user/hand/left"), 4, &count, text);
+  REFUSED(VALIDATION_FAILURE, xrPathToString, instance, path("/user/hand/left"), 0, nullptr, nullptr);
+  EXPECT_XR(XR_SUCCESS, make_set("taken", "Taken"));
+  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, make_set("taken", "Other"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, make_set("other", "Taken"));
+  EXPECT_XR(XR_ERROR_NAME_INVALID, make_set("", "Other"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, make_set("other", ""));
+  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, make_set("Other!", "Other"));
 }
 
 void MockErrors::provoke_in_session() {
   std::uint32_t count = 0;
   const XrSessionCreateInfo again{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
   XrSession second = XR_NULL_HANDLE;
-  CALL(xrCreateSession, instance, &again, &second);
+  REFUSED(LIMIT_REACHED, xrCreateSession, instance, &again, &second);
   const auto odd = static_cast<XrViewConfigurationType>(12345);
   const XrSessionBeginInfo wrong{XR_TYPE_SESSION_BEGIN_INFO, nullptr, odd};
-  CALL(xrBeginSession, session, &wrong);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrBeginSession, session, &wrong);
   XrReferenceSpaceType type{};
-  CALL(xrEnumerateReferenceSpaces, session, 1, &count, &type);
+  REFUSED(SIZE_INSUFFICIENT, xrEnumerateReferenceSpaces, session, 1, &count, &type);
   space(static_cast<XrReferenceSpaceType>(12345));
   const XrReferenceSpaceCreateInfo turned{
       XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, XR_REFERENCE_SPACE_TYPE_LOCAL, {}};
   XrSpace made = XR_NULL_HANDLE;
-  CALL(xrCreateReferenceSpace, session, &turned, &made);
+  REFUSED(POSE_INVALID, xrCreateReferenceSpace, session, &turned, &made);
   XrExtent2Df extent{};
-  CALL(xrGetReferenceSpaceBoundsRect, session, static_cast<XrReferenceSpaceType>(12345), &extent);
+  REFUSED(REFERENCE_SPACE_UNSUPPORTED, xrGetReferenceSpaceBoundsRect, session,
+          static_cast<XrReferenceSpaceType>(12345), &extent);
   XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-  CALL(xrLocateSpace, local, local, 0, &location);
-  CALL(xrLocateSpace, local, local, 1, nullptr);
+  REFUSED(TIME_INVALID, xrLocateSpace, local, local, 0, &location);
+  REFUSED(VALIDATION_FAILURE, xrLocateSpace, local, local, 1, nullptr);
   XrSpaceLocationData data{};
   XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
   const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, local, 0, 1, &local};
-  CALL(xrLocateSpaces, session, &locate, &locations);
-  CALL(xrLocateSpacesKHR, session, &locate, &locations);
+  REFUSED(TIME_INVALID, xrLocateSpaces, session, &locate, &locations);
+  REFUSED(TIME_INVALID, xrLocateSpacesKHR, session, &locate, &locations);
   XrViewState state{XR_TYPE_VIEW_STATE};
   XrView view{XR_TYPE_VIEW};
   XrViewLocateInfo views{XR_TYPE_VIEW_LOCATE_INFO, nullptr, odd, 1, local};
-  CALL(xrLocateViews, session, &views, &state, 0, &count, nullptr);
+  REFUSED(VIEW_CONFIGURATION_TYPE_UNSUPPORTED, xrLocateViews, session, &views, &state, 0, &count, nullptr);
   views.viewConfigurationType = XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO;
-  CALL(xrLocateViews, session, &views, &state, 1, &count, &view);
+  REFUSED(SIZE_INSUFFICIENT, xrLocateViews, session, &views, &state, 1, &count, &view);
   views.displayTime = 0;
-  CALL(xrLocateViews, session, &views, &state, 0, &count, nullptr);
+  REFUSED(TIME_INVALID, xrLocateViews, session, &views, &state, 0, &count, nullptr);
   std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
   XrHandJointLocationsEXT hand{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE, XR_HAND_JOINT_COUNT_EXT,
                                joints.data()};
   const XrHandJointsLocateInfoEXT joint_info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, 0};
-  CALL(xrLocateHandJointsEXT, tracker, &joint_info, &hand);
+  REFUSED(TIME_INVALID, xrLocateHandJointsEXT, tracker, &joint_info, &hand);
   XrSwapchainCreateInfo swapchain_info{XR_TYPE_SWAPCHAIN_CREATE_INFO};
   XrSwapchain swapchain = XR_NULL_HANDLE;
-  CALL(xrCreateSwapchain, session, &swapchain_info, &swapchain);
+  REFUSED(SWAPCHAIN_FORMAT_UNSUPPORTED, xrCreateSwapchain, session, &swapchain_info, &swapchain);
 
   begin();
-  CALL(xrBeginSession, session, nullptr);
+  REFUSED(VALIDATION_FAILURE, xrBeginSession, session, nullptr);
   const XrSessionBeginInfo twice{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
-  CALL(xrBeginSession, session, &twice);
-  CALL(xrEndSession, session);
-  CALL(xrBeginFrame, session, nullptr);
+  REFUSED(SESSION_RUNNING, xrBeginSession, session, &twice);
+  REFUSED(SESSION_NOT_STOPPING, xrEndSession, session);
+  REFUSED(CALL_ORDER_INVALID, xrBeginFrame, session, nullptr);
   XrFrameState frame{XR_TYPE_FRAME_STATE};
   XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
-  CALL(xrEndFrame, session, &end);
+  REFUSED(CALL_ORDER_INVALID, xrEndFrame, session, &end);
   XrFrameBeginInfo odd_frame{XR_TYPE_FRAME_END_INFO};
-  CALL(xrBeginFrame, session, &odd_frame);
+  REFUSED(VALIDATION_FAILURE, xrBeginFrame, session, &odd_frame);
   CALL(xrWaitFrame, session, nullptr, &frame);
   CALL(xrBeginFrame, session, nullptr);
   end.displayTime = 0;
-  CALL(xrEndFrame, session, &end);
+  REFUSED(TIME_INVALID, xrEndFrame, session, &end);
   end.displayTime = 1;
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_ADDITIVE;
-  CALL(xrEndFrame, session, &end);
+  REFUSED(ENVIRONMENT_BLEND_MODE_UNSUPPORTED, xrEndFrame, session, &end);
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   end.layerCount = 1;
-  CALL(xrEndFrame, session, &end);
+  REFUSED(LAYER_INVALID, xrEndFrame, session, &end);
   end.layerCount = 10'000;
-  CALL(xrEndFrame, session, &end);
+  REFUSED(LAYER_LIMIT_EXCEEDED, xrEndFrame, session, &end);
+  end.layerCount = 0;
+  EXPECT_XR(XR_SUCCESS, CALL(xrEndFrame, session, &end)) << "what was refused has not ended the frame";
   CALL(xrRequestExitSession, session);
   CALL(xrEndSession, session);
-  CALL(xrBeginSession, session, &twice);  // EXITING
+  REFUSED(SESSION_NOT_READY, xrBeginSession, session, &twice);  // EXITING
 
   // The plate.
   XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, {}, 0.075};
   XrReachInstructionHRTX instruction{
       XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
-  CALL(xrInstructReachHRTX, session, &instruction);
+  REFUSED(CALL_ORDER_INVALID, xrInstructReachHRTX, session, &instruction);
   XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
-  CALL(xrGetReachTruthHRTX, session, XR_HAND_RIGHT_EXT, &truth);
-  CALL(xrPlacePlateHRTX, session, &placement);
+  REFUSED(CALL_ORDER_INVALID, xrGetReachTruthHRTX, session, XR_HAND_RIGHT_EXT, &truth);
+  REFUSED(POSE_INVALID, xrPlacePlateHRTX, session, &placement);
   double orientation = 0.0;
-  CALL(xrGetPlateOrientationHRTX, session, 0, &orientation);
-  CALL(xrSetPlateOrientationHRTX, session, 1e9);
+  REFUSED(TIME_INVALID, xrGetPlateOrientationHRTX, session, 0, &orientation);
+  REFUSED(VALIDATION_FAILURE, xrSetPlateOrientationHRTX, session, 1e9);
 }
 
 void MockErrors::provoke_actions() {
@@ -361,13 +343,19 @@ void MockErrors::provoke_actions() {
   const XrPath left = path("/user/hand/left"), right = path("/user/hand/right"), chest = path("/user/chest");
   const auto never = static_cast<XrPath>(12345);
   XrAction made = XR_NULL_HANDLE;
-  make_action("act", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  make_action("other", "Act", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  make_action("", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  make_action("other", "", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  make_action("Other!", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  make_action("other", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made, {chest});
-  make_action("other", "Other", XR_ACTION_TYPE_BOOLEAN_INPUT, &made, {never});
+  const auto make = [&](const char* name, const char* localized, const std::vector<XrPath>& subactions = {}) {
+    return make_action(name, localized, XR_ACTION_TYPE_BOOLEAN_INPUT, &made, subactions);
+  };
+  EXPECT_XR(XR_ERROR_NAME_DUPLICATED, make("act", "Other"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_DUPLICATED, make("other", "Act"));
+  EXPECT_XR(XR_ERROR_NAME_INVALID, make("", "Other"));
+  EXPECT_XR(XR_ERROR_LOCALIZED_NAME_INVALID, make("other", ""));
+  EXPECT_XR(XR_ERROR_PATH_FORMAT_INVALID, make("Other!", "Other"));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make("other", "Other", {chest}));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, make("other", "Other", {left, left}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, make("other", "Other", {never}));
+  EXPECT_XR(XR_ERROR_PATH_INVALID, make("other", "Other", {XR_NULL_PATH}));
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, make_action("other", "Other", static_cast<XrActionType>(77), &made));
   XrAction button = XR_NULL_HANDLE, pose = XR_NULL_HANDLE, shake = XR_NULL_HANDLE;
   ASSERT_XR(XR_SUCCESS,
             make_action("button", "Button", XR_ACTION_TYPE_BOOLEAN_INPUT, &button, {left, right}));
@@ -379,86 +367,94 @@ void MockErrors::provoke_actions() {
                                               {button, path("/user/hand/right/input/menu/click")}};
     const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
                                                     profile, 2, bindings};
-    CALL(xrSuggestInteractionProfileBindings, instance, &info);
+    return CALL(xrSuggestInteractionProfileBindings, instance, &info);
   };
   const XrPath simple = path("/interaction_profiles/khr/simple_controller");
   const XrPath select = path("/user/hand/left/input/select/click");
-  suggest(never, select);
-  suggest(chest, select);
-  suggest(simple, select);
+  EXPECT_XR(XR_ERROR_PATH_INVALID, suggest(never, select));
+  EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED, suggest(chest, select));
+  EXPECT_XR(XR_SUCCESS, suggest(simple, select));
 
   XrActionSpaceCreateInfo space_info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, button, XR_NULL_PATH,
                                      identity_pose};
   XrSpace in = XR_NULL_HANDLE;
-  const auto create_space = [&] { CALL(xrCreateActionSpace, session, &space_info, &in); };
-  create_space();
+  REFUSED(ACTION_TYPE_MISMATCH, xrCreateActionSpace, session, &space_info, &in);
   space_info.action = pose;
   space_info.subactionPath = never;
-  create_space();
+  REFUSED(PATH_INVALID, xrCreateActionSpace, session, &space_info, &in);
   space_info.subactionPath = chest;
-  create_space();
+  REFUSED(PATH_UNSUPPORTED, xrCreateActionSpace, session, &space_info, &in);
   space_info.subactionPath = left;
   space_info.poseInActionSpace = {};
-  create_space();
+  REFUSED(POSE_INVALID, xrCreateActionSpace, session, &space_info, &in);
 
   XrActiveActionSet active{set, XR_NULL_PATH};
   const XrActionsSyncInfo sync{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, 1, &active};
-  const auto states = [&](XrAction of, XrPath subaction) {
+  // A mismatch is none for the action's own type.
+  const auto states = [&](XrAction of, XrPath subaction, XrResult refused) {
+    const auto expected = [&](bool own) {
+      return own && refused == XR_ERROR_ACTION_TYPE_MISMATCH ? XR_SUCCESS : refused;
+    };
     const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, of, subaction};
     XrActionStateBoolean boolean{XR_TYPE_ACTION_STATE_BOOLEAN};
-    CALL(xrGetActionStateBoolean, session, &info, &boolean);
+    EXPECT_XR(expected(of == button), CALL(xrGetActionStateBoolean, session, &info, &boolean));
     XrActionStateFloat number{XR_TYPE_ACTION_STATE_FLOAT};
-    CALL(xrGetActionStateFloat, session, &info, &number);
+    EXPECT_XR(refused, CALL(xrGetActionStateFloat, session, &info, &number));
     XrActionStateVector2f vector{XR_TYPE_ACTION_STATE_VECTOR2F};
-    CALL(xrGetActionStateVector2f, session, &info, &vector);
+    EXPECT_XR(refused, CALL(xrGetActionStateVector2f, session, &info, &vector));
     XrActionStatePose posed{XR_TYPE_ACTION_STATE_POSE};
-    CALL(xrGetActionStatePose, session, &info, &posed);
+    EXPECT_XR(expected(of == pose), CALL(xrGetActionStatePose, session, &info, &posed));
     const XrHapticActionInfo haptic{XR_TYPE_HAPTIC_ACTION_INFO, nullptr, of, subaction};
     const XrHapticVibration vibration{XR_TYPE_HAPTIC_VIBRATION, nullptr, 1, 0.0F, 0.5F};
-    CALL(xrApplyHapticFeedback, session, &haptic, reinterpret_cast<const XrHapticBaseHeader*>(&vibration));
-    CALL(xrStopHapticFeedback, session, &haptic);
+    EXPECT_XR(refused, CALL(xrApplyHapticFeedback, session, &haptic,
+                            reinterpret_cast<const XrHapticBaseHeader*>(&vibration)));
+    EXPECT_XR(refused, CALL(xrStopHapticFeedback, session, &haptic));
   };
-  const auto others = [&](XrPath top_level, XrPath source) {
+  const auto others = [&](XrPath top_level, XrResult of_profile, XrPath source, XrResult of_name) {
     XrInteractionProfileState profile{XR_TYPE_INTERACTION_PROFILE_STATE};
-    CALL(xrGetCurrentInteractionProfile, session, top_level, &profile);
+    EXPECT_XR(of_profile, CALL(xrGetCurrentInteractionProfile, session, top_level, &profile));
     const XrInputSourceLocalizedNameGetInfo name{XR_TYPE_INPUT_SOURCE_LOCALIZED_NAME_GET_INFO, nullptr,
                                                  source, 7};
     char text[2];
-    CALL(xrGetInputSourceLocalizedName, session, &name, 2, &count, text);
+    EXPECT_XR(of_name, CALL(xrGetInputSourceLocalizedName, session, &name, 2, &count, text));
     const XrBoundSourcesForActionEnumerateInfo bound{XR_TYPE_BOUND_SOURCES_FOR_ACTION_ENUMERATE_INFO, nullptr,
                                                      button};
     XrPath one = XR_NULL_PATH;
     CALL(xrEnumerateBoundSourcesForAction, session, &bound, 1, &count, &one);
   };
-  CALL(xrSyncActions, session, &sync);  // nothing is attached
-  states(button, XR_NULL_PATH);
-  states(pose, XR_NULL_PATH);
-  others(left, select);
+  REFUSED(ACTIONSET_NOT_ATTACHED, xrSyncActions, session, &sync);  // nothing is attached
+  for (const XrAction of : {button, pose}) states(of, XR_NULL_PATH, XR_ERROR_ACTIONSET_NOT_ATTACHED);
+  others(left, XR_ERROR_ACTIONSET_NOT_ATTACHED, select, XR_ERROR_ACTIONSET_NOT_ATTACHED);
   const XrSessionActionSetsAttachInfo attach{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr, 1, &set};
   ASSERT_XR(XR_SUCCESS, CALL(xrAttachSessionActionSets, session, &attach));
-  CALL(xrAttachSessionActionSets, session, &attach);
-  make_action("late", "Late", XR_ACTION_TYPE_BOOLEAN_INPUT, &made);
-  suggest(simple, select);
+  REFUSED(ACTIONSETS_ALREADY_ATTACHED, xrAttachSessionActionSets, session, &attach);
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, make("late", "Late"));
+  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, suggest(simple, select));
   active.subactionPath = never;
-  CALL(xrSyncActions, session, &sync);
+  REFUSED(PATH_INVALID, xrSyncActions, session, &sync);
   active.subactionPath = chest;
-  CALL(xrSyncActions, session, &sync);
-  for (const XrAction of : {button, pose})
-    for (const XrPath subaction : {XrPath{XR_NULL_PATH}, never, chest}) states(of, subaction);
+  REFUSED(PATH_UNSUPPORTED, xrSyncActions, session, &sync);
+  for (const XrAction of : {button, pose}) {
+    states(of, XR_NULL_PATH, XR_ERROR_ACTION_TYPE_MISMATCH);
+    states(of, never, XR_ERROR_PATH_INVALID);
+    states(of, chest, XR_ERROR_PATH_UNSUPPORTED);
+  }
   begin();
   for (const XrPath hand : {left, right}) CALL(xrSetInputDeviceActiveEXT, session, simple, hand, XR_TRUE);
   active.subactionPath = XR_NULL_PATH;
   CALL(xrSyncActions, session, &sync);
-  for (const XrPath top_level : {never, chest, left})
-    for (const XrPath source : {never, chest, select}) others(top_level, source);
-  for (const XrPath bad : {never, chest}) {
-    CALL(xrSetInputDeviceActiveEXT, session, simple, bad, XR_TRUE);
-    CALL(xrSetInputDeviceStateBoolEXT, session, left, bad, XR_TRUE);
-    CALL(xrSetInputDeviceStateFloatEXT, session, left, bad, 1.0F);
-    CALL(xrSetInputDeviceStateVector2fEXT, session, left, bad, {});
-    CALL(xrSetInputDeviceLocationEXT, session, left, bad, local, identity_pose);
+  others(left, XR_SUCCESS, select, XR_ERROR_SIZE_INSUFFICIENT);
+  for (const auto& [bad, code] :
+       {std::pair{never, XR_ERROR_PATH_INVALID}, {chest, XR_ERROR_PATH_UNSUPPORTED}}) {
+    others(bad, code, bad, code);
+    EXPECT_XR(code, CALL(xrSetInputDeviceActiveEXT, session, simple, bad, XR_TRUE));
+    EXPECT_XR(code, CALL(xrSetInputDeviceStateBoolEXT, session, left, bad, XR_TRUE));
+    EXPECT_XR(code, CALL(xrSetInputDeviceStateFloatEXT, session, left, bad, 1.0F));
+    EXPECT_XR(code, CALL(xrSetInputDeviceStateVector2fEXT, session, left, bad, {}));
+    EXPECT_XR(code, CALL(xrSetInputDeviceLocationEXT, session, left, bad, local, identity_pose));
   }
-  CALL(xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"), local, {});
+  REFUSED(POSE_INVALID, xrSetInputDeviceLocationEXT, session, left, path("/user/hand/left/input/grip/pose"),
+          local, {});
 }
 
 TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
@@ -482,12 +478,12 @@ TEST_F(MockErrors, AreThoseOfTheRegistryAndNoOthers) {
     call_all(false);
     destroy_session();
   }
-  const auto no_headless = get<PFN_xrCreateInstance>("xrCreateInstance");
+  const auto no_headless = direct<PFN_xrCreateInstance>("xrCreateInstance");
   ASSERT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
   const XrInstanceCreateInfo info = instance_info({});
   ASSERT_XR(XR_SUCCESS, no_headless(&info, &instance));
   const XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
-  CALL(xrCreateSession, instance, &create, &session);
+  REFUSED(GRAPHICS_DEVICE_INVALID, xrCreateSession, instance, &create, &session);
   EXPECT_XR(XR_SUCCESS, CALL(xrDestroyInstance, instance));
 
   const auto words = [](std::string_view text) {

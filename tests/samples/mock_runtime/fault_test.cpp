@@ -12,9 +12,6 @@ namespace {
 
 class MockScope : public MockRuntime {
  protected:
-  void apply(const char* script) {
-    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script)) << call_log().back().reason;
-  }
   XrResult poll() {
     XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
     return xrPollEvent(instance, &event);

@@ -1,11 +1,10 @@
 // Every function with handles that are none and with null pointers; scripts with random mistakes.
 #include <algorithm>
-#include <fstream>
 #include <random>
-#include <sstream>
 
 #include "samples/mock_runtime/extensions.h"
 #include "tests/samples/mock_runtime/negotiation.h"
+#include "tests/samples/process.h"
 
 namespace hrt::mock {
 namespace {
@@ -21,13 +20,10 @@ class MockHostile : public MockNegotiation {
     std::vector<const char*> names;
     for (std::size_t i = first_extension; i < extensions.size(); ++i)
       if (i != static_cast<std::size_t>(Extension::timespec)) names.push_back(extensions[i].name);
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
-    ASSERT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+    ASSERT_XR(XR_SUCCESS, create_direct(names, XR_MAKE_VERSION(1, 1, 41)));
   }
   void TearDown() override {
-    EXPECT_XR(XR_SUCCESS, fetch_direct<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance));
+    destroy_direct();
     MockNegotiation::TearDown();
   }
 
@@ -61,8 +57,6 @@ class MockHostile : public MockNegotiation {
 
   template <typename First, typename... Rest>
   static First first_of(XrResult(XRAPI_PTR*)(First, Rest...));
-
-  XrInstance instance = XR_NULL_HANDLE;
 };
 
 // "XR_ERROR_HANDLE_INVALID": null, foreign and future handles, before anything else is looked at.
@@ -93,10 +87,7 @@ TEST_F(MockHostile, EveryFunctionOfAnInstanceRefusesNullPointers) {
 class MockBrokenScript : public MockRuntime {};
 
 std::string readme_script() {
-  std::ifstream file(HRT_MOCK_README);
-  std::stringstream text;
-  text << file.rdbuf();
-  const std::string readme = text.str();
+  const std::string readme = read_file(HRT_MOCK_README);
   const std::size_t begin = readme.find("```json\n") + 8;
   std::string script = readme.substr(begin, readme.find("```", begin) - begin);
   // Without the calls: some wait in real time.

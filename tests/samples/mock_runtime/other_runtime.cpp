@@ -71,6 +71,17 @@ std::uint32_t hash(std::uint64_t x) {
   return static_cast<std::uint32_t>(x * 0xc4ceb9fe1a85ec53ULL >> 32U);
 }
 
+// What an application's calls do here if they do nothing, and if they only make something.
+template <typename... Arguments>
+XrResult succeed(Arguments...) {
+  return XR_SUCCESS;
+}
+template <typename Parent, typename Info, typename Handle>
+XrResult make(Parent, const Info*, Handle* made) {
+  *made = reinterpret_cast<Handle>(++the.handles);
+  return XR_SUCCESS;
+}
+
 XrResult enumerate_extensions(const char*, std::uint32_t capacity, std::uint32_t* count,
                               XrExtensionProperties* properties) {
   const char* names[] = {XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
@@ -83,9 +94,6 @@ XrResult enumerate_extensions(const char*, std::uint32_t capacity, std::uint32_t
 
 XrResult create_instance(const XrInstanceCreateInfo*, XrInstance* instance) {
   *instance = reinterpret_cast<XrInstance>(std::uint64_t{3});
-  return XR_SUCCESS;
-}
-XrResult destroy_instance(XrInstance) {
   return XR_SUCCESS;
 }
 XrResult get_instance_properties(XrInstance, XrInstanceProperties* properties) {
@@ -145,9 +153,6 @@ XrResult create_session(XrInstance, const XrSessionCreateInfo*, XrSession* sessi
   *session = the_session();
   the.state = the.asked = XR_SESSION_STATE_UNKNOWN;
   the.polls = the.frames = 0;
-  return XR_SUCCESS;
-}
-XrResult destroy_session(XrSession) {
   return XR_SUCCESS;
 }
 XrResult begin_session(XrSession, const XrSessionBeginInfo*) {
@@ -264,19 +269,10 @@ XrResult wait_frame(XrSession, const XrFrameWaitInfo*, XrFrameState* state) {
   state->shouldRender = the.frames % 2 == 0 ? XR_TRUE : XR_FALSE;
   return XR_SUCCESS;
 }
-XrResult begin_frame(XrSession, const XrFrameBeginInfo*) {
-  return XR_SUCCESS;
-}
-XrResult end_frame(XrSession, const XrFrameEndInfo*) {
-  return XR_SUCCESS;
-}
 
 XrResult create_hand_tracker(XrSession, const XrHandTrackerCreateInfoEXT* info, XrHandTrackerEXT* tracker) {
   the.trackers[++the.handles] = info->hand;
   *tracker = reinterpret_cast<XrHandTrackerEXT>(the.handles);
-  return XR_SUCCESS;
-}
-XrResult destroy_hand_tracker(XrHandTrackerEXT) {
   return XR_SUCCESS;
 }
 
@@ -334,20 +330,6 @@ XrResult path_to_string(XrInstance, XrPath path, std::uint32_t capacity, std::ui
   return XR_SUCCESS;
 }
 
-XrResult create_action_set(XrInstance, const XrActionSetCreateInfo*, XrActionSet* set) {
-  *set = reinterpret_cast<XrActionSet>(++the.handles);
-  return XR_SUCCESS;
-}
-XrResult create_action(XrActionSet, const XrActionCreateInfo*, XrAction* action) {
-  *action = reinterpret_cast<XrAction>(++the.handles);
-  return XR_SUCCESS;
-}
-XrResult suggest_bindings(XrInstance, const XrInteractionProfileSuggestedBinding*) {
-  return XR_SUCCESS;
-}
-XrResult attach_action_sets(XrSession, const XrSessionActionSetsAttachInfo*) {
-  return XR_SUCCESS;
-}
 XrResult create_action_space(XrSession, const XrActionSpaceCreateInfo* info, XrSpace* space) {
   the.action_spaces[++the.handles] = *info;
   *space = reinterpret_cast<XrSpace>(the.handles);
@@ -399,16 +381,18 @@ XrResult get_profile(XrSession, XrPath, XrInteractionProfileState* state) {
 XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction* function) {
   static const std::map<std::string, PFN_xrVoidFunction> functions{
 #define HRT_FUNCTION(name, implementation) {#name, reinterpret_cast<PFN_xrVoidFunction>(&implementation)}
+#define HRT_TEMPLATE(name, implementation) \
+  {#name, reinterpret_cast<PFN_xrVoidFunction>(static_cast<PFN_##name>(&implementation))}
       HRT_FUNCTION(xrGetInstanceProcAddr, get_instance_proc_addr),
       HRT_FUNCTION(xrEnumerateInstanceExtensionProperties, enumerate_extensions),
       HRT_FUNCTION(xrCreateInstance, create_instance),
-      HRT_FUNCTION(xrDestroyInstance, destroy_instance),
+      HRT_TEMPLATE(xrDestroyInstance, succeed),
       HRT_FUNCTION(xrGetInstanceProperties, get_instance_properties),
       HRT_FUNCTION(xrGetSystem, get_system),
       HRT_FUNCTION(xrGetSystemProperties, get_system_properties),
       HRT_FUNCTION(xrPollEvent, poll_event),
       HRT_FUNCTION(xrCreateSession, create_session),
-      HRT_FUNCTION(xrDestroySession, destroy_session),
+      HRT_TEMPLATE(xrDestroySession, succeed),
       HRT_FUNCTION(xrBeginSession, begin_session),
       HRT_FUNCTION(xrEndSession, end_session),
       HRT_FUNCTION(xrRequestExitSession, request_exit_session),
@@ -422,10 +406,10 @@ XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction
       HRT_FUNCTION(xrConvertTimeToTimespecTimeKHR, to_timespec),
       HRT_FUNCTION(xrStringToPath, string_to_path),
       HRT_FUNCTION(xrPathToString, path_to_string),
-      HRT_FUNCTION(xrCreateActionSet, create_action_set),
-      HRT_FUNCTION(xrCreateAction, create_action),
-      HRT_FUNCTION(xrSuggestInteractionProfileBindings, suggest_bindings),
-      HRT_FUNCTION(xrAttachSessionActionSets, attach_action_sets),
+      HRT_TEMPLATE(xrCreateActionSet, make),
+      HRT_TEMPLATE(xrCreateAction, make),
+      HRT_TEMPLATE(xrSuggestInteractionProfileBindings, succeed),
+      HRT_TEMPLATE(xrAttachSessionActionSets, succeed),
       HRT_FUNCTION(xrCreateActionSpace, create_action_space),
       HRT_FUNCTION(xrSyncActions, sync_actions),
       HRT_FUNCTION(xrGetActionStateBoolean, get_boolean),
@@ -435,12 +419,13 @@ XrResult get_instance_proc_addr(XrInstance, const char* name, PFN_xrVoidFunction
       HRT_FUNCTION(xrGetCurrentInteractionProfile, get_profile),
       HRT_FUNCTION(xrLocateViews, locate_views),
       HRT_FUNCTION(xrWaitFrame, wait_frame),
-      HRT_FUNCTION(xrBeginFrame, begin_frame),
-      HRT_FUNCTION(xrEndFrame, end_frame),
+      HRT_TEMPLATE(xrBeginFrame, succeed),
+      HRT_TEMPLATE(xrEndFrame, succeed),
       HRT_FUNCTION(xrCreateHandTrackerEXT, create_hand_tracker),
-      HRT_FUNCTION(xrDestroyHandTrackerEXT, destroy_hand_tracker),
+      HRT_TEMPLATE(xrDestroyHandTrackerEXT, succeed),
       HRT_FUNCTION(xrLocateHandJointsEXT, locate_hand_joints),
 #undef HRT_FUNCTION
+#undef HRT_TEMPLATE
   };
   const auto found = functions.find(name);
   *function = found == functions.end() ? nullptr : found->second;

@@ -8,29 +8,15 @@ namespace {
 class MockRecenter : public MockRuntime {
  protected:
   void begin_with(const char* script) {
-    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script)) << call_log().back().reason;
-    begin_session();
-    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+    MockRuntime::begin_with(script);
     stage = create_space(XR_REFERENCE_SPACE_TYPE_STAGE);
   }
-
-  std::optional<XrEventDataReferenceSpaceChangePending> next_change() {
-    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-    while (xrPollEvent(instance, &event) == XR_SUCCESS) {
-      if (event.type == XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING)
-        return reinterpret_cast<const XrEventDataReferenceSpaceChangePending&>(event);
-      event = {XR_TYPE_EVENT_DATA_BUFFER};
-    }
-    return std::nullopt;
+  auto next_change() {
+    return next_event<XrEventDataReferenceSpaceChangePending>(
+        XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING);
   }
+  XrPosef place(XrSpace space, XrSpace base, XrTime time) { return located(space, base, time).pose; }
 
-  XrPosef located(XrSpace space, XrSpace base, XrTime time) {
-    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-    EXPECT_XR(XR_SUCCESS, xrLocateSpace(space, base, time, &location));
-    return location.pose;
-  }
-
-  XrSpace local = XR_NULL_HANDLE;
   XrSpace stage = XR_NULL_HANDLE;
 };
 
@@ -55,10 +41,9 @@ TEST_F(MockRecenter, LocalMovesFromTheChangeTimeOnAndTheRoomDoesNot) {
 
   const XrTime after = change->changeTime;
   for (const XrTime early : {before, second, after - 1})
-    EXPECT_NEAR(located(local, stage, early).position.z, 0.0F, 1e-6F);
-  EXPECT_NEAR(located(local, stage, after).position.z, -0.5F, 1e-6F);
-  EXPECT_NEAR(located(local, stage, after).position.y, 1.2F, 1e-6F);
-  const XrHandTrackerEXT hand = create_hand_tracker();
+    EXPECT_NEAR(place(local, stage, early).position.z, 0.0F, 1e-6F);
+  EXPECT_NEAR(place(local, stage, after).position.z, -0.5F, 1e-6F);
+  EXPECT_NEAR(place(local, stage, after).position.y, 1.2F, 1e-6F);
   EXPECT_NEAR(locate_hand(hand, stage, after).index_tip().z, -0.75F, 1e-6F);
   const Hand in_local = locate_hand(hand, local, after);
   EXPECT_NEAR(in_local.index_tip().x, 0.25F, 1e-6F);
@@ -75,7 +60,7 @@ TEST_F(MockRecenter, StageMovesAndThePoseMayBeWithheld) {
   EXPECT_EQ(change->referenceSpaceType, XR_REFERENCE_SPACE_TYPE_STAGE);
   EXPECT_EQ(change->poseValid, static_cast<XrBool32>(XR_FALSE));
   EXPECT_FLOAT_EQ(change->poseInPreviousSpace.orientation.w, 1.0F);
-  EXPECT_NEAR(located(local, stage, time).position.x, -1.0F, 1e-6F);
+  EXPECT_NEAR(place(local, stage, time).position.x, -1.0F, 1e-6F);
 }
 
 // The second is relative to the first.
@@ -83,7 +68,7 @@ TEST_F(MockRecenter, RecentringsAddUp) {
   begin_with(R"({"events": [{"frame": 1, "do": "recenter", "yaw_deg": 90},
                             {"frame": 2, "do": "recenter", "position_m": [0, 0, -1]}]})");
   frame();
-  const XrPosef pose = located(local, stage, frame());
+  const XrPosef pose = place(local, stage, frame());
   EXPECT_NEAR(pose.position.x, -1.0F, 1e-6F);
   EXPECT_NEAR(pose.position.z, 0.0F, 1e-6F);
 }

@@ -14,27 +14,10 @@ namespace {
 
 class MockScript : public MockRuntime {
  protected:
-  void begin_with(const char* script) {
-    ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script));
-    begin_session();
-    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-    hand = create_hand_tracker();
+  void begin_reach(double goal_deg = 5.0) {
+    place_plate(local);
+    instruct(goal_deg);
   }
-
-  void instruct(double goal_deg = 5.0) {
-    const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, identity_pose, 0.075};
-    ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
-    const XrReachInstructionHRTX instruction{
-        XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, goal_deg, 0.1};
-    ASSERT_XR(XR_SUCCESS, functions->instruct_reach(session, &instruction));
-  }
-
-  XrReachTruthHRTX truth() {
-    XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
-    EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
-    return truth;
-  }
-
   XrTime frame_time() {
     XrFrameState state{XR_TYPE_FRAME_STATE, nullptr, 99};
     EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
@@ -48,9 +31,6 @@ class MockScript : public MockRuntime {
     if (XR_SUCCEEDED(waited)) xrBeginFrame(session, nullptr);
     return waited;
   }
-
-  XrSpace local = XR_NULL_HANDLE;
-  XrHandTrackerEXT hand = XR_NULL_HANDLE;
 };
 
 // What is wrong, and what is allowed, is the reason in the call log; nothing of a bad script takes effect.
@@ -132,7 +112,7 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
   };
   for (const auto& [script, why] : cases) {
     EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->apply_script(instance, script)) << script;
-    EXPECT_NE(std::string(call_log().back().reason).find(why), std::string::npos) << call_log().back().reason;
+    EXPECT_TRUE(has(std::string(call_log().back().reason), why)) << call_log().back().reason;
   }
   create_session();
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, functions->apply_script(instance, "{}"));
@@ -188,7 +168,7 @@ TEST_F(MockScript, SeveralFunctionsFailOnOrderIndependently) {
 TEST_F(MockScript, TrackingIsLostAndRegainedAtItsFrames) {
   begin_with(R"({"events": [{"frame": 3, "do": "lose_tracking", "hand": "right"},
                             {"frame": 5, "do": "regain_tracking", "hand": "right"}]})");
-  instruct();
+  begin_reach();
   for (int number = 1; number <= 6; ++number) {
     const XrTime time = frame();
     EXPECT_EQ(locate_hand(hand, local, time).active, number < 3 || number >= 5) << number;
@@ -199,7 +179,7 @@ TEST_F(MockScript, FrozenHandStandsStillAndThenCatchesUp) {
   begin_with(
       R"({"events": [{"frame": 3, "do": "freeze", "hand": "right"}, {"frame": 6, "do": "unfreeze", "hand": "right"}],
           "participants": [{"steering": "steps"}]})");
-  instruct();
+  begin_reach();
   std::vector<XrVector3f> tips;
   for (int number = 1; number <= 7; ++number) tips.push_back(locate_hand(hand, local, frame()).index_tip());
   EXPECT_EQ(std::memcmp(&tips[2], &tips[4], sizeof(XrVector3f)), 0);
@@ -287,10 +267,9 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
   const std::vector<std::pair<const char*, XrSpaceVelocityFlags>> cases{
       {"none", 0}, {"zero", 3}, {"linear", XR_SPACE_VELOCITY_LINEAR_VALID_BIT}, {"full", 3}};
   for (const auto& [kind, flags] : cases) {
-    begin_with((std::string(R"({"participants": [{"steering": "steps"}], "tracker": {"velocities": ")") +
-                kind + R"("}})")
-                   .c_str());
-    instruct();
+    begin_with(std::string(R"({"participants": [{"steering": "steps"}], "tracker": {"velocities": ")") +
+               kind + R"("}})");
+    begin_reach();
     const Hand located = locate_hand(hand, local, frame());
     const XrHandJointVelocityEXT& tip = located.velocities[XR_HAND_JOINT_INDEX_TIP_EXT];
     const bool moves = std::strcmp(kind, "linear") == 0 || std::strcmp(kind, "full") == 0;
@@ -304,7 +283,7 @@ TEST_F(MockScript, VelocitiesAreAsTheScriptSays) {
 // Velocities are the derivatives of the locations.
 TEST_F(MockScript, FullVelocitiesAreTheRatesOfChange) {
   begin_with(R"({"participants": [{"reaction_ms": 0}]})");
-  instruct();
+  begin_reach();
   ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 500'000'000));
   const XrTime time = frame();
   constexpr XrDuration step = 1'000'000;
@@ -362,7 +341,7 @@ TEST_F(MockScript, ServoTurnsAtItsSpeedAfterItsLatency) {
 TEST_F(MockScript, TrackerSamplesAtItsRateAfterItsLatency) {
   begin_with(R"({"participants": [{"steering": "steps"}], "tracker": {"latency_ms": 50, "rate_hz": 40}})");
   ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 0));
-  instruct();
+  begin_reach();
   const XrTime start = 1'000'000'000;
   const auto travelled_mm = [&](XrDuration after_ms) {
     return -1000.0 *
@@ -399,7 +378,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
     begin_with(script);
     std::vector<double> directions;
     for (int reach = 0; reach < 3; ++reach) {
-      instruct(-5.0);
+      begin_reach(-5.0);
       EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
       EXPECT_TRUE(truth().isDone);
       directions.push_back(truth().trueDirection);
@@ -424,7 +403,7 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
 TEST_F(MockScript, SeedDrawsTheParticipant) {
   begin_with(R"({"participants": [{"tactile_weight": [0.1, 0.3]}, {"tactile_weight": 0.25}]})");
   const auto weight = [&] {
-    instruct();
+    begin_reach();
     return truth().tactileWeight;
   };
   constexpr int seeds = 500;
@@ -445,7 +424,7 @@ TEST_F(MockScript, SeedDrawsTheParticipant) {
 // Half of the people of each of two kinds; what one key sets leaves the other draws as they are.
 TEST_F(MockScript, SeedDrawsEachPartApart) {
   const auto duration = [&] {
-    instruct();
+    begin_reach();
     XrDuration taken = 0;
     for (; !truth().isDone; taken += 10'000'000)
       EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 10'000'000));
@@ -480,7 +459,7 @@ TEST_F(MockScript, SeedDrawsEachPartApart) {
 TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   begin_with("{}");
   const auto final_direction = [&] {
-    instruct();
+    begin_reach();
     EXPECT_XR(XR_SUCCESS, functions->advance_time(instance, 6'000'000'000));
     return truth().trueDirection;
   };
@@ -524,8 +503,7 @@ TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
 TEST_F(MockScript, HandWithAPathIsTracked) {
   const std::string path = R"("path": [{"time_ms": 0, "position_m": [-0.1, -0.4, -0.3]}])";
   for (const bool hidden : {false, true}) {
-    begin_with((R"({"hands": {"left": {)" + std::string(hidden ? R"("tracked": false, )" : "") + path + "}}}")
-                   .c_str());
+    begin_with(R"({"hands": {"left": {)" + std::string(hidden ? R"("tracked": false, )" : "") + path + "}}}");
     const XrHandTrackerEXT left = create_hand_tracker(XR_HAND_LEFT_EXT);
     const Hand seen = locate_hand(left, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame());
     EXPECT_EQ(seen.active, !hidden);
@@ -569,8 +547,7 @@ TEST_F(MockEnvironment, ScriptOfTheEnvironmentAppliesFromTheFirstCall) {
   XrSystemId system = XR_NULL_SYSTEM_ID;
   EXPECT_XR(XR_ERROR_FORM_FACTOR_UNAVAILABLE, xrGetSystem(instance, &get, &system));
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-  EXPECT_NE(read_log().find(") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"),
-            std::string::npos);
+  EXPECT_TRUE(has(read_log(), ") XR_ERROR_FORM_FACTOR_UNAVAILABLE: the script orders this error\n"));
 }
 
 std::vector<std::string> enumerated_extensions() {
@@ -660,7 +637,7 @@ TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
   write_script(R"({"colour": "green"})");
   EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, create());
-  EXPECT_NE(read_log().find("script.colour is not known"), std::string::npos);
+  EXPECT_TRUE(has(read_log(), "script.colour is not known"));
 }
 
 }  // namespace

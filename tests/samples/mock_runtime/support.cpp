@@ -43,6 +43,25 @@ XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions) {
   return info;
 }
 
+XrActionSetCreateInfo set_info(const char* name, const char* localized, std::uint32_t priority) {
+  XrActionSetCreateInfo info{XR_TYPE_ACTION_SET_CREATE_INFO};
+  std::snprintf(info.actionSetName, sizeof info.actionSetName, "%s", name);
+  std::snprintf(info.localizedActionSetName, sizeof info.localizedActionSetName, "%s", localized);
+  info.priority = priority;
+  return info;
+}
+
+XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
+                               const std::vector<XrPath>& subactions) {
+  XrActionCreateInfo info{XR_TYPE_ACTION_CREATE_INFO};
+  std::snprintf(info.actionName, sizeof info.actionName, "%s", name);
+  std::snprintf(info.localizedActionName, sizeof info.localizedActionName, "%s", localized);
+  info.actionType = type;
+  info.countSubactionPaths = static_cast<std::uint32_t>(subactions.size());
+  info.subactionPaths = subactions.data();
+  return info;
+}
+
 const std::vector<const char*>& default_extensions() {
   static const std::vector<const char*> names{
       XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
@@ -51,31 +70,11 @@ const std::vector<const char*>& default_extensions() {
   return names;
 }
 
-Functions::Functions(XrInstance instance)
-    : create_hand_tracker(fetch<PFN_xrCreateHandTrackerEXT>(instance, "xrCreateHandTrackerEXT")),
-      destroy_hand_tracker(fetch<PFN_xrDestroyHandTrackerEXT>(instance, "xrDestroyHandTrackerEXT")),
-      locate_hand_joints(fetch<PFN_xrLocateHandJointsEXT>(instance, "xrLocateHandJointsEXT")),
-      set_device_active(fetch<PFN_xrSetInputDeviceActiveEXT>(instance, "xrSetInputDeviceActiveEXT")),
-      set_device_bool(fetch<PFN_xrSetInputDeviceStateBoolEXT>(instance, "xrSetInputDeviceStateBoolEXT")),
-      set_device_float(fetch<PFN_xrSetInputDeviceStateFloatEXT>(instance, "xrSetInputDeviceStateFloatEXT")),
-      set_device_vector(
-          fetch<PFN_xrSetInputDeviceStateVector2fEXT>(instance, "xrSetInputDeviceStateVector2fEXT")),
-      set_device_location(fetch<PFN_xrSetInputDeviceLocationEXT>(instance, "xrSetInputDeviceLocationEXT")),
-      apply_script(fetch<PFN_xrApplyScriptHRTX>(instance, "xrApplyScriptHRTX")),
-      advance_time(fetch<PFN_xrAdvanceTimeHRTX>(instance, "xrAdvanceTimeHRTX")),
-      get_call_log(fetch<PFN_xrGetCallLogHRTX>(instance, "xrGetCallLogHRTX")),
-      place_plate(fetch<PFN_xrPlacePlateHRTX>(instance, "xrPlacePlateHRTX")),
-      set_seed(fetch<PFN_xrSetSimulationSeedHRTX>(instance, "xrSetSimulationSeedHRTX")),
-      set_plate_orientation(fetch<PFN_xrSetPlateOrientationHRTX>(instance, "xrSetPlateOrientationHRTX")),
-      get_plate_orientation(fetch<PFN_xrGetPlateOrientationHRTX>(instance, "xrGetPlateOrientationHRTX")),
-      instruct_reach(fetch<PFN_xrInstructReachHRTX>(instance, "xrInstructReachHRTX")),
-      get_reach_truth(fetch<PFN_xrGetReachTruthHRTX>(instance, "xrGetReachTruthHRTX")) {}
-
 void MockRuntime::SetUp() {
   ASSERT_TRUE(runtime_is_chosen);
-  const XrInstanceCreateInfo info = instance_info(default_extensions());
+  const XrInstanceCreateInfo info = instance_info(extensions_);
   ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
-  functions.emplace(instance);
+  functions.emplace(Functions{instance});
   const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
   ASSERT_XR(XR_SUCCESS, xrGetSystem(instance, &get, &system));
 }
@@ -91,22 +90,32 @@ void MockRuntime::create_session() {
   ASSERT_XR(XR_SUCCESS, xrCreateSession(instance, &info, &session));
 }
 
-void MockRuntime::begin_session() {
-  create_session();
+void MockRuntime::focus() {
   const XrSessionBeginInfo info{XR_TYPE_SESSION_BEGIN_INFO, nullptr,
                                 XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO};
   ASSERT_XR(XR_SUCCESS, xrBeginSession(session, &info));
+}
+
+void MockRuntime::begin_session() {
+  create_session();
+  focus();
   all_states();
 }
 
+void MockRuntime::apply(const std::string& script) {
+  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, script.c_str())) << call_log().back().reason;
+}
+
+void MockRuntime::begin_with(const std::string& script) {
+  apply(script);
+  begin_session();
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  hand = create_hand_tracker();
+}
+
 std::optional<XrSessionState> MockRuntime::next_state() {
-  XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
-  while (xrPollEvent(instance, &event) == XR_SUCCESS) {
-    if (event.type == XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED)
-      return reinterpret_cast<const XrEventDataSessionStateChanged&>(event).state;
-    event = {XR_TYPE_EVENT_DATA_BUFFER};
-  }
-  return std::nullopt;
+  const auto event = next_event<XrEventDataSessionStateChanged>(XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED);
+  return event ? std::optional(event->state) : std::nullopt;
 }
 
 std::vector<XrSessionState> MockRuntime::all_states() {
@@ -134,8 +143,8 @@ std::vector<XrCallRecordHRTX> MockRuntime::call_log() {
   }
 }
 
-XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT hand) {
-  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, hand,
+XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT which) {
+  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, which,
                                         XR_HAND_JOINT_SET_DEFAULT_EXT};
   XrHandTrackerEXT tracker = XR_NULL_HANDLE;
   EXPECT_XR(XR_SUCCESS, functions->create_hand_tracker(session, &info, &tracker));
@@ -143,18 +152,18 @@ XrHandTrackerEXT MockRuntime::create_hand_tracker(XrHandEXT hand) {
 }
 
 MockRuntime::Hand MockRuntime::locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time) {
-  Hand hand;
+  Hand found;
   // Newer validation layers refuse outputs whose flags are zero before the call.
-  for (XrHandJointVelocityEXT& velocity : hand.velocities)
+  for (XrHandJointVelocityEXT& velocity : found.velocities)
     velocity.velocityFlags = XR_SPACE_VELOCITY_LINEAR_VALID_BIT;
   XrHandJointVelocitiesEXT velocities{XR_TYPE_HAND_JOINT_VELOCITIES_EXT, nullptr, XR_HAND_JOINT_COUNT_EXT,
-                                      hand.velocities.data()};
+                                      found.velocities.data()};
   XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &velocities, XR_FALSE,
-                                    XR_HAND_JOINT_COUNT_EXT, hand.joints.data()};
+                                    XR_HAND_JOINT_COUNT_EXT, found.joints.data()};
   const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, space, time};
   EXPECT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
-  hand.active = locations.isActive == XR_TRUE;
-  return hand;
+  found.active = locations.isActive == XR_TRUE;
+  return found;
 }
 
 XrSpace MockRuntime::create_space(XrReferenceSpaceType type, const XrPosef& pose) {
@@ -162,6 +171,85 @@ XrSpace MockRuntime::create_space(XrReferenceSpaceType type, const XrPosef& pose
   XrSpace space = XR_NULL_HANDLE;
   EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace(session, &info, &space));
   return space;
+}
+
+XrSpaceLocation MockRuntime::located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity) {
+  XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, velocity};
+  EXPECT_XR(XR_SUCCESS, xrLocateSpace(space, base, time, &location));
+  return location;
+}
+
+XrActionSet MockRuntime::make_set(const char* name, std::uint32_t priority) {
+  const XrActionSetCreateInfo info = set_info(name, name, priority);
+  XrActionSet made = XR_NULL_HANDLE;
+  EXPECT_XR(XR_SUCCESS, xrCreateActionSet(instance, &info, &made));
+  return made;
+}
+
+XrAction MockRuntime::make_action(XrActionSet in, const char* name, XrActionType type,
+                                  const std::vector<XrPath>& subactions) {
+  const XrActionCreateInfo info = action_info(name, name, type, subactions);
+  XrAction made = XR_NULL_HANDLE;
+  EXPECT_XR(XR_SUCCESS, xrCreateAction(in, &info, &made));
+  return made;
+}
+
+XrResult MockRuntime::suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings) {
+  const XrInteractionProfileSuggestedBinding info{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
+                                                  path(profile), static_cast<std::uint32_t>(bindings.size()),
+                                                  bindings.data()};
+  return xrSuggestInteractionProfileBindings(instance, &info);
+}
+
+XrResult MockRuntime::attach(const std::vector<XrActionSet>& sets) {
+  const XrSessionActionSetsAttachInfo info{XR_TYPE_SESSION_ACTION_SETS_ATTACH_INFO, nullptr,
+                                           static_cast<std::uint32_t>(sets.size()), sets.data()};
+  return xrAttachSessionActionSets(session, &info);
+}
+
+XrResult MockRuntime::sync(const std::vector<XrActiveActionSet>& sets) {
+  const XrActionsSyncInfo info{XR_TYPE_ACTIONS_SYNC_INFO, nullptr, static_cast<std::uint32_t>(sets.size()),
+                               sets.data()};
+  return xrSyncActions(session, &info);
+}
+
+XrSpace MockRuntime::create_action_space(XrAction action, XrPath subaction) {
+  const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, action, subaction,
+                                     identity_pose};
+  XrSpace space = XR_NULL_HANDLE;
+  EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+  return space;
+}
+
+XrActionStateBoolean MockRuntime::boolean(XrAction action, XrPath subaction) {
+  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
+  XrActionStateBoolean state{XR_TYPE_ACTION_STATE_BOOLEAN};
+  EXPECT_XR(XR_SUCCESS, xrGetActionStateBoolean(session, &info, &state));
+  return state;
+}
+
+XrActionStateFloat MockRuntime::scalar(XrAction action) {
+  const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, XR_NULL_PATH};
+  XrActionStateFloat state{XR_TYPE_ACTION_STATE_FLOAT};
+  EXPECT_XR(XR_SUCCESS, xrGetActionStateFloat(session, &info, &state));
+  return state;
+}
+
+void MockRuntime::place_plate(XrSpace in) {
+  const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, in, identity_pose, 0.075};
+  ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+}
+
+void MockRuntime::instruct(double goal_deg, const XrVector3f& start, double length_m) {
+  const XrReachInstructionHRTX instruction{
+      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, start, goal_deg, length_m};
+  ASSERT_XR(XR_SUCCESS, functions->instruct_reach(session, &instruction));
+}
+
+XrReachTruthHRTX MockRuntime::truth() {
+  XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
+  EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+  return truth;
 }
 
 XrTime MockRuntime::frame() {

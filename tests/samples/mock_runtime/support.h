@@ -38,42 +38,63 @@ Function fetch(XrInstance instance, const char* name) {
 /// The info of an instance with these extensions. Valid as long as `extensions` is.
 XrInstanceCreateInfo instance_info(const std::vector<const char*>& extensions);
 
+XrActionSetCreateInfo set_info(const char* name, const char* localized, std::uint32_t priority = 0);
+/// Valid as long as `subactions` is.
+XrActionCreateInfo action_info(const char* name, const char* localized, XrActionType type,
+                               const std::vector<XrPath>& subactions = {});
+
 /// The extensions that the runtime has under the manual clock.
 const std::vector<const char*>& default_extensions();
 
 /// The functions that the loader does not export.
 struct Functions {
-  explicit Functions(XrInstance instance);
+  XrInstance instance;
 
-  PFN_xrCreateHandTrackerEXT create_hand_tracker;
-  PFN_xrDestroyHandTrackerEXT destroy_hand_tracker;
-  PFN_xrLocateHandJointsEXT locate_hand_joints;
-  PFN_xrSetInputDeviceActiveEXT set_device_active;
-  PFN_xrSetInputDeviceStateBoolEXT set_device_bool;
-  PFN_xrSetInputDeviceStateFloatEXT set_device_float;
-  PFN_xrSetInputDeviceStateVector2fEXT set_device_vector;
-  PFN_xrSetInputDeviceLocationEXT set_device_location;
-  PFN_xrApplyScriptHRTX apply_script;
-  PFN_xrAdvanceTimeHRTX advance_time;
-  PFN_xrGetCallLogHRTX get_call_log;
-  PFN_xrPlacePlateHRTX place_plate;
-  PFN_xrSetSimulationSeedHRTX set_seed;
-  PFN_xrSetPlateOrientationHRTX set_plate_orientation;
-  PFN_xrGetPlateOrientationHRTX get_plate_orientation;
-  PFN_xrInstructReachHRTX instruct_reach;
-  PFN_xrGetReachTruthHRTX get_reach_truth;
+#define HRT_FUNCTION(name, function) PFN_##function name = fetch<PFN_##function>(instance, #function)
+  HRT_FUNCTION(create_hand_tracker, xrCreateHandTrackerEXT);
+  HRT_FUNCTION(destroy_hand_tracker, xrDestroyHandTrackerEXT);
+  HRT_FUNCTION(locate_hand_joints, xrLocateHandJointsEXT);
+  HRT_FUNCTION(set_device_active, xrSetInputDeviceActiveEXT);
+  HRT_FUNCTION(set_device_bool, xrSetInputDeviceStateBoolEXT);
+  HRT_FUNCTION(set_device_float, xrSetInputDeviceStateFloatEXT);
+  HRT_FUNCTION(set_device_vector, xrSetInputDeviceStateVector2fEXT);
+  HRT_FUNCTION(set_device_location, xrSetInputDeviceLocationEXT);
+  HRT_FUNCTION(apply_script, xrApplyScriptHRTX);
+  HRT_FUNCTION(advance_time, xrAdvanceTimeHRTX);
+  HRT_FUNCTION(get_call_log, xrGetCallLogHRTX);
+  HRT_FUNCTION(place_plate, xrPlacePlateHRTX);
+  HRT_FUNCTION(set_seed, xrSetSimulationSeedHRTX);
+  HRT_FUNCTION(set_plate_orientation, xrSetPlateOrientationHRTX);
+  HRT_FUNCTION(get_plate_orientation, xrGetPlateOrientationHRTX);
+  HRT_FUNCTION(instruct_reach, xrInstructReachHRTX);
+  HRT_FUNCTION(get_reach_truth, xrGetReachTruthHRTX);
+#undef HRT_FUNCTION
 };
 
 /// A test with an instance of all extensions, and on request a session of it.
 class MockRuntime : public ::testing::Test {
  protected:
+  explicit MockRuntime(std::vector<const char*> enabled = default_extensions())
+      : extensions_(std::move(enabled)) {}
   void SetUp() override;
   void TearDown() override;
 
   void create_session();
-  /// create_session(), xrBeginSession, and every event so far read.
+  void focus();
+  /// create_session(), focus(), and every event so far read.
   void begin_session();
+  void apply(const std::string& script);
+  /// apply(), begin_session(), `local` and `hand`.
+  void begin_with(const std::string& script);
 
+  /// The next event of this type; those before it are gone.
+  template <typename Event>
+  std::optional<Event> next_event(XrStructureType type) {
+    XrEventDataBuffer event{XR_TYPE_EVENT_DATA_BUFFER};
+    for (; xrPollEvent(instance, &event) == XR_SUCCESS; event = {XR_TYPE_EVENT_DATA_BUFFER})
+      if (event.type == type) return reinterpret_cast<const Event&>(event);
+    return std::nullopt;
+  }
   /// The next reported session state, or nothing.
   std::optional<XrSessionState> next_state();
   std::vector<XrSessionState> all_states();
@@ -88,17 +109,39 @@ class MockRuntime : public ::testing::Test {
     std::array<XrHandJointVelocityEXT, XR_HAND_JOINT_COUNT_EXT> velocities{};
     const XrVector3f& index_tip() const { return joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position; }
   };
-  XrHandTrackerEXT create_hand_tracker(XrHandEXT hand = XR_HAND_RIGHT_EXT);
+  XrHandTrackerEXT create_hand_tracker(XrHandEXT which = XR_HAND_RIGHT_EXT);
   Hand locate_hand(XrHandTrackerEXT tracker, XrSpace space, XrTime time);
 
   XrSpace create_space(XrReferenceSpaceType type, const XrPosef& pose = identity_pose);
+  XrSpaceLocation located(XrSpace space, XrSpace base, XrTime time, XrSpaceVelocity* velocity = nullptr);
+
+  XrActionSet make_set(const char* name, std::uint32_t priority = 0);
+  XrAction make_action(XrActionSet in, const char* name, XrActionType type,
+                       const std::vector<XrPath>& subactions = {});
+  XrResult suggest(const char* profile, const std::vector<XrActionSuggestedBinding>& bindings);
+  XrResult attach(const std::vector<XrActionSet>& sets);
+  XrResult sync(const std::vector<XrActiveActionSet>& sets);
+  XrSpace create_action_space(XrAction action, XrPath subaction = XR_NULL_PATH);
+  XrActionStateBoolean boolean(XrAction action, XrPath subaction = XR_NULL_PATH);
+  XrActionStateFloat scalar(XrAction action);
+
+  /// A plate of 75 mm with its centre at the origin of `in`.
+  void place_plate(XrSpace in);
+  void instruct(double goal_deg = 5.0, const XrVector3f& start = {}, double length_m = 0.1);
+  XrReachTruthHRTX truth();
+
   /// One frame of the loop. Returns the predicted display time.
   XrTime frame();
 
   XrInstance instance = XR_NULL_HANDLE;
   XrSystemId system = XR_NULL_SYSTEM_ID;
   XrSession session = XR_NULL_HANDLE;
+  XrSpace local = XR_NULL_HANDLE;
+  XrHandTrackerEXT hand = XR_NULL_HANDLE;
   std::optional<Functions> functions;
+
+ private:
+  std::vector<const char*> extensions_;
 };
 
 }  // namespace hrt::mock

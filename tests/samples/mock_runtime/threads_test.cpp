@@ -55,8 +55,7 @@ TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsDestroyed) {
 
 TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsLost) {
   ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
-  ASSERT_XR(XR_SUCCESS,
-            functions->apply_script(instance, R"({"events": [{"time_ms": 50, "do": "lose_session"}]})"));
+  apply(R"({"events": [{"time_ms": 50, "do": "lose_session"}]})");
   begin_session();
   auto waiting = blocked_wait();
   ASSERT_XR(XR_SUCCESS, functions->advance_time(instance, 50'000'000));
@@ -64,10 +63,9 @@ TEST_F(MockThreads, BlockedWaitFrameReturnsWhenTheSessionIsLost) {
 }
 
 TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
-  const XrSpace local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-  const XrHandTrackerEXT tracker = create_hand_tracker();
-  const XrPlatePlacementHRTX placement{XR_TYPE_PLATE_PLACEMENT_HRTX, nullptr, local, identity_pose, 0.075};
-  ASSERT_XR(XR_SUCCESS, functions->place_plate(session, &placement));
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  hand = create_hand_tracker();
+  place_plate(local);
   std::atomic<bool> stop = false;
   std::atomic<int> failures = 0;
   const auto check = [&](XrResult result) { failures += XR_FAILED(result) ? 1 : 0; };
@@ -83,7 +81,7 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
                                       XR_HAND_JOINT_COUNT_EXT, joints.data()};
     const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local,
                                          1'000'000'000 + i};
-    check(functions->locate_hand_joints(tracker, &info, &locations));
+    check(functions->locate_hand_joints(hand, &info, &locations));
   }));
   threads.push_back(repeat([&](int) {
     const XrReferenceSpaceCreateInfo info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
@@ -99,10 +97,8 @@ TEST_F(MockThreads, CallsFromManyThreadsDoNotDisturbEachOther) {
     check(xrPollEvent(instance, &event));
   }));
   threads.push_back(repeat([&](int i) { check(functions->set_plate_orientation(session, i % 90)); }));
-  const XrReachInstructionHRTX instruction{
-      XR_TYPE_REACH_INSTRUCTION_HRTX, nullptr, XR_HAND_RIGHT_EXT, {}, 5.0, 0.1};
   for (int i = 0; i < 200; ++i) {
-    if (i % 50 == 0) check(functions->instruct_reach(session, &instruction));
+    if (i % 50 == 0) instruct();
     frame();
   }
   stop = true;

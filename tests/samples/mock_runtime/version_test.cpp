@@ -15,11 +15,7 @@ class MockVersion11 : public MockNegotiation {
   void SetUp() override {
     MockNegotiation::SetUp();
     ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-    const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
-    ASSERT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance));
+    ASSERT_XR(XR_SUCCESS, create_direct({XR_MND_HEADLESS_EXTENSION_NAME}, XR_MAKE_VERSION(1, 1, 41)));
     const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
     XrSystemId system = XR_NULL_SYSTEM_ID;
     ASSERT_XR(XR_SUCCESS, direct<PFN_xrGetSystem>("xrGetSystem")(instance, &get, &system));
@@ -29,13 +25,8 @@ class MockVersion11 : public MockNegotiation {
     ASSERT_NE(locate_spaces, nullptr);
   }
   void TearDown() override {
-    EXPECT_XR(XR_SUCCESS, direct<PFN_xrDestroyInstance>("xrDestroyInstance")(instance));
+    destroy_direct();
     MockNegotiation::TearDown();
-  }
-
-  template <typename Function>
-  Function direct(const char* name) {
-    return fetch_direct<Function>(instance, name);
   }
 
   XrSpace space(XrReferenceSpaceType type, const XrVector3f& at = {}) {
@@ -47,7 +38,6 @@ class MockVersion11 : public MockNegotiation {
     return made;
   }
 
-  XrInstance instance = XR_NULL_HANDLE;
   XrSession session = XR_NULL_HANDLE;
   PFN_xrLocateSpaces locate_spaces = nullptr;
 };
@@ -117,27 +107,7 @@ TEST_F(MockVersion11, CountsTimesAndHandlesThatAreWrongAreRefused) {
 // "Interaction Profile Paths": each profile that 1.1 adds, with sources that distinguish it, and those of
 // which the profiles of 1.0 have more in 1.1.
 TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
-  const auto to_path = direct<PFN_xrStringToPath>("xrStringToPath");
-  const auto path = [&](const std::string& text) {
-    XrPath made = XR_NULL_PATH;
-    EXPECT_XR(XR_SUCCESS, to_path(instance, text.c_str(), &made));
-    return made;
-  };
-  const XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
-  XrActionSet set = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateActionSet>("xrCreateActionSet")(instance, &set_info, &set));
-  const XrActionCreateInfo action_info{
-      XR_TYPE_ACTION_CREATE_INFO, nullptr, "any", XR_ACTION_TYPE_FLOAT_INPUT, 0, nullptr, "any"};
-  XrAction any = XR_NULL_HANDLE;
-  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateAction>("xrCreateAction")(set, &action_info, &any));
-  const auto suggest = [&](const std::string& profile, const std::string& source) {
-    const XrActionSuggestedBinding binding{any, path(source)};
-    const XrInteractionProfileSuggestedBinding suggested{XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING,
-                                                         nullptr, path("/interaction_profiles/" + profile), 1,
-                                                         &binding};
-    return direct<PFN_xrSuggestInteractionProfileBindings>("xrSuggestInteractionProfileBindings")(instance,
-                                                                                                  &suggested);
-  };
+  const XrAction any = only_action(XR_ACTION_TYPE_FLOAT_INPUT);
   const std::vector<std::pair<const char*, std::vector<const char*>>> profiles{
       {"oculus/touch_controller", {"left/input/trigger/proximity", "right/input/grip_surface/pose"}},
       {"valve/index_controller", {"left/input/grip_surface/pose"}},
@@ -159,17 +129,17 @@ TEST_F(MockVersion11, PromotedProfilesHaveTheirSources) {
       {"samsung/odyssey_controller", {"left/input/squeeze/click", "right/input/trackpad/touch"}}};
   for (const auto& [profile, sources] : profiles)
     for (const std::string source : sources)
-      EXPECT_XR(XR_SUCCESS, suggest(profile, "/user/hand/" + source)) << profile << ' ' << source;
+      EXPECT_XR(XR_SUCCESS, suggest(any, profile, "/user/hand/" + source)) << profile << ' ' << source;
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest("bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
+            suggest(any, "bytedance/pico4_controller", "/user/hand/right/input/menu/click"));
   for (const char* absent : {"input/thumbstick/touch", "input/squeeze/value", "output/haptic"})
     EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-              suggest("bytedance/pico_g3_controller", std::string("/user/hand/left/") + absent))
+              suggest(any, "bytedance/pico_g3_controller", std::string("/user/hand/left/") + absent))
         << absent;
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest("meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
+            suggest(any, "meta/touch_plus_controller", "/user/hand/left/input/stylus/force"));
   EXPECT_XR(XR_ERROR_PATH_UNSUPPORTED,
-            suggest("meta/touch_controller_quest_1_rift_s", "/user/hand/left/input/thumbrest/touch"));
+            suggest(any, "meta/touch_controller_quest_1_rift_s", "/user/hand/left/input/thumbrest/touch"));
 }
 
 // Of an application for 1.0.
@@ -180,37 +150,8 @@ class MockPromoted : public MockNegotiation {
     ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
   }
   XrResult create(const std::vector<const char*>& names, XrVersion version = XR_MAKE_VERSION(1, 0, 0)) {
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = version;
-    return fetch_direct<PFN_xrCreateInstance>(XR_NULL_HANDLE, "xrCreateInstance")(&info, &instance);
+    return create_direct(names, version);
   }
-  void destroy() {
-    EXPECT_XR(XR_SUCCESS, fetch_direct<PFN_xrDestroyInstance>(instance, "xrDestroyInstance")(instance));
-  }
-  XrPath path(const char* text) {
-    XrPath made = XR_NULL_PATH;
-    EXPECT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrStringToPath>(instance, "xrStringToPath")(instance, text, &made));
-    return made;
-  }
-  XrResult suggest(const char* source) {
-    const XrActionSetCreateInfo set_info{XR_TYPE_ACTION_SET_CREATE_INFO, nullptr, "set", "set", 0};
-    XrActionSet set = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateActionSet>(instance, "xrCreateActionSet")(instance, &set_info, &set));
-    const XrActionCreateInfo action_info{
-        XR_TYPE_ACTION_CREATE_INFO, nullptr, "palm", XR_ACTION_TYPE_POSE_INPUT, 0, nullptr, "palm"};
-    XrAction palm = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS,
-              fetch_direct<PFN_xrCreateAction>(instance, "xrCreateAction")(set, &action_info, &palm));
-    const XrActionSuggestedBinding binding{palm, path(source)};
-    const XrInteractionProfileSuggestedBinding suggested{
-        XR_TYPE_INTERACTION_PROFILE_SUGGESTED_BINDING, nullptr,
-        path("/interaction_profiles/khr/simple_controller"), 1, &binding};
-    return fetch_direct<PFN_xrSuggestInteractionProfileBindings>(
-        instance, "xrSuggestInteractionProfileBindings")(instance, &suggested);
-  }
-  XrInstance instance = XR_NULL_HANDLE;
 };
 
 // XR_EXT_palm_pose: "/user/hand/left/input/palm_ext/pose", "only usable if the extension is enabled".
@@ -220,8 +161,9 @@ TEST_F(MockPromoted, PalmPoseIsThereWithItsExtension) {
     if (enabled) names.push_back("XR_EXT_palm_pose");
     ASSERT_XR(XR_SUCCESS, create(names));
     EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
-              suggest("/user/hand/left/input/palm_ext/pose"));
-    destroy();
+              suggest(only_action(XR_ACTION_TYPE_POSE_INPUT), "khr/simple_controller",
+                      "/user/hand/left/input/palm_ext/pose"));
+    destroy_direct();
   }
 }
 
@@ -239,7 +181,7 @@ TEST_F(MockPromoted, MissingDependenciesHaveAnErrorOfTheirOwn) {
   EXPECT_STREQ(name, "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED");
   ASSERT_XR(XR_SUCCESS, to_string(instance, static_cast<XrResult>(-1000710000), name));
   EXPECT_STREQ(name, "XR_ERROR_PERMISSION_INSUFFICIENT");
-  destroy();
+  destroy_direct();
 }
 
 // Each extension that OpenXR 1.1 promotes can be withheld.
@@ -249,7 +191,7 @@ TEST_F(MockPromoted, CanBeWithheld) {
        {"XR_EXT_local_floor", "XR_KHR_locate_spaces", "XR_KHR_maintenance1", "XR_EXT_palm_pose"}) {
     std::ofstream(folder / "script.json") << R"({"withhold_extensions": [")" << name << "\"]}";
     EXPECT_XR(XR_SUCCESS, create({name.c_str()}));
-    destroy();
+    destroy_direct();
     setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
     ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
     EXPECT_XR(XR_ERROR_EXTENSION_NOT_PRESENT, create({name.c_str()})) << name;

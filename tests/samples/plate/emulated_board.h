@@ -36,13 +36,16 @@ class EmulatedBoard {
   void run_for(std::chrono::nanoseconds time);
   void run_until(std::chrono::nanoseconds time);
 
-  /// Bytes for the board, which get there at the line's speed.
+  /// Bytes for the board, which get there at the line's speed, whatever the time.
+  void hear(std::string_view bytes, std::chrono::nanoseconds) { send(bytes); }
   void send(std::string_view bytes) { to_board_.append(bytes); }
+  /// Its bytes, too, come at the line's speed.
+  static std::chrono::nanoseconds byte_time() { return {}; }
+  static std::chrono::nanoseconds answers_after(std::size_t) { return {}; }
   /// A line of protocol 2 with this body.
   void say(std::string_view body);
   /// True if bytes are on their way to the board.
   bool is_sending() const { return !to_board_.empty(); }
-  bool has_output() const { return !output_.empty(); }
   /// What the board sent since the last call.
   std::string take_output();
   /// The bodies of the valid lines that ended since then.

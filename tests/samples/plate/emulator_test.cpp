@@ -11,6 +11,7 @@
 #include "tests/samples/plate/damage.h"
 #include "tests/samples/plate/emulated_board.h"
 #include "tests/samples/plate/emulated_servo.h"
+#include "tests/samples/text.h"
 
 namespace hrt::plate {
 namespace {
@@ -347,7 +348,7 @@ TEST_F(Firmware, SpeaksVersionOne) {
   board_.run_for(50ms);
   board_.send("HELLO 1*53\n");
   board_.run_for(10ms);
-  EXPECT_NE(board_.take_output().find("PLATE 1 -90.00 90.00 300.00*"), std::string::npos);
+  EXPECT_TRUE(has(board_.take_output(), "PLATE 1 -90.00 90.00 300.00*"));
   for (int i = 0; i < 20; ++i) {
     board_.send(i == 0 ? "SET -34.25*61\n" : "BEAT*12\n");
     board_.run_for(50ms);

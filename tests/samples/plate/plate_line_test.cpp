@@ -132,27 +132,20 @@ TEST(PlateMessage, OfVersionTwoIsNothingElse) {
     EXPECT_FALSE(second(body)) << body;
 }
 
-TEST(PlateMessage, HasLimitsAndSpeed) {
-  const auto message = first("PLATE 1 -90.00 85.5 400");
-  ASSERT_TRUE(message);
-  const auto greeting = std::get<PlateGreeting>(*message);
+TEST(PlateMessage, OfVersionOne) {
+  const auto greeting = std::get<PlateGreeting>(*first("PLATE 1 -90.00 85.5 400"));
   EXPECT_EQ(greeting.min_deg, -90.0);
   EXPECT_EQ(greeting.max_deg, 85.5);
   EXPECT_EQ(greeting.speed_deg_s, 400.0);
-}
-
-TEST(PlateMessage, HasThePlatesOrientation) {
   EXPECT_EQ(std::get<PlateReport>(*first("AT -12.5")).orientation_deg, -12.5);
+  const std::pair<const char*, StopReason> stops[] = {{"STOPPED host", StopReason::host},
+                                                      {"STOPPED heartbeat", StopReason::heartbeat},
+                                                      {"STOPPED limit", StopReason::limit},
+                                                      {"STOPPED fault", StopReason::fault}};
+  for (const auto& [body, reason] : stops) EXPECT_EQ(std::get<PlateStopped>(*first(body)).reason, reason);
 }
 
-TEST(PlateMessage, HasTheReasonOfAStop) {
-  EXPECT_EQ(std::get<PlateStopped>(*first("STOPPED host")).reason, StopReason::host);
-  EXPECT_EQ(std::get<PlateStopped>(*first("STOPPED heartbeat")).reason, StopReason::heartbeat);
-  EXPECT_EQ(std::get<PlateStopped>(*first("STOPPED limit")).reason, StopReason::limit);
-  EXPECT_EQ(std::get<PlateStopped>(*first("STOPPED fault")).reason, StopReason::fault);
-}
-
-TEST(PlateMessage, IsNothingElse) {
+TEST(PlateMessage, OfVersionOneIsNothingElse) {
   for (const char* body : {"",
                            " ",
                            "AT",

@@ -4,22 +4,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <thread>
 
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/plate/emulated_servo.h"
-#include "tests/samples/plate/pty_board.h"
 #include "tests/samples/reach/program.h"
 
 namespace hrt::plate {
 namespace {
 
-const std::string desk = HRT_SCENES "/desk.gltf";
+using reach::desk;
+
 const std::string real_time = R"({"clock": "real-time", )" + reach::calm + "}";
 
-double max_turn_deg(PtyBoard& board) {
+// The board with a servo, as its potentiometer reports it.
+struct BoardWithServo : EmulatedBoard {
+  BoardWithServo() : EmulatedBoard(eeprom_with_feedback()) {}
+  EmulatedServo servo{*this};
+};
+
+template <class Board>
+double max_turn_deg(PtyDevice<Board>& board) {
   double turn_deg = 0.0;
-  for (const Pulse& pulse : board.pulses())
+  for (const Pulse& pulse : board.with(&EmulatedBoard::pulses))
     turn_deg = std::max(turn_deg, std::abs(pulse.width_us() - 1500.0) * 180.0 / 2000.0);
   return turn_deg;
 }
@@ -32,17 +39,16 @@ double planned(const std::string& recording, const std::string& name) {
   return std::stod(recording.substr(at + name.size() + 3, 30));
 }
 
-// The plate is felt where the servo is that follows the pulses, as its potentiometer reports it.
+// The plate is felt where the servo is that follows the pulses.
 TEST(ReachWithFirmware, ReachesTheTarget) {
-  std::optional<EmulatedServo> servo;
-  PtyBoard board([&](EmulatedBoard& emulated) { servo.emplace(emulated); }, eeprom_with_feedback());
+  PtyDevice<BoardWithServo> board;
   const std::string recording = reach::scratch_folder() + "/reach.csv";
   const Outcome outcome = reach::run_scripted(
       real_time, {desk, "--target", "goblet", "--plate", "serial:" + board.device(), "--record", recording});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
-  EXPECT_NE(outcome.out.find("protocol 2, firmware 1.0.0"), std::string::npos) << outcome.out;
-  EXPECT_NE(outcome.out.find("orientation measured"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "protocol 2, firmware 1.0.0"));
+  EXPECT_TRUE(has(outcome.out, "orientation measured"));
   EXPECT_GT(max_turn_deg(board), 30.0);
   // What was measured is what the controller planned with: 20 ms of the plate's own, and half of the line.
   const std::string recorded = read_file(recording);
@@ -54,29 +60,27 @@ TEST(ReachWithFirmware, ReachesTheTarget) {
   std::printf("%s", outcome.out.c_str());
 }
 
-// The board loses its power for an instant, or its line is opened by another program.
-TEST(ReachWithFirmware, IsEndedByAResetOfTheBoard) {
-  PtyBoard board;
-  reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
-                         reach::scripted_environment(real_time));
-  while (max_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
-  board.with([](EmulatedBoard& emulated) { emulated.reset(); });
-  const std::size_t pulses = board.pulses().size();
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
-  EXPECT_NE(outcome.err.find("has restarted"), std::string::npos) << outcome.err;
-  EXPECT_EQ(board.pulses().size(), pulses);
-}
-
-TEST(ReachWithFirmware, IsEndedByTheEmergencyStop) {
-  PtyBoard board;
-  reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
-                         reach::scripted_environment(real_time));
-  while (max_turn_deg(board) < 10.0 && board.pulses().size() < 300) std::this_thread::yield();
-  board.with([](EmulatedBoard& emulated) { emulated.open_emergency_stop(true); });
-  const Outcome outcome = program.wait();
-  EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
-  EXPECT_NE(outcome.err.find("was stopped by its emergency stop"), std::string::npos) << outcome.err;
+// The board loses its power for an instant, or its line is opened by another program; or someone stops it.
+TEST(ReachWithFirmware, IsEndedByAResetOfTheBoardAndByTheEmergencyStop) {
+  for (const bool reset : {true, false}) {
+    PtyDevice<EmulatedBoard> board;
+    reach::Program program({desk, "--target", "goblet", "--plate", "serial:" + board.device()},
+                           reach::scripted_environment(real_time));
+    const auto pulses = [&] { return board.with(&EmulatedBoard::pulses).size(); };
+    while (max_turn_deg(board) < 10.0 && pulses() < 300) std::this_thread::yield();
+    const std::size_t before = board.with([&](EmulatedBoard& emulated) {
+      if (reset)
+        emulated.reset();
+      else
+        emulated.open_emergency_stop(true);
+      return emulated.pulses().size();
+    });
+    const Outcome outcome = program.wait();
+    EXPECT_EQ(outcome.exit_code, 9) << outcome.out;
+    const char* const why = reset ? "has restarted" : "was stopped by its emergency stop";
+    EXPECT_TRUE(has(outcome.err, why));
+    EXPECT_LE(pulses(), before + (reset ? 0 : 2));
+  }
 }
 
 }  // namespace

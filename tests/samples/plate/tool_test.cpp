@@ -14,10 +14,8 @@
 #include "samples/plate/tool/measure.h"
 #include "samples/plate/tool/report.h"
 #include "samples/plate/tool/trim.h"
-#include "tests/plugin/plate/emulated_dynamixel.h"
-#include "tests/samples/plate/board_line.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/plate/emulated_servo.h"
-#include "tests/samples/plate/pty_board.h"
 #include "tests/samples/process.h"
 
 namespace hrt::plate {
@@ -28,11 +26,9 @@ Outcome run_program(std::vector<std::string> arguments) {
   return Process(arguments, {}).wait();
 }
 
-std::unique_ptr<Line> line_to(EmulatedBoard& board) {
-  return std::make_unique<BoardLine>(board);
-}
-std::unique_ptr<Line> line_to(EmulatedDynamixel& servo) {
-  return std::make_unique<DynamixelLine>(servo);
+template <class Emulated>
+std::unique_ptr<Line> line_to(Emulated& device) {
+  return std::make_unique<EmulatedLine<Emulated>>(device);
 }
 
 // The commands, with the device at the line "board"; other lines are the computer's. The person enters
@@ -83,7 +79,7 @@ TEST(PlateTool, ShowsSettingsAndSelfTest) {
        {"protocol 2, firmware 1.0.0, serial number 000000\n",
         "range -90 to 90 deg, 300 deg/s, latency 22 ms with half of the line, orientation assumed",
         "setting zero 1500", "setting serial 0", "test settings default", "test emergency closed"})
-    EXPECT_NE(outcome.out.find(line), std::string::npos) << outcome.out;
+    EXPECT_TRUE(has(outcome.out, line));
   EXPECT_TRUE(board.pulses().empty());
 }
 
@@ -97,6 +93,16 @@ TEST(PlateTool, RefusesAWrongCommandLine) {
   EXPECT_EQ(wrong.err, "hrt-plate: option id is \"300\"; allowed: 0 to 252\n");
 }
 
+// An answer takes 3 ms of line and a tick of the emulator's receiver.
+TEST(PlateTool, MeasuresTheLineToTheFirmware) {
+  EmulatedBoard board;
+  PlateLink link(line_to(board));
+  ASSERT_TRUE(link.round_trip());
+  EXPECT_GT(*link.round_trip(), std::chrono::milliseconds(3));
+  EXPECT_LT(*link.round_trip(), std::chrono::milliseconds(6));
+  EXPECT_EQ(link.refusals(), 0U);
+}
+
 TEST(PlateTool, NamesWhatFails) {
   const Outcome outcome = run_program({"measure", "/dev/null"});
   EXPECT_EQ(outcome.exit_code, 9);
@@ -104,7 +110,7 @@ TEST(PlateTool, NamesWhatFails) {
 }
 
 TEST(PlateTool, IsAProgram) {
-  PtyBoard board;
+  PtyDevice<EmulatedBoard> board;
   const Outcome outcome = run_program({"find", board.device()});
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.out, "serial:" + board.device() + ": protocol 2, firmware 1.0.0, serial number 000000\n");
@@ -133,11 +139,11 @@ TEST(PlateTool, MeasuresAPlateWithASensor) {
   EXPECT_EQ(session.at("plate_lower_stop_deg"), -90.0);
   EXPECT_NEAR(session.at("plate_max_speed_deg_s").get<double>(), 240.0, 40.0);
   EXPECT_EQ(file.at("scene").at("haptic").at("role"), "plate");
-  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 
   const Outcome after = run_with(board, {"show", "board"});
-  EXPECT_NE(after.out.find("test settings saved"), std::string::npos) << after.out;
-  EXPECT_EQ(after.out.find("setting speed 300\n"), std::string::npos) << after.out;
+  EXPECT_TRUE(has(after.out, "test settings saved"));
+  EXPECT_FALSE(has(after.out, "setting speed 300\n"));
 }
 
 // 5 degrees of the servo's gears: the plate turns only when they have been taken up.
@@ -155,7 +161,7 @@ TEST(PlateTool, FindsBacklash) {
   };
   EmulatedBoard board(eeprom_with_feedback());
   const Loose servo(board);
-  PlateLink link(std::make_unique<BoardLine>(board));
+  PlateLink link(line_to(board));
   const Measurements found = measure(link, [](const std::string&) {});
   ASSERT_TRUE(found.backlash_deg);
   EXPECT_NEAR(*found.backlash_deg, 5.0, 0.5);
@@ -167,13 +173,13 @@ TEST(PlateTool, SaysWhatAPlateWithoutASensorCannotShow) {
   found.limits = {-90.0, 90.0, 300.0, std::chrono::milliseconds(23)};
   found.round_trip = std::chrono::milliseconds(6);
   found.sweep = {{-90.0, -90.0, true}, {90.0, 90.0, true}, {-90.0, -90.0, false}};
-  EXPECT_NE(text_of(found).find("backlash      not measurable: the plate has no sensor"), std::string::npos);
+  EXPECT_TRUE(has(text_of(found), "backlash      not measurable: the plate has no sensor"));
   const auto file = nlohmann::json::parse(json_of(found));
   EXPECT_TRUE(file.at("backlash_deg").is_null());
   EXPECT_TRUE(file.at("speed_deg_s").is_null());
   EXPECT_EQ(file.at("session").at("plate_latency_ns"), 23'000'000);
   EXPECT_EQ(file.at("session").at("plate_max_speed_deg_s"), 300.0);
-  EXPECT_NE(svg_of(found).find("has no sensor"), std::string::npos);
+  EXPECT_TRUE(has(svg_of(found), "has no sensor"));
 }
 
 TEST(PlateTool, WritesAFileWholeOrNotAtAll) {
@@ -192,15 +198,15 @@ TEST(PlateTool, TrimsAndSaves) {
   EmulatedBoard board;
   const Outcome outcome = run_with(board, {"trim", "board"}, {"x", "31", "3", ""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("\"x\" is not a number from -30 to 30"), std::string::npos);
-  EXPECT_NE(outcome.out.find("\"31\" is not a number"), std::string::npos);
-  EXPECT_NE(outcome.out.find("0 has moved by -2.97 deg\nsaved\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "\"x\" is not a number from -30 to 30"));
+  EXPECT_TRUE(has(outcome.out, "\"31\" is not a number"));
+  EXPECT_TRUE(has(outcome.out, "0 has moved by -2.97 deg\nsaved\n"));
   const auto& pulses = board.pulses();
   EXPECT_NEAR(pulses.back().width_us(), 1467.0, 0.6);
   for (std::size_t i = 1; i < pulses.size(); ++i)
     EXPECT_LE(std::abs(pulses[i].width_us() - pulses[i - 1].width_us()), 21.0);
   EmulatedBoard again(board.eeprom());
-  PlateLink link(std::make_unique<BoardLine>(again));
+  PlateLink link(line_to(again));
   EXPECT_EQ(link.setting("zero"), 1467.0);
 }
 
@@ -208,9 +214,8 @@ TEST(PlateTool, AnAbandonedTrimChangesNothing) {
   EmulatedBoard board;
   const Outcome outcome = run_with(board, {"trim", "board"}, {"-2"});
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_NE(outcome.out.find("0 has moved by +1.98 deg\nnot saved: the old trim holds\n"), std::string::npos)
-      << outcome.out;
-  PlateLink link(std::make_unique<BoardLine>(board));
+  EXPECT_TRUE(has(outcome.out, "0 has moved by +1.98 deg\nnot saved: the old trim holds\n"));
+  PlateLink link(line_to(board));
   EXPECT_EQ(link.setting("zero"), 1500.0);
 }
 
@@ -236,7 +241,7 @@ TEST(PlateTool, ShowsADynamixel) {
   for (const char* line :
        {"Dynamixel XL330-M288, id 1, firmware 52\n", "range -179.9 to 179.9 deg, 299.532 deg/s",
         "orientation measured\n", "operating mode 3\n", "homing offset 0 steps\n", "hardware error 0\n"})
-    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+    EXPECT_TRUE(has(outcome.out, line));
   EXPECT_EQ(servo.get(64, 1), 0);
 }
 
@@ -244,7 +249,7 @@ TEST(PlateTool, TrimsADynamixel) {
   EmulatedDynamixel servo;
   const Outcome outcome = run_with(servo, {"trim", "dynamixel:board"}, {"3", "-1", ""});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("0 has moved by -2.02 deg\nsaved\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "0 has moved by -2.02 deg\nsaved\n"));
   servo.restart();
   EXPECT_EQ(servo.get(20, 4), 23);
   EXPECT_EQ(run_with(servo, {"trim", "dynamixel:board"}, {"5"}).exit_code, 1);
@@ -274,7 +279,7 @@ TEST(PlateTool, MeasuresADynamixel) {
   EXPECT_LT(file.at("latency_ms").get<double>(), 40.0);
   EXPECT_EQ(file.at("session").at("plate_upper_stop_deg"), 179.9);
   EXPECT_EQ(file.at("sweep").size(), 49U);
-  EXPECT_NE(read_file(folder / "plate.svg").find("</svg>"), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder / "plate.svg"), "</svg>"));
 }
 
 // A turn through its range takes 7 s.
@@ -287,12 +292,12 @@ TEST(PlateTool, WaitsForASlowDynamixel) {
 }
 
 TEST(PlateTool, TrimsFromStandardInput) {
-  PtyBoard board;
+  PtyDevice<EmulatedBoard> board;
   const Outcome saved =
       Process({"/bin/sh", "-c", "printf -- '-1\\n\\n' | " HRT_PLATE_PROGRAM " trim " + board.device()}, {})
           .wait();
   EXPECT_EQ(saved.exit_code, 0) << saved.out << saved.err;
-  EXPECT_NE(saved.out.find("0 has moved by +0.99 deg\nsaved\n"), std::string::npos) << saved.out;
+  EXPECT_TRUE(has(saved.out, "0 has moved by +0.99 deg\nsaved\n"));
 }
 
 }  // namespace

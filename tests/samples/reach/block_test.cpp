@@ -18,8 +18,6 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-const std::string desk = HRT_SCENES "/desk.gltf";
-
 // Every function that a run calls, as the runtime's own log has it, and those that the log leaves out.
 std::set<std::string> functions_of_a_run() {
   auto environment = mock_environment();
@@ -59,8 +57,8 @@ Blocked start(const std::string& function, int call, const std::string& limit_s,
 }
 
 void expect_whole_files(const Blocked& blocked) {
-  EXPECT_NE(read_file(blocked.record()).find("\n# end "), std::string::npos) << blocked.function;
-  EXPECT_NE(read_file(blocked.folder + "/r.svg").find("</svg>"), std::string::npos) << blocked.function;
+  EXPECT_TRUE(has(read_file(blocked.record()), "\n# end ")) << blocked.function;
+  EXPECT_TRUE(has(read_file(blocked.folder + "/r.svg"), "</svg>")) << blocked.function;
 }
 
 TEST(ReachBlock, EveryCallEndsAtTheLimit) {
@@ -81,9 +79,8 @@ TEST(ReachBlock, EveryCallEndsAtTheLimit) {
       EXPECT_EQ(outcome.exit_code, 11) << blocked.function << outcome.err;
       // The loader looks functions up within another call.
       const std::string named = blocked.function == "xrGetInstanceProcAddr" ? "xr" : blocked.function + " ";
-      EXPECT_NE(outcome.err.find("has not returned from " + named), std::string::npos)
-          << blocked.function << outcome.err;
-      EXPECT_NE(outcome.err.find(" within 2 s"), std::string::npos) << outcome.err;
+      EXPECT_TRUE(has(outcome.err, "has not returned from " + named)) << blocked.function;
+      EXPECT_TRUE(has(outcome.err, " within 2 s"));
       expect_whole_files(blocked);
     }
   }
@@ -102,7 +99,7 @@ TEST(ReachBlock, EveryCallEndsWithinASecondOfASignal) {
   for (const Blocked& blocked : all) {
     const Outcome outcome = blocked.program->wait();
     EXPECT_EQ(outcome.exit_code, 130) << blocked.function << outcome.err;
-    EXPECT_NE(outcome.err.find("interrupted"), std::string::npos) << blocked.function << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "interrupted")) << blocked.function;
     expect_whole_files(blocked);
   }
   EXPECT_LT(Clock::now() - began, 50s);  // not the minute that a call takes
@@ -121,7 +118,7 @@ TEST(ReachBlock, WhatWasReachedIsKept) {
     EXPECT_EQ(outcome.exit_code, 11) << function << outcome.err;
     EXPECT_EQ(rows_of(outcome).size(), 1U) << function << outcome.out;
     expect_whole_files(blocked);
-    EXPECT_NE(read_file(blocked.folder + "/r.svg").find("bottle"), std::string::npos);
+    EXPECT_TRUE(has(read_file(blocked.folder + "/r.svg"), "bottle"));
   }
 }
 

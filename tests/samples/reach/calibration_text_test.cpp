@@ -6,6 +6,8 @@
 #include <sstream>
 #include <string>
 
+#include "tests/samples/text.h"
+
 namespace hrt::reach {
 namespace {
 
@@ -40,7 +42,7 @@ std::string text_of(const CalibrationOutcome& outcome) {
 }
 
 void expect_part(const std::string& text, const std::string& part) {
-  EXPECT_NE(text.find(part), std::string::npos) << part << "\nis not in\n" << text;
+  EXPECT_TRUE(has(text, part));
 }
 
 TEST(CalibrationText, ShowsTheCurveAndItsNumbers) {

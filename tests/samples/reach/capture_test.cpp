@@ -14,8 +14,6 @@ namespace {
 
 using namespace std::chrono_literals;
 
-const std::string desk = HRT_SCENES "/desk.gltf";
-
 struct Made {
   Outcome outcome;
   std::string recording;
@@ -80,7 +78,7 @@ TEST(ReachCapture, LostTrackingRecentringAndALostSessionComeBack) {
         {"session": 1, "frame": 150, "do": "lose_session"}]})",
       {"--target", "bottle", "--repeat", "2"});
   EXPECT_EQ(made.outcome.exit_code, 0);
-  EXPECT_NE(made.outcome.err.find("starting anew"), std::string::npos) << made.outcome.err;
+  EXPECT_TRUE(has(made.outcome.err, "starting anew"));
 }
 
 TEST(ReachCapture, PersonsReachesComeBack) {
@@ -113,19 +111,14 @@ TEST(ReachCapture, FileIsWholeWhenTheApplicationIsKilled) {
       captured(scripted_environment("{" + calm + R"(, "calls": [{"function": "xrWaitFrame", "call": 150,
                                     "delay_ms": 60000}]})"),
                file));
-  const auto frames = [&] {
-    const std::string text = read_file(file);
-    std::size_t count = 0;
-    for (std::size_t at = 0; (at = text.find("[\"frame\",", at)) != std::string::npos; ++at) ++count;
-    return count;
-  };
+  const auto frames = [&] { return occurrences(read_file(file), "[\"frame\","); };
   for (int i = 0; i < 1000 && frames() < 149; ++i) std::this_thread::sleep_for(50ms);
   program.send_signal(SIGKILL);
   EXPECT_EQ(program.wait().exit_code, -SIGKILL);
   EXPECT_EQ(frames(), 149U);
   const Outcome outcome = run_program({desk, "--target", "bottle", "--time-limit", "3"}, played(file));
   EXPECT_EQ(outcome.exit_code, 8) << outcome.err;
-  EXPECT_NE(outcome.out.find("not made"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "not made"));
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ struct Attitude {
   double leant = 0.0;
 };
 
-/// A path of the right hand: each place is held, and left in a bow above the plate.
+/// A path of a hand: each place is held, and left in a bow above the plate.
 class Path {
  public:
   explicit Path(PlatePose plate = {}) : plate_(plate) {
@@ -77,10 +77,19 @@ class Path {
   }
   Path& rest(int for_ms) { return slide(last_, for_ms); }
 
-  std::string script(const std::string& more = "") const {
-    return "{" + more + R"("hands": {"left": {"tracked": false}, "right": {"tracked": true, "path": [)" +
-           frames_ + "]}}}";
+  /// Not before this time.
+  Path& wait_until(int time_ms) {
+    time_ms_ = time_ms;
+    return *this;
   }
+
+  /// Of the one hand; the other one is not tracked.
+  std::string script(const std::string& more = "", const std::string& hand = "right") const {
+    return "{" + more + R"("hands": {")" + (hand == "right" ? "left" : "right") +
+           R"(": {"tracked": false}, ")" + hand + "\": " + tracked() + "}}";
+  }
+  /// What a script says of a hand on this path.
+  std::string tracked() const { return R"({"tracked": true, "path": [)" + frames_ + "]}"; }
 
  private:
   void add(int time_ms, const Place& place, double height_m) {

@@ -1,25 +1,17 @@
-// The files that hrt-reach writes, and the plates and users that it knows beside the runtime's.
-#include <fcntl.h>
+// The files that hrt-reach writes, and the plates that it knows beside the runtime's.
 #include <gtest/gtest.h>
-#include <haptic_retargeting/haptic_retargeting.h>
-#include <poll.h>
-#include <pty.h>
-#include <sys/ioctl.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
 #include <sstream>
 #include <thread>
 
-#include "tests/plugin/plate/pty_plate.h"
+#include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/reach/program.h"
+#include "tests/samples/reach/replay.h"
 
 namespace hrt::reach {
 namespace {
@@ -27,39 +19,15 @@ namespace {
 using plate::eventually;
 using plate::PtyPlate;
 
-const std::string desk = HRT_SCENES "/desk.gltf";
-
-std::size_t occurrences(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
-
-TEST(ReachRecording, IsTheSameForTheSameSeed) {
+TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
   const std::string folder = scratch_folder();
-  run_program({desk, "--record", folder + "/a.csv"});
-  run_program({desk, "--record", folder + "/b.csv"});
-  run_program({desk, "--record", folder + "/c.csv", "--seed", "4"});
-  EXPECT_GT(read_file(folder + "/a.csv").size(), 10'000U);
+  const Outcome first = run_program({desk, "--seed", "3", "--record", folder + "/a.csv"});
+  EXPECT_EQ(first.out, run_program({desk, "--seed", "3", "--record", folder + "/b.csv"}).out);
+  EXPECT_NE(first.out, run_program({desk, "--seed", "4", "--record", folder + "/c.csv"}).out);
   EXPECT_EQ(read_file(folder + "/a.csv"), read_file(folder + "/b.csv"));
   EXPECT_NE(read_file(folder + "/a.csv"), read_file(folder + "/c.csv"));
-}
-
-TEST(ReachRecording, IsReplayedBitForBit) {
-  const std::string file = scratch_folder() + "/reach.csv";
-  ASSERT_EQ(run_program({desk, "--record", file}).exit_code, 0);
-  hrt_replay_report report{.struct_size = sizeof report};
-  ASSERT_EQ(hrt_replay_file(file.c_str(), &report), HRT_OK) << hrt_last_error();
-  EXPECT_EQ(report.complete, 1U);
-  EXPECT_EQ(report.first_different_line, 0U);
-  EXPECT_GE(report.rows, 3U * (144U + 2U));  // begin, a sample a frame of at least 1.6 s, end
-}
-
-TEST(ReachRecording, ThatCannotBeWrittenIsRefusedBeforeAnyoneMoves) {
-  const Outcome outcome = run_program({desk, "--record", "/nonexistent/reach.csv"});
-  EXPECT_EQ(outcome.exit_code, 10);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find("/nonexistent/reach.csv"), std::string::npos) << outcome.err;
+  // begin, a sample a frame of at least 1.6 s, end
+  EXPECT_GE(expect_replays(folder + "/a.csv"), 3U * (144U + 2U));
 }
 
 TEST(ReachPlot, DrawsEveryReach) {
@@ -73,8 +41,8 @@ TEST(ReachPlot, DrawsEveryReach) {
   EXPECT_EQ(occurrences(svg, "<path "), 3U * 5U);  // at five moments each
   EXPECT_EQ(occurrences(svg, "class=\"real\""), 3U);
   EXPECT_EQ(occurrences(svg, "class=\"virtual\""), 3U);
-  EXPECT_NE(svg.find("SIMULATION"), std::string::npos);
-  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_TRUE(has(svg, "SIMULATION"));
+  EXPECT_FALSE(has(svg, "nan"));
 }
 
 TEST(ReachPlot, DrawsThePictureOfTheReadme) {
@@ -84,80 +52,34 @@ TEST(ReachPlot, DrawsThePictureOfTheReadme) {
       << "regenerate it: samples/run --target pawn --seed 7 --plot samples/reach/reach.svg";
 }
 
-TEST(ReachPlot, ThatCannotBeWrittenIsRefusedBeforeAnyoneMoves) {
-  const Outcome outcome = run_program({desk, "--plot", "/nonexistent/reach.svg"});
-  EXPECT_EQ(outcome.exit_code, 10);
-  EXPECT_EQ(outcome.out, "");
-}
-
 TEST(ReachPlot, ThatDoesNotFitOnTheDiskIsNamedWithTheReason) {
   const Outcome outcome = run_program({desk, "--plot", "/dev/full"});
   EXPECT_EQ(outcome.exit_code, 10);
   EXPECT_EQ(rows_of(outcome).size(), 3U);
-  EXPECT_NE(outcome.out.find(" targets that can be held were reached"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, " targets that can be held were reached"));
   EXPECT_EQ(outcome.err, "hrt-reach: /dev/full cannot be written: No space left on device\n");
 }
-
-TEST(ReachRecording, ThatIsNoFileIsRefusedBeforeAnyoneMoves) {
-  const Outcome outcome = run_program({desk, "--record", "/dev/full"});
-  EXPECT_EQ(outcome.exit_code, 10);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_NE(outcome.err.find("/dev/full: not a regular file"), std::string::npos) << outcome.err;
-}
-
-// A terminal of so many columns, as the error output of a program.
-class Terminal {
- public:
-  explicit Terminal(unsigned short columns) {
-    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
-    if (openpty(&own_, &programs_, nullptr, nullptr, &size) != 0)
-      throw std::runtime_error("no pseudo-terminal");
-    fcntl(own_, F_SETFD, FD_CLOEXEC);
-    fcntl(programs_, F_SETFD, FD_CLOEXEC);
-  }
-  ~Terminal() {
-    close(own_);
-    close(programs_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-  Terminal(Terminal&&) = delete;
-  Terminal& operator=(Terminal&&) = delete;
-  int descriptor() const { return programs_; }
-
-  // What has been written to it, while a program runs that writes less than it can hold.
-  std::string text() const {
-    std::string text;
-    char bytes[4096];
-    for (pollfd readable{own_, POLLIN, 0}; poll(&readable, 1, 0) > 0;)
-      text.append(bytes, static_cast<std::size_t>(read(own_, bytes, sizeof bytes)));
-    return text;
-  }
-
- private:
-  int own_ = -1, programs_ = -1;
-};
 
 // Over half a second of real time, at the fastest refresh ten lines: a pseudo-terminal holds 4096 bytes.
 const std::string half_a_second =
     R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
 
 TEST(ReachStatusLine, IsWrittenOverAndWipedInTheEnd) {
-  const Terminal terminal(100);
+  const plate::Pty terminal(100);
   Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
   EXPECT_EQ(rows_of(program.wait()).size(), 1U);
-  const std::string text = terminal.text();
+  const std::string text = terminal.take();
   EXPECT_GE(occurrences(text, "\r\033[Kbottle: "), 4U) << text;
   EXPECT_GE(occurrences(text, " mm to go, moves "), 4U) << text;
-  EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+  EXPECT_FALSE(has(text, "\n"));
   EXPECT_EQ(text.substr(text.size() - 4), "\r\033[K") << text;
 }
 
 TEST(ReachStatusLine, IsNoLongerThanTheTerminalIsWide) {
-  const Terminal terminal(30);
+  const plate::Pty terminal(30);
   Program program({desk, "--target", "bottle"}, scripted_environment(half_a_second), terminal.descriptor());
   program.wait();
-  std::istringstream lines(terminal.text());
+  std::istringstream lines(terminal.take());
   std::size_t shown = 0;
   for (std::string line; std::getline(lines, line, '\r'); ++shown) EXPECT_LE(line.size(), 3U + 29U) << line;
   EXPECT_GT(shown, 4U);
@@ -229,22 +151,28 @@ TEST(ReachPlate, OnASerialLineNeedsRealTime) {
   PtyPlate device;
   const Outcome outcome = run_program({desk, "--target", "goblet", "--plate", "serial:" + device.device()});
   EXPECT_EQ(outcome.exit_code, 9);
-  EXPECT_NE(outcome.err.find("needs real time, but the clock of the OpenXR runtime"), std::string::npos)
-      << outcome.err;
+  EXPECT_TRUE(has(outcome.err, "needs real time, but the clock of the OpenXR runtime"));
   EXPECT_TRUE(device.heard().empty());
 }
 
-TEST(ReachPlate, IsUnpluggedInTheMiddleOfAReach) {
-  PtyPlate device;
-  std::thread unplugger([&] {
-    eventually([&] { return device.moving_allowed(); });
-    device.unplug();
-  });
-  const Outcome outcome =
-      run_scripted(real_time, {desk, "--target", "goblet", "--plate", "serial:" + device.device()});
-  unplugger.join();
-  EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
-  EXPECT_NE(outcome.err.find("is unplugged"), std::string::npos) << outcome.err;
+TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
+  for (const bool unplugged : {true, false}) {
+    PtyPlate device;
+    std::thread fault([&] {
+      eventually([&] { return device.moving_allowed(); });
+      if (unplugged)
+        device.unplug();
+      else
+        device.fall_silent();
+    });
+    const std::string file = scratch_folder() + "/r.csv";
+    const Outcome outcome = run_scripted(
+        real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
+    fault.join();
+    EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, unplugged ? "is unplugged" : "has not been heard for half a second"));
+    expect_replays(file);
+  }
 }
 
 // Ctrl-C: the plate stops, and what has been recorded is whole.
@@ -260,14 +188,11 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the unfinished reach does not count\n");
-    EXPECT_NE(outcome.out.find("0 of 0 targets"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(has(outcome.out, "0 of 0 targets"));
     EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
     EXPECT_FALSE(device.moving_allowed());
-    hrt_replay_report report{.struct_size = sizeof report};
-    ASSERT_EQ(hrt_replay_file((folder + "/r.csv").c_str(), &report), HRT_OK) << hrt_last_error();
-    EXPECT_EQ(report.complete, 1U);
-    EXPECT_EQ(report.first_different_line, 0U);
-    EXPECT_NE(read_file(folder + "/r.svg").find("</svg>"), std::string::npos);
+    expect_replays(folder + "/r.csv");
+    EXPECT_TRUE(has(read_file(folder + "/r.svg"), "</svg>"));
   }
 }
 
@@ -281,129 +206,6 @@ TEST(ReachInterrupted, ASecondTimeEndsAtOnce) {
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
   program.send_signal(SIGINT);
   EXPECT_EQ(program.wait().exit_code, -SIGINT);
-}
-
-TEST(ReachPlate, FallsSilentInTheMiddleOfAReach) {
-  PtyPlate device;
-  std::thread crasher([&] {
-    eventually([&] { return device.moving_allowed(); });
-    device.fall_silent();
-  });
-  const std::string file = scratch_folder() + "/r.csv";
-  const Outcome outcome = run_scripted(
-      real_time, {desk, "--target", "goblet", "--record", file, "--plate", "serial:" + device.device()});
-  crasher.join();
-  EXPECT_EQ(outcome.exit_code, 9) << outcome.err;
-  EXPECT_NE(outcome.err.find("has not been heard for half a second"), std::string::npos) << outcome.err;
-  hrt_replay_report report{.struct_size = sizeof report};
-  ASSERT_EQ(hrt_replay_file(file.c_str(), &report), HRT_OK) << hrt_last_error();
-  EXPECT_EQ(report.complete, 1U);
-}
-
-// A person: without instruction and without truth. The scripted hand comes to the start, waits, and slides
-// straight towards the cylinder regardless of the plate. Plate coordinates to LOCAL space, 1.2 m above the
-// floor: the desk's plate stands at (0.12, 0.75, -0.32) on it, turned by 20 degrees about the vertical.
-std::string keyframe(int time_ms, double right_m, double towards_user_m) {
-  const double angle = 20.0 * std::numbers::pi / 180.0;
-  std::ostringstream text;
-  text << R"({"time_ms": )" << time_ms << R"(, "position_m": [)"
-       << 0.12 + right_m * std::cos(angle) + towards_user_m * std::sin(angle) << ", -0.443, "
-       << -0.32 - right_m * std::sin(angle) + towards_user_m * std::cos(angle) << "]}";
-  return text.str();
-}
-
-std::string hand_path(const std::string& hand, double end_right_m) {
-  const std::string other = hand == "right" ? "left" : "right";
-  return R"({"hands": {")" + other + R"(": {"tracked": false}, ")" + hand +
-         R"(": {"tracked": true, "path": [)" + keyframe(100, 0.2, 0.2) + ", " + keyframe(600, 0.0, 0.05) +
-         ", " + keyframe(1500, 0.0, 0.05) + ", " + keyframe(4500, end_right_m, -0.05) + "]}}}";
-}
-
-const std::vector<std::string> as_person = {desk, "--person", "--plate", "servo", "--target", "bottle"};
-
-TEST(ReachOfAPerson, StartsWhenTheFingerIsThereAndEndsAtTheTarget) {
-  const Outcome outcome = run_scripted(hand_path("right", 0.0), as_person);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.err.find("slide it to \"bottle\""), std::string::npos) << outcome.err;
-  EXPECT_EQ(outcome.out.find("SIMULATION"), std::string::npos);
-  ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
-  EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);  // ended when it touched the cylinder, whose radius is 5 mm
-}
-
-TEST(ReachOfAPerson, EndsAtRestBesideTheTarget) {
-  auto arguments = as_person;
-  for (const std::string controller : {"people", "paper"}) {
-    arguments.insert(arguments.end(), {"--controller", controller});
-    const Outcome outcome = run_scripted(hand_path("right", 0.02), arguments);
-    ASSERT_EQ(rows_of(outcome).size(), 1U);
-    EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 0.2);
-    // A hand that the plate does not turn has no touch: the controller for people says that no plate can hold
-    // it.
-    EXPECT_EQ(rows_of(outcome)[0].unreachable, controller == "people");
-    EXPECT_EQ(outcome.exit_code, controller == "people" ? 0 : 1) << outcome.out << outcome.err;
-    arguments = as_person;
-  }
-}
-
-TEST(ReachOfAPerson, TakesTheHandThatComes) {
-  auto arguments = as_person;
-  arguments.insert(arguments.end(), {"--hand", "either"});
-  const Outcome outcome = run_scripted(hand_path("left", 0.0), arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-}
-
-// The right finger is lost half way; the left one comes down there and slides to the cylinder.
-std::string relay(const std::string& left_tracked_from, double left_height_m) {
-  std::string left = R"({"tracked": true, "path": [)" + keyframe(3000, 0.0, 0.0) + ", " +
-                     keyframe(3400, 0.0, 0.0) + ", " + keyframe(5500, 0.0, -0.06) + "]}";
-  const std::string touching = "-0.443,";
-  for (std::size_t at = left.find(touching); at != std::string::npos; at = left.find(touching, at + 1))
-    left.replace(at, touching.size(), std::to_string(0.75 - 1.2 + left_height_m) + ",");
-  const std::string right = R"({"tracked": true, "path": [)" + keyframe(600, 0.0, 0.05) + ", " +
-                            keyframe(1500, 0.0, 0.05) + ", " + keyframe(4500, 0.0, -0.05) + "]}";
-  return R"({"hands": {"left": )" + left + R"(, "right": )" + right + R"(}, "events": [
-      {"time_ms": 0, "do": "lose_tracking", "hand": "left"},
-      {"time_ms": 3000, "do": "lose_tracking", "hand": "right"},
-      {"time_ms": )" +
-         left_tracked_from + R"(, "do": "regain_tracking", "hand": "left"}]})";
-}
-
-TEST(ReachOfAPerson, ChangesHandsOnTheWay) {
-  auto arguments = as_person;
-  arguments.insert(arguments.end(), {"--hand", "either"});
-  const Outcome outcome = run_scripted(relay("3200", 0.007), arguments);
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("reached (hands changed)"), std::string::npos) << outcome.out;
-  ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
-}
-
-// Neither a hand above the plate nor one that must not be used takes over.
-TEST(ReachOfAPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
-  auto arguments = as_person;
-  arguments.insert(arguments.end(), {"--time-limit", "8"});
-  EXPECT_EQ(run_scripted(relay("3200", 0.007), arguments).exit_code, 8);
-  arguments.insert(arguments.end(), {"--hand", "either"});
-  const Outcome outcome = run_scripted(relay("3200", 0.1), arguments);
-  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.err.find("did not end within 8 s"), std::string::npos) << outcome.err;
-}
-
-TEST(ReachOfAPerson, WhoDoesNotComeIsNotWaitedForForever) {
-  auto arguments = as_person;
-  arguments.insert(arguments.end(), {"--time-limit", "5"});
-  const Outcome outcome = run_scripted("{}", arguments);
-  EXPECT_EQ(outcome.exit_code, 8);
-  EXPECT_NE(outcome.err.find("no index finger came to the start within 5 s"), std::string::npos)
-      << outcome.err;
-}
-
-TEST(ReachOfAPerson, NeedsAPlate) {
-  const Outcome outcome =
-      run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"});
-  EXPECT_EQ(outcome.exit_code, 9);
-  EXPECT_NE(outcome.err.find("--plate"), std::string::npos) << outcome.err;
 }
 
 }  // namespace

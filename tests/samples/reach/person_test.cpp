@@ -1,16 +1,14 @@
 // Reaches of a person: how they end, what is said of those that do not, keys and speech. The hand is
 // scripted.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <thread>
 
+#include "tests/plugin/plate/pty.h"
 #include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
 
@@ -20,21 +18,10 @@ namespace {
 using namespace std::chrono_literals;
 using Clock = std::chrono::steady_clock;
 
-const std::string desk = HRT_SCENES "/desk.gltf";
 const Place start{0.0, 0.05};
 
-std::vector<std::string> person_and(const std::vector<std::string>& more) {
-  std::vector<std::string> arguments = {desk, "--person", "--plate", "servo"};
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
-void expect_said(const Outcome& outcome, const std::string& text) {
-  EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
-}
-
 Outcome reach_along(const Path& path) {
-  return run_scripted(path.script(), person_and({"--target", "bottle", "--time-limit", "12"}));
+  return run_scripted(path.script(), person_and({"--time-limit", "12"}));
 }
 
 TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
@@ -48,6 +35,63 @@ TEST(ReachPerson, EndsAtTheTargetHoweverSlowlyAndWithPauses) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_said(outcome, "Put your index finger on the start. Then slide it to \"bottle\", ");
   expect_said(outcome, "6 degrees to the left of straight ahead");
+  EXPECT_FALSE(has(outcome.out, "SIMULATION"));
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
+  EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);  // ended when it touched the cylinder, whose radius is 5 mm
+}
+
+// A hand that the plate does not turn has no touch: the controller for people says that no plate can hold it.
+TEST(ReachPerson, EndsAtRestBesideTheTarget) {
+  const std::string beside = Path(plate_of_desk).hold(start).slide({0.02, -0.05}, 3000).rest(2000).script();
+  for (const std::string controller : {"people", "paper"}) {
+    const Outcome outcome = run_scripted(beside, person_and({"--controller", controller}));
+    ASSERT_EQ(rows_of(outcome).size(), 1U);
+    EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 20.0, 0.2);
+    EXPECT_EQ(rows_of(outcome)[0].unreachable, controller == "people");
+    EXPECT_EQ(outcome.exit_code, controller == "people" ? 0 : 1) << outcome.out << outcome.err;
+  }
+}
+
+TEST(ReachPerson, TakesTheHandThatComes) {
+  const Outcome outcome =
+      run_scripted(Path(plate_of_desk).reach().script("", "left"), person_and({"--hand", "either"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+// The right finger is lost half way; the left one comes down there and slides to the cylinder.
+std::string relay(double left_height_m) {
+  PlatePose left_plate = plate_of_desk;
+  left_plate.y_m += left_height_m;
+  const Path left = Path(left_plate).wait_until(2600).hold({0.0, 0.0}, 400).slide({0.0, -0.06}, 2100);
+  const Path right = Path(plate_of_desk).wait_until(200).hold(start, 900).slide({0.0, -0.05}, 3000);
+  return R"({"hands": {"left": )" + left.tracked() + R"(, "right": )" + right.tracked() + R"(}, "events": [
+      {"time_ms": 0, "do": "lose_tracking", "hand": "left"},
+      {"time_ms": 3000, "do": "lose_tracking", "hand": "right"},
+      {"time_ms": 3200, "do": "regain_tracking", "hand": "left"}]})";
+}
+
+TEST(ReachPerson, ChangesHandsOnTheWay) {
+  const Outcome outcome = run_scripted(relay(0.0), person_and({"--hand", "either"}));
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "reached (hands changed)"));
+  ASSERT_EQ(rows_of(outcome).size(), 1U);
+  EXPECT_NEAR(rows_of(outcome)[0].lost, 27, 2);  // 0.3 s
+}
+
+// Neither a hand above the plate nor one that must not be used takes over.
+TEST(ReachPerson, DoesNotGoOnWithAHandThatDoesNotTouch) {
+  EXPECT_EQ(run_scripted(relay(0.0), person_and({"--time-limit", "8"})).exit_code, 8);
+  const Outcome outcome = run_scripted(relay(0.093), person_and({"--time-limit", "8", "--hand", "either"}));
+  EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
+  expect_said(outcome, "did not end within 8 s");
+}
+
+TEST(ReachPerson, NeedsAPlate) {
+  const Outcome outcome =
+      run_scripted(R"({"withhold_extensions": ["XR_HRTX_ridged_plate"]})", {desk, "--person"});
+  EXPECT_EQ(outcome.exit_code, 9);
+  expect_said(outcome, "--plate");
 }
 
 TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
@@ -58,8 +102,8 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const std::string calls = read_file(log);
   for (const char* function : {"xrPlacePlateHRTX(", "xrSetPlateOrientationHRTX("})
-    EXPECT_NE(calls.find(function), std::string::npos) << function;
-  EXPECT_EQ(calls.find("xrInstructReachHRTX("), std::string::npos);
+    EXPECT_TRUE(has(calls, function));
+  EXPECT_FALSE(has(calls, "xrInstructReachHRTX("));
 }
 
 TEST(ReachPerson, EndsWithARestAnywhere) {
@@ -110,15 +154,15 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
        {},
        {"did not end within 3 s", "It stayed at the start: slide it", "100 mm from the target"}}};
   for (const Unmade& unmade : all) {
-    std::vector<std::string> arguments = person_and({"--target", "bottle", "--time-limit", "3"});
+    std::vector<std::string> arguments = person_and({"--time-limit", "3"});
     arguments.insert(arguments.end(), unmade.arguments.begin(), unmade.arguments.end());
     const Outcome outcome = run_scripted(unmade.path.script(), arguments);
     EXPECT_EQ(outcome.exit_code, 8) << unmade.what << outcome.err;
     for (const std::string& said : unmade.said) expect_said(outcome, said);
-    EXPECT_NE(outcome.out.find("1 more did not begin or end in time"), std::string::npos) << outcome.out;
+    EXPECT_TRUE(has(outcome.out, "1 more did not begin or end in time"));
   }
-  const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})",
-                                      person_and({"--target", "bottle", "--time-limit", "3"}));
+  const Outcome nobody =
+      run_scripted(R"({"hands": {"right": {"tracked": false}}})", person_and({"--time-limit", "3"}));
   EXPECT_EQ(nobody.exit_code, 8);
   expect_said(nobody, "The right hand was not tracked. Hold it where the headset's cameras see it.");
 }
@@ -127,10 +171,10 @@ TEST(ReachPerson, WhatWasNotMadeIsExplained) {
 TEST(ReachPerson, AReachWithoutAnEndLeavesTheOthers) {
   const Outcome outcome =
       run_scripted(Path(plate_of_desk).hold(start, 4500).slide({0.0, -0.05}, 800).script(),
-                   person_and({"--target", "bottle", "--target", "bottle", "--time-limit", "3.5"}));
+                   person_and({"--target", "bottle", "--time-limit", "3.5"}));
   EXPECT_EQ(outcome.exit_code, 8) << outcome.out << outcome.err;
   EXPECT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
-  EXPECT_NE(outcome.out.find("not made"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "not made"));
   const Outcome nobody = run_scripted(R"({"hands": {"right": {"tracked": false}}})",
                                       person_and({"--repeat", "1000", "--time-limit", "1"}));
   EXPECT_EQ(nobody.exit_code, 8) << nobody.err;
@@ -161,18 +205,18 @@ TEST(ReachSpeech, SpeaksWhatAPersonIsAsked) {
   const Outcome outcome =
       run_scripted(R"({"clock": "real-time", )" +
                        Path(plate_of_desk).hold(start, 1500).slide({0.0, -0.05}, 800).script().substr(1),
-                   person_and({"--target", "bottle", "--speak-with", voice.program}));
+                   person_and({"--speak-with", voice.program}));
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   const std::string heard = voice.heard();
   for (const char* part : {"Put your index finger on the start. Then slide it to  bottle , 100 millimetres,",
                            "Done.", "1 of 1 targets that can be held were reached"})
-    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+    EXPECT_TRUE(has(heard, part));
 }
 
 TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
   const std::string file = scratch_folder() + "/pid";
   const Voice voice("echo $$ > " + file + "; exec sleep 60");
-  const Program program(person_and({"--target", "bottle", "--speak-with", voice.program, "--verbose"}),
+  const Program program(person_and({"--speak-with", voice.program, "--verbose"}),
                         scripted_environment(Path(plate_of_desk).script(R"("clock": "real-time", )")));
   const auto began = Clock::now();
   while (read_file(file).empty() && Clock::now() - began < 20s) std::this_thread::sleep_for(10ms);
@@ -185,99 +229,62 @@ TEST(ReachSpeech, AVoiceThatHangsDelaysNothingAndEndsWithTheProgram) {
   EXPECT_NE(kill(std::stoi(pid), 0), 0);
 }
 
-TEST(ReachSpeech, AMissingOrFailingVoiceIsNamed) {
-  const Outcome missing = run_program({desk, "--speak-with", "no-such-voice --fast"});
-  EXPECT_EQ(missing.exit_code, 2);
-  expect_said(missing, "\"no-such-voice\", which is to speak, is not a program");
+TEST(ReachSpeech, AFailingVoiceIsNamed) {
   const Voice voice("exit 3");
   const Outcome failing = run_scripted(R"({"clock": "real-time", )" + Path(plate_of_desk).script().substr(1),
                                        person_and({"--time-limit", "0.5", "--speak-with", voice.program}));
   EXPECT_EQ(failing.exit_code, 8);
   expect_said(failing, "the speech program failed: exit code 3");
-  EXPECT_EQ(run_program({desk, "--speak", "--speak-with", "cat"}).exit_code, 2);
 }
-
-// A terminal on standard input.
-class Terminal {
- public:
-  Terminal() : master_(posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC)) {
-    grantpt(master_);
-    unlockpt(master_);
-    slave_ = open(ptsname(master_), O_RDWR | O_NOCTTY | O_CLOEXEC);
-  }
-  ~Terminal() {
-    close(slave_);
-    close(master_);
-  }
-  Terminal(const Terminal&) = delete;
-  Terminal& operator=(const Terminal&) = delete;
-  Terminal(Terminal&&) = delete;
-  Terminal& operator=(Terminal&&) = delete;
-
-  void type(const std::string& keys) const {
-    EXPECT_EQ(write(master_, keys.data(), keys.size()), static_cast<ssize_t>(keys.size()));
-  }
-  int end() const { return slave_; }
-
- private:
-  int master_;
-  int slave_ = -1;
-};
 
 Outcome run_with_keys(const Path& path, const std::string& more_script, const std::string& keys,
                       const std::vector<std::string>& arguments) {
-  const Terminal terminal;
+  const plate::Pty terminal(80);
   terminal.type(keys);
-  const Program program(arguments, scripted_environment(path.script(more_script)), -1, terminal.end());
+  const Program program(arguments, scripted_environment(path.script(more_script)), -1, terminal.descriptor());
   return program.wait();
 }
 
 TEST(ReachKeys, ListRepeatAndSayWhere) {
-  const Outcome outcome =
-      run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and({"--target", "bottle"}));
+  const Outcome outcome = run_with_keys(Path(plate_of_desk).reach(), "", "hrw", person_and());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  std::size_t asked = 0;
-  for (std::size_t at = 0; (at = outcome.err.find("Put your index finger", at)) != std::string::npos; ++at)
-    ++asked;
-  EXPECT_EQ(asked, 2U) << outcome.err;
+  EXPECT_EQ(occurrences(outcome.err, "Put your index finger"), 2U) << outcome.err;
   expect_said(outcome, "Keys: r repeats");
   expect_said(outcome, "The right index finger is ");
 }
 
 TEST(ReachKeys, NextLeavesATargetOutAndStopEndsTheRun) {
-  const Outcome next = run_with_keys(Path(plate_of_desk).reach(), "", "n",
-                                     person_and({"--target", "goblet", "--target", "bottle"}));
+  const Outcome next =
+      run_with_keys(Path(plate_of_desk).reach(), "", "n", person_and({"--target", "goblet"}));
   EXPECT_EQ(next.exit_code, 0) << next.out << next.err;
   ASSERT_EQ(rows_of(next).size(), 1U);
-  EXPECT_EQ(rows_of(next)[0].virtual_name, "bottle");
-  EXPECT_NE(next.out.find("1 more were skipped"), std::string::npos) << next.out;
-  const Outcome stop = run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and({}));
+  EXPECT_EQ(rows_of(next)[0].virtual_name, "goblet");
+  EXPECT_TRUE(has(next.out, "1 more were skipped"));
+  const Outcome stop = run_with_keys(Path(plate_of_desk).reach(), "", "q", person_and());
   EXPECT_EQ(stop.exit_code, 130) << stop.err;
   expect_said(stop, "interrupted");
 }
 
 TEST(ReachKeys, BackRepeatsTheLastTarget) {
-  const Terminal terminal;
-  const Program program(person_and({"--target", "bottle", "--target", "goblet"}),
+  const plate::Pty terminal(80);
+  const Program program(person_and({"--target", "goblet"}),
                         scripted_environment(Path(plate_of_desk)
                                                  .hold(start, 1200)
                                                  .slide({0.0, -0.05}, 500)
                                                  .hold(start, 30000)
                                                  .script(R"("clock": "real-time", )")),
-                        -1, terminal.end());
+                        -1, terminal.descriptor());
   const auto give_up = Clock::now() + 30s;
   while (program.out().find("reached") == std::string::npos && Clock::now() < give_up)
     std::this_thread::sleep_for(5ms);
   terminal.type("b");
-  std::size_t asked = 0;
-  while (asked != std::string::npos && Clock::now() < give_up) {
+  const auto asked_again = [&] {
     const std::string said = program.err();
-    asked = said.find("\"goblet\"");
-    if (asked != std::string::npos && said.find("\"bottle\"", asked) != std::string::npos) break;
-    asked = 0;
-    std::this_thread::sleep_for(5ms);
-  }
-  EXPECT_LT(Clock::now(), give_up) << program.err();
+    const std::size_t goblet = said.find("\"goblet\"");
+    return goblet != std::string::npos && said.find("\"bottle\"", goblet) != std::string::npos;
+  };
+  while (!asked_again() && Clock::now() < give_up) std::this_thread::sleep_for(5ms);
+  EXPECT_TRUE(asked_again()) << program.err();
   terminal.type("q");
   EXPECT_EQ(program.wait().exit_code, 130);
 }
@@ -287,7 +294,7 @@ TEST(ReachKeys, AnswerTheHeightOfTheEyes) {
                                         R"("stage": false, "withhold_extensions": ["XR_EXT_local_floor"], )",
                                         "tall\n1.3\x7f"
                                         "2\n",
-                                        person_and({"--target", "bottle"}));
+                                        person_and());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_said(outcome, "How high are your eyes above the floor");
   expect_said(outcome, "That is not a number from 0.3 to 2.5.");
@@ -301,10 +308,11 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   Path path;
   for (const Place& mark : {start, Place{0.07, 0.0}, Place{0.0, -0.07}}) path.hold(mark, 850).lift();
   path.hold(start, 1000).slide({0.0, -0.05}, 800);
-  const Terminal terminal;
-  const Program program(person_and({"--target", "bottle", "--register", voice.folder + "/plate.txt",
-                                    "--marks", marks, "--speak-with", voice.program}),
-                        scripted_environment(path.script(R"("clock": "real-time", )")), -1, terminal.end());
+  const plate::Pty terminal(80);
+  const Program program(person_and({"--register", voice.folder + "/plate.txt", "--marks", marks,
+                                    "--speak-with", voice.program}),
+                        scripted_environment(path.script(R"("clock": "real-time", )")), -1,
+                        terminal.descriptor());
   const auto give_up = Clock::now() + 20s;
   while (voice.heard().find("(1 of 3)") == std::string::npos && Clock::now() < give_up)
     std::this_thread::sleep_for(5ms);
@@ -315,7 +323,7 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
   for (const char* part : {"Keys: r repeats", "Touch the mark  start ", "That key is for reaches.",
                            "(3 of 3)", "The plate is registered", "Put your index finger on the start",
                            "Done.", "1 of 1 targets that can be held were reached"})
-    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
+    EXPECT_TRUE(has(heard, part));
 }
 
 // To its end, in a room without a floor: all that the user needs is spoken, and keys answer. The user feels
@@ -323,16 +331,16 @@ TEST(ReachKeys, AWholeSessionWithoutSight) {
 TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   const Voice voice;
   const std::string profile = voice.folder + "/profile.json";
-  const Terminal terminal;
+  const plate::Pty terminal(80);
   const Program program(
-      person_and({"--calibrate", profile, "--speak-with", voice.program}),
+      {desk, "--person", "--plate", "servo", "--calibrate", profile, "--speak-with", voice.program},
       scripted_environment(R"({"calls": [{"function": "xrWaitFrame", "count": 1000000, "delay_ms": 2}],
           "stage": false, "withhold_extensions": ["XR_EXT_local_floor"],
           "participants": [{"illusion": "linear", "tactile_weight": 0.2, "steering": "continuous", "gain_per_s": 9,
             "delay_ms": 50, "noise_deg2_per_s": 2, "start_direction_deg": 0, "habit_deg": 0, "pace": "minimum_jerk",
             "reaction_ms": 700, "duration_ms": 1200}],
           "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "rest_ms": 600}}}})"),
-      -1, terminal.end());
+      -1, terminal.descriptor());
   const auto give_up = Clock::now() + 60s;
   const auto after = [&](const std::string& part, const std::string& keys) {
     while (voice.heard().find(part) == std::string::npos && Clock::now() < give_up)
@@ -350,25 +358,22 @@ TEST(ReachKeys, AWholeCalibrationWithoutSight) {
   for (const char* part :
        {"You will slide one fingertip straight ahead", "That key is for reaches.",
         "Now slide straight ahead, as far as is comfortable, and rest there.", "share of touch"})
-    EXPECT_NE(heard.find(part), std::string::npos) << part << "\n" << heard;
-  const std::string name = "share of touch (w_T) at 60 deg";
-  const std::size_t at = outcome.out.find(name);
-  ASSERT_NE(at, std::string::npos) << outcome.out;
-  EXPECT_NEAR(std::stod(outcome.out.substr(at + name.size())), 0.2, 0.02) << outcome.out;
-  EXPECT_NE(read_file(profile).find("\"tactile_weight\":"), std::string::npos);
+    EXPECT_TRUE(has(heard, part));
+  EXPECT_NEAR(value_of(outcome.out, "share of touch (w_T) at 60 deg"), 0.2, 0.02) << outcome.out;
+  EXPECT_TRUE(has(read_file(profile), "\"tactile_weight\":"));
 }
 
 // The key that stops leaves no profile.
 TEST(ReachKeys, AStoppedCalibrationWritesNothing) {
   const Voice voice;
-  const Terminal terminal;
+  const plate::Pty terminal(80);
   terminal.type("q");
-  const Program program(
-      person_and({"--calibrate", voice.folder + "/profile.json", "--speak-with", voice.program}),
-      scripted_environment("{}"), -1, terminal.end());
+  const Program program({desk, "--person", "--plate", "servo", "--calibrate", voice.folder + "/profile.json",
+                         "--speak-with", voice.program},
+                        scripted_environment("{}"), -1, terminal.descriptor());
   const Outcome outcome = program.wait();
   EXPECT_EQ(outcome.exit_code, 130) << outcome.out << outcome.err;
-  EXPECT_NE(voice.heard().find("interrupted; no profile was written"), std::string::npos) << voice.heard();
+  EXPECT_TRUE(has(voice.heard(), "interrupted; no profile was written"));
   EXPECT_FALSE(std::filesystem::exists(voice.folder + "/profile.json"));
 }
 

@@ -7,23 +7,10 @@
 namespace hrt::reach {
 namespace {
 
-const std::string desk = HRT_SCENES "/desk.gltf";
-const std::vector<std::string> person = {desk, "--person", "--plate", "servo", "--target", "bottle"};
-
-std::vector<std::string> person_and(const std::vector<std::string>& more) {
-  std::vector<std::string> arguments = person;
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
-
 void expect_reached(const Outcome& outcome) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.out << outcome.err;
   EXPECT_TRUE(rows_of(outcome)[0].reached);
-}
-
-void expect_said(const Outcome& outcome, const std::string& text) {
-  EXPECT_NE(outcome.err.find(text), std::string::npos) << outcome.err;
 }
 
 const std::string no_stage = R"("stage": false, )";
@@ -38,7 +25,7 @@ TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
     std::string said;
   };
   for (const auto& [script, arguments, said] :
-       {Case{"", person, "(STAGE space)"}, Case{no_stage, person, "(LOCAL_FLOOR space)"},
+       {Case{"", person_and(), "(STAGE space)"}, Case{no_stage, person_and(), "(LOCAL_FLOOR space)"},
         Case{no_floor, person_and({"--eye-height", "1.2"}), "(LOCAL space)"}}) {
     const Outcome outcome = run_scripted(path.script(script), arguments);
     expect_reached(outcome);
@@ -53,11 +40,9 @@ TEST(ReachPlace, IsAboveTheFloorOfEverySpace) {
 }
 
 TEST(ReachPlace, NeedsTheHeightOfTheEyesWithoutAFloor) {
-  const Outcome outcome = run_scripted(Path(plate_of_desk).reach().script(no_floor), person);
+  const Outcome outcome = run_scripted(Path(plate_of_desk).reach().script(no_floor), person_and());
   EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
   expect_said(outcome, "--eye-height METRES");
-  for (const char* wrong : {"nan", "0.2", "3", "tall"})
-    EXPECT_EQ(run_program(person_and({"--eye-height", wrong})).exit_code, 2) << wrong;
 }
 
 std::string recentre(const std::string& more) {
@@ -70,19 +55,19 @@ TEST(ReachRecentring, APersonsPlateStaysInTheRoom) {
   const std::string far = R"("position_m": [0.6, 0.1, -0.4], "yaw_deg": 50)";
   for (const std::string delay : {"0", "200"}) {
     const Outcome outcome =
-        run_scripted(path.script(no_stage + recentre(far + R"(, "delay_ms": )" + delay)), person);
+        run_scripted(path.script(no_stage + recentre(far + R"(, "delay_ms": )" + delay)), person_and());
     expect_reached(outcome);
     EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 1.0);
     EXPECT_EQ(rows_of(outcome)[0].lost, 0);
     expect_said(outcome, "The plate keeps its place in the room.");
   }
-  const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person);
+  const Outcome stage = run_scripted(path.script(recentre(R"("space": "STAGE", )" + far)), person_and());
   expect_reached(stage);
   expect_said(stage, "The plate keeps its place in the room.");
   // A space that is not the plate's.
-  const Outcome other = run_scripted(path.script(recentre(far)), person);
+  const Outcome other = run_scripted(path.script(recentre(far)), person_and());
   expect_reached(other);
-  EXPECT_EQ(other.err.find("keeps its place"), std::string::npos) << other.err;
+  EXPECT_FALSE(has(other.err, "keeps its place"));
 }
 
 TEST(ReachRecentring, ASimulatedUserNoticesNothing) {
@@ -112,7 +97,7 @@ TEST(ReachRecentring, ByAnUnknownAmountEndsTheRun) {
   EXPECT_EQ(outcome.exit_code, 12) << outcome.out << outcome.err;
   expect_said(outcome, "moved its STAGE space");
   expect_said(outcome, "register it (--register FILE)");
-  EXPECT_NE(read_file(folder + "/r.csv").find("\n# end "), std::string::npos);
+  EXPECT_TRUE(has(read_file(folder + "/r.csv"), "\n# end "));
 }
 
 // Between the touches: they are asked for again, and the pose is of the space as it is then.

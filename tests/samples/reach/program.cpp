@@ -58,6 +58,12 @@ Outcome run_scripted(const std::string& script, const std::vector<std::string>& 
   return run_program(arguments, scripted_environment(script));
 }
 
+std::vector<std::string> person_and(const std::vector<std::string>& more) {
+  std::vector<std::string> arguments = {desk, "--person", "--plate", "servo", "--target", "bottle"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return arguments;
+}
+
 std::vector<Row> rows_of(const Outcome& outcome) {
   // Names may hold spaces and signs; directions differ from them by their decimals.
   static const std::regex pattern(

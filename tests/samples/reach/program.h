@@ -9,6 +9,8 @@
 
 namespace hrt::reach {
 
+inline const std::string desk = HRT_SCENES "/desk.gltf";
+
 /// The environment that a run gets: the mock runtime's manifest and nothing else of OpenXR's.
 std::map<std::string, std::string> mock_environment();
 
@@ -35,6 +37,14 @@ Outcome run_program(const std::vector<std::string>& arguments,
 
 /// The same in scripted_environment().
 Outcome run_scripted(const std::string& script, const std::vector<std::string>& arguments);
+
+/// A reach to the bottle that a person makes on a simulated plate, with `more` arguments.
+std::vector<std::string> person_and(const std::vector<std::string>& more = {});
+
+/// On its error output.
+inline void expect_said(const Outcome& outcome, const std::string& text) {
+  EXPECT_TRUE(has(outcome.err, text));
+}
 
 /// A row of the result table.
 struct Row {

@@ -28,7 +28,7 @@ TEST_P(StudyBadArgument, IsOneLineAndExitCodeTwo) {
   EXPECT_EQ(run.out, "");
   ASSERT_EQ(lines(run.err).size(), 1U) << run.err;
   EXPECT_TRUE(run.err.starts_with("hrt-study: " + GetParam().name + ": ")) << run.err;
-  EXPECT_NE(run.err.find(GetParam().allowed), std::string::npos) << run.err;
+  EXPECT_TRUE(has(run.err, GetParam().allowed));
   EXPECT_TRUE(entries(folder.path).empty());
 }
 
@@ -94,6 +94,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"robustness", "--family", "linear,linear"}, "--family", "--help shows"},
         BadArgument{{"robustness", "--family", ""}, "--family", "--help shows"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Power, StudyBadArgument,
+    testing::Values(BadArgument{{"power", "--reaches", "1.5"}, "--reaches", "from 1 to 200"},
+                    BadArgument{{"power", "--people", "1"}, "--people", "from 2 to 1000"},
+                    BadArgument{{"power", "--effect", "0"}, "--effect", "(0, 90]"}));
+
 const std::string part = "i/n, whole numbers with 1 <= i <= n";
 const std::string many = "1:40:100";
 
@@ -135,7 +141,7 @@ TEST(StudyArguments, AnUnknownOptionIsNamed) {
   const StudyRun run = run_study({"trial", "--tactile", "0.1"});
   EXPECT_EQ(run.exit_code, 2);
   EXPECT_EQ(lines(run.err).size(), 1U);
-  EXPECT_NE(run.err.find("--tactile"), std::string::npos);
+  EXPECT_TRUE(has(run.err, "--tactile"));
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
@@ -143,9 +149,9 @@ TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
     const StudyRun run = run_study({subcommand, "--help"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");
-    EXPECT_NE(run.out.find("--out VALUE"), std::string::npos) << subcommand;
-    EXPECT_NE(run.out.find("Must be a"), std::string::npos) << subcommand;
-    EXPECT_NE(run.out.find("Examples:"), std::string::npos) << subcommand;
+    EXPECT_TRUE(has(run.out, "--out VALUE")) << subcommand;
+    EXPECT_TRUE(has(run.out, "Must be a")) << subcommand;
+    EXPECT_TRUE(has(run.out, "Examples:")) << subcommand;
     for (const std::string& line : lines(run.out)) EXPECT_LE(line.size(), 120U) << line;
   }
 }

@@ -73,7 +73,7 @@ TEST(StudyAuthority, TextMarksWhatCannotBeHeldAndWhatNobodyHasMeasured) {
   const auto rows = lines(run.out);
   EXPECT_EQ(rows[rows.size() - 2], "   0.05   3.75     4.45      -      -      -");
   EXPECT_EQ(rows[rows.size() - 1], "   0.15  11.25    14.91   22.7  *56.7      -");
-  EXPECT_NE(run.out.find("no human trial"), std::string::npos);
+  EXPECT_TRUE(has(run.out, "no human trial"));
 }
 
 }  // namespace

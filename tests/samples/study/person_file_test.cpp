@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "samples/study/cli/arguments.h"
+#include "tests/samples/text.h"
 
 namespace hrt::study {
 namespace {
@@ -18,8 +19,8 @@ std::string refusal(std::string_view text) {
 
 void expect_refusal(std::string_view text, std::initializer_list<const char*> words) {
   const std::string message = refusal(text);
-  EXPECT_EQ(message.find('\n'), std::string::npos) << message;
-  for (const char* word : words) EXPECT_NE(message.find(word), std::string::npos) << message;
+  EXPECT_FALSE(has(message, "\n"));
+  for (const char* word : words) EXPECT_TRUE(has(message, word));
 }
 
 TEST(StudyPersonFile, CsvAndJsonSayTheSame) {

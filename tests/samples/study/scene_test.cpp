@@ -25,7 +25,7 @@ TEST(StudyScene, DeskByHand) {
   EXPECT_EQ(rows[rows.size() - 3], "bottle    cylinder    6.00    60.0    40.0    30.0");
   EXPECT_EQ(rows[rows.size() - 2], "goblet    cylinder   -8.00   -80.0   -53.3   -40.0");
   EXPECT_EQ(rows[rows.size() - 1], "pawn      cylinder   12.00       -    80.0    60.0");
-  EXPECT_NE(run.out.find("there was no human trial"), std::string::npos);
+  EXPECT_TRUE(has(run.out, "there was no human trial"));
 }
 
 TEST(StudyScene, Table1AsJson) {

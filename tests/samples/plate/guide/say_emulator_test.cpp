@@ -8,7 +8,8 @@
 #include <thread>
 #include <vector>
 
-#include "tests/samples/plate/pty_board.h"
+#include "tests/plugin/plate/pty_device.h"
+#include "tests/samples/plate/emulated_board.h"
 #include "tests/samples/process.h"
 
 namespace hrt::plate {
@@ -18,7 +19,7 @@ using namespace std::chrono_literals;
 
 // 10 degrees are 1500 + 10 * 2000 / 180 us.
 TEST(Say, TurnsTheEmulatedPlate) {
-  PtyBoard board;
+  PtyDevice<EmulatedBoard> board;
   int ends[2];
   ASSERT_EQ(pipe2(ends, O_CLOEXEC), 0);
   const Process say({HRT_SAY, board.device()}, {}, -1, ends[0]);
@@ -29,7 +30,7 @@ TEST(Say, TurnsTheEmulatedPlate) {
     const auto give_up = std::chrono::steady_clock::now() + 30s;
     while (say.out().find(answer) == std::string::npos && std::chrono::steady_clock::now() < give_up)
       std::this_thread::sleep_for(10ms);
-    EXPECT_NE(say.out().find(answer), std::string::npos) << answer << " is missing in\n" << say.out();
+    EXPECT_TRUE(has(say.out(), answer)) << " is missing in\n";
   };
   answers("", "PLATE 2 ");
   answers("SET 10\n", "AT +010.00\n");
@@ -40,8 +41,8 @@ TEST(Say, TurnsTheEmulatedPlate) {
   close(ends[1]);
   const Outcome outcome = say.wait();
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("TEST emergency closed\n"), std::string::npos) << outcome.out;
-  const std::vector<Pulse> pulses = board.pulses();
+  EXPECT_TRUE(has(outcome.out, "TEST emergency closed\n"));
+  const std::vector<Pulse> pulses = board.with(&EmulatedBoard::pulses);
   ASSERT_FALSE(pulses.empty());
   EXPECT_NEAR(pulses.front().width_us(), 1500.0, 1.0);
   EXPECT_NEAR(pulses.back().width_us(), 1505.0 + 10.0 * 2000.0 / 180.0, 1.0);

@@ -7,6 +7,7 @@
 
 #include "core/plate/registration.h"
 #include "plate_model.h"
+#include "tests/samples/text.h"
 
 namespace hrt {
 namespace {
@@ -56,7 +57,7 @@ TEST(PlateMarks, ReadmeHasTheTable) {
   std::string indented;
   std::istringstream rows(file("model/marks.csv"));
   for (std::string row; std::getline(rows, row);) indented += "    " + row + "\n";
-  EXPECT_NE(file("model/README.md").find(indented), std::string::npos) << indented;
+  EXPECT_TRUE(has(file("model/README.md"), indented));
 }
 
 // The mark is the lowest point of a dimple: 1 mm deep there, shallower 2 mm away, and gone 4.5 mm away.

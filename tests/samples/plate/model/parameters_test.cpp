@@ -46,7 +46,7 @@ TEST(PlateParameters, DimensionsThatWouldNotWorkAreRefused) {
   for (const auto& [setting, reason] : refused) {
     const Outcome outcome = openscad(folder / "part.stl", {"part=\"object\"", setting});
     EXPECT_NE(outcome.exit_code, 0) << setting;
-    EXPECT_NE((outcome.out + outcome.err).find(reason), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has(outcome.out + outcome.err, reason)) << outcome.err;
     EXPECT_FALSE(std::ifstream(folder / "part.stl").good()) << setting;
   }
 }

@@ -1,0 +1,68 @@
+// A pseudo-terminal, which programs take for a serial line or for a terminal.
+#pragma once
+
+#include <fcntl.h>
+#include <poll.h>
+#include <pty.h>
+#include <unistd.h>
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+namespace hrt::plate {
+
+class Pty {
+ public:
+  /// Raw, as serial lines are; with `columns` a terminal of that width.
+  explicit Pty(unsigned short columns = 0) {
+    std::array<char, 128> name{};
+    termios raw{};
+    cfmakeraw(&raw);
+    const winsize size{.ws_row = 24, .ws_col = columns, .ws_xpixel = 0, .ws_ypixel = 0};
+    if (openpty(&own_, &other_, name.data(), columns == 0 ? &raw : nullptr, columns == 0 ? nullptr : &size) !=
+        0)
+      throw std::runtime_error("no pseudo-terminal");
+    fcntl(own_, F_SETFL, O_NONBLOCK);
+    // A program that the test starts must not keep the line up.
+    for (const int end : {own_, other_}) fcntl(end, F_SETFD, FD_CLOEXEC);
+    device_ = name.data();
+  }
+  ~Pty() {
+    unplug();
+    close(other_);
+  }
+  Pty(const Pty&) = delete;
+  Pty& operator=(const Pty&) = delete;
+
+  /// The name of the other end.
+  const std::string& device() const { return device_; }
+  /// The other end, for a program as its input or output.
+  int descriptor() const { return other_; }
+
+  /// The bytes that have come, after up to `wait_ms` for them.
+  std::string take(int wait_ms = 0) const {
+    std::string text;
+    std::array<char, 4096> bytes{};
+    for (pollfd readable{own_, POLLIN, 0}; poll(&readable, 1, wait_ms) > 0; wait_ms = 0) {
+      const ssize_t count = read(own_, bytes.data(), bytes.size());
+      if (count <= 0) break;
+      text.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return text;
+  }
+  void type(const std::string& bytes) const {
+    if (!bytes.empty()) [[maybe_unused]]
+      const ssize_t ignored = write(own_, bytes.data(), bytes.size());
+  }
+  void unplug() {
+    if (own_ >= 0) close(own_);
+    own_ = -1;
+  }
+
+ private:
+  int own_ = -1, other_ = -1;
+  std::string device_;
+};
+
+}  // namespace hrt::plate

@@ -1,0 +1,100 @@
+// Emulated devices at the other end of a pseudo-terminal, in real time.
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <mutex>
+#include <thread>
+
+#include "tests/plugin/plate/emulated_dynamixel.h"
+#include "tests/plugin/plate/emulated_plate.h"
+#include "tests/plugin/plate/pty.h"
+
+namespace hrt::plate {
+
+/// True as soon as `condition` is, false if it is not within 20 seconds.
+template <class Condition>
+bool eventually(Condition condition) {
+  using Clock = std::chrono::steady_clock;
+  for (const auto give_up = Clock::now() + std::chrono::seconds(20); !condition();
+       std::this_thread::sleep_for(std::chrono::milliseconds(2)))
+    if (Clock::now() > give_up) return false;
+  return true;
+}
+
+template <class Device>
+class PtyDevice {
+ public:
+  template <class... Arguments>
+  explicit PtyDevice(Arguments&&... arguments) : emulated_(std::forward<Arguments>(arguments)...) {
+    thread_ = std::thread([this] { live(); });
+  }
+  ~PtyDevice() {
+    ending_ = true;
+    thread_.join();
+  }
+  PtyDevice(const PtyDevice&) = delete;
+  PtyDevice& operator=(const PtyDevice&) = delete;
+
+  /// The line's name, to be opened by the host.
+  const std::string& device() const { return pty_.device(); }
+  /// The line is gone.
+  void unplug() {
+    unplugged_ = true;
+    eventually([this] { return gone_.load(); });
+  }
+  /// What `action` returns of the device, between two of its moments.
+  template <class Action>
+  auto with(Action action) {
+    const std::lock_guard lock(mutex_);
+    return std::invoke(action, emulated_);
+  }
+
+ private:
+  // If this machine was busy for longer than a slice may be, the device misses that time: it would be deaf
+  // while it caught up, and a watchdog of its own would stop it before it hears what has come meanwhile.
+  void live() {
+    using Clock = std::chrono::steady_clock;
+    constexpr auto max_slice = std::chrono::milliseconds(20);
+    auto began = Clock::now() - emulated_.now();
+    while (!ending_ && !unplugged_) {
+      const std::string bytes = pty_.take(1);
+      const std::lock_guard lock(mutex_);
+      const auto behind = Clock::now() - began - emulated_.now();
+      if (behind > max_slice) began += behind - max_slice;
+      const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(Clock::now() - began);
+      emulated_.hear(bytes, now);
+      emulated_.run_until(now);
+      pty_.type(emulated_.take_output());
+    }
+    if (unplugged_) pty_.unplug();
+    gone_ = true;
+  }
+
+  Device emulated_;
+  std::mutex mutex_;  // of emulated_
+  Pty pty_;
+  std::atomic<bool> ending_ = false;
+  std::atomic<bool> unplugged_ = false;
+  std::atomic<bool> gone_ = false;
+  std::thread thread_;
+};
+
+using PtyDynamixel = PtyDevice<EmulatedDynamixel>;
+
+class PtyPlate : public PtyDevice<EmulatedPlate> {
+ public:
+  explicit PtyPlate(EmulatedPlate::Behaviour behaviour = {}) : PtyDevice(std::move(behaviour)) {}
+
+  /// As of EmulatedPlate.
+  void send(const std::string& body) {
+    with([&](EmulatedPlate& plate) { plate.send(body); });
+  }
+  void fall_silent() { with(&EmulatedPlate::fall_silent); }
+  std::vector<std::string> heard() { return with(&EmulatedPlate::heard); }
+  bool moving_allowed() { return with(&EmulatedPlate::moving_allowed); }
+  double orientation_deg() { return with(&EmulatedPlate::orientation_deg); }
+};
+
+}  // namespace hrt::plate

@@ -1,0 +1,20 @@
+// What hrt-reach records, replayed.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <haptic_retargeting/haptic_retargeting.h>
+
+#include <string>
+
+namespace hrt::reach {
+
+/// Whole, and bit for bit. Returns the number of its rows.
+inline std::uint64_t expect_replays(const std::string& file) {
+  hrt_replay_report report{.struct_size = sizeof report};
+  EXPECT_EQ(hrt_replay_file(file.c_str(), &report), HRT_OK) << hrt_last_error();
+  EXPECT_EQ(report.complete, 1U);
+  EXPECT_EQ(report.first_different_line, 0U);
+  return report.rows;
+}
+
+}  // namespace hrt::reach

@@ -1,0 +1,62 @@
+// What the output of every command has.
+#include <gtest/gtest.h>
+
+#include "samples/study/people/robustness.h"
+#include "samples/text.h"
+#include "tests/samples/study/process.h"
+
+namespace hrt::study {
+namespace {
+
+using Arguments = std::vector<std::string>;
+
+Arguments operator+(Arguments a, const Arguments& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+TEST(StudyOutput, EveryByteIsTheSameForAnyNumberOfThreads) {
+  const Arguments robustness{"robustness", "--people", "2", "--durations", "0.8,1.2", "--format", "csv"};
+  for (const Arguments& arguments :
+       {Arguments{"table1", "--trials", "300"}, Arguments{"table1", "--trials", "300", "--format", "csv"},
+        Arguments{"table1", "--trials", "300", "--format", "json"},
+        Arguments{"sweep", "--gap", "4,10", "--horizon", "2,3", "--trials", "50"}, robustness}) {
+    const StudyRun one = run_study(arguments + Arguments{"--threads", "1"});
+    EXPECT_EQ(one.exit_code, 0) << one.err;
+    EXPECT_EQ(one.err, "");
+    EXPECT_FALSE(one.out.empty());
+    EXPECT_EQ(one.out, run_study(arguments + Arguments{"--threads", "3"}).out) << arguments[0];
+  }
+  EXPECT_EQ(lines(run_study(robustness).out).size(), 1 + people_families().size() * 2 * leadings.size());
+}
+
+TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
+  for (const auto& [arguments, columns] :
+       {std::pair<Arguments, std::size_t>{{"table1", "--trials", "200"}, 110},
+        {{"robustness", "--people", "1"}, 120},
+        {{"power", "--pool", "3", "--trials", "200", "--reaches", "1", "--family", "linear,place"}, 120}}) {
+    const StudyRun run = run_study(arguments);
+    EXPECT_TRUE(has(run.out, "there was no human trial"));
+    for (const std::string& line : lines(run.out)) EXPECT_LE(length_of(line), columns) << line;
+  }
+}
+
+// One line, and nothing left.
+TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
+  const TemporaryFolder data, folder;
+  ASSERT_EQ(run_study({"participants", "--trials", "2", "--out", data / "me.csv"}).exit_code, 0);
+  for (const Arguments& arguments :
+       {Arguments{"calibrate", data / "me.csv", "--plot", folder / "p.svg", "--out", folder / "p.txt"},
+        Arguments{"robustness", "--people", "1", "--out", folder / "study"},
+        Arguments{"report", "--out", folder / "report"}}) {
+    const StudyRun run = run_study(arguments, "/nowhere");
+    EXPECT_EQ(run.exit_code, 1);
+    EXPECT_EQ(
+        run.err,
+        "hrt-study: gnuplot draws the figures and is not in PATH; on Debian: apt-get install gnuplot-nox\n");
+    EXPECT_TRUE(entries(folder.path).empty()) << arguments[0];
+  }
+}
+
+}  // namespace
+}  // namespace hrt::study

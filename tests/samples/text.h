@@ -1,0 +1,35 @@
+// What tests ask of texts.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace hrt {
+
+/// Shows the text if it does not decide as expected.
+inline testing::AssertionResult has(const std::string& text, const std::string& part) {
+  const bool found = text.find(part) != std::string::npos;
+  return (found ? testing::AssertionSuccess() : testing::AssertionFailure())
+         << "\"" << part << "\" is" << (found ? "" : " not") << " in\n"
+         << text;
+}
+
+/// As often as it begins.
+inline std::size_t occurrences(const std::string& text, const std::string& part) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
+  return count;
+}
+
+/// The number behind a name; NaN without one.
+inline double value_of(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find(name);
+  double value = std::nan("");
+  if (at != std::string::npos) std::sscanf(text.c_str() + at + name.size(), "%lf", &value);
+  return value;
+}
+
+}  // namespace hrt
