@@ -112,7 +112,7 @@ class PropertyReader {
 };
 
 // A key as a message shows it: printable, and no longer than a name in quotes.
-std::string shown(std::string_view key) {
+std::string shown_key(std::string_view key) {
   const std::string quoted = in_quotes(key);
   return quoted.substr(1, quoted.size() - 2);
 }
@@ -130,14 +130,14 @@ HapticProperties haptic_properties(const nlohmann::json& extras, const std::stri
   std::vector<Property> flat;
   for (const auto& [key, value] : extras.items())
     if (key.starts_with(flat_prefix))
-      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown(key), value});
+      flat.push_back({key.substr(flat_prefix.size()), "extras." + shown_key(key), value});
   const auto nested = extras.find(nested_key);
   if (nested == extras.end()) return PropertyReader(std::move(flat), where).read();
   if (!flat.empty()) refuse(where, "both extras.haptic and {} are given; keep one form", flat.front().label);
   if (!nested->is_object() || nested->empty()) refuse(where, "extras.haptic is not an object with a role");
   std::vector<Property> properties;
   for (const auto& [key, value] : nested->items())
-    properties.push_back({key, "extras.haptic." + shown(key), value});
+    properties.push_back({key, "extras.haptic." + shown_key(key), value});
   return PropertyReader(std::move(properties), where).read();
 }
 

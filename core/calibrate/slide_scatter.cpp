@@ -22,7 +22,7 @@ constexpr double outlier_weight = 1e-9;
 constexpr double max_distance = 40.0;
 // A slide's direction is never more certain than this.
 constexpr double min_deviation_deg = 0.02;
-constexpr double rank_threshold = 1e-12;
+constexpr double scatter_rank_threshold = 1e-12;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, slide_parts>;
 
@@ -31,8 +31,8 @@ Rows residuals_of(const Eigen::MatrixXd& design, const Rows& directions, const R
   Rows residuals(directions.rows(), slide_parts);
   for (int part = 0; part < slide_parts; ++part) {
     const Eigen::VectorXd root = weights.col(part).cwiseSqrt();
-    const LinearFit fit =
-        linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)), rank_threshold);
+    const LinearFit fit = linear_fit(root.asDiagonal() * design, root.cwiseProduct(directions.col(part)),
+                                     scatter_rank_threshold);
     residuals.col(part) = directions.col(part) - product(design, fit.coefficients);
   }
   return residuals;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double grid_s = 0.005;
 // Of the grid, to 0.02 ms.
-constexpr int halvings = 8;
+constexpr int latency_halvings = 8;
 // Over which the change with the latency is taken.
 constexpr double stride_s = 0.005;
 // Noise of trackers is correlated over less.
@@ -183,7 +183,7 @@ TrackerLatency fit_tracker_latency(Samples samples) {
   const auto intervals = static_cast<int>(std::lround((max_latency_s - min_latency_s) / grid_s));
   for (int i = 0; i <= intervals; ++i) try_out(min_latency_s + i * grid_s);
   double step_s = grid_s;
-  for (int i = 0; i < halvings; ++i) {
+  for (int i = 0; i < latency_halvings; ++i) {
     step_s *= 0.5;
     const double about_s = best_s;
     try_out(about_s - step_s);

@@ -34,7 +34,7 @@ constexpr double zoom_drop = 5.0;
 constexpr double min_searched = 0.001;
 constexpr double max_searched = 3.0;
 constexpr double search_ratio = 1.1;
-constexpr int halvings = 20;
+constexpr int noise_halvings = 20;
 // Half of the distances from the middle of normal noise in two coordinates are within this many deviations.
 constexpr double median_distance = 1.1774;
 // Coordinates nearer to each other than this are the same; further apart than that they are of no tracker.
@@ -178,7 +178,7 @@ Interval deviation_interval(const Surface& surface, double drop,
       if (ratio > 1.0 ? inside > last : inside < last) return inside;
       outside *= ratio;
     }
-    for (int i = 0; i < halvings; ++i) {
+    for (int i = 0; i < noise_halvings; ++i) {
       const double middle = 0.5 * (inside + outside);
       (profile(middle) >= floor ? inside : outside) = middle;
     }
