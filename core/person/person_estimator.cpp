@@ -55,13 +55,6 @@ double square_distance(const PlaceMm& a, const PlaceMm& b) {
   return square(a.right_mm - b.right_mm) + square(a.away_mm - b.away_mm);
 }
 
-// The pace that fits a motion from rest, and when it began.
-struct MotionFit {
-  double log_rate;
-  double evenness;
-  double onset_s;
-};
-
 }  // namespace
 
 PersonEstimator::PersonEstimator(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
@@ -203,9 +196,9 @@ void PersonEstimator::learn_noise() {
             .correlated_mm = blend(assumed.correlated_mm, correlated_mm2)};
 }
 
-// The motion has been seen. Its rate and evenness decide when it began, since the share of the path that lies
-// behind is known; the samples since the rest decide between them.
-void PersonEstimator::begin_motion() {
+// Rate and evenness decide when the motion began, since the share of the path that lies behind is known; the
+// samples since the rest decide between them.
+PersonEstimator::MotionFit PersonEstimator::fit_motion() const {
   const double seen_s = recent(1).time_s;
   const PlaceMm seen = mean_of_last(3);
   const double travelled_mm = std::sqrt(square_distance(seen, origin_));
@@ -247,7 +240,11 @@ void PersonEstimator::begin_motion() {
       }
     }
   }
+  return best;
+}
 
+void PersonEstimator::begin_motion() {
+  const MotionFit best = fit_motion();
   onset_s_ = best.onset_s;
   filter_ = PersonFilter(belief_, virtual_direction_deg_, path_mm_, noise_);
   filter_.begin(best.log_rate, best.evenness, onset_sd_s,

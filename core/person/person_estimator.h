@@ -84,6 +84,13 @@ class PersonEstimator {
   bool store(double time_s, const PlaceMm& position);
   void watch_rest();
   void learn_noise();
+  /// The pace that fits a motion from rest, and when it began.
+  struct MotionFit {
+    double log_rate;
+    double evenness;
+    double onset_s;
+  };
+  MotionFit fit_motion() const;
   void begin_motion();
   bool catch_up(const PlateTrace& plate);
   bool take(const Sample& sample, const PlateTrace& plate);

@@ -151,17 +151,22 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   state_(noise_right) *= noise_kept;
   state_(noise_away) *= noise_kept;
 
-  const double speed_mm_s = travel_mm / seconds;
-  const double slowness = 1.0 + slow_speed_mm_s / std::max(speed_mm_s, min_speed_mm_s);
+  add_noise(seconds, {.speed_mm_s = travel_mm / seconds, .sine = sine, .cosine = cosine}, wander_kept,
+            noise_kept);
+}
+
+// What the model leaves to chance in a step: random walks, and what is fresh of what decays.
+void PersonFilter::add_noise(double seconds, const Step& step, double wander_kept, double noise_kept) {
+  const double slowness = 1.0 + slow_speed_mm_s / std::max(step.speed_mm_s, min_speed_mm_s);
   covariance_(direction, direction) += direction_density_deg2_s * slowness * seconds;
   covariance_(bias, bias) += bias_density_deg2_s * seconds;
   covariance_(weight, weight) += illusion_density_s * seconds;
   covariance_(curve, curve) += illusion_density_s * seconds;
   covariance_(fading, fading) += fading_density_s * seconds;
   covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
-  const double along_mm2_s = place_share_s * speed_mm_s * speed_mm_s;
-  covariance_(right, right) += (place_density_mm2_s + along_mm2_s * sine * sine) * seconds;
-  covariance_(away, away) += (place_density_mm2_s + along_mm2_s * cosine * cosine) * seconds;
+  const double along_mm2_s = place_share_s * step.speed_mm_s * step.speed_mm_s;
+  covariance_(right, right) += (place_density_mm2_s + along_mm2_s * step.sine * step.sine) * seconds;
+  covariance_(away, away) += (place_density_mm2_s + along_mm2_s * step.cosine * step.cosine) * seconds;
   covariance_(wander, wander) += (1.0 - wander_kept * wander_kept) * wander_sd_deg_ * wander_sd_deg_;
   const double fresh_mm2 = (1.0 - noise_kept * noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
   covariance_(noise_right, noise_right) += fresh_mm2;

@@ -140,6 +140,13 @@ class PersonFilter {
     std::memcpy(&state, vector.data(), sizeof state);
     return state;
   }
+  /// A step of the motion: its speed, and sine and cosine of its direction.
+  struct Step {
+    double speed_mm_s;
+    double sine;
+    double cosine;
+  };
+  void add_noise(double seconds, const Step& step, double wander_kept, double noise_kept);
   void keep_in_range();
 
   double virtual_direction_deg_;
