@@ -9,7 +9,7 @@
 
 #include "tests/plugin/plate/emulated_dynamixel.h"
 #include "tests/plugin/plate/emulated_plate.h"
-#include "tests/plugin/plate/pty.h"
+#include "tests/plugin/plate/pseudo_terminal.h"
 
 namespace hrt::plate {
 

@@ -8,7 +8,7 @@
 #include <fstream>
 #include <thread>
 
-#include "tests/plugin/plate/pty.h"
+#include "tests/plugin/plate/pseudo_terminal.h"
 #include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
 

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <thread>
 
-#include "tests/plugin/plate/pty.h"
+#include "tests/plugin/plate/pseudo_terminal.h"
 #include "tests/samples/study/process.h"
 
 namespace hrt::study {
