@@ -68,7 +68,7 @@ typedef struct hrt_replay_report {
 } hrt_replay_report;
 
 /** Repeats the recorded calls and compares results, commands, summaries, angles and solutions. Errors:
- * BAD_FORMAT naming the line, or the version if a library of 0.1 or 0.2 wrote the file. [any-thread] */
+ * BAD_FORMAT naming the line, or a version that is not supported. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_replay_text(const char* text, uint64_t length,
                                                  hrt_replay_report* out_report) HRT_NOEXCEPT;
 
