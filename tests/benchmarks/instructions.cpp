@@ -1,0 +1,198 @@
+// What `instructions` counts under callgrind: loading the library, a session, updates through the C ABI,
+// solves, a step of a batch, and simulated reaches. A row ends with a dump of its counts, "name|how many of
+// it".
+#include <dlfcn.h>
+#include <valgrind/callgrind.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "core/paper_simulation/trial_table.h"
+#include "core/simulation/controllers.h"
+#include "core/simulation/lanes.h"
+#include "core/simulation/person_trial.h"
+#include "haptic_retargeting/functions.h"
+#include "tests/core/paper/mpc_random_problem.h"
+
+namespace hrt {
+namespace {
+
+hrt_functions api;
+
+void require(bool holds, const char* call) {
+  if (holds) return;
+  std::fprintf(stderr, "instructions: %s: %s\n", call, api.last_error ? api.last_error() : dlerror());
+  std::exit(1);
+}
+
+template <class Work>
+auto counted(const Work& work) {
+  CALLGRIND_TOGGLE_COLLECT;
+  const auto result = work();
+  CALLGRIND_TOGGLE_COLLECT;
+  return result;
+}
+
+void end_row(const std::string& row, std::uint64_t count) {
+  const std::string name = row + '|' + std::to_string(count);  // outlives the macro's first statement
+  CALLGRIND_DUMP_STATS_AT(name.c_str());
+}
+
+void count_load(const char* path) {
+  void* library = counted([&] { return dlopen(path, RTLD_NOW | RTLD_LOCAL); });
+  require(library, path);
+  require(!hrt_functions_load(dlsym, library, &api), path);
+  end_row("load of the library", 1);
+}
+
+hrt_session_config default_config() {
+  hrt_session_config config;
+  require(api.session_config_default(&config, sizeof config) == HRT_OK, "hrt_session_config_default");
+  return config;
+}
+
+// A session with a reach under way.
+class Frames {
+ public:
+  Frames(const hrt_session_config& config, double real_deg, double virtual_deg) {
+    require(api.session_create(&config, &session_) == HRT_OK, "hrt_session_create");
+    hrt_reach_config reach;
+    hrt_target_config target;
+    require(api.reach_config_default(&reach, sizeof reach) == HRT_OK, "hrt_reach_config_default");
+    require(api.target_config_default(&target, sizeof target) == HRT_OK, "hrt_target_config_default");
+    target.direction_deg = real_deg;
+    require(api.target_add(session_, &target, &reach.real_target) == HRT_OK, "hrt_target_add");
+    target.role = HRT_TARGET_VIRTUAL;
+    target.direction_deg = virtual_deg;
+    require(api.target_add(session_, &target, &reach.virtual_target) == HRT_OK, "hrt_target_add");
+    require(api.reach_begin(session_, &reach) == HRT_OK, "hrt_reach_begin");
+    command_.struct_size = sizeof command_;
+  }
+  ~Frames() { api.session_destroy(session_); }
+  Frames(const Frames&) = delete;
+  Frames& operator=(const Frames&) = delete;
+  Frames(Frames&&) = delete;
+  Frames& operator=(Frames&&) = delete;
+
+  hrt_result update(const hrt_sample& sample) { return api.reach_update(session_, &sample, &command_); }
+  double plate_deg() const { return command_.plate_orientation_deg; }
+
+ private:
+  hrt_session session_{};
+  hrt_command command_{};
+};
+
+void count_sessions() {
+  constexpr int sessions = 20;
+  const hrt_session_config config = default_config();
+  for (int i = 0; i < sessions; ++i) {
+    require(counted([&] {
+              hrt_session session;
+              return api.session_create(&config, &session) == HRT_OK &&
+                     api.session_destroy(session) == HRT_OK;
+            }),
+            "hrt_session_create");
+  }
+  end_row("session, created and destroyed", sessions);
+}
+
+// Of a simulated person's first reach, while the finger moves, after half a second of rest.
+std::uint64_t count_updates(std::uint32_t person, int period_ms) {
+  const PersonCondition condition = draw_person(people_families()[0], 1.5, 1, person);
+  Frames frames(default_config(), condition.real_direction_deg, condition.virtual_direction_deg);
+  SlidingPerson finger(condition.person, {}, condition.virtual_direction_deg, condition.distance_m,
+                       {1, 0, person, 0});
+  Draws noise(1, 1, person, 0);
+  std::uint64_t updates = 0;
+  for (int t = 0; !finger.done(); ++t) {
+    const bool moves = t >= 500;
+    if (moves) finger.advance(frames.plate_deg());
+    if (t % period_ms != 0) continue;
+    hrt_sample sample{};
+    sample.struct_size = sizeof sample;
+    sample.flags = HRT_SAMPLE_PLATE_POSITION;
+    sample.time_ns = std::int64_t{1'000'000} * t;
+    sample.finger_position_m[0] = finger.position().right_m + 0.0012 * noise.normal();
+    sample.finger_position_m[2] = 0.05 - finger.position().away_m + 0.0012 * noise.normal();
+    const auto update = [&] { return frames.update(sample); };
+    require((moves ? counted(update) : update()) == HRT_OK, "hrt_reach_update");
+    updates += moves;
+  }
+  return updates;
+}
+
+void count_updates(const char* row, int period_ms) {
+  std::uint64_t updates = 0;
+  for (std::uint32_t person = 0; person < 6; ++person) updates += count_updates(person, period_ms);
+  end_row(row, updates);
+}
+
+void count_paper_updates(int horizon) {
+  constexpr int updates = 300;
+  hrt_session_config config = default_config();
+  config.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
+  config.horizon = static_cast<std::uint32_t>(horizon);
+  Frames frames(config, -5.0, 5.0);
+  for (int i = 0; i < updates; ++i) {
+    hrt_sample sample{};
+    sample.struct_size = sizeof sample;
+    sample.flags = HRT_SAMPLE_DIRECTION;
+    sample.time_ns = std::int64_t{100'000'000} * i;
+    sample.finger_direction_deg = 3 * i % 10 - 8;
+    require(counted([&] { return frames.update(sample); }) == HRT_OK, "hrt_reach_update");
+  }
+  end_row("update of the paper's controller, N = " + std::to_string(horizon), updates);
+}
+
+void count_solves(int horizon, bool has_rate_bound) {
+  constexpr int problems = 300;
+  Random random(static_cast<unsigned>(horizon));
+  for (int i = 0; i < problems; ++i) {
+    const RandomProblem drawn(random, horizon, has_rate_bound);
+    Mpc mpc(drawn.config);
+    const Mpc::Command command = counted([&] { return mpc.solve(drawn.problem); });
+    require(std::isfinite(command.plate_offset_deg), "Mpc::solve");
+  }
+  end_row(
+      std::string("random solve, N = ") + std::to_string(horizon) + (has_rate_bound ? ", rate bound" : ""),
+      problems);
+}
+
+void count_batch() {
+  Condition condition;
+  const TrialTable table = *TrialTable::tabulate(condition);
+  const BatchResult result = counted([&] { return table.run<PairLanes>(1, 0, 0, 512); });
+  end_row("step of a batch", result.steps);
+}
+
+void count_reaches(const char* family) {
+  constexpr std::uint32_t people = 2;
+  constexpr int reaches = 5;
+  for (std::uint32_t person = 0; person < people; ++person) {
+    const PersonCondition condition = draw_person(*people_family(family), 1.5, 1, person);
+    const RetargeterConfig controller = people_controller(condition);
+    counted([&] { return simulate_person(condition, &controller, reaches, 1, person); });
+  }
+  end_row(std::string("simulated reach, ") + family, people * reaches);
+}
+
+}  // namespace
+}  // namespace hrt
+
+int main(int argc, char** argv) {
+  using namespace hrt;
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: hrt_instructions LIBRARY, under callgrind; `instructions` does it all\n");
+    return 2;
+  }
+  count_load(argv[1]);
+  count_sessions();
+  count_updates("update under ARRIVAL at 90 Hz", 11);
+  count_updates("update under ARRIVAL at 1 kHz", 1);
+  for (const int horizon : {3, 50}) count_paper_updates(horizon);
+  for (const int horizon : {3, 50})
+    for (const bool has_rate_bound : {false, true}) count_solves(horizon, has_rate_bound);
+  count_batch();
+  for (const char* family : {"linear", "place", "mixture"}) count_reaches(family);
+}
