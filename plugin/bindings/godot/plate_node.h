@@ -1,5 +1,5 @@
-// The class HapticRetargeting as scripts see it, without anything of one Godot's interface: godot3/ and
-// godot4/ hand calls in and signals out. One node is one session.
+// The class HapticRetargeting as scripts see it, without the engine's interface: extension.cpp hands calls in
+// and signals out. One node is one session.
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>

@@ -1,4 +1,4 @@
-// What crosses between a script and the plate node, whichever Godot it is.
+// What crosses between a script and the plate node.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ inline Type type_of(const Value& value) {
 
 inline const char* type_name(Type type) {
   constexpr const char* names[] = {"null",   "bool",    "int",        "float",
-                                   "String", "Vector3", "Dictionary", "Transform"};
+                                   "String", "Vector3", "Dictionary", "Transform3D"};
   static_assert(std::size(names) == std::variant_size_v<Value>);
   return names[static_cast<size_t>(type)];
 }

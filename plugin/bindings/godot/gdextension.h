@@ -1,12 +1,12 @@
 /*
- * GDExtension, as far as this binding uses it: the C interface of Godot 4.2 and later, whose functions are
+ * GDExtension, as far as this binding uses it: the C interface of Godot 4.4 and later, whose functions are
  * asked for by name. Declared here because Godot's own header is not part of any package.
  *
  * Engine values are opaque bytes of the sizes that they have in 64-bit builds with single precision, which
  * the official ones are; a Vector3 is 3 floats, a Transform3D 12.
  */
-#ifndef HRT_GODOT4_GDEXTENSION_H
-#define HRT_GODOT4_GDEXTENSION_H
+#ifndef HRT_GODOT_GDEXTENSION_H
+#define HRT_GODOT_GDEXTENSION_H
 
 #include <stdint.h>
 
@@ -99,6 +99,8 @@ typedef struct {
   gde_bool is_virtual;
   gde_bool is_abstract;
   gde_bool is_exposed;
+  gde_bool is_runtime;
+  const gde_string* icon_path;
   gde_unused set;
   gde_unused get;
   gde_unused get_property_list;
@@ -110,7 +112,7 @@ typedef struct {
   gde_unused to_string;
   gde_unused reference;
   gde_unused unreference;
-  gde_object* (*create_instance)(void* class_data);
+  gde_object* (*create_instance)(void* class_data, gde_bool notify_postinitialize);
   void (*free_instance)(void* class_data, void* instance);
   gde_unused recreate_instance;
   gde_unused get_virtual;
@@ -118,7 +120,7 @@ typedef struct {
   gde_unused call_virtual_with_data;
   gde_unused get_rid;
   void* class_data;
-} gde_class2;
+} gde_class;
 
 enum { GDE_LEVEL_SCENE = 2 };
 
@@ -159,9 +161,9 @@ typedef void gde_fn_string_name_new_with_utf8_chars(gde_string_name* out, const 
 typedef gde_variant* gde_fn_dictionary_operator_index(gde_dictionary* self, const gde_variant* key);
 typedef void gde_fn_object_set_instance(gde_object* object, const gde_string_name* class_name,
                                         void* instance);
-typedef gde_object* gde_fn_classdb_construct_object(const gde_string_name* class_name);
-typedef void gde_fn_classdb_register_extension_class2(gde_library* library, const gde_string_name* name,
-                                                      const gde_string_name* parent, const gde_class2* info);
+typedef gde_object* gde_fn_classdb_construct_object2(const gde_string_name* class_name);
+typedef void gde_fn_classdb_register_extension_class5(gde_library* library, const gde_string_name* name,
+                                                      const gde_string_name* parent, const gde_class* info);
 typedef void gde_fn_classdb_register_extension_class_method(gde_library* library,
                                                             const gde_string_name* class_name,
                                                             const gde_method* info);
@@ -200,8 +202,8 @@ typedef void gde_fn_classdb_unregister_extension_class(gde_library* library, con
   X(string_name_new_with_utf8_chars)                   \
   X(dictionary_operator_index)                         \
   X(object_set_instance)                               \
-  X(classdb_construct_object)                          \
-  X(classdb_register_extension_class2)                 \
+  X(classdb_construct_object2)                         \
+  X(classdb_register_extension_class5)                 \
   X(classdb_register_extension_class_method)           \
   X(classdb_register_extension_class_property)         \
   X(classdb_register_extension_class_signal)           \

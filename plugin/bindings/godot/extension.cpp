@@ -1,4 +1,4 @@
-// The class HapticRetargeting for Godot 4: a Node3D, through GDExtension's C interface.
+// The class HapticRetargeting in Godot: a Node3D, through GDExtension's C interface.
 
 #include <algorithm>
 #include <array>
@@ -9,10 +9,11 @@
 #include <new>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "../plate_node.h"
 #include "gdextension.h"
+#include "plate_node.h"
 
 namespace hrt_godot {
 namespace {
@@ -28,8 +29,15 @@ gde_library* library;
 
 /** Null, or the name of a function that this engine lacks. */
 const char* load_interface(gde_get_proc_address get_proc_address) {
-#define LOAD(name)                                                         \
-  engine.name = reinterpret_cast<gde_fn_##name*>(get_proc_address(#name)); \
+  // Godot 4.4 has the same under the number of its own.
+  const auto load = [&](const std::string_view name) {
+    const gde_function found = get_proc_address(name.data());
+    return found || name != "classdb_register_extension_class5"
+               ? found
+               : get_proc_address("classdb_register_extension_class4");
+  };
+#define LOAD(name)                                             \
+  engine.name = reinterpret_cast<gde_fn_##name*>(load(#name)); \
   if (!engine.name) return #name;
   GDE_FUNCTIONS(LOAD)
 #undef LOAD
@@ -233,6 +241,9 @@ Value to_value(const gde_variant& variant) {
   }
 }
 
+/** Object.NOTIFICATION_POSTINITIALIZE. */
+constexpr int64_t kPostInitialize = 0;
+
 /** A node of a scene and what it runs. */
 class Instance : public Engine {
  public:
@@ -263,8 +274,16 @@ class Instance : public Engine {
       engine.variant_destroy(&variant);
   }
 
+  void notify(int64_t what) {
+    gde_variant argument;
+    to_variant(&argument, what);
+    gde_variant nothing = call("notification", {&argument});
+    engine.variant_destroy(&nothing);
+    engine.variant_destroy(&argument);
+  }
+
   void push_error(const char* text) override {
-    engine.print_error(text, kClassName, "godot4.cpp", __LINE__, false);
+    engine.print_error(text, kClassName, "extension.cpp", __LINE__, false);
   }
 
  private:
@@ -292,12 +311,14 @@ class Instance : public Engine {
   PlateNode node_;
 };
 
-gde_object* create_instance(void*) noexcept {
+gde_object* create_instance(void*, gde_bool notify) noexcept {
   const EngineName parent("Node3D");
   const EngineName name(kClassName);
-  gde_object* object = engine.classdb_construct_object(&parent.get());
+  gde_object* object = engine.classdb_construct_object2(&parent.get());
   Instance* instance = new (std::nothrow) Instance(object);
-  if (instance) engine.object_set_instance(object, &name.get(), instance);
+  if (!instance) return object;
+  engine.object_set_instance(object, &name.get(), instance);
+  if (notify) instance->notify(kPostInitialize);
   return object;
 }
 
@@ -430,11 +451,11 @@ void initialize(void*, int32_t level) noexcept {
   if (level != GDE_LEVEL_SCENE) return;
   const EngineName name(kClassName);
   const EngineName parent("Node3D");
-  gde_class2 info{};
+  gde_class info{};
   info.is_exposed = true;
   info.create_instance = create_instance;
   info.free_instance = free_instance;
-  engine.classdb_register_extension_class2(library, &name.get(), &parent.get(), &info);
+  engine.classdb_register_extension_class5(library, &name.get(), &parent.get(), &info);
   for (const Method& method : methods())
     register_callable(
         name,
@@ -461,8 +482,8 @@ extern "C" GDE_EXPORT gde_bool haptic_retargeting_init(gde_get_proc_address get_
                                                        gde_initialization* out_initialization) {
   if (const char* missing = load_interface(get_proc_address)) {
     if (engine.print_error) {
-      const std::string text = std::string("this Godot lacks ") + missing + "; Godot 4.2 or later has it";
-      engine.print_error(text.c_str(), kClassName, "godot4.cpp", __LINE__, true);
+      const std::string text = std::string("this Godot lacks ") + missing + "; Godot 4.4 or later has it";
+      engine.print_error(text.c_str(), kClassName, "extension.cpp", __LINE__, true);
     }
     return false;
   }

@@ -1,0 +1,150 @@
+# The class as the engine has it: properties, constants, axes, signals, refusals, lifetimes.
+extends "res://tests/checks.gd"
+
+func test_properties() -> void:
+	var plate: HapticRetargeting = load("res://tests/readme.tscn").instantiate().get_node("Plate")
+	check_equal(plate.get_class(), "HapticRetargeting", "class")
+	check(plate is Node3D, "a Node3D")
+	check_equal(plate.horizon, 7, "horizon of the scene")
+	check_equal(plate.start_position_m, Vector3(0, 0, 0.0625), "start of the scene")
+	check_equal(plate.step_period_ns, 100000000, "default step period")
+	check_equal(plate.tactile_weight, 0.2, "default tactile weight, a double")
+	plate.perceived_weight = 2
+	check_equal(plate.perceived_weight, 2.0, "a whole number in place of a float")
+	refused("horizon was given a value of type String; allowed: int from 0 to 4294967295",
+			func() -> void: plate.call("set_horizon", "three"))
+	refused("horizon was given a value of type int; allowed: int from 0 to 4294967295",
+			func() -> void: plate.horizon = -1)
+	check_equal(plate.horizon, 7, "horizon after what it cannot take")
+	plate.plate_bound_deg = 91.0
+	check_equal(refused("plate_bound_deg is 91; allowed: 0.1 to 90", plate.add_real_target.bind("real", 0.0, 0.1)), 0,
+			"a target while a property is out of range")
+	plate.plate_bound_deg = 84.5
+	plate.plate_upper_stop_deg = 90
+	plate.plate_lower_stop_deg = -90
+	check(plate.add_real_target("real", 0.0, 0.1) != 0, "stops may be set one after the other")
+	plate.owner.free()
+
+func test_registered() -> void:
+	var listed := {}
+	for property in ClassDB.class_get_property_list("HapticRetargeting", true):
+		listed[property.name] = property
+	check(listed.size() > 29, "properties: %d" % listed.size())
+	check_equal(listed["control"].hint_string, "MPC,Fixed Plate", "what the inspector offers for control")
+	check_equal(listed["tactile_weight"].type, TYPE_FLOAT, "type of tactile_weight")
+	check_equal(HapticRetargeting.GUIDANCE_ARRIVAL, 1, "a constant")
+	check(ClassDB.class_get_enum_constants("HapticRetargeting", "Command").has("COMMAND_SATURATED"), "an enumeration")
+	check(not ClassDB.class_has_integer_constant("HapticRetargeting", "ERROR_BUSY"), "methods return Godot's own errors")
+	check_equal(preload("res://addons/haptic_retargeting/constants.gd").COMMAND_SATURATED, HapticRetargeting.COMMAND_SATURATED,
+			"constants.gd")
+	for signal_of in ClassDB.class_get_signal_list("HapticRetargeting", true):
+		check(signal_of.name in ["plate_commanded", "flags_changed", "reach_ended"], signal_of.name)
+		check_equal(signal_of.args.size(), 1, "arguments of " + signal_of.name)
+
+func test_names() -> void:
+	var plate := new_plate()
+	check_equal(refused("hrt_target_add", plate.add_real_target.bind("n".repeat(64), 0.0, 0.1)), 0, "a name of 64 bytes")
+	check(plate.add_real_target("n".repeat(63), 0.0, 0.1) != 0, "a name of 63 bytes")
+	plate.name = &"Plate"
+	check(plate.add_real_target(plate.name, 0.0, 0.1) != 0, "the name of a node")
+	check(refused("Plate", plate.callv.bind("add_real_target", [&"Plate", 0.0, 0.1])) == 0, "that name again, untyped")
+
+# Godot's axes are the plate's: x right, y up, -z away. A plate that is turned and moved, with the finger on it,
+# gives the same commands as one at the origin.
+func test_axes() -> void:
+	var plate := new_plate()
+	var left := plate.add_real_target_at("left", Vector3(-0.1, 0.02, 0.05))
+	var ahead := plate.add_virtual_target_at("ahead", Vector3(0, 0, -0.05))
+	check_near(plate.get_authority(left, ahead).gap_deg, -90.0, "gap from left (+90) to ahead (0)")
+
+	var turned := new_plate()
+	turned.rotation_degrees = Vector3(20, 125, -7)
+	turned.position = Vector3(1.5, 0.75, -2.25)
+	var outputs: Array[Dictionary] = []
+	for each: HapticRetargeting in [new_plate(), turned]:
+		var pose := each.global_transform
+		var real := each.add_real_target_at("real", pose * Vector3(-0.01, 0, -0.05))
+		var felt := each.add_virtual_target_at("felt", pose * Vector3(0.005, 0, -0.05))
+		check_equal(each.begin(real, felt), OK, "begin")
+		for frame in 270:
+			check_equal(each.update(pose * Vector3(-0.00003 * frame, 0.002, 0.05 - frame * 0.1 / 270), frame * 11111111), OK,
+					"update")
+		outputs.append(each.get_command())
+		check_equal(each.end(), OK, "end")
+	check(outputs[0].finger_direction_deg > 2, "a finger that goes left has a positive direction")
+	check(outputs[0].plate_orientation_deg < -5, "the plate turns right to send the hand left of what is felt")
+	for field: String in outputs[0]:
+		check_near(outputs[1][field], outputs[0][field], field + " on the turned plate", 0.01)
+
+	turned.scale = Vector3(2, 2, 2)
+	check_equal(refused("the node is scaled, sheared or mirrored in the world", turned.begin.bind(1, 2)),
+			ERR_PARAMETER_RANGE_ERROR, "begin on a scaled plate")
+	var outside := HapticRetargeting.new()
+	check(outside.add_real_target("real", 0.0, 0.1) != 0, "a plate outside the tree")
+	outside.free()
+
+func test_signals() -> void:
+	var plate := new_plate()
+	var heard := []
+	for of: Signal in [plate.plate_commanded, plate.flags_changed, plate.reach_ended]:
+		of.connect(func(argument: Variant) -> void: heard.append([of.get_name(), argument]))
+	var real := plate.add_real_target("real", -5.0, 0.1)
+	var felt := plate.add_virtual_target("felt", 5.0, 0.1)
+	check_equal(plate.is_reaching(), false, "reaching before")
+	check(plate.get_command().is_empty(), "command before")
+	check_equal(plate.begin_with_plate_at(real, felt, 12.5), OK, "begin")
+	check_equal(plate.is_reaching(), true, "reaching")
+	plate.update_sample(HapticRetargeting.SAMPLE_DIRECTION, 0, 0.0, 0.0, 0.0, 0.0, 0.0)
+	plate.update_sample(HapticRetargeting.SAMPLE_DIRECTION, 50000000, 0.0, 0.0, 0.0, 0.0, 0.0)
+	check_equal(heard, [[&"plate_commanded", plate.get_command().plate_orientation_deg]],
+			"signals of a step and of a sample between steps")
+	check(plate.get_command().flags & HapticRetargeting.COMMAND_HELD != 0, "the flag HELD between steps")
+	heard.clear()
+	check_equal(plate.update_lost(250000000), OK, "a dropout")
+	check(heard.size() > 0 and heard[0][0] == &"flags_changed" and
+			heard[0][1] & HapticRetargeting.COMMAND_PREDICTED != 0, "flags_changed with PREDICTED: %s" % [heard])
+	heard.clear()
+	check_equal(plate.end(), OK, "end")
+	check_equal(heard, [[&"reach_ended", plate.get_summary().final_miss_deg]], "signals of the end")
+	check_equal(plate.get_summary().samples, 3, "samples")
+
+func test_refusals() -> void:
+	var plate := new_plate()
+	check_equal(refused("hrt_reach_update", plate.update_lost.bind(0)), ERR_DOES_NOT_EXIST, "update without a session")
+	plate = reaching_plate()
+	check(plate.get_summary().is_empty(), "summary without a reach")
+	check_equal(plate.update(Vector3(), 1000), OK, "update")
+	check_equal(refused("time_ns is 999", plate.update.bind(Vector3(), 999)), ERR_INVALID_DATA, "time that runs backwards")
+	check_equal(plate.update(Vector3(), 999), ERR_INVALID_DATA, "again, which is named once a reach")
+	check_equal(refused("hrt_reach_update", plate.update.bind(Vector3(NAN, 0, 0), 2000)), ERR_PARAMETER_RANGE_ERROR,
+			"not a number")
+	for arguments: Array in [[Vector3()], ["here", 2000], [self, 2000]]:
+		check_equal(refused("; it is update(world_position: Vector3, time_ns: int)", plate.callv.bind("update", arguments)),
+				ERR_INVALID_PARAMETER, "update with %s" % [arguments])
+	check_equal(refused("it is update_sample(flags: int", plate.callv.bind("update_sample", range(20))), ERR_INVALID_PARAMETER,
+			"far too many arguments")
+	check_equal(refused("flags 16; allowed: sums of 1 direction", plate.update_sample.bind(16, 2000, 0.0, 0.0, 0.0, 0.0, 0.0)),
+			ERR_INVALID_PARAMETER, "flags")
+	check_equal(plate.update(Vector3(), 2000), OK, "update after refusals")
+	plate.horizon = 5
+	check_equal(plate.update(Vector3(), 3000), OK, "a property set during a reach waits")
+	check_equal(plate.end(), OK, "end")
+
+func test_retarget() -> void:
+	var plate := new_plate()
+	var real := plate.add_real_target("real", -5.0, 0.1)
+	var felt := plate.add_virtual_target("felt", 5.0, 0.1)
+	check_equal(plate.begin(real, felt), OK, "begin")
+	check_equal(plate.move_target_to(felt, Vector3(-0.02, 0, -0.05)), OK, "a target that moves")
+	check_equal(plate.retarget(real, felt), OK, "retarget")
+	check_equal(plate.cancel(), OK, "cancel")
+	check_equal(plate.is_reaching(), false, "reaching")
+	check_equal(plate.begin_for(real, felt, 1.5), OK, "begin again")
+
+# Nodes end their sessions, of which a process has 64.
+func test_lifetime() -> void:
+	for i in 200:
+		var plate := HapticRetargeting.new()
+		check(plate.add_real_target("real", 0.0, 0.1) != 0, "session %d" % i)
+		plate.free()
+	check(new_plate().get_version().begins_with("0."), "version")

@@ -1,0 +1,84 @@
+# What all hosts play (tests/bindings/scenario.txt), by the node's methods.
+extends "res://tests/checks.gd"
+
+var plate: HapticRetargeting
+var targets := {}
+var profile := ""
+
+func test_scenario() -> void:
+	plate = new_plate()
+	var played := 0
+	for line in FileAccess.get_file_as_string(OS.get_environment("HRT_SCENARIO")).split("\n", false):
+		if line.begins_with("#"):
+			continue
+		played += 1
+		var refusal := line.split(" ! ")
+		var gives := refusal[0].split(" -> ")
+		var words := gives[0].split(" ", true, 1)
+		var made := make.bind(words[0], pairs(words[1] if words.size() > 1 else ""))
+		if refusal.size() > 1:
+			var nothing: Variant = refused(refusal[1].split(" ", true, 1)[1], made)
+			check(nothing.is_empty() if nothing is Dictionary else nothing != OK, line)
+			continue
+		var gave: Variant = made.call()
+		check(not gave.is_empty() if gave is Dictionary else gave == OK, line)
+		var wanted := pairs(gives[1] if gives.size() > 1 else "")
+		for key: String in wanted:
+			if key == "flags":
+				check(gave.flags & int(wanted.flags) != 0, line)
+			else:
+				check_near(float(gave[key]), float(wanted[key]), line)
+	check(played > 40, "the scenario was played")
+
+func make(name_of_call: String, a: Dictionary) -> Variant:
+	match name_of_call:
+		"configure":
+			plate.tactile_weight = float(a.tactile_weight)
+			return OK
+		"target":
+			var id: int = plate.call("add_%s_target" % a.role, a.name, number(a.direction_deg), number(a.distance_m))
+			if id == 0:
+				return FAILED
+			targets[a.name] = id
+			return OK
+		"remove": return plate.remove_target(targets[a.name])
+		"authority": return plate.get_authority(targets[a.real], targets[a.virtual])
+		"best": return plate.get_best_authority(targets[a.virtual])
+		"begin", "retarget": return plate.call(name_of_call, targets[a.real], targets[a.virtual])
+		"update": return plate.update(place(a.at), int(a.time_ns))
+		"lost": return plate.get_command() if plate.update_lost(int(a.time_ns)) == OK else {}
+		"slide": return slide(place(a.to), int(a.frames))
+		"cancel": return plate.cancel()
+		"end": return plate.get_summary() if plate.end() == OK else {}
+		"save_profile":
+			profile = plate.save_profile()
+			return OK
+		"load_profile": return plate.load_profile(a.get("text", profile))
+		"touch": return plate.add_mark_touch(place(a.mark), place(a.at))
+		"register":
+			var found := plate.fit_registration()
+			for axis: String in ["x", "y", "z"]:
+				found[axis] = found.plate_position_m[axis]
+			return found
+	check(false, "a call of the scenario: " + name_of_call)
+	return FAILED
+
+func slide(to: Vector3, frames: int) -> Error:
+	for i in frames:
+		if plate.update(Vector3(0, 0, 0.05).lerp(to, i / (frames - 1.0)), i * 11111111) != OK:
+			return FAILED
+	return OK
+
+func pairs(words: String) -> Dictionary:
+	var found := {}
+	for word in words.split(" ", false):
+		var pair := word.split("=", true, 1)
+		found[pair[0]] = pair[1]
+	return found
+
+func number(text: String) -> float:
+	return NAN if text == "nan" else float(text)
+
+func place(text: String) -> Vector3:
+	var parts := text.split(",")
+	return Vector3(number(parts[0]), number(parts[1]), number(parts[2]))
