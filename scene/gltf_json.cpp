@@ -1,9 +1,9 @@
 #include "scene/gltf_json.h"
 
-#include <algorithm>
 #include <array>
 #include <new>
 #include <set>
+#include <utility>
 #include <vector>
 
 #include "scene/gltf_limits.h"
@@ -151,11 +151,12 @@ json read_json(std::string_view text, const std::string& file) {
   JsonCheck check(file);
   json::sax_parse(text, &check);
   ::operator delete(::operator new(memory_bound(text.size(), check)));
-  return json::parse(text, [](int depth, json::parse_event_t event, const json& parsed) {
-    return depth != 1 || event != json::parse_event_t::key ||
-           std::find(sections.begin(), sections.end(), parsed.get_ref<const std::string&>()) !=
-               sections.end();
-  });
+  // Filtered afterwards: the library's own filter looks at an array's every value after each of them.
+  json parsed = json::parse(text);
+  json kept = json::object();
+  for (const char* section : sections)
+    if (parsed.contains(section)) kept[section] = std::move(parsed[section]);
+  return parsed.is_object() ? kept : parsed;
 }
 
 }  // namespace hrt
