@@ -60,6 +60,7 @@ if(HRT_BUILD_SAMPLES)  # components tools and mock_runtime, of Debian's packages
   install(FILES samples/scenes/desk.gltf samples/scenes/table1.gltf DESTINATION ${CMAKE_INSTALL_DATADIR}/haptic-retargeting/scenes
           COMPONENT tools EXCLUDE_FROM_ALL)
   install(TARGETS hrtx_mock_runtime hrtx_capture LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT mock_runtime EXCLUDE_FROM_ALL)
+  install(PROGRAMS ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/hrtx-run TYPE BIN COMPONENT mock_runtime EXCLUDE_FROM_ALL)
 endif()
 
 if(NOT PROJECT_IS_TOP_LEVEL)

@@ -23,6 +23,10 @@ enum class Extension {
   locate_spaces,
   maintenance1,
   palm_pose,
+  vulkan_enable,
+  vulkan_enable2,
+  opengl_enable,
+  layer_depth,
   ridged_plate,
   mock_control,
   count
@@ -51,6 +55,10 @@ inline constexpr std::array<ExtensionInfo, static_cast<std::size_t>(Extension::c
     {XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_KHR_locate_spaces_SPEC_VERSION},
     {XR_KHR_MAINTENANCE1_EXTENSION_NAME, XR_KHR_maintenance1_SPEC_VERSION},
     {XR_EXT_PALM_POSE_EXTENSION_NAME, XR_EXT_palm_pose_SPEC_VERSION},
+    {XR_KHR_VULKAN_ENABLE_EXTENSION_NAME, XR_KHR_vulkan_enable_SPEC_VERSION},
+    {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_vulkan_enable2_SPEC_VERSION},
+    {XR_KHR_OPENGL_ENABLE_EXTENSION_NAME, XR_KHR_opengl_enable_SPEC_VERSION},
+    {XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME, XR_KHR_composition_layer_depth_SPEC_VERSION},
     {XR_HRTX_RIDGED_PLATE_EXTENSION_NAME, XR_HRTX_ridged_plate_SPEC_VERSION},
     {XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_HRTX_mock_control_SPEC_VERSION},
 }};

@@ -3,12 +3,7 @@
 // dispatch table, call log and fault injection derive from this list.
 #pragma once
 
-#include <ctime>
-#define XR_USE_TIMESPEC
-#include <openxr/openxr.h>
-#include <openxr/openxr_platform.h>
-
-#include "samples/mock_runtime/openxr_1_1.h"
+#include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
@@ -81,6 +76,15 @@
   X(xrLocateHandJointsEXT,                  locate_hand_joints,                      hand_tracking, void)    \
   X(xrConvertTimespecTimeToTimeKHR,         convert_timespec_time_to_time,           timespec,      void)    \
   X(xrConvertTimeToTimespecTimeKHR,         convert_time_to_timespec_time,           timespec,      void)    \
+  X(xrGetVulkanGraphicsRequirements2KHR,    get_vulkan_graphics_requirements,        vulkan_enable2, void)   \
+  X(xrCreateVulkanInstanceKHR,              create_vulkan_instance,                  vulkan_enable2, void)   \
+  X(xrGetVulkanGraphicsDevice2KHR,          get_vulkan_graphics_device2,             vulkan_enable2, void)   \
+  X(xrCreateVulkanDeviceKHR,                create_vulkan_device,                    vulkan_enable2, void)   \
+  X(xrGetVulkanGraphicsRequirementsKHR,     get_vulkan_graphics_requirements,        vulkan_enable, void)    \
+  X(xrGetVulkanInstanceExtensionsKHR,       get_vulkan_extensions,                   vulkan_enable, void)    \
+  X(xrGetVulkanDeviceExtensionsKHR,         get_vulkan_extensions,                   vulkan_enable, void)    \
+  X(xrGetVulkanGraphicsDeviceKHR,           get_vulkan_graphics_device,              vulkan_enable, void)    \
+  X(xrGetOpenGLGraphicsRequirementsKHR,     get_opengl_graphics_requirements,        opengl_enable, void)    \
   X(xrApplyScriptHRTX,                      apply_script,                            mock_control,  void)    \
   X(xrAdvanceTimeHRTX,                      advance_time,                            mock_control,  void)    \
   X(xrGetCallLogHRTX,                       get_call_log,                            mock_control,  void)    \

@@ -4,13 +4,23 @@
 
 #include <openxr/openxr.h>
 
+// What OpenXR 1.1 adds to the lists of openxr_reflection.h, with what was there before.
+#define HRT_RESULTS_OF_1_1(X)                               \
+  X(XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED, -1000710001) \
+  X(XR_ERROR_PERMISSION_INSUFFICIENT, -1000710000)
+#define HRT_STRUCTURE_TYPES_OF_1_1(X)       \
+  X(XR_TYPE_SPACES_LOCATE_INFO, 1000471000) \
+  X(XR_TYPE_SPACE_LOCATIONS, 1000471001)    \
+  X(XR_TYPE_SPACE_VELOCITIES, 1000471002)
+
 #ifndef XR_API_VERSION_1_1
 
-inline constexpr auto XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED = static_cast<XrResult>(-1000710001);
-inline constexpr auto XR_ERROR_PERMISSION_INSUFFICIENT = static_cast<XrResult>(-1000710000);
-inline constexpr auto XR_TYPE_SPACES_LOCATE_INFO = static_cast<XrStructureType>(1000471000);
-inline constexpr auto XR_TYPE_SPACE_LOCATIONS = static_cast<XrStructureType>(1000471001);
-inline constexpr auto XR_TYPE_SPACE_VELOCITIES = static_cast<XrStructureType>(1000471002);
+#define HRT_DEFINE(name, number) inline constexpr auto name = static_cast<XrResult>(number);
+HRT_RESULTS_OF_1_1(HRT_DEFINE)
+#undef HRT_DEFINE
+#define HRT_DEFINE(name, number) inline constexpr auto name = static_cast<XrStructureType>(number);
+HRT_STRUCTURE_TYPES_OF_1_1(HRT_DEFINE)
+#undef HRT_DEFINE
 inline constexpr auto XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR = static_cast<XrReferenceSpaceType>(1000426000);
 
 struct XrSpacesLocateInfo {

@@ -1,7 +1,5 @@
 #include "samples/mock_runtime/abi/object.h"
 
-#include <algorithm>
-
 namespace hrt::mock {
 
 void Registry::forget(Object& object) {

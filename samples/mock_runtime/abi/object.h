@@ -4,6 +4,7 @@
 
 #include <openxr/openxr.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <unordered_map>
@@ -84,6 +85,11 @@ class Registry {
     for (const auto& child : parent.children_)
       if (child->type() == T::object_type) found.push_back(static_cast<T*>(child.get()));
     return found;
+  }
+
+  bool has_child(const Object& parent, XrObjectType type) const {
+    return std::any_of(parent.children_.begin(), parent.children_.end(),
+                       [&](const auto& child) { return child->type() == type; });
   }
 
   void destroy(Object& object);

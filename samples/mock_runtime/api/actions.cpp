@@ -1,6 +1,4 @@
 // Creating action sets and actions, suggesting bindings, attaching to a session.
-#include "samples/mock_runtime/api/actions.h"
-
 #include <algorithm>
 #include <cstring>
 

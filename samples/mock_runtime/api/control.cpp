@@ -1,4 +1,4 @@
-// XR_HRTX_mock_control.
+// XR_HRTX_mock_control and XR_KHR_convert_timespec_time.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
 
@@ -24,7 +24,7 @@ void advance_time(XrInstance handle, XrDuration duration) {
   require(instance.clock.kind() == Clock::Kind::manual, XR_ERROR_CALL_ORDER_INVALID,
           "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
-  runtime().fire_due_events();
+  fire_due_events();
 }
 
 void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,
@@ -39,6 +39,30 @@ void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* coun
              to.thread = from.thread;
              std::snprintf(to.reason, sizeof(to.reason), "%s", from.why.c_str());
            });
+}
+
+void convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(from, "timespecTime");
+  require_pointer(time, "time");
+  constexpr std::int64_t second_ns = 1'000'000'000;
+  const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
+                     from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
+  require(valid, XR_ERROR_TIME_INVALID, "no valid timespec");
+  *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
+    if (session->player) *time = session->player->next_converted().value_or(*time);
+}
+
+void convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
+  runtime().registry.get<Instance>(handle);
+  require_pointer(time, "timespecTime");
+  require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
+  std::int64_t clock_ns = from;
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
+    if (session->player) clock_ns = session->player->clock_ns(from).value_or(from);
+  time->tv_sec = clock_ns / 1'000'000'000;
+  time->tv_nsec = clock_ns % 1'000'000'000;
 }
 
 }  // namespace hrt::mock

@@ -6,7 +6,7 @@
 #include <thread>
 #include <type_traits>
 
-#include "samples/mock_runtime/api/runtime.h"
+#include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/calls/call_text.h"
 #include "samples/mock_runtime/functions.h"
 
@@ -40,11 +40,12 @@ struct Entry<id, implementation> {
         lock.lock();
         if (fault->result) throw Error{*fault->result, "the script orders this error"};
       }
-      the.fire_due_events();
+      fire_due_events();
       if constexpr (std::is_void_v<Returned>)
         implementation(args...);
       else
         record.result = implementation(args...);
+      record.why = std::exchange(the.remark, {});
     } catch (const Error& error) {
       record.result = error.result;
       record.why = error.why;

@@ -1,8 +1,7 @@
-// The frame loop, paced by the clock; nothing is shown.
+// The frame loop, paced by the clock.
 #include <chrono>
 
-#include "samples/mock_runtime/api/session.h"
-#include "samples/mock_runtime/api/space.h"
+#include "samples/mock_runtime/api/swapchain.h"
 
 namespace hrt::mock {
 namespace {
@@ -23,28 +22,12 @@ void wait_until(XrSession handle, XrTime time) {
   }
 }
 
-// The pixels of layers are nobody's concern here, their form is.
-void require_layers(const XrFrameEndInfo& info, const Session& session) {
-  require(info.layerCount <= XR_MIN_COMPOSITION_LAYERS_SUPPORTED, XR_ERROR_LAYER_LIMIT_EXCEEDED,
-          "too many layers");
-  require(info.layerCount == 0 || info.layers != nullptr, XR_ERROR_LAYER_INVALID, "layers is null");
-  for (std::uint32_t i = 0; i < info.layerCount; ++i) {
-    const XrCompositionLayerBaseHeader* layer = info.layers[i];
-    require(layer != nullptr, XR_ERROR_LAYER_INVALID, "a layer is null");
-    require(
-        layer->type == XR_TYPE_COMPOSITION_LAYER_PROJECTION || layer->type == XR_TYPE_COMPOSITION_LAYER_QUAD,
-        XR_ERROR_LAYER_INVALID, "layers are projections and quads");
-    const auto& space = runtime().registry.get<Space>(layer->space);
-    require(space.parent() == &session, XR_ERROR_VALIDATION_FAILURE,
-            "the space of a layer is of another session");
-  }
-}
-
 void play_frame(Session& session, XrFrameState& state) {
   ++session.frame_number;
   const RecordedFrame frame = session.player->next_frame();
   session.fire_due_events();
   session.frames.waited = true;
+  session.frames.waited_number = session.frame_number;
   state.predictedDisplayTime = frame.time;
   state.predictedDisplayPeriod = frame.period;
   state.shouldRender = frame.should_render ? XR_TRUE : XR_FALSE;
@@ -67,9 +50,14 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   wait_until(handle, running_session(handle).frames.next_start);
 
   ++running_session(handle).frame_number;
-  runtime().fire_due_events();
+  fire_due_events();
   Session& session = running_session(handle);
-  if (++session.frames.since_begin == runtime().script.focus_frame) session.go_to(XR_SESSION_STATE_FOCUSED);
+  ++session.frames.since_begin;
+  // An application that draws has to wait for a frame first.
+  const bool draws = session.graphics != nullptr;
+  if (draws && session.frames.since_begin == 1) session.enter(XR_SESSION_STATE_SYNCHRONIZED);
+  if (session.frames.since_begin == std::max<std::int64_t>(runtime().script.focus_frame, draws ? 1 : 0))
+    session.go_to(XR_SESSION_STATE_FOCUSED);
   const XrDuration frame_period = runtime().script.frame_period;
   const XrTime now = session.instance().clock.now();
   FrameLoop& frames = session.frames;
@@ -77,10 +65,14 @@ void wait_frame(XrSession handle, const XrFrameWaitInfo* info, XrFrameState* sta
   if (frames.next_start == 0) frames.next_start = now;
   frames.next_start += frame_period * ((now - frames.next_start) / frame_period + 1);
   frames.waited = true;
+  frames.waited_number = session.frame_number;
   frames.last_display = std::max(frames.last_display + 1, frames.next_start);
   state->predictedDisplayTime = runtime().script.frame_times ? frames.last_display : 0;
   state->predictedDisplayPeriod = frame_period;
-  state->shouldRender = XR_FALSE;
+  state->shouldRender =
+      draws && session.state() >= XR_SESSION_STATE_VISIBLE && session.state() <= XR_SESSION_STATE_FOCUSED
+          ? XR_TRUE
+          : XR_FALSE;
 }
 
 XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
@@ -89,6 +81,7 @@ XrResult begin_frame(XrSession handle, const XrFrameBeginInfo* info) {
   require(session.frames.waited, XR_ERROR_CALL_ORDER_INVALID, "no xrWaitFrame goes with this xrBeginFrame");
   const bool discarded = session.frames.begun;
   session.frames.waited = false;
+  session.frames.begun_number = session.frames.waited_number;
   session.frames.begun = true;
   runtime().frame_begun.notify_all();
   return discarded ? XR_FRAME_DISCARDED : XR_SUCCESS;
@@ -102,6 +95,7 @@ void end_frame(XrSession handle, const XrFrameEndInfo* info) {
   require(info->environmentBlendMode == XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
           XR_ERROR_ENVIRONMENT_BLEND_MODE_UNSUPPORTED, "the blend mode is opaque");
   require_layers(*info, session);
+  keep_pictures(*info, session);
   session.frames.begun = false;
 }
 

@@ -1,9 +1,9 @@
 // From device state to action state: specification, "Input", "Suggested Bindings" and xrSyncActions.
+#include "samples/mock_runtime/api/input.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "samples/mock_runtime/api/actions.h"
-#include "samples/mock_runtime/api/session.h"
 #include "samples/mock_runtime/input/paths.h"
 
 namespace hrt::mock {
@@ -33,9 +33,15 @@ Pose unplaced_grip(XrHandEXT hand) {
   return local_space_in_world() * Pose{.position_m = {hand == XR_HAND_LEFT_EXT ? -0.2 : 0.2, -0.3, -0.4}};
 }
 
-// The pointing pose is ahead of the grip; the palm's is the grip's.
+// The pointing pose is ahead of the grip. Of the palm -Z is where the straight index finger points, and of
+// the grip where the thumb is (XR_EXT_palm_pose): the finger leans this far from the controller's axis.
 Pose source_in_grip(const std::string& source) {
-  return {.position_m = {0.0, 0.0, source.find("/aim/") != std::string::npos ? -0.05 : 0.0}};
+  constexpr double palm_deg = -60.0;
+  const auto is = [&](const char* kind) { return source.find(kind) != std::string::npos; };
+  if (is("/aim/")) return {.position_m = {0.0, 0.0, -0.05}};
+  if (is("/palm_ext/") || is("/grip_surface/"))
+    return {.orientation = turn(palm_deg, Eigen::Vector3d::UnitX())};
+  return {};
 }
 
 // Of several sources the one with the largest magnitude counts; for booleans that is "any".
@@ -77,9 +83,9 @@ bool Input::update_profiles() {
 
 std::vector<Input::Driver> Input::drivers(const Action& action) const {
   std::vector<Driver> found;
-  const PathTable& paths = session_.instance().paths;
+  const PathTable& paths = instance_.paths;
   for (const auto& [top_level, profile_path] : profiles_) {
-    const auto* profile = find_profile(paths.text(profile_path), session_.instance().sources());
+    const auto* profile = find_profile(paths.text(profile_path), instance_.sources());
     for (const Binding& binding : suggestions_.at(profile_path)) {
       const std::string& path = paths.text(binding.path);
       if (binding.action != action.id() || top_level_of(path) != top_level) continue;
@@ -93,7 +99,7 @@ std::vector<Input::Driver> Input::drivers(const Action& action) const {
 
 bool Input::sync(const std::vector<ActiveSet>& active) {
   const bool profiles_changed = update_profiles();
-  const PathTable& paths = session_.instance().paths;
+  const PathTable& paths = instance_.paths;
   const Registry& registry = runtime().registry;
   const auto is_active_for = [&](const ActiveSet& set, const Driver& driver) {
     return set.second == XR_NULL_PATH || paths.text(set.second) == driver.top_level;
@@ -110,7 +116,7 @@ bool Input::sync(const std::vector<ActiveSet>& active) {
         priority = std::max(priority, set.first->priority);
       }
 
-  const XrTime now = session_.instance().clock.now();
+  const XrTime now = instance_.clock.now();
   auto previous = std::move(states_);
   states_.clear();
   pose_sources_.clear();
@@ -158,7 +164,7 @@ std::optional<Motion> Input::motion(std::uint64_t action, XrPath subaction, XrTi
   if (const auto pose = device->second.poses.find(source); pose != device->second.poses.end())
     return Motion{pose->second};
   const XrHandEXT hand = top_level.ends_with("/left") ? XR_HAND_LEFT_EXT : XR_HAND_RIGHT_EXT;
-  const auto grip = session_.world().controller(hand, time);
+  const auto grip = world_.controller(hand, time);
   return grip ? *grip * source_in_grip(source) : Motion{unplaced_grip(hand) * source_in_grip(source)};
 }
 

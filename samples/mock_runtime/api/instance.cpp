@@ -8,7 +8,6 @@
 #include <string_view>
 
 #include "samples/mock_runtime/abi/two_call.h"
-#include "samples/mock_runtime/api/session.h"
 
 namespace hrt::mock {
 namespace {
@@ -83,6 +82,7 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
     throw;
   }
   runtime().instance = &instance;
+  runtime().clock = &instance.clock;
   ++runtime().made.instance;
   *handle = handle_of<XrInstance>(instance);
 }
@@ -90,6 +90,7 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
 void destroy_instance(XrInstance handle) {
   auto& instance = runtime().registry.get_even_lost<Instance>(handle);
   runtime().instance = nullptr;
+  runtime().clock = nullptr;
   runtime().registry.destroy(instance);
   runtime().frame_begun.notify_all();
 }
@@ -133,6 +134,10 @@ void structure_type_to_string(XrInstance handle, XrStructureType value,
   const auto write = [&](std::string_view name) {
     buffer[name.copy(buffer, XR_MAX_STRUCTURE_NAME_SIZE - 1)] = '\0';
   };
+#define HRT_MOCK_NAME(name, number) \
+  if (value == name) return write(#name);
+  HRT_STRUCTURE_TYPES_OF_1_1(HRT_MOCK_NAME)
+#undef HRT_MOCK_NAME
   switch (value) {
 #define HRT_MOCK_NAME(name, number) \
   case name:                        \
@@ -144,28 +149,19 @@ void structure_type_to_string(XrInstance handle, XrStructureType value,
   std::snprintf(buffer, XR_MAX_STRUCTURE_NAME_SIZE, "XR_UNKNOWN_STRUCTURE_TYPE_%d", value);
 }
 
-void convert_timespec_time_to_time(XrInstance handle, const struct timespec* from, XrTime* time) {
-  runtime().registry.get<Instance>(handle);
-  require_pointer(from, "timespecTime");
-  require_pointer(time, "time");
-  constexpr std::int64_t second_ns = 1'000'000'000;
-  const bool valid = from->tv_sec >= 0 && from->tv_sec < INT64_MAX / second_ns && from->tv_nsec >= 0 &&
-                     from->tv_nsec < second_ns && (from->tv_sec > 0 || from->tv_nsec > 0);
-  require(valid, XR_ERROR_TIME_INVALID, "no valid timespec");
-  *time = static_cast<XrTime>(from->tv_sec) * second_ns + from->tv_nsec;
-  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
-    if (session->player) *time = session->player->next_converted().value_or(*time);
+void string_to_path(XrInstance handle, const char* text, XrPath* path) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_pointer(text, "pathString");
+  require_pointer(path, "path");
+  *path = instance.paths.intern(text);
 }
 
-void convert_time_to_timespec_time(XrInstance handle, XrTime from, struct timespec* time) {
-  runtime().registry.get<Instance>(handle);
-  require_pointer(time, "timespecTime");
-  require(from > 0, XR_ERROR_TIME_INVALID, "times are positive");
-  std::int64_t clock_ns = from;
-  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
-    if (session->player) clock_ns = session->player->clock_ns(from).value_or(from);
-  time->tv_sec = clock_ns / 1'000'000'000;
-  time->tv_nsec = clock_ns % 1'000'000'000;
+void path_to_string(XrInstance handle, XrPath path, std::uint32_t capacity, std::uint32_t* count,
+                    char* buffer) {
+  const auto& instance = runtime().registry.get<Instance>(handle);
+  std::string text = instance.paths.text(path);
+  text.push_back('\0');
+  two_call(text, capacity, count, buffer);
 }
 
 }  // namespace hrt::mock

@@ -3,8 +3,9 @@
 #include <openxr/openxr.h>
 
 #include <deque>
+#include <map>
+#include <vector>
 
-#include "samples/mock_runtime/api/actions.h"
 #include "samples/mock_runtime/api/runtime.h"
 #include "samples/mock_runtime/extensions.h"
 #include "samples/mock_runtime/input/paths.h"
@@ -15,6 +16,24 @@ namespace hrt::mock {
 /// The only system, a head-mounted display.
 inline constexpr XrSystemId the_system = 1;
 
+/// A binding that an application suggests.
+struct Binding {
+  std::uint64_t action;  ///< its id
+  XrPath path;
+};
+
+/// By interaction profile; a new suggestion for a profile replaces the one before.
+using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
+
+/// What an application has chosen before its session.
+struct GraphicsSetup {
+  bool vulkan_asked = false;  ///< for its requirements
+  bool opengl_asked = false;
+  PFN_vkGetInstanceProcAddr get_vulkan = nullptr;
+  VkInstance vulkan_instance = nullptr;
+  VkPhysicalDevice vulkan_device = nullptr;  ///< that it was given
+};
+
 /// The instance; at most one exists.
 class Instance : public Object {
  public:
@@ -24,7 +43,9 @@ class Instance : public Object {
 
   bool enabled(Extension extension) const { return extensions_[static_cast<std::size_t>(extension)]; }
   bool version_1_1() const { return enabled(Extension::version_1_1); }
-  SourceSet sources() const { return {version_1_1(), enabled(Extension::palm_pose)}; }
+  SourceSet sources() const {
+    return {version_1_1(), enabled(Extension::palm_pose), version_1_1() || enabled(Extension::maintenance1)};
+  }
   void enable(const char* name);
   void enable_version_1_1() { extensions_.set(static_cast<std::size_t>(Extension::version_1_1)); }
 
@@ -40,11 +61,21 @@ class Instance : public Object {
   std::deque<XrEventDataBuffer> events;  ///< oldest first
   PathTable paths;
   SuggestedBindings suggestions;
+  GraphicsSetup graphics;
 
  private:
   ExtensionSet extensions_;
 };
 
 void require_system(XrSystemId system);
+
+/// Throws unless the system has views of this type.
+void require_view_configuration(XrViewConfigurationType type);
+
+/// The two views of the display.
+inline constexpr std::uint32_t view_image_size = 1024;
+inline constexpr std::uint32_t max_image_size = 4096;
+inline constexpr std::uint32_t max_samples = 4;
+inline constexpr XrFovf field_of_view{-0.785F, 0.785F, 0.785F, -0.785F};
 
 }  // namespace hrt::mock

@@ -1,7 +1,5 @@
 #include "samples/mock_runtime/api/runtime.h"
 
-#include "samples/mock_runtime/api/session.h"
-
 namespace hrt::mock {
 
 Runtime& runtime() {
@@ -18,17 +16,8 @@ void Runtime::apply(const std::string& text) {
 }
 
 Scope Runtime::scope() const {
-  const bool in_session = instance != nullptr && !registry.children<Session>(*instance).empty();
+  const bool in_session = instance != nullptr && registry.has_child(*instance, XR_OBJECT_TYPE_SESSION);
   return {made.instance + (instance == nullptr ? 1 : 0), made.session + (in_session ? 0 : 1)};
-}
-
-void Runtime::fire_due_events() {
-  if (instance == nullptr) return;
-  for (Session* session : registry.children<Session>(*instance)) session->fire_due_events();
-}
-
-XrTime Runtime::now() const {
-  return instance == nullptr ? 0 : instance->clock.now();
 }
 
 }  // namespace hrt::mock

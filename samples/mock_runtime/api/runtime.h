@@ -10,21 +10,21 @@
 
 namespace hrt::mock {
 
-class Instance;
-
 struct Runtime {
   /// Held by every entry point while it runs, except in the waits of xrWaitFrame and of the script.
   std::mutex mutex;
   /// Notified when a frame begins and when a session ends or is lost, for xrWaitFrame.
   std::condition_variable_any frame_begun;
   Registry registry;
-  Instance* instance = nullptr;
+  Object* instance = nullptr;    ///< the one that exists, or null
+  const Clock* clock = nullptr;  ///< its clock
   CallLog log;
   std::uint32_t threads = 0;  ///< that have called so far
   Script script;
   std::string script_text;   ///< that `script` was read from; empty at first
   Faults faults;             ///< of the script, with the calls counted so far
   Scope made;                ///< instances and sessions created since the script took effect
+  std::string remark;        ///< of the call that runs, for the log
   std::string script_error;  ///< the environment's script is invalid: why; else empty
 
   /// A script takes effect; calls, sessions and instances are counted anew. Throws as parse_script(), and
@@ -36,9 +36,8 @@ struct Runtime {
   std::optional<CallFault> next_fault(FunctionId function) {
     return faults.empty() ? std::nullopt : faults.next(function, scope());
   }
-  /// Runs the events of the script that are due.
-  void fire_due_events();
-  XrTime now() const;  ///< 0 without an instance
+  /// 0 without an instance.
+  XrTime now() const { return clock == nullptr ? 0 : clock->now(); }
 };
 
 Runtime& runtime();

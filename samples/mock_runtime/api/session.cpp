@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <iterator>
 
-#include "samples/mock_runtime/api/views.h"
-
 namespace hrt::mock {
 
-Session::Session(Instance* instance, const Script& script)
-    : Object(object_type, instance), created_(instance->clock.now()), world_(script.world, created_) {
+Session::Session(Instance* instance, const Script& script, std::shared_ptr<GraphicsDevice> device)
+    : Object(object_type, instance),
+      graphics(std::move(device)),
+      input(*instance, world_),
+      created_(instance->clock.now()),
+      world_(script.world, created_) {
   const Scope here = runtime().scope();  // this session: no other exists
   std::copy_if(script.events.begin(), script.events.end(), std::back_inserter(events_),
                [&](const ScriptEvent& event) { return event.scope.includes(here); });
@@ -66,6 +68,7 @@ void Session::fire_due_events() {
   if (player) return play_due_events();
   const XrTime elapsed = instance().clock.now() - created_;
   const auto is_due = [&](const ScriptEvent& event) {
+    if (event.reach > 0) return world().reaches_ended() >= event.reach;
     return event.frame > 0 ? frame_number >= event.frame : elapsed >= event.time_ns;
   };
   std::vector<ScriptEvent> due;
@@ -74,8 +77,20 @@ void Session::fire_due_events() {
   for (const ScriptEvent& event : due) happen(event);
 }
 
+void fire_due_events() {
+  if (runtime().instance == nullptr) return;
+  for (Session* session : runtime().registry.children<Session>(*runtime().instance))
+    session->fire_due_events();
+}
+
 void Session::happen(const ScriptEvent& event) {
-  if (const auto* state = std::get_if<StateEvent>(&event.what)) go_to(state->state);
+  if (const auto* state = std::get_if<StateEvent>(&event.what)) {
+    // The user ends the application: after xrEndSession it is not to begin again.
+    const bool ends = state->state == XR_SESSION_STATE_EXITING;
+    exit_requested = exit_requested || (ends && running);
+    go_to(ends ? XR_SESSION_STATE_STOPPING : state->state);
+  }
+  if (std::holds_alternative<TakePicture>(event.what)) picture_from = std::max<std::int64_t>(1, frame_number);
   if (const auto* recenter = std::get_if<Recenter>(&event.what)) happen(*recenter);
   if (const auto* device = std::get_if<DeviceEvent>(&event.what)) happen(*device);
   if (const auto* input_event = std::get_if<InputEvent>(&event.what))
@@ -93,22 +108,21 @@ void Session::happen(const ScriptEvent& event) {
     instance().push_event(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
                                                          instance().clock.now()});
   if (const auto* head = std::get_if<HeadEvent>(&event.what)) world().lose_head(head->lost);
-  if (const auto* hand = std::get_if<HandEvent>(&event.what)) {
-    switch (hand->fault) {
-      case HandFault::lose_tracking:
-      case HandFault::regain_tracking:
-        world().lose_tracking(hand->hand, hand->fault == HandFault::lose_tracking);
-        break;
-      case HandFault::freeze:
-      case HandFault::unfreeze:
-        world().freeze(hand->hand, hand->fault == HandFault::freeze);
-        break;
-      case HandFault::jump:
-        world().jump(hand->hand, hand->jump_m);
-        break;
-    }
-  }
+  if (const auto* hand = std::get_if<HandEvent>(&event.what)) happen(*hand);
   runtime().frame_begun.notify_all();
+}
+
+void Session::happen(const HandEvent& event) {
+  switch (event.fault) {
+    case HandFault::lose_tracking:
+    case HandFault::regain_tracking:
+      return world().lose_tracking(event.hand, event.fault == HandFault::lose_tracking);
+    case HandFault::freeze:
+    case HandFault::unfreeze:
+      return world().freeze(event.hand, event.fault == HandFault::freeze);
+    case HandFault::jump:
+      return world().jump(event.hand, event.jump_m);
+  }
 }
 
 void Session::happen(const DeviceEvent& event) {
@@ -151,11 +165,10 @@ void create_session(XrInstance handle, const XrSessionCreateInfo* info, XrSessio
   require_pointer(session_handle, "session");
   require(info->createFlags == 0, XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0");
   require_system(info->systemId);
-  require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
-          "there are no graphics: enable XR_MND_headless");
   require(runtime().registry.children<Session>(instance).empty(), XR_ERROR_LIMIT_REACHED,
           "a session exists already; one is allowed");
-  auto& session = runtime().registry.create<Session>(&instance, runtime().script);
+  auto device = device_of_session(instance, *info);
+  auto& session = runtime().registry.create<Session>(&instance, runtime().script, std::move(device));
   ++runtime().made.session;
   if (!session.player || !session.player->has_states()) {
     session.enter(XR_SESSION_STATE_IDLE);
@@ -182,13 +195,15 @@ void begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   require(!session.running, XR_ERROR_SESSION_RUNNING, "the session runs already");
   require(session.state() == XR_SESSION_STATE_READY, XR_ERROR_SESSION_NOT_READY, "the session is not ready");
   // May be 0 in a headless session (XR_MND_headless); other unknown views are refused.
-  if (info->primaryViewConfigurationType != 0) require_view_configuration(info->primaryViewConfigurationType);
+  if (info->primaryViewConfigurationType != 0 || session.graphics != nullptr)
+    require_view_configuration(info->primaryViewConfigurationType);
   session.running = true;
   session.exit_requested = false;
   // "A transition to session running resets the frame function call order"; times keep increasing.
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
   if (session.player && session.player->follow(StateCall::begin)) return;
+  if (session.graphics != nullptr) return session.report_presence();  // the states follow frames
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
   // "The runtime must queue this event upon a successful call to xrBeginSession".

@@ -4,7 +4,8 @@
 
 #include <optional>
 
-#include "samples/mock_runtime/api/instance.h"
+#include "samples/mock_runtime/api/input.h"
+#include "samples/mock_runtime/graphics/device.h"
 #include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
 
@@ -12,19 +13,21 @@ namespace hrt::mock {
 
 /// Where the frame loop is.
 struct FrameLoop {
-  bool waited = false;           ///< a frame has been waited for and not begun
-  bool begun = false;            ///< a frame has been begun and not ended
+  bool waited = false;             ///< a frame has been waited for and not begun
+  bool begun = false;              ///< a frame has been begun and not ended
+  std::int64_t waited_number = 0;  ///< of that frame, over all runs
+  std::int64_t begun_number = 0;
   std::int64_t since_begin = 0;  ///< frames waited for since xrBeginSession
   XrTime next_start = 0;         ///< of the next frame interval
   XrTime last_display = 0;       ///< predicted for the latest frame
 };
 
-/// A session, always headless; at most one exists.
+/// A session; at most one exists.
 class Session : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SESSION;
 
-  Session(Instance* instance, const Script& script);
+  Session(Instance* instance, const Script& script, std::shared_ptr<GraphicsDevice> device);
 
   Instance& instance() const { return static_cast<Instance&>(*parent()); }
 
@@ -44,17 +47,20 @@ class Session : public Object {
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
+  const std::shared_ptr<GraphicsDevice> graphics;  ///< null: headless
   bool running = false;
   bool exit_requested = false;
   std::int64_t frame_number = 0;  ///< of the latest xrWaitFrame, over all runs
   FrameLoop frames;
-  Input input{*this};
+  std::int64_t picture_from = 0;  ///< the next picture is of this frame or a later one; 0: none is ordered
+  Input input;
   std::optional<Player> player;  ///< of a script that plays a recording back
 
  private:
   void happen(const ScriptEvent& event);
   void happen(const Recenter& recenter);
   void happen(const DeviceEvent& event);
+  void happen(const HandEvent& event);
   void report_state();
   void play_due_events();
 
@@ -64,5 +70,11 @@ class Session : public Object {
   std::vector<ScriptEvent> events_;  // still to come
   World world_;
 };
+
+/// What the session draws with; null: nothing. Throws an Error for a binding that cannot be used.
+std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);
+
+/// Runs the events of the script that are due, in every session.
+void fire_due_events();
 
 }  // namespace hrt::mock

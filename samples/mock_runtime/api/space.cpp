@@ -2,15 +2,12 @@
 
 #include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/abi/two_call.h"
-#include "samples/mock_runtime/api/views.h"
 
 namespace hrt::mock {
 namespace {
 
 // Within a seated user's reach.
 constexpr XrExtent2Df stage_bounds_m{2.0F, 2.0F};
-constexpr double half_eye_distance_m = 0.0315;
-constexpr XrFovf field_of_view{-0.785F, 0.785F, 0.785F, -0.785F};
 
 constexpr XrSpaceLocationFlags all_location_flags =
     XR_SPACE_LOCATION_ORIENTATION_VALID_BIT | XR_SPACE_LOCATION_POSITION_VALID_BIT |
@@ -64,10 +61,9 @@ RecordedViews views_of(const Space& space, XrTime time) {
   Session& session = space.session();
   if (session.player) return session.player->views(space.name, time);
   const auto in_world = space.in_world(time);
-  const Pose head = session.world().head(time).pose;
   RecordedViews result{};
-  for (const double right_m : {-half_eye_distance_m, half_eye_distance_m}) {
-    const Pose eye = head * Pose{.position_m = {right_m, 0.0, 0.0}};
+  for (const std::uint32_t number : {0U, 1U}) {
+    const Pose eye = eye_in_world(session, number, time);
     XrView view{XR_TYPE_VIEW};
     view.pose = to_xr(in_world ? inverse(*in_world) * eye : Pose{});
     view.fov = field_of_view;
@@ -81,6 +77,12 @@ RecordedViews views_of(const Space& space, XrTime time) {
 }
 
 }  // namespace
+
+Pose eye_in_world(Session& session, std::uint32_t eye, XrTime time) {
+  constexpr double half_distance_m = 0.0315;
+  return session.world().head(time).pose *
+         Pose{.position_m = {eye == 0 ? -half_distance_m : half_distance_m, 0.0, 0.0}};
+}
 
 std::optional<Motion> Space::motion(XrTime time) const {
   if (const auto* action = std::get_if<ActionOrigin>(&origin)) {

@@ -4,7 +4,6 @@
 #include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/instance.h"
-#include "samples/mock_runtime/api/views.h"
 
 namespace hrt::mock {
 void require_system(XrSystemId system) {
@@ -34,7 +33,7 @@ void get_system_properties(XrInstance handle, XrSystemId system, XrSystemPropert
   std::snprintf(
       properties->systemName, sizeof(properties->systemName), "%s",
       runtime().script.playback ? runtime().script.playback->system.c_str() : "HRTX ridged plate, simulated");
-  properties->graphicsProperties = {view_image_height, view_image_width, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
+  properties->graphicsProperties = {max_image_size, max_image_size, XR_MIN_COMPOSITION_LAYERS_SUPPORTED};
   properties->trackingProperties = {XR_TRUE, XR_TRUE};
   if (auto* hands = chained<XrSystemHandTrackingPropertiesEXT>(properties->next,
                                                                XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
@@ -80,9 +79,10 @@ void enumerate_view_configuration_views(XrInstance handle, XrSystemId system, Xr
   require_view_configuration(type);
   two_call(std::array{0, 1}, capacity, count, views, XR_TYPE_VIEW_CONFIGURATION_VIEW, "views",
            [](XrViewConfigurationView& view, int) {
-             view.recommendedImageRectWidth = view.maxImageRectWidth = view_image_width;
-             view.recommendedImageRectHeight = view.maxImageRectHeight = view_image_height;
-             view.recommendedSwapchainSampleCount = view.maxSwapchainSampleCount = 1;
+             view.recommendedImageRectWidth = view.recommendedImageRectHeight = view_image_size;
+             view.maxImageRectWidth = view.maxImageRectHeight = max_image_size;
+             view.recommendedSwapchainSampleCount = 1;
+             view.maxSwapchainSampleCount = max_samples;
            });
 }
 

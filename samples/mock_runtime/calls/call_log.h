@@ -22,7 +22,8 @@ struct CallRecord {
 
 class CallLog {
  public:
-  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on.
+  /// Appends to the file that HRT_MOCK_CALL_LOG names too, if it is set, from now on. At 32 MiB the file is
+  /// renamed to end in .1, in place of an older one, and begun anew.
   void open();
 
   void append(CallRecord record);
@@ -30,12 +31,16 @@ class CallLog {
   const std::deque<CallRecord>& records() const { return records_; }
 
  private:
+  void open_file();
+  void write(const CallRecord& record);
+
   struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
   std::deque<CallRecord> records_;
   std::string path_;
   std::unique_ptr<std::FILE, CloseFile> file_;
+  long bytes_ = 0;  // of it
 };
 
 /// "XR_SUCCESS"; the number of a result without a name.

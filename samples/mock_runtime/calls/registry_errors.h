@@ -1,208 +1,154 @@
 // The error codes that OpenXR's registry lists for each function: attribute errorcodes of xr.xml 1.1.47,
-// without "XR_ERROR_". The tests read this table too.
+// without "XR_ERROR_". Most follow from what a function takes; a table has the others. The tests read this
+// too.
 #pragma once
 
 #include <array>
+#include <concepts>
+#include <string>
 #include <string_view>
+
+#include "samples/mock_runtime/extensions.h"
 
 namespace hrt::mock {
 
-struct RegistryErrors {
-  std::string_view function;
-  std::string_view errors;  ///< separated by spaces
-};
-
 // clang-format off
-inline constexpr std::array registry_errors{
-    RegistryErrors{"xrGetInstanceProcAddr",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST OUT_OF_MEMORY RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateApiLayerProperties",
-      "OUT_OF_MEMORY RUNTIME_FAILURE SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateInstanceExtensionProperties",
-      "API_LAYER_NOT_PRESENT OUT_OF_MEMORY RUNTIME_FAILURE RUNTIME_UNAVAILABLE SIZE_INSUFFICIENT "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateInstance",
-      "API_LAYER_NOT_PRESENT API_VERSION_UNSUPPORTED EXTENSION_DEPENDENCY_NOT_ENABLED "
-      "EXTENSION_NOT_PRESENT INITIALIZATION_FAILED LIMIT_REACHED NAME_INVALID OUT_OF_MEMORY "
-      "RUNTIME_FAILURE RUNTIME_UNAVAILABLE VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroyInstance",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrGetInstanceProperties",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrPollEvent",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrResultToString",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrStructureTypeToString",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetSystem",
-      "FORM_FACTOR_UNAVAILABLE FORM_FACTOR_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetSystemProperties",
-      "HANDLE_INVALID INSTANCE_LOST OUT_OF_MEMORY RUNTIME_FAILURE SYSTEM_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateEnvironmentBlendModes",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SIZE_INSUFFICIENT SYSTEM_INVALID VALIDATION_FAILURE "
-      "VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
-    RegistryErrors{"xrEnumerateViewConfigurations",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SIZE_INSUFFICIENT SYSTEM_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetViewConfigurationProperties",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SYSTEM_INVALID VALIDATION_FAILURE "
-      "VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
-    RegistryErrors{"xrEnumerateViewConfigurationViews",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SIZE_INSUFFICIENT SYSTEM_INVALID VALIDATION_FAILURE "
-      "VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
-    RegistryErrors{"xrCreateSession",
-      "GRAPHICS_DEVICE_INVALID GRAPHICS_REQUIREMENTS_CALL_MISSING HANDLE_INVALID INITIALIZATION_FAILED "
-      "INSTANCE_LOST LIMIT_REACHED OUT_OF_MEMORY RUNTIME_FAILURE SYSTEM_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroySession",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrBeginSession",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SESSION_NOT_READY SESSION_RUNNING "
-      "VALIDATION_FAILURE VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
-    RegistryErrors{"xrEndSession",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SESSION_NOT_RUNNING SESSION_NOT_STOPPING "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrRequestExitSession",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SESSION_NOT_RUNNING VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateReferenceSpaces",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateReferenceSpace",
-      "HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED OUT_OF_MEMORY POSE_INVALID REFERENCE_SPACE_UNSUPPORTED "
-      "RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetReferenceSpaceBoundsRect",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST REFERENCE_SPACE_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrLocateSpace",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrLocateSpaces",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT "
-      "TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrLocateSpacesKHR",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT "
-      "TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroySpace",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrWaitFrame",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SESSION_NOT_RUNNING VALIDATION_FAILURE"},
-    RegistryErrors{"xrBeginFrame",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SESSION_NOT_RUNNING "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrEndFrame",
-      "CALL_ORDER_INVALID ENVIRONMENT_BLEND_MODE_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST LAYER_INVALID "
-      "LAYER_LIMIT_EXCEEDED POSE_INVALID RUNTIME_FAILURE SESSION_LOST SESSION_NOT_RUNNING "
-      "SWAPCHAIN_RECT_INVALID TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrLocateViews",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT TIME_INVALID "
-      "VALIDATION_FAILURE VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
-    RegistryErrors{"xrStringToPath",
-      "HANDLE_INVALID INSTANCE_LOST PATH_COUNT_EXCEEDED PATH_FORMAT_INVALID RUNTIME_FAILURE "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrPathToString",
-      "HANDLE_INVALID INSTANCE_LOST PATH_INVALID RUNTIME_FAILURE SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateSwapchainFormats",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateSwapchain",
-      "FEATURE_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED OUT_OF_MEMORY RUNTIME_FAILURE "
-      "SESSION_LOST SWAPCHAIN_FORMAT_UNSUPPORTED VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroySwapchain",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrEnumerateSwapchainImages",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrAcquireSwapchainImage",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrWaitSwapchainImage",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrReleaseSwapchainImage",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateActionSet",
-      "HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED LOCALIZED_NAME_DUPLICATED LOCALIZED_NAME_INVALID "
-      "NAME_DUPLICATED NAME_INVALID OUT_OF_MEMORY PATH_FORMAT_INVALID RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroyActionSet",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrCreateAction",
-      "ACTIONSETS_ALREADY_ATTACHED HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED LOCALIZED_NAME_DUPLICATED "
-      "LOCALIZED_NAME_INVALID NAME_DUPLICATED NAME_INVALID OUT_OF_MEMORY PATH_FORMAT_INVALID PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroyAction",
-      "HANDLE_INVALID"},
-    RegistryErrors{"xrSuggestInteractionProfileBindings",
-      "ACTIONSETS_ALREADY_ATTACHED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED "
-      "RUNTIME_FAILURE VALIDATION_FAILURE"},
-    RegistryErrors{"xrAttachSessionActionSets",
-      "ACTIONSETS_ALREADY_ATTACHED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateActionSpace",
-      "ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED OUT_OF_MEMORY PATH_INVALID "
-      "PATH_UNSUPPORTED POSE_INVALID RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSyncActions",
-      "ACTIONSET_NOT_ATTACHED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetActionStateBoolean",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetActionStateFloat",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetActionStateVector2f",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetActionStatePose",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetCurrentInteractionProfile",
-      "ACTIONSET_NOT_ATTACHED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrEnumerateBoundSourcesForAction",
-      "ACTIONSET_NOT_ATTACHED HANDLE_INVALID INSTANCE_LOST PATH_INVALID RUNTIME_FAILURE SESSION_LOST "
-      "SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetInputSourceLocalizedName",
-      "ACTIONSET_NOT_ATTACHED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST SIZE_INSUFFICIENT VALIDATION_FAILURE"},
-    RegistryErrors{"xrApplyHapticFeedback",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrStopHapticFeedback",
-      "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH HANDLE_INVALID INSTANCE_LOST PATH_INVALID "
-      "PATH_UNSUPPORTED RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetInputDeviceActiveEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetInputDeviceStateBoolEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetInputDeviceStateFloatEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetInputDeviceStateVector2fEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED RUNTIME_FAILURE "
-      "SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetInputDeviceLocationEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST PATH_INVALID PATH_UNSUPPORTED POSE_INVALID "
-      "RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrCreateHandTrackerEXT",
-      "FEATURE_UNSUPPORTED FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST LIMIT_REACHED OUT_OF_MEMORY "
-      "RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrDestroyHandTrackerEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID"},
-    RegistryErrors{"xrLocateHandJointsEXT",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST TIME_INVALID "
-      "VALIDATION_FAILURE"},
-    RegistryErrors{"xrConvertTimespecTimeToTimeKHR",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrConvertTimeToTimespecTimeKHR",
-      "FUNCTION_UNSUPPORTED HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE TIME_INVALID VALIDATION_FAILURE"},
-    // By our own headers.
-    RegistryErrors{"xrPlacePlateHRTX",
-      "HANDLE_INVALID INSTANCE_LOST POSE_INVALID RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrSetPlateOrientationHRTX",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetPlateOrientationHRTX",
-      "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST TIME_INVALID VALIDATION_FAILURE"},
-    RegistryErrors{"xrInstructReachHRTX",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
-    RegistryErrors{"xrGetReachTruthHRTX",
-      "CALL_ORDER_INVALID HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE"},
+/// Functions, and their codes beyond those that follow from what they take.
+inline constexpr std::pair<std::string_view, std::string_view> further_errors[] = {
+    {"xrGetInstanceProcAddr",
+     "FUNCTION_UNSUPPORTED OUT_OF_MEMORY"},
+    {"xrEnumerateApiLayerProperties",
+     "OUT_OF_MEMORY SIZE_INSUFFICIENT"},
+    {"xrEnumerateInstanceExtensionProperties",
+     "API_LAYER_NOT_PRESENT OUT_OF_MEMORY RUNTIME_UNAVAILABLE SIZE_INSUFFICIENT"},
+    {"xrCreateInstance",
+     "API_LAYER_NOT_PRESENT API_VERSION_UNSUPPORTED EXTENSION_DEPENDENCY_NOT_ENABLED EXTENSION_NOT_PRESENT "
+     "INITIALIZATION_FAILED LIMIT_REACHED NAME_INVALID OUT_OF_MEMORY RUNTIME_UNAVAILABLE"},
+    {"xrGetSystem",
+     "FORM_FACTOR_UNAVAILABLE FORM_FACTOR_UNSUPPORTED"},
+    {"xrGetSystemProperties",
+     "OUT_OF_MEMORY SYSTEM_INVALID"},
+    {"xrEnumerateEnvironmentBlendModes xrEnumerateViewConfigurationViews",
+     "SIZE_INSUFFICIENT SYSTEM_INVALID VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
+    {"xrEnumerateViewConfigurations xrGetVulkanInstanceExtensionsKHR xrGetVulkanDeviceExtensionsKHR",
+     "SIZE_INSUFFICIENT SYSTEM_INVALID"},
+    {"xrGetViewConfigurationProperties",
+     "SYSTEM_INVALID VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
+    {"xrCreateSession",
+     "GRAPHICS_DEVICE_INVALID GRAPHICS_REQUIREMENTS_CALL_MISSING INITIALIZATION_FAILED LIMIT_REACHED "
+     "OUT_OF_MEMORY SYSTEM_INVALID"},
+    {"xrBeginSession",
+     "SESSION_NOT_READY SESSION_RUNNING VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
+    {"xrEndSession",
+     "SESSION_NOT_RUNNING SESSION_NOT_STOPPING"},
+    {"xrRequestExitSession xrWaitFrame",
+     "SESSION_NOT_RUNNING"},
+    {"xrEnumerateReferenceSpaces xrEnumerateSwapchainFormats xrEnumerateSwapchainImages",
+     "SIZE_INSUFFICIENT"},
+    {"xrCreateReferenceSpace",
+     "LIMIT_REACHED OUT_OF_MEMORY POSE_INVALID REFERENCE_SPACE_UNSUPPORTED"},
+    {"xrGetReferenceSpaceBoundsRect",
+     "FUNCTION_UNSUPPORTED REFERENCE_SPACE_UNSUPPORTED"},
+    {"xrLocateSpace xrLocateHandJointsEXT xrConvertTimespecTimeToTimeKHR xrConvertTimeToTimespecTimeKHR "
+     "xrGetPlateOrientationHRTX",
+     "TIME_INVALID"},
+    {"xrLocateSpaces xrLocateSpacesKHR",
+     "SIZE_INSUFFICIENT TIME_INVALID"},
+    {"xrBeginFrame",
+     "CALL_ORDER_INVALID SESSION_NOT_RUNNING"},
+    {"xrEndFrame",
+     "CALL_ORDER_INVALID ENVIRONMENT_BLEND_MODE_UNSUPPORTED LAYER_INVALID LAYER_LIMIT_EXCEEDED POSE_INVALID "
+     "SESSION_NOT_RUNNING SWAPCHAIN_RECT_INVALID TIME_INVALID"},
+    {"xrLocateViews",
+     "SIZE_INSUFFICIENT TIME_INVALID VIEW_CONFIGURATION_TYPE_UNSUPPORTED"},
+    {"xrStringToPath",
+     "PATH_COUNT_EXCEEDED PATH_FORMAT_INVALID"},
+    {"xrPathToString",
+     "PATH_INVALID SIZE_INSUFFICIENT"},
+    {"xrCreateSwapchain",
+     "FEATURE_UNSUPPORTED LIMIT_REACHED OUT_OF_MEMORY SWAPCHAIN_FORMAT_UNSUPPORTED"},
+    {"xrAcquireSwapchainImage xrWaitSwapchainImage xrReleaseSwapchainImage xrInstructReachHRTX "
+     "xrGetReachTruthHRTX",
+     "CALL_ORDER_INVALID"},
+    {"xrCreateActionSet",
+     "LIMIT_REACHED LOCALIZED_NAME_DUPLICATED LOCALIZED_NAME_INVALID NAME_DUPLICATED NAME_INVALID OUT_OF_MEMORY "
+     "PATH_FORMAT_INVALID"},
+    {"xrCreateAction",
+     "ACTIONSETS_ALREADY_ATTACHED LIMIT_REACHED LOCALIZED_NAME_DUPLICATED LOCALIZED_NAME_INVALID NAME_DUPLICATED "
+     "NAME_INVALID OUT_OF_MEMORY PATH_FORMAT_INVALID PATH_INVALID PATH_UNSUPPORTED"},
+    {"xrSuggestInteractionProfileBindings",
+     "ACTIONSETS_ALREADY_ATTACHED PATH_INVALID PATH_UNSUPPORTED"},
+    {"xrAttachSessionActionSets",
+     "ACTIONSETS_ALREADY_ATTACHED"},
+    {"xrCreateActionSpace",
+     "ACTION_TYPE_MISMATCH LIMIT_REACHED OUT_OF_MEMORY PATH_INVALID PATH_UNSUPPORTED POSE_INVALID"},
+    {"xrSyncActions xrGetCurrentInteractionProfile",
+     "ACTIONSET_NOT_ATTACHED PATH_INVALID PATH_UNSUPPORTED"},
+    {"xrGetActionStateBoolean xrGetActionStateFloat xrGetActionStateVector2f xrGetActionStatePose "
+     "xrApplyHapticFeedback xrStopHapticFeedback",
+     "ACTIONSET_NOT_ATTACHED ACTION_TYPE_MISMATCH PATH_INVALID PATH_UNSUPPORTED"},
+    {"xrEnumerateBoundSourcesForAction",
+     "ACTIONSET_NOT_ATTACHED PATH_INVALID SIZE_INSUFFICIENT"},
+    {"xrGetInputSourceLocalizedName",
+     "ACTIONSET_NOT_ATTACHED PATH_INVALID PATH_UNSUPPORTED SIZE_INSUFFICIENT"},
+    {"xrSetInputDeviceActiveEXT xrSetInputDeviceStateBoolEXT xrSetInputDeviceStateFloatEXT "
+     "xrSetInputDeviceStateVector2fEXT",
+     "PATH_INVALID PATH_UNSUPPORTED"},
+    {"xrSetInputDeviceLocationEXT",
+     "PATH_INVALID PATH_UNSUPPORTED POSE_INVALID"},
+    {"xrCreateHandTrackerEXT",
+     "FEATURE_UNSUPPORTED LIMIT_REACHED OUT_OF_MEMORY"},
+    {"xrPlacePlateHRTX",
+     "POSE_INVALID"},
+    {"xrGetVulkanGraphicsRequirements2KHR xrGetVulkanGraphicsDevice2KHR xrGetVulkanGraphicsRequirementsKHR "
+     "xrGetVulkanGraphicsDeviceKHR xrGetOpenGLGraphicsRequirementsKHR",
+     "SYSTEM_INVALID"},
+    {"xrCreateVulkanInstanceKHR xrCreateVulkanDeviceKHR",
+     "LIMIT_REACHED OUT_OF_MEMORY SYSTEM_INVALID"},
 };
 // clang-format on
+
+template <typename First, typename... Rest>
+constexpr std::string_view usual_errors(XrResult(XRAPI_PTR*)(First, Rest...)) {
+  if constexpr (std::same_as<First, XrInstance> || std::same_as<First, XrActionSet>)
+    return "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE VALIDATION_FAILURE";
+  else if constexpr (std::same_as<First, XrSession> || std::same_as<First, XrSpace> ||
+                     std::same_as<First, XrSwapchain> || std::same_as<First, XrHandTrackerEXT>)
+    return "HANDLE_INVALID INSTANCE_LOST RUNTIME_FAILURE SESSION_LOST VALIDATION_FAILURE";
+  else
+    return "RUNTIME_FAILURE VALIDATION_FAILURE";
+}
+
+constexpr bool contains_word(std::string_view words, std::string_view word) {
+  for (std::size_t at = words.find(word); at != std::string_view::npos; at = words.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    if ((at == 0 || words[at - 1] == ' ') && (end == words.size() || words[end] == ' ')) return true;
+  }
+  return false;
+}
+
+/// Separated by spaces; empty for functions of XR_HRTX_mock_control, of which none can be ordered.
+inline std::string registry_errors(FunctionId function) {
+  std::string_view name, usual;
+  Extension extension{};
+  switch (function) {
+#define HRT_MOCK_TRAITS(function_name, implementation, of, returned) \
+  case FunctionId::function_name:                                    \
+    name = #function_name;                                           \
+    usual = usual_errors(PFN_##function_name{});                     \
+    extension = Extension::of;                                       \
+    break;
+    HRT_MOCK_FUNCTIONS(HRT_MOCK_TRAITS)
+#undef HRT_MOCK_TRAITS
+    default:
+      break;
+  }
+  if (extension == Extension::mock_control) return {};
+  std::string errors(name.starts_with("xrDestroy") ? "HANDLE_INVALID" : usual);
+  if (extension != Extension::core && !name.ends_with("HRTX")) errors += " FUNCTION_UNSUPPORTED";
+  for (const auto& [functions, further] : further_errors)
+    if (contains_word(functions, name)) errors += " " + std::string(further);
+  return errors;
+}
 
 }  // namespace hrt::mock

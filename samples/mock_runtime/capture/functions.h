@@ -1,12 +1,7 @@
 // The functions that the layer looks into, and the member of Capture that notes what each has given.
 #pragma once
 
-#include <ctime>
-#define XR_USE_TIMESPEC
-#include <openxr/openxr.h>
-#include <openxr/openxr_platform.h>
-
-#include "samples/mock_runtime/openxr_1_1.h"
+#include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 
 // Of `failures` only errors are noted.

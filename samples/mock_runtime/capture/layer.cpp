@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "samples/mock_runtime/api/negotiation.h"
+#include "samples/mock_runtime/abi/negotiation.h"
 #include "samples/mock_runtime/capture/capture.h"
 
 namespace hrt::capture {

@@ -164,29 +164,32 @@ Source make_source(std::string_view device, std::string_view component) {
 
 using ProfileSources = std::map<std::string, std::vector<Source>, std::less<>>;
 
-// OpenXR 1.1 has the pose of the palm, grip_surface, wherever there is a grip, as XR_EXT_palm_pose has
-// palm_ext.
-ProfileSources make_profiles(bool version_1_1, bool palm_pose) {
+// The pose of the palm is wherever there is a grip.
+ProfileSources make_profiles(const SourceSet& set) {
   ProfileSources made;
   for (const Profile& profile : profile_table())
     for (const Part& part : profile.parts) {
-      if (part.version_1_1 && !version_1_1) continue;
+      if (part.version_1_1 && !set.version_1_1) continue;
       auto& sources = made[std::string(profile.path)];
       for (const std::string_view device : words(part.devices))
         for (const std::string_view component : words(part.components)) {
           sources.push_back(make_source(device, component));
-          if (version_1_1 && component == "grip/pose")
-            sources.push_back(make_source(device, "grip_surface/pose"));
-          if (palm_pose && component == "grip/pose") sources.push_back(make_source(device, "palm_ext/pose"));
+          if (component != "grip/pose") continue;
+          if (set.grip_surface) sources.push_back(make_source(device, "grip_surface/pose"));
+          if (set.palm_pose) sources.push_back(make_source(device, "palm_ext/pose"));
         }
     }
   return made;
 }
 
-const ProfileSources& profiles_of(SourceSet set) {
-  static const std::array all{make_profiles(false, false), make_profiles(false, true),
-                              make_profiles(true, false), make_profiles(true, true)};
-  return all[(set.version_1_1 ? 2U : 0U) + (set.palm_pose ? 1U : 0U)];
+const ProfileSources& profiles_of(const SourceSet& set) {
+  static const auto all = [] {
+    std::array<ProfileSources, 8> made;
+    for (unsigned i = 0; i < made.size(); ++i)
+      made[i] = make_profiles({(i & 1U) != 0, (i & 2U) != 0, (i & 4U) != 0});
+    return made;
+  }();
+  return all[(set.version_1_1 ? 1U : 0U) + (set.palm_pose ? 2U : 0U) + (set.grip_surface ? 4U : 0U)];
 }
 
 // Whether a source of this kind can drive an action; floats and booleans convert to each other.

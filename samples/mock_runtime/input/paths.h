@@ -44,8 +44,9 @@ struct Source {
 
 /// Which sources interaction profiles have.
 struct SourceSet {
-  bool version_1_1 = true;  ///< those of OpenXR 1.1, or of 1.0
-  bool palm_pose = true;    ///< and of XR_EXT_palm_pose
+  bool version_1_1 = true;   ///< those of OpenXR 1.1, or of 1.0
+  bool palm_pose = true;     ///< and of XR_EXT_palm_pose
+  bool grip_surface = true;  ///< and of XR_KHR_maintenance1, which 1.1 has
 };
 
 /// The sources of an interaction profile, or null if there is no such profile.

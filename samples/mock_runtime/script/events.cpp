@@ -58,10 +58,12 @@ InputEvent read_input(Members& members) {
 ScriptEvent read_event(Members& members) {
   ScriptEvent event{};
   event.scope = read_scope(members);
-  if (members.has("frame") == members.has("time_ms"))
-    refuse(members.where(), "must have either a frame or a time_ms");
+  const std::array given{members.has("frame"), members.has("time_ms"), members.has("reach")};
+  if (std::count(given.begin(), given.end(), true) != 1)
+    refuse(members.where(), "must have one of frame, time_ms and reach");
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
+  event.reach = members.count("reach", 0, 1);
   event.what =
       members.choice<decltype(event.what)>("do", {{"lose_tracking", HandEvent{HandFault::lose_tracking}},
                                                   {"regain_tracking", HandEvent{HandFault::regain_tracking}},
@@ -73,6 +75,7 @@ ScriptEvent read_event(Members& members) {
                                                   {"interaction_profile", DeviceEvent{}},
                                                   {"input", InputEvent{}},
                                                   {"user_presence", PresenceEvent{}},
+                                                  {"take_picture", TakePicture{}},
                                                   {"repeat_session_state", RepeatState{}},
                                                   {"lose_session", LoseSession{}},
                                                   {"lose_instance", LoseInstance{}},
@@ -82,6 +85,7 @@ ScriptEvent read_event(Members& members) {
                                                             {"VISIBLE", XR_SESSION_STATE_VISIBLE},
                                                             {"FOCUSED", XR_SESSION_STATE_FOCUSED},
                                                             {"STOPPING", XR_SESSION_STATE_STOPPING},
+                                                            {"EXITING", XR_SESSION_STATE_EXITING},
                                                             {"LOSS_PENDING", XR_SESSION_STATE_LOSS_PENDING}});
   if (auto* device = std::get_if<DeviceEvent>(&event.what))
     *device = {read_device(members), read_profile(members)};

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "samples/mock_runtime/playback/members.h"
-#include "samples/mock_runtime/script/script.h"
+#include "samples/mock_runtime/script/event.h"
+#include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
 

@@ -60,7 +60,8 @@ Json parse_json(std::string_view text, Recording& recording) {
 // What is played back takes the place of these.
 void read_playback(Members& members, const Json& script, Recording& recording) {
   for (const auto& [key, value] : script.items())
-    if (key != "clock" && key != "calls" && key != "withhold_extensions" && key != "playback")
+    if (key != "clock" && key != "calls" && key != "picture_every_frames" && key != "picture_views" &&
+        key != "withhold_extensions" && key != "playback")
       refuse(members.where(), "takes the place of " + key + ", which has no effect beside it");
   if (members.count("version", 0, 0) != 1) refuse(members.where("version"), "must be 1");
   // What is left of them are those that are no arrays.
@@ -78,6 +79,12 @@ bool Script::hides(std::size_t extension) const {
          (clock == Clock::Kind::manual && extension == static_cast<std::size_t>(Extension::timespec));
 }
 
+bool Script::has_picture_events() const {
+  return std::any_of(events.begin(), events.end(), [](const ScriptEvent& event) {
+    return std::holds_alternative<TakePicture>(event.what);
+  });
+}
+
 Script parse_script(std::string_view text) {
   Recording recording;
   const Json json = parse_json(text, recording);
@@ -90,6 +97,10 @@ Script parse_script(std::string_view text) {
     script.frame_period = std::llround(1e9 / members.number("frame_rate_hz", 90.0, 1.0, 1000.0));
   script.frame_times = members.boolean("frame_times", script.frame_times);
   script.focus_frame = static_cast<std::int64_t>(members.count("focus_frame", 0, 0));
+  members.one_of(
+      "picture_views", script.views,
+      {{"left", Script::View::left}, {"right", Script::View::right}, {"world", Script::View::world}});
+  script.pictures = static_cast<std::int64_t>(members.count("picture_every_frames", 0, 1));
   script.stage = members.boolean("stage", script.stage);
   script.hand_tracking = members.boolean("hand_tracking", script.hand_tracking);
   script.withheld = read_withheld(members);

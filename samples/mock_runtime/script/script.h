@@ -6,66 +6,15 @@
 #include <memory>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "samples/mock_runtime/calls/faults.h"
 #include "samples/mock_runtime/extensions.h"
 #include "samples/mock_runtime/playback/recording.h"
+#include "samples/mock_runtime/script/event.h"
 #include "samples/mock_runtime/world/clock.h"
-#include "samples/mock_runtime/world/pose.h"
 #include "samples/mock_runtime/world/settings.h"
 
 namespace hrt::mock {
-
-enum class HandFault { lose_tracking, regain_tracking, freeze, unfreeze, jump };
-struct HandEvent {
-  HandFault fault;
-  XrHandEXT hand = XR_HAND_LEFT_EXT;
-  Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
-};
-/// The headset loses track of the room, or finds it again.
-struct HeadEvent {
-  bool lost = false;
-};
-struct StateEvent {
-  XrSessionState state = XR_SESSION_STATE_UNKNOWN;
-};
-/// The user recentres.
-struct Recenter {
-  XrReferenceSpaceType space = XR_REFERENCE_SPACE_TYPE_LOCAL;  ///< or STAGE
-  XrDuration delay_ns = 0;                                     ///< from the event to the change
-  Pose pose;                                                   ///< of the new origin in the old space
-  bool pose_valid = true;                                      ///< the application is given the pose
-};
-/// A device is put on, changed or, without a profile, put away.
-struct DeviceEvent {
-  std::string device;   ///< "/user/hand/left"
-  std::string profile;  ///< interaction profile path; empty: off
-};
-/// A button, trigger or stick of a device moves.
-struct InputEvent {
-  std::string device;
-  std::vector<std::pair<std::string, float>> values;  ///< of sources: "/user/hand/left/input/trigger/value"
-};
-/// The user puts the headset on or takes it off.
-struct PresenceEvent {
-  bool present = true;
-};
-struct RepeatState {};
-struct LoseSession {};
-struct LoseInstance {};
-struct InstanceLossPending {};
-
-/// An event in a session.
-struct ScriptEvent {
-  Scope scope;
-  std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
-  std::int64_t time_ns;  ///< after the session was created
-  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, PresenceEvent,
-               RepeatState, LoseSession, LoseInstance, InstanceLossPending>
-      what;
-};
 
 struct Script {
   Clock::Kind clock = Clock::Kind::manual;
@@ -75,11 +24,17 @@ struct Script {
   std::int64_t focus_frame = 0;
   bool stage = true;          ///< the runtime has the STAGE space
   bool hand_tracking = true;  ///< of the system: XrSystemHandTrackingPropertiesEXT
+  /// Of what pictures are: what each eye is shown, and the world.
+  enum class View { left, right, world };
+  std::vector<View> views{View::left, View::right};
+  std::int64_t pictures = 0;  ///< of every so many frames, from the first on; 0: of those that events name
   ExtensionSet withheld;      ///< extensions that the runtime hides
   WorldSettings world;
   std::vector<ScriptEvent> events;
   std::vector<CallFault> calls;
   std::shared_ptr<const Recording> playback;  ///< in place of the simulation; may be null
+
+  bool has_picture_events() const;
 
   /// By Extension: withheld, not enabled in what is played back, or without a meaning: under the manual clock
   /// no time of the machine is an XrTime.

@@ -80,7 +80,10 @@ void World::freeze(XrHandEXT side, bool frozen) {
 void World::advance(XrTime now) {
   now_ = now;
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT}) {
-    if (at(side).reach) at(side).reach->advance(now, servo_);
+    if (std::optional<Reach>& reach = at(side).reach; reach && !reach->done()) {
+      reach->advance(now, servo_);
+      ended_ += reach->done() ? 1 : 0;
+    }
     slide_again(side);
   }
   servo_.advance(now);
@@ -107,6 +110,11 @@ std::optional<HandState> World::hand(XrHandEXT side, XrTime time) const {
     state.index_tip_velocity_m_per_s = state.angular_velocity_rad_per_s = Eigen::Vector3d::Zero();
   }
   return state;
+}
+
+std::optional<HandState> World::true_hand(XrHandEXT side, XrTime time) const {
+  if (!at(side).tracked) return std::nullopt;
+  return at(side).reach ? sliding_hand(at(side), side, time) : hand_on_path(side, time);
 }
 
 HandState World::hand_on_path(XrHandEXT side, XrTime time) const {

@@ -35,6 +35,7 @@ class World {
 
   /// Plate frame: origin in the centre of rotation, +Y the normal, -Z the mid-line away from the user.
   void place_plate(const Pose& plate, double radius_m);
+  const Pose& plate() const { return plate_; }
   bool plate_is_placed() const { return plate_radius_m_ > 0.0; }
   double plate_radius_m() const { return plate_radius_m_; }
 
@@ -47,6 +48,7 @@ class World {
 
   /// Starts a reach, with the index tip joint at `height_m` above the plate. Requires plate_is_placed().
   void instruct(XrHandEXT hand, const ReachInstruction& instruction, double height_m, XrTime now);
+  std::uint64_t reaches_ended() const { return ended_; }
   /// The hand's latest reach, or null.
   const Reach* reach(XrHandEXT hand) const;
   /// The index tip joint of a hand with a reach, now, in plate coordinates.
@@ -83,6 +85,8 @@ class World {
   /// The hand as the tracker reports it for `time`; none while not tracked. A future time is predicted
   /// without further plate commands.
   std::optional<HandState> hand(XrHandEXT hand, XrTime time) const;
+  /// The hand itself; none where the script has none.
+  std::optional<HandState> true_hand(XrHandEXT hand, XrTime time) const;
 
  private:
   struct Hand {
@@ -113,6 +117,7 @@ class World {
   std::array<Hand, 2> hands_;
   std::optional<XrTime> head_lost_at_;
   std::uint32_t reaches_ = 0;
+  std::uint64_t ended_ = 0;
   XrTime start_;
   XrTime now_;
 };

@@ -79,20 +79,6 @@ TEST_F(MockActions, AllCoreProfilesHaveTheirSources) {
                                                {{any, path("/user/hand/left/input/x/click")}}));
 }
 
-// "xrAttachSessionActionSets [...] XR_ERROR_ACTIONSETS_ALREADY_ATTACHED if [...] called more than once";
-// action sets and bindings do not change once attached.
-TEST_F(MockActions, AttachingMakesActionSetsImmutable) {
-  const XrAction select = make_action(set, "select", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, attach({}));
-  ASSERT_XR(XR_SUCCESS, attach({set}));
-  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, attach({set}));
-  const XrActionCreateInfo info = action_info("late", "late", XR_ACTION_TYPE_BOOLEAN_INPUT);
-  XrAction late = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED, xrCreateAction(set, &info, &late));
-  EXPECT_XR(XR_ERROR_ACTIONSETS_ALREADY_ATTACHED,
-            suggest(simple, {{select, path("/user/hand/left/input/select/click")}}));
-}
-
 // "The action state [...] is inactive [...] if [the] action set [is not] active, or the session is not
 // focused": XR_SESSION_NOT_FOCUSED; the values are those of the last xrSyncActions; changedSinceLastSync and
 // lastChangeTime.

@@ -1,12 +1,11 @@
-// The layer in samples/mock_runtime/capture: what an application with controllers was given, played back; an
-// application for OpenXR 1.1; one of several threads.
+// The layer in samples/mock_runtime/capture: what an application with controllers was given, played back; one
+// of several threads.
 #include <atomic>
 #include <filesystem>
 #include <map>
 #include <thread>
 
 #include "tests/samples/mock_runtime/capture_support.h"
-#include "tests/samples/mock_runtime/negotiation.h"
 
 namespace hrt::mock {
 namespace {
@@ -300,111 +299,6 @@ TEST_F(MockCaptureInput, ThreadsAreCaptured) {
   play(folder / "capture.json");
   EXPECT_XR(XR_SUCCESS, create_instance());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-}
-
-// The layer right in front of the runtime: Debian's loader refuses applications for 1.1.
-class MockCapture11 : public MockNegotiation {
- protected:
-  void SetUp() override {
-    MockNegotiation::SetUp();
-    ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
-    layer_library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-    ASSERT_NE(layer_library, nullptr) << dlerror();
-    using NegotiateLayer =
-        XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*, NegotiateApiLayerRequest*);
-    const auto negotiate_layer =
-        reinterpret_cast<NegotiateLayer>(dlsym(layer_library, "xrNegotiateLoaderApiLayerInterface"));
-    ASSERT_XR(XR_SUCCESS, negotiate_layer(&loader, "XR_APILAYER_HRTX_capture", &layer));
-  }
-  void TearDown() override {
-    for (const char* name : {"HRT_CAPTURE_FILE", "HRT_MOCK_SCRIPT"}) unsetenv(name);
-    dlclose(layer_library);
-    MockNegotiation::TearDown();
-  }
-
-  // The head in LOCAL_FLOOR and in LOCAL, with velocities, at ten times.
-  std::string run(bool captured) {
-    static PFN_xrGetInstanceProcAddr runtime = nullptr;
-    runtime = request.get_instance_proc_addr;
-    const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
-    XrInstanceCreateInfo info = instance_info(names);
-    info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
-    const auto create = [](const XrInstanceCreateInfo* of, const ApiLayerCreateInfo*, XrInstance* made) {
-      PFN_xrVoidFunction function = nullptr;
-      EXPECT_XR(XR_SUCCESS, runtime(XR_NULL_HANDLE, "xrCreateInstance", &function));
-      return reinterpret_cast<PFN_xrCreateInstance>(function)(of, made);
-    };
-    ApiLayerNextInfo next{};
-    next.struct_size = sizeof next;
-    next.next_get_instance_proc_addr = runtime;
-    next.next_create_api_layer_instance = create;
-    ApiLayerCreateInfo layers{};
-    layers.struct_size = sizeof layers;
-    layers.next_info = &next;
-    EXPECT_XR(XR_SUCCESS, captured ? layer.create_api_layer_instance(&info, &layers, &instance)
-                                   : create(&info, &layers, &instance));
-    const auto function = [&]<typename Function>(Function& to, const char* name) {
-      PFN_xrVoidFunction found = nullptr;
-      EXPECT_XR(XR_SUCCESS, (captured ? layer.get_instance_proc_addr : runtime)(instance, name, &found));
-      to = reinterpret_cast<Function>(found);
-    };
-#define HRT_FETCH(name) \
-  PFN_##name name##_;   \
-  function(name##_, #name)
-    HRT_FETCH(xrGetSystem);
-    HRT_FETCH(xrCreateSession);
-    HRT_FETCH(xrCreateReferenceSpace);
-    HRT_FETCH(xrLocateSpaces);
-    HRT_FETCH(xrDestroyInstance);
-#undef HRT_FETCH
-    const XrSystemGetInfo get{XR_TYPE_SYSTEM_GET_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-    XrSystemId system = XR_NULL_SYSTEM_ID;
-    EXPECT_XR(XR_SUCCESS, xrGetSystem_(instance, &get, &system));
-    const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, system};
-    XrSession session = XR_NULL_HANDLE;
-    EXPECT_XR(XR_SUCCESS, xrCreateSession_(instance, &session_info, &session));
-    std::array<XrSpace, 3> spaces{};
-    const std::array types{XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR, XR_REFERENCE_SPACE_TYPE_LOCAL,
-                           XR_REFERENCE_SPACE_TYPE_VIEW};
-    for (std::size_t i = 0; i < spaces.size(); ++i) {
-      const XrReferenceSpaceCreateInfo space{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr, types[i],
-                                             identity_pose};
-      EXPECT_XR(XR_SUCCESS, xrCreateReferenceSpace_(session, &space, &spaces[i]));
-    }
-    std::string bytes;
-    for (int i = 0; i < 10; ++i)
-      for (const XrSpace base : {spaces[0], spaces[1]}) {
-        std::array<XrSpaceLocationData, 3> located{};
-        std::array<XrSpaceVelocityData, 3> moving{};
-        XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, 3, moving.data()};
-        XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, &velocities, 3, located.data()};
-        const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO,     nullptr, base,
-                                        1'000'000'000 + 50'000'000 * i, 3,       spaces.data()};
-        EXPECT_XR(XR_SUCCESS, xrLocateSpaces_(session, &locate, &locations));
-        EXPECT_NE(located[2].locationFlags, 0U);
-        for (int k = 0; k < 3; ++k) {
-          bytes.append(reinterpret_cast<const char*>(&located[k]), sizeof located[k]);
-          bytes.append(reinterpret_cast<const char*>(&moving[k]), sizeof moving[k]);
-        }
-      }
-    EXPECT_XR(XR_SUCCESS, xrDestroyInstance_(instance));
-    return bytes;
-  }
-
-  TemporaryFolder folder;
-  void* layer_library = nullptr;
-  NegotiateApiLayerRequest layer{api_layer_request_type, struct_version, sizeof(NegotiateApiLayerRequest)};
-};
-
-TEST_F(MockCapture11, GivesTheSameAgain) {
-  std::ofstream(folder / "script.json") << R"({"head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]},
-      {"time_ms": 900, "position_m": [0.1, 0, 0.3], "orientation": [0, 0.6, 0, 0.8]}]}})";
-  setenv("HRT_MOCK_SCRIPT", (folder / "script.json").c_str(), 1);
-  setenv("HRT_CAPTURE_FILE", (folder / "capture.json").c_str(), 1);
-  const std::string first = run(true);
-  setenv("HRT_MOCK_SCRIPT", (folder / "capture.json").c_str(), 1);
-  EXPECT_TRUE(first == run(false));
-  EXPECT_TRUE(has(read_file(folder / "capture.json"), "[\"located\",1,1450000000,"));
 }
 
 }  // namespace

@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "samples/mock_runtime/api/negotiation.h"
 #include "tests/samples/mock_runtime/capture_support.h"
+#include "tests/samples/mock_runtime/negotiation.h"
 
 namespace hrt::mock {
 namespace {
@@ -270,32 +270,82 @@ TEST_F(MockCapture, IsImplicitWhereItsManifestIsInstalled) {
 }
 
 // Without a loader, which hides these.
-TEST(MockCaptureLayer, RefusesALoaderOfAnotherInterface) {
-  void* library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
-  ASSERT_NE(library, nullptr) << dlerror();
-  using Negotiate = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*, NegotiateApiLayerRequest*);
-  const auto negotiate = reinterpret_cast<Negotiate>(dlsym(library, "xrNegotiateLoaderApiLayerInterface"));
-  ASSERT_NE(negotiate, nullptr);
-  const NegotiateLoaderInfo good{loader_info_type,
-                                 struct_version,
-                                 sizeof(NegotiateLoaderInfo),
-                                 1,
-                                 1,
-                                 XR_MAKE_VERSION(1, 0, 0),
-                                 XR_MAKE_VERSION(1, 0, 0xFFFFFFFF)};
-  NegotiateApiLayerRequest request{api_layer_request_type, struct_version, sizeof request};
-  EXPECT_XR(XR_SUCCESS, negotiate(&good, "XR_APILAYER_HRTX_capture", &request));
-  EXPECT_NE(request.create_api_layer_instance, nullptr);
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(nullptr, nullptr, &request));
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&good, nullptr, nullptr));
-  NegotiateLoaderInfo newer = good;
+class MockCaptureLayer : public MockNegotiation {
+ protected:
+  void SetUp() override {
+    MockNegotiation::SetUp();
+    layer_library = dlopen(HRT_CAPTURE_LIBRARY, RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(layer_library, nullptr) << dlerror();
+    negotiate_layer =
+        reinterpret_cast<NegotiateLayer>(dlsym(layer_library, "xrNegotiateLoaderApiLayerInterface"));
+    ASSERT_NE(negotiate_layer, nullptr);
+  }
+  void TearDown() override {
+    dlclose(layer_library);
+    MockNegotiation::TearDown();
+  }
+  using NegotiateLayer = XrResult(XRAPI_PTR*)(const NegotiateLoaderInfo*, const char*,
+                                              NegotiateApiLayerRequest*);
+  void* layer_library = nullptr;
+  NegotiateLayer negotiate_layer = nullptr;
+  NegotiateApiLayerRequest layer{api_layer_request_type, struct_version, sizeof(NegotiateApiLayerRequest)};
+};
+
+// Right in front of the runtime, since Debian 12's loader refuses applications for 1.1: its function is
+// wrapped, and what it gives is in the file.
+TEST_F(MockCaptureLayer, CapturesAnApplicationForOpenXR11) {
+  const TemporaryFolder folder;
+  setenv("HRT_CAPTURE_FILE", (folder / "capture.json").c_str(), 1);
+  ASSERT_XR(XR_SUCCESS, negotiate(&loader, &request));
+  ASSERT_XR(XR_SUCCESS, negotiate_layer(&loader, "XR_APILAYER_HRTX_capture", &layer));
+  static PFN_xrGetInstanceProcAddr runtime = nullptr;
+  runtime = request.get_instance_proc_addr;
+  ApiLayerNextInfo next{};
+  next.struct_size = sizeof next;
+  next.next_get_instance_proc_addr = runtime;
+  next.next_create_api_layer_instance = [](const XrInstanceCreateInfo* of, const ApiLayerCreateInfo*,
+                                           XrInstance* made) {
+    PFN_xrVoidFunction create = nullptr;
+    EXPECT_XR(XR_SUCCESS, runtime(XR_NULL_HANDLE, "xrCreateInstance", &create));
+    return reinterpret_cast<PFN_xrCreateInstance>(create)(of, made);
+  };
+  ApiLayerCreateInfo layers{};
+  layers.struct_size = sizeof layers;
+  layers.next_info = &next;
+  const std::vector<const char*> names{XR_MND_HEADLESS_EXTENSION_NAME};
+  XrInstanceCreateInfo info = instance_info(names);
+  info.applicationInfo.apiVersion = XR_MAKE_VERSION(1, 1, 41);
+  ASSERT_XR(XR_SUCCESS, layer.create_api_layer_instance(&info, &layers, &instance));
+  request.get_instance_proc_addr = layer.get_instance_proc_addr;  // direct() from here on
+  const XrSessionCreateInfo session_info{XR_TYPE_SESSION_CREATE_INFO, nullptr, 0, 1};
+  XrSession session = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrCreateSession>("xrCreateSession")(instance, &session_info, &session));
+  const XrReferenceSpaceCreateInfo floor{XR_TYPE_REFERENCE_SPACE_CREATE_INFO, nullptr,
+                                         XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR, identity_pose};
+  XrSpace space = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS,
+            direct<PFN_xrCreateReferenceSpace>("xrCreateReferenceSpace")(session, &floor, &space));
+  XrSpaceLocationData data{};
+  XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
+  const XrSpacesLocateInfo locate{XR_TYPE_SPACES_LOCATE_INFO, nullptr, space, 1'450'000'000, 1, &space};
+  ASSERT_XR(XR_SUCCESS, direct<PFN_xrLocateSpaces>("xrLocateSpaces")(session, &locate, &locations));
+  destroy_direct();
+  EXPECT_TRUE(has(read_file(folder / "capture.json"), "[\"located\",1,1450000000,"));
+  unsetenv("HRT_CAPTURE_FILE");
+}
+
+TEST_F(MockCaptureLayer, RefusesALoaderOfAnotherInterface) {
+  EXPECT_XR(XR_SUCCESS, negotiate_layer(&loader, "XR_APILAYER_HRTX_capture", &layer));
+  EXPECT_NE(layer.create_api_layer_instance, nullptr);
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate_layer(nullptr, nullptr, &layer));
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate_layer(&loader, nullptr, nullptr));
+  NegotiateLoaderInfo newer = loader;
   newer.min_interface_version = newer.max_interface_version = 2;
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&newer, nullptr, &request));
-  NegotiateApiLayerRequest larger = request;
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate_layer(&newer, nullptr, &layer));
+  NegotiateApiLayerRequest larger = layer;
   larger.struct_size += 8;
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate(&good, nullptr, &larger));
-  XrInstance instance = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, request.create_api_layer_instance(nullptr, nullptr, &instance));
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, negotiate_layer(&loader, nullptr, &larger));
+  EXPECT_XR(XR_ERROR_INITIALIZATION_FAILED, layer.create_api_layer_instance(nullptr, nullptr, &instance));
 }
 
 }  // namespace

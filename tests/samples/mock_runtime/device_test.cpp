@@ -21,7 +21,8 @@ class MockDevices : public MockRuntime {
                      XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
                      XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME,
                      XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME, XR_EXT_USER_PRESENCE_EXTENSION_NAME,
-                     XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_KHR_LOCATE_SPACES_EXTENSION_NAME}) {}
+                     XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_KHR_LOCATE_SPACES_EXTENSION_NAME,
+                     XR_EXT_PALM_POSE_EXTENSION_NAME}) {}
 
   // The joints of the right hand, one second after the session began.
   Hand hand_with(const std::string& keyframe) {
@@ -152,6 +153,28 @@ TEST_F(MockControllers, ButtonsAndPosesMoveAsTheScriptSays) {
   const auto location = located(space, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), 1'500'000'000, &velocity);
   EXPECT_NEAR(location.pose.position.z, -0.55F, 1e-6F);  // 5 cm ahead of the grip at -0.5 m
   EXPECT_NEAR(velocity.linearVelocity.z, -0.2F, 1e-6F);
+}
+
+// XR_EXT_palm_pose and "grip pose": +X is the palm's normal in both; -Z is the pointing finger's direction
+// there, and from little finger to thumb here. In a hand that holds a controller +Y of the palm is near -Z of
+// the grip.
+TEST_F(MockControllers, PalmLeansFromTheGrip) {
+  apply(R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})");
+  set = make_set("set");
+  const XrAction grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT),
+                 palm = make_action(set, "palm", XR_ACTION_TYPE_POSE_INPUT);
+  ASSERT_XR(XR_SUCCESS, suggest("/interaction_profiles/khr/simple_controller",
+                                {{grip, path("/user/hand/right/input/grip/pose")},
+                                 {palm, path("/user/hand/right/input/palm_ext/pose")}}));
+  begin_session();
+  ASSERT_XR(XR_SUCCESS, attach({set}));
+  ASSERT_XR(XR_SUCCESS, sync({{set, XR_NULL_PATH}}));
+  const XrSpaceLocation found = located(create_action_space(palm), create_action_space(grip), frame());
+  const XrQuaternionf& q = found.pose.orientation;
+  // Of the rotation about X: +Y is (0, cos, sin).
+  EXPECT_NEAR(q.y, 0.0F, 1e-6F);
+  EXPECT_NEAR(q.z, 0.0F, 1e-6F);
+  EXPECT_NEAR(-2.0F * q.w * q.x, std::sin(1.0471976F), 1e-6F) << "30 degrees from -Z";
 }
 
 TEST_F(MockControllers, ProfilesChangeAndControllersArePutAway) {

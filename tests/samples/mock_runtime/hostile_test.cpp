@@ -87,7 +87,7 @@ TEST_F(MockHostile, EveryFunctionOfAnInstanceRefusesNullPointers) {
 class MockBrokenScript : public MockRuntime {};
 
 std::string readme_script() {
-  const std::string readme = read_file(HRT_MOCK_README);
+  const std::string readme = read_file(HRT_MOCK_DOCUMENTS "/SCRIPTS.md");
   const std::size_t begin = readme.find("```json\n") + 8;
   std::string script = readme.substr(begin, readme.find("```", begin) - begin);
   // Without the calls: some wait in real time.

@@ -3,7 +3,7 @@
 
 #include <dlfcn.h>
 
-#include "samples/mock_runtime/api/negotiation.h"
+#include "samples/mock_runtime/abi/negotiation.h"
 #include "tests/samples/mock_runtime/support.h"
 
 namespace hrt::mock {

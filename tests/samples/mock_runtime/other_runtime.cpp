@@ -2,12 +2,6 @@
 // hands and has controllers. It shares no code with the mock runtime, and nothing here follows its rules:
 // joints are closed formulas with bits that no arithmetic gives, clocks start late and jump, states come
 // late.
-#define XR_USE_TIMESPEC
-#include <openxr/openxr.h>
-#include <ctime>
-
-#include <openxr/openxr_platform.h>
-
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -15,7 +9,7 @@
 #include <map>
 #include <string>
 
-#include "samples/mock_runtime/openxr_1_1.h"
+#include "samples/mock_runtime/openxr_all.h"
 
 namespace {
 

@@ -37,17 +37,17 @@ TEST_F(MockSession, ExitAndEndGoThroughTheSpecifiedStates) {
   EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
 }
 
-// "If session is not running when xrEndSession is called, the runtime must return error
-// XR_ERROR_SESSION_NOT_RUNNING."
-TEST_F(MockSession, SessionThatDoesNotRunIsRefusedByWhatNeedsARunningOne) {
-  create_session();
-  XrFrameState state{XR_TYPE_FRAME_STATE};
-  const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO, nullptr, 1, XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0, nullptr};
-  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, xrEndSession(session));
-  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, xrRequestExitSession(session));
-  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, xrWaitFrame(session, nullptr, &state));
-  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, xrBeginFrame(session, nullptr));
-  EXPECT_XR(XR_ERROR_SESSION_NOT_RUNNING, xrEndFrame(session, &end));
+// A user who ends the application: "EXITING: the application should end its XR experience and not
+// automatically restart it".
+TEST_F(MockSession, UserEndsTheApplicationByScript) {
+  ASSERT_XR(XR_SUCCESS,
+            functions->apply_script(
+                instance, R"({"events": [{"frame": 1, "do": "session_state", "state": "EXITING"}]})"));
+  begin_session();
+  frame();
+  EXPECT_EQ(all_states().back(), XR_SESSION_STATE_STOPPING);
+  ASSERT_XR(XR_SUCCESS, xrEndSession(session));
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
 }
 
 // "primaryViewConfigurationType must be ignored and may be 0" when headless; the conformance suite still

@@ -1,19 +1,14 @@
 // What the tests of the mock runtime share: each goes through Khronos' loader, as an application does.
 #pragma once
 
-#define XR_USE_TIMESPEC
 #include <gtest/gtest.h>
-#include <openxr/openxr.h>
-#include <ctime>
-
-#include <openxr/openxr_platform.h>
 
 #include <array>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "samples/mock_runtime/openxr_1_1.h"
+#include "samples/mock_runtime/openxr_all.h"
 #include "samples/mock_runtime/openxr_hrtx_mock_control.h"
 #include "samples/mock_runtime/openxr_hrtx_ridged_plate.h"
 

@@ -154,17 +154,21 @@ class MockPromoted : public MockNegotiation {
   }
 };
 
-// XR_EXT_palm_pose: "/user/hand/left/input/palm_ext/pose", "only usable if the extension is enabled".
-TEST_F(MockPromoted, PalmPoseIsThereWithItsExtension) {
-  for (const bool enabled : {false, true}) {
-    std::vector<const char*> names;
-    if (enabled) names.push_back("XR_EXT_palm_pose");
-    ASSERT_XR(XR_SUCCESS, create(names));
-    EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
-              suggest(only_action(XR_ACTION_TYPE_POSE_INPUT), "khr/simple_controller",
-                      "/user/hand/left/input/palm_ext/pose"));
-    destroy_direct();
-  }
+// XR_EXT_palm_pose: "/user/hand/left/input/palm_ext/pose", "only usable if the extension is enabled";
+// XR_KHR_maintenance1: "grip_surface" likewise, on all profiles that have a grip.
+TEST_F(MockPromoted, PosesOfThePalmAreThereWithTheirExtensions) {
+  for (const auto& [extension, pose] :
+       {std::pair{"XR_EXT_palm_pose", "palm_ext"}, {"XR_KHR_maintenance1", "grip_surface"}})
+    for (const bool enabled : {false, true}) {
+      std::vector<const char*> names;
+      if (enabled) names.push_back(extension);
+      ASSERT_XR(XR_SUCCESS, create(names));
+      const XrAction action = only_action(XR_ACTION_TYPE_POSE_INPUT);
+      for (const char* profile : {"khr/simple_controller", "valve/index_controller"})
+        EXPECT_XR(enabled ? XR_SUCCESS : XR_ERROR_PATH_UNSUPPORTED,
+                  suggest(action, profile, std::string("/user/hand/left/input/") + pose + "/pose"));
+      destroy_direct();
+    }
 }
 
 // XR_KHR_maintenance1: XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED_KHR, which is core in 1.1, and its name.

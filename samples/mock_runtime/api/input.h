@@ -9,14 +9,11 @@
 #include <string>
 #include <vector>
 
-#include "samples/mock_runtime/abi/object.h"
+#include "samples/mock_runtime/api/instance.h"
 #include "samples/mock_runtime/playback/recording.h"
-#include "samples/mock_runtime/world/pose_path.h"
+#include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
-
-class Instance;
-class Session;
 
 class ActionSet : public Object {
  public:
@@ -45,14 +42,6 @@ class Action : public Object {
   std::vector<XrPath> subactions;
 };
 
-struct Binding {
-  std::uint64_t action;  ///< its id
-  XrPath path;
-};
-
-/// By interaction profile; a new suggestion for a profile replaces the one before.
-using SuggestedBindings = std::map<XrPath, std::vector<Binding>>;
-
 /// A simulated device's sources, by path.
 struct Device {
   bool active = false;
@@ -64,7 +53,7 @@ struct Device {
 /// The input of a session.
 class Input {
  public:
-  explicit Input(Session& session) : session_(session) {}
+  Input(const Instance& instance, const World& world) : instance_(instance), world_(world) {}
 
   /// Attaches the session's action sets, with the bindings suggested so far. Called once.
   void attach(const std::vector<ActionSet*>& sets, const SuggestedBindings& suggestions);
@@ -99,7 +88,8 @@ class Input {
   std::vector<Driver> drivers(const Action& action) const;
   bool update_profiles();
 
-  Session& session_;
+  const Instance& instance_;
+  const World& world_;
   bool attached_ = false;
   std::set<std::uint64_t> sets_;
   SuggestedBindings suggestions_;

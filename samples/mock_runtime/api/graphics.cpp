@@ -1,0 +1,146 @@
+// XR_KHR_vulkan_enable2, XR_KHR_vulkan_enable and XR_KHR_opengl_enable.
+#include "samples/mock_runtime/abi/chain.h"
+#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/api/session.h"
+
+namespace hrt::mock {
+namespace {
+
+// Of which images are made and read; nothing of these is newer than the oldest version.
+constexpr XrVersion min_vulkan = XR_MAKE_VERSION(1, 0, 0), max_vulkan = XR_MAKE_VERSION(1, 4, 0);
+// Textures whose storage does not change, with samples.
+constexpr XrVersion min_opengl = XR_MAKE_VERSION(4, 3, 0), max_opengl = XR_MAKE_VERSION(4, 6, 0);
+
+Instance& instance_with_system(XrInstance handle, XrSystemId system) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_system(system);
+  return instance;
+}
+
+// The only choice: the first one.
+VkPhysicalDevice first_physical_device(Instance& instance, VkInstance vulkan) {
+  require(vulkan != nullptr, XR_ERROR_VALIDATION_FAILURE, "the VkInstance is null");
+  GraphicsSetup& setup = instance.graphics;
+  if (setup.get_vulkan == nullptr) setup.get_vulkan = loaded_vulkan();
+  require(setup.get_vulkan != nullptr, XR_ERROR_RUNTIME_FAILURE, "the process has no Vulkan loader");
+  const auto enumerate = reinterpret_cast<PFN_vkEnumeratePhysicalDevices>(
+      setup.get_vulkan(vulkan, "vkEnumeratePhysicalDevices"));
+  std::uint32_t count = 1;
+  VkPhysicalDevice device = nullptr;
+  const VkResult result =
+      enumerate == nullptr ? VK_ERROR_INITIALIZATION_FAILED : enumerate(vulkan, &count, &device);
+  require((result == VK_SUCCESS || result == VK_INCOMPLETE) && count == 1, XR_ERROR_RUNTIME_FAILURE,
+          "Vulkan has no physical device");
+  return setup.vulkan_device = device;
+}
+
+void no_extension_names(std::uint32_t capacity, std::uint32_t* count, char* buffer) {
+  two_call(std::string(1, '\0'), capacity, count, buffer);
+}
+
+}  // namespace
+
+std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info) {
+  const GraphicsSetup& setup = instance.graphics;
+  const bool vulkan =
+      instance.enabled(Extension::vulkan_enable2) || instance.enabled(Extension::vulkan_enable);
+  if (const auto* binding =
+          chained<XrGraphicsBindingVulkanKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR);
+      binding != nullptr && vulkan) {
+    require(setup.vulkan_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
+            "xrGetVulkanGraphicsRequirements(2)KHR has not been called");
+    require(binding->physicalDevice != nullptr && binding->physicalDevice == setup.vulkan_device,
+            XR_ERROR_GRAPHICS_DEVICE_INVALID,
+            "physicalDevice is not that of xrGetVulkanGraphicsDevice(2)KHR");
+    return make_vulkan_device(*binding, setup.get_vulkan);
+  }
+  if (const auto* binding =
+          chained<XrGraphicsBindingOpenGLXlibKHR>(info.next, XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR);
+      binding != nullptr && instance.enabled(Extension::opengl_enable)) {
+    require(setup.opengl_asked, XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING,
+            "xrGetOpenGLGraphicsRequirementsKHR has not been called");
+    return make_opengl_device(*binding);
+  }
+  require(instance.enabled(Extension::headless), XR_ERROR_GRAPHICS_DEVICE_INVALID,
+          "createInfo has no graphics binding of an extension that is enabled, and XR_MND_headless is not");
+  return nullptr;
+}
+
+void get_vulkan_graphics_requirements(XrInstance handle, XrSystemId system,
+                                      XrGraphicsRequirementsVulkanKHR* requirements) {
+  Instance& instance = instance_with_system(handle, system);
+  require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN_KHR, "graphicsRequirements");
+  requirements->minApiVersionSupported = min_vulkan;
+  requirements->maxApiVersionSupported = max_vulkan;
+  instance.graphics.vulkan_asked = true;
+}
+
+void get_vulkan_extensions(XrInstance handle, XrSystemId system, std::uint32_t capacity, std::uint32_t* count,
+                           char* buffer) {
+  instance_with_system(handle, system);
+  no_extension_names(capacity, count, buffer);
+}
+
+void get_vulkan_graphics_device(XrInstance handle, XrSystemId system, VkInstance vulkan,
+                                VkPhysicalDevice* device) {
+  Instance& instance = instance_with_system(handle, system);
+  require_pointer(device, "vkPhysicalDevice");
+  *device = first_physical_device(instance, vulkan);
+}
+
+void create_vulkan_instance(XrInstance handle, const XrVulkanInstanceCreateInfoKHR* info, VkInstance* vulkan,
+                            VkResult* result) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, "createInfo");
+  require_system(info->systemId);
+  require(
+      info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
+      XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  require_pointer(vulkan, "vulkanInstance");
+  require_pointer(result, "vulkanResult");
+  const auto create =
+      reinterpret_cast<PFN_vkCreateInstance>(info->pfnGetInstanceProcAddr(nullptr, "vkCreateInstance"));
+  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateInstance");
+  *result = create(info->vulkanCreateInfo, info->vulkanAllocator, vulkan);
+  instance.graphics.get_vulkan = info->pfnGetInstanceProcAddr;
+  instance.graphics.vulkan_instance = *result == VK_SUCCESS ? *vulkan : nullptr;
+}
+
+void get_vulkan_graphics_device2(XrInstance handle, const XrVulkanGraphicsDeviceGetInfoKHR* info,
+                                 VkPhysicalDevice* device) {
+  auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, "getInfo");
+  require_system(info->systemId);
+  require_pointer(device, "vulkanPhysicalDevice");
+  *device = first_physical_device(instance, info->vulkanInstance);
+}
+
+void create_vulkan_device(XrInstance handle, const XrVulkanDeviceCreateInfoKHR* info, VkDevice* device,
+                          VkResult* result) {
+  const auto& instance = runtime().registry.get<Instance>(handle);
+  require_struct(info, XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, "createInfo");
+  require_system(info->systemId);
+  require(
+      info->createFlags == 0 && info->pfnGetInstanceProcAddr != nullptr && info->vulkanCreateInfo != nullptr,
+      XR_ERROR_VALIDATION_FAILURE, "createFlags must be 0, the pointers must be there");
+  require_pointer(device, "vulkanDevice");
+  require_pointer(result, "vulkanResult");
+  require(
+      info->vulkanPhysicalDevice != nullptr && info->vulkanPhysicalDevice == instance.graphics.vulkan_device,
+      XR_ERROR_VALIDATION_FAILURE, "vulkanPhysicalDevice is not that of xrGetVulkanGraphicsDevice2KHR");
+  const auto create = reinterpret_cast<PFN_vkCreateDevice>(
+      info->pfnGetInstanceProcAddr(instance.graphics.vulkan_instance, "vkCreateDevice"));
+  require(create != nullptr, XR_ERROR_RUNTIME_FAILURE, "pfnGetInstanceProcAddr has no vkCreateDevice");
+  *result = create(info->vulkanPhysicalDevice, info->vulkanCreateInfo, info->vulkanAllocator, device);
+}
+
+void get_opengl_graphics_requirements(XrInstance handle, XrSystemId system,
+                                      XrGraphicsRequirementsOpenGLKHR* requirements) {
+  Instance& instance = instance_with_system(handle, system);
+  require_struct(requirements, XR_TYPE_GRAPHICS_REQUIREMENTS_OPENGL_KHR, "graphicsRequirements");
+  requirements->minApiVersionSupported = min_opengl;
+  requirements->maxApiVersionSupported = max_opengl;
+  instance.graphics.opengl_asked = true;
+}
+
+}  // namespace hrt::mock

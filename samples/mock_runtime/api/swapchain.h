@@ -1,0 +1,44 @@
+// Swapchains, and the layers that show their images.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/graphics/picture.h"
+
+namespace hrt::mock {
+
+class Swapchain : public Object {
+ public:
+  static constexpr XrObjectType object_type = XR_OBJECT_TYPE_SWAPCHAIN;
+  Swapchain(Session* session, const XrSwapchainCreateInfo& info);
+
+  Session& session() const { return static_cast<Session&>(*parent()); }
+
+  // They throw XR_ERROR_CALL_ORDER_INVALID.
+  std::uint32_t acquire();
+  void wait();
+  void release();
+
+  XrSwapchainCreateInfo info;
+  std::unique_ptr<SwapchainImages> images;
+  std::optional<std::uint32_t> released;  ///< the latest one
+
+ private:
+  std::uint32_t count_;
+  std::uint32_t acquisitions_ = 0;
+  std::deque<std::uint32_t> acquired_;  // oldest first
+  bool waited_ = false;                 // for the oldest one
+};
+
+/// Throws an Error for a layer that is not valid.
+void require_layers(const XrFrameEndInfo& info, const Session& session);
+
+/// What an eye (0 left, 1 right) is shown by valid layers, seen from where they were drawn for.
+Picture picture_of_eye(const XrFrameEndInfo& info, Session& session, std::uint32_t eye);
+
+/// Keeps the pictures of a frame that ends, if the script wants them.
+void keep_pictures(const XrFrameEndInfo& info, Session& session);
+
+}  // namespace hrt::mock

@@ -1,0 +1,45 @@
+// What a session draws with: images of the application's own Vulkan device or OpenGL context.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "samples/mock_runtime/error.h"
+#include "samples/mock_runtime/graphics/picture.h"
+#include "samples/mock_runtime/openxr_all.h"
+
+namespace hrt::mock {
+
+/// The images of a swapchain.
+class SwapchainImages {
+ public:
+  virtual ~SwapchainImages() = default;
+  /// xrEnumerateSwapchainImages.
+  virtual void enumerate(std::uint32_t capacity, std::uint32_t* count,
+                         XrSwapchainImageBaseHeader* images) = 0;
+  /// Brings an image into the state in which the application is given it first.
+  virtual void prepare(std::uint32_t index) = 0;
+  /// The pixels of a part of an image, top row first; of a format with colours.
+  virtual Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) = 0;
+};
+
+class GraphicsDevice {
+ public:
+  virtual ~GraphicsDevice() = default;
+  /// Formats of swapchains, best first.
+  virtual std::vector<std::int64_t> formats() const = 0;
+  /// Throws an Error for what the device cannot make. The images keep the device.
+  virtual std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info,
+                                                         std::uint32_t count) = 0;
+};
+
+/// The devices of a session's bindings. They throw XR_ERROR_GRAPHICS_DEVICE_INVALID.
+std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
+                                                   PFN_vkGetInstanceProcAddr get_proc_addr);
+std::shared_ptr<GraphicsDevice> make_opengl_device(const XrGraphicsBindingOpenGLXlibKHR& binding);
+
+/// The Vulkan loader of the process, which an application that gives a VkInstance has loaded; else null.
+PFN_vkGetInstanceProcAddr loaded_vulkan();
+
+}  // namespace hrt::mock

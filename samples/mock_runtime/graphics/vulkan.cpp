@@ -1,0 +1,361 @@
+// Swapchains of the application's own Vulkan device.
+#include <dlfcn.h>
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "samples/mock_runtime/abi/two_call.h"
+#include "samples/mock_runtime/graphics/device.h"
+
+namespace hrt::mock {
+namespace {
+
+// clang-format off
+#define HRT_VULKAN_INSTANCE_FUNCTIONS(X) X(vkGetDeviceProcAddr) X(vkGetPhysicalDeviceFormatProperties) \
+  X(vkGetPhysicalDeviceImageFormatProperties) X(vkGetPhysicalDeviceMemoryProperties)
+#define HRT_VULKAN_DEVICE_FUNCTIONS(X) X(vkAllocateCommandBuffers) X(vkAllocateMemory) X(vkBeginCommandBuffer) \
+  X(vkBindBufferMemory) X(vkBindImageMemory) X(vkCmdCopyImageToBuffer) X(vkCmdPipelineBarrier)                 \
+  X(vkCmdResolveImage) X(vkCreateBuffer) X(vkCreateCommandPool) X(vkCreateImage) X(vkDestroyBuffer)            \
+  X(vkDestroyCommandPool) X(vkDestroyImage) X(vkDeviceWaitIdle) X(vkEndCommandBuffer) X(vkFreeCommandBuffers)  \
+  X(vkFreeMemory) X(vkGetBufferMemoryRequirements) X(vkGetDeviceQueue) X(vkGetImageMemoryRequirements)         \
+  X(vkMapMemory) X(vkQueueSubmit) X(vkQueueWaitIdle)
+// clang-format on
+
+struct VulkanFunctions {
+#define HRT_VULKAN_MEMBER(name) PFN_##name name = nullptr;
+  HRT_VULKAN_INSTANCE_FUNCTIONS(HRT_VULKAN_MEMBER)
+  HRT_VULKAN_DEVICE_FUNCTIONS(HRT_VULKAN_MEMBER)
+#undef HRT_VULKAN_MEMBER
+};
+
+void check_vulkan(VkResult result, const char* what) {
+  if (result == VK_SUCCESS) return;
+  const bool memory = result == VK_ERROR_OUT_OF_HOST_MEMORY || result == VK_ERROR_OUT_OF_DEVICE_MEMORY;
+  throw Error{memory ? XR_ERROR_OUT_OF_MEMORY : XR_ERROR_RUNTIME_FAILURE,
+              std::string(what) + " returns VkResult " + std::to_string(result)};
+}
+
+struct VulkanFormat {
+  VkFormat format;
+  VkImageAspectFlags aspects;
+  PixelKind kind;  // of colours
+};
+constexpr VkImageAspectFlags depth_aspect = VK_IMAGE_ASPECT_DEPTH_BIT;
+constexpr VkImageAspectFlags depth_stencil = VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT;
+constexpr std::array vulkan_formats{
+    VulkanFormat{VK_FORMAT_R8G8B8A8_SRGB, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::rgba_srgb},
+    VulkanFormat{VK_FORMAT_B8G8R8A8_SRGB, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::bgra_srgb},
+    VulkanFormat{VK_FORMAT_R16G16B16A16_SFLOAT, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::half_linear},
+    VulkanFormat{VK_FORMAT_R8G8B8A8_UNORM, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::rgba_linear},
+    VulkanFormat{VK_FORMAT_B8G8R8A8_UNORM, VK_IMAGE_ASPECT_COLOR_BIT, PixelKind::bgra_linear},
+    VulkanFormat{VK_FORMAT_D32_SFLOAT, depth_aspect, {}},
+    VulkanFormat{VK_FORMAT_D16_UNORM, depth_aspect, {}},
+    VulkanFormat{VK_FORMAT_D24_UNORM_S8_UINT, depth_stencil, {}},
+    VulkanFormat{VK_FORMAT_D32_SFLOAT_S8_UINT, depth_stencil, {}},
+};
+
+const VulkanFormat& format_of(std::int64_t format) {
+  return *std::find_if(vulkan_formats.begin(), vulkan_formats.end(),
+                       [&](const VulkanFormat& each) { return each.format == format; });
+}
+
+VkImageUsageFlags usage_of(XrSwapchainUsageFlags flags) {
+  VkImageUsageFlags usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT;  // to read it back
+  constexpr std::array<std::pair<XrSwapchainUsageFlags, VkImageUsageFlags>, 6> same{
+      {{XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT, VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT},
+       {XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT, VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT},
+       {XR_SWAPCHAIN_USAGE_UNORDERED_ACCESS_BIT, VK_IMAGE_USAGE_STORAGE_BIT},
+       {XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT, VK_IMAGE_USAGE_TRANSFER_DST_BIT},
+       {XR_SWAPCHAIN_USAGE_SAMPLED_BIT, VK_IMAGE_USAGE_SAMPLED_BIT},
+       {XR_SWAPCHAIN_USAGE_INPUT_ATTACHMENT_BIT_MND, VK_IMAGE_USAGE_INPUT_ATTACHMENT_BIT}}};
+  for (const auto& [ours, theirs] : same)
+    if ((flags & ours) != 0) usage |= theirs;
+  return usage;
+}
+
+class VulkanDevice : public GraphicsDevice, public std::enable_shared_from_this<VulkanDevice> {
+ public:
+  VulkanDevice(const XrGraphicsBindingVulkanKHR& binding, PFN_vkGetInstanceProcAddr get)
+      : physical_(binding.physicalDevice), device_(binding.device) {
+    const auto fetch = [](auto& function, PFN_vkVoidFunction found, const char* name) {
+      if (found == nullptr) throw Error{XR_ERROR_GRAPHICS_DEVICE_INVALID, std::string("no ") + name};
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(found);
+    };
+#define HRT_VULKAN_FETCH(name) fetch(vk.name, get(binding.instance, #name), #name);
+    HRT_VULKAN_INSTANCE_FUNCTIONS(HRT_VULKAN_FETCH)
+#undef HRT_VULKAN_FETCH
+#define HRT_VULKAN_FETCH(name) fetch(vk.name, vk.vkGetDeviceProcAddr(device_, #name), #name);
+    HRT_VULKAN_DEVICE_FUNCTIONS(HRT_VULKAN_FETCH)
+#undef HRT_VULKAN_FETCH
+    vk.vkGetDeviceQueue(device_, binding.queueFamilyIndex, binding.queueIndex, &queue_);
+    require(queue_ != nullptr, XR_ERROR_GRAPHICS_DEVICE_INVALID, "the device has no such queue");
+    const VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO, nullptr,
+                                       VK_COMMAND_POOL_CREATE_TRANSIENT_BIT, binding.queueFamilyIndex};
+    check_vulkan(vk.vkCreateCommandPool(device_, &pool, nullptr, &pool_), "vkCreateCommandPool");
+  }
+  ~VulkanDevice() override { vk.vkDestroyCommandPool(device_, pool_, nullptr); }
+  VulkanDevice(const VulkanDevice&) = delete;
+  VulkanDevice& operator=(const VulkanDevice&) = delete;
+
+  std::vector<std::int64_t> formats() const override {
+    std::vector<std::int64_t> found;
+    for (const VulkanFormat& each : vulkan_formats) {
+      VkFormatProperties properties{};
+      vk.vkGetPhysicalDeviceFormatProperties(physical_, each.format, &properties);
+      const VkFormatFeatureFlags needed = each.aspects == VK_IMAGE_ASPECT_COLOR_BIT
+                                              ? VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BIT
+                                              : VK_FORMAT_FEATURE_DEPTH_STENCIL_ATTACHMENT_BIT;
+      if ((properties.optimalTilingFeatures & needed) != 0) found.push_back(each.format);
+    }
+    return found;
+  }
+  std::unique_ptr<SwapchainImages> create_images(const XrSwapchainCreateInfo& info,
+                                                 std::uint32_t count) override;
+
+  VkDevice handle() const { return device_; }
+
+  VkDeviceMemory allocate(const VkMemoryRequirements& needed, VkMemoryPropertyFlags wanted) const {
+    VkPhysicalDeviceMemoryProperties all{};
+    vk.vkGetPhysicalDeviceMemoryProperties(physical_, &all);
+    for (std::uint32_t i = 0; i < all.memoryTypeCount; ++i) {
+      if ((needed.memoryTypeBits >> i & 1U) == 0 || (all.memoryTypes[i].propertyFlags & wanted) != wanted)
+        continue;
+      const VkMemoryAllocateInfo info{VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO, nullptr, needed.size, i};
+      VkDeviceMemory memory = VK_NULL_HANDLE;
+      check_vulkan(vk.vkAllocateMemory(device_, &info, nullptr, &memory), "vkAllocateMemory");
+      return memory;
+    }
+    throw Error{XR_ERROR_RUNTIME_FAILURE, "the device has no memory of the kind that is needed"};
+  }
+
+  // Commands that have been carried out when this returns.
+  template <typename Commands>
+  void run(Commands commands) const {
+    const VkCommandBufferAllocateInfo allocate_info{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr,
+                                                    pool_, VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    VkCommandBuffer buffer = VK_NULL_HANDLE;
+    check_vulkan(vk.vkAllocateCommandBuffers(device_, &allocate_info, &buffer), "vkAllocateCommandBuffers");
+    VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
+    vk.vkBeginCommandBuffer(buffer, &begin);
+    commands(buffer);
+    vk.vkEndCommandBuffer(buffer);
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &buffer;
+    VkResult result = vk.vkQueueSubmit(queue_, 1, &submit, VK_NULL_HANDLE);
+    if (result == VK_SUCCESS) result = vk.vkQueueWaitIdle(queue_);
+    vk.vkFreeCommandBuffers(device_, pool_, 1, &buffer);
+    check_vulkan(result, "the queue");
+  }
+
+  void barrier(VkCommandBuffer buffer, VkImage image, VkImageSubresourceRange range, VkImageLayout from,
+               VkImageLayout to) const {
+    const VkImageMemoryBarrier what{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER,
+                                    nullptr,
+                                    VK_ACCESS_MEMORY_WRITE_BIT,
+                                    VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT,
+                                    from,
+                                    to,
+                                    VK_QUEUE_FAMILY_IGNORED,
+                                    VK_QUEUE_FAMILY_IGNORED,
+                                    image,
+                                    range};
+    vk.vkCmdPipelineBarrier(buffer, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0,
+                            0, nullptr, 0, nullptr, 1, &what);
+  }
+
+  VulkanFunctions vk;
+
+ private:
+  VkPhysicalDevice physical_;
+  VkDevice device_;
+  VkQueue queue_ = nullptr;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+};
+
+// An image or a buffer with its memory.
+struct DeviceImage {
+  DeviceImage(std::shared_ptr<const VulkanDevice> of, const VkImageCreateInfo& info) : device(std::move(of)) {
+    check_vulkan(device->vk.vkCreateImage(device->handle(), &info, nullptr, &image), "vkCreateImage");
+    VkMemoryRequirements needed{};
+    device->vk.vkGetImageMemoryRequirements(device->handle(), image, &needed);
+    memory = device->allocate(needed, 0);
+    check_vulkan(device->vk.vkBindImageMemory(device->handle(), image, memory, 0), "vkBindImageMemory");
+  }
+  ~DeviceImage() {
+    device->vk.vkDestroyImage(device->handle(), image, nullptr);
+    device->vk.vkFreeMemory(device->handle(), memory, nullptr);
+  }
+  DeviceImage(const DeviceImage&) = delete;
+  DeviceImage& operator=(const DeviceImage&) = delete;
+
+  std::shared_ptr<const VulkanDevice> device;
+  VkImage image = VK_NULL_HANDLE;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+};
+
+struct ReadBuffer {
+  ReadBuffer(std::shared_ptr<const VulkanDevice> of, VkDeviceSize size) : device(std::move(of)) {
+    VkBufferCreateInfo info{VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = size;
+    info.usage = VK_BUFFER_USAGE_TRANSFER_DST_BIT;
+    check_vulkan(device->vk.vkCreateBuffer(device->handle(), &info, nullptr, &buffer), "vkCreateBuffer");
+    VkMemoryRequirements needed{};
+    device->vk.vkGetBufferMemoryRequirements(device->handle(), buffer, &needed);
+    memory =
+        device->allocate(needed, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+    check_vulkan(device->vk.vkBindBufferMemory(device->handle(), buffer, memory, 0), "vkBindBufferMemory");
+  }
+  ~ReadBuffer() {
+    device->vk.vkDestroyBuffer(device->handle(), buffer, nullptr);
+    device->vk.vkFreeMemory(device->handle(), memory, nullptr);
+  }
+  ReadBuffer(const ReadBuffer&) = delete;
+  ReadBuffer& operator=(const ReadBuffer&) = delete;
+
+  const std::uint8_t* map() const {
+    void* data = nullptr;
+    check_vulkan(device->vk.vkMapMemory(device->handle(), memory, 0, VK_WHOLE_SIZE, 0, &data), "vkMapMemory");
+    return static_cast<const std::uint8_t*>(data);
+  }
+
+  std::shared_ptr<const VulkanDevice> device;
+  VkBuffer buffer = VK_NULL_HANDLE;
+  VkDeviceMemory memory = VK_NULL_HANDLE;
+};
+
+class VulkanImages : public SwapchainImages {
+ public:
+  VulkanImages(std::shared_ptr<const VulkanDevice> device, const VkImageCreateInfo& info, std::uint32_t count)
+      : device_(std::move(device)),
+        info_(info),
+        format_(format_of(info.format)),
+        layout_(format_.aspects == VK_IMAGE_ASPECT_COLOR_BIT
+                    ? VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL
+                    : VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL) {
+    for (std::uint32_t i = 0; i < count; ++i)
+      images_.push_back(std::make_unique<DeviceImage>(device_, info_));
+  }
+  ~VulkanImages() override { device_->vk.vkDeviceWaitIdle(device_->handle()); }
+  VulkanImages(const VulkanImages&) = delete;
+  VulkanImages& operator=(const VulkanImages&) = delete;
+
+  void enumerate(std::uint32_t capacity, std::uint32_t* count, XrSwapchainImageBaseHeader* images) override {
+    two_call(images_, capacity, count, reinterpret_cast<XrSwapchainImageVulkanKHR*>(images),
+             XR_TYPE_SWAPCHAIN_IMAGE_VULKAN_KHR, "images",
+             [](XrSwapchainImageVulkanKHR& to, const auto& from) { to.image = from->image; });
+  }
+
+  void prepare(std::uint32_t index) override {
+    const VkImageSubresourceRange all{format_.aspects, 0, info_.mipLevels, 0, info_.arrayLayers};
+    device_->run([&](VkCommandBuffer buffer) {
+      device_->barrier(buffer, images_[index]->image, all, VK_IMAGE_LAYOUT_UNDEFINED, layout_);
+    });
+  }
+
+  Picture read(std::uint32_t index, const XrRect2Di& part, std::uint32_t layer) override {
+    Picture picture(static_cast<std::uint32_t>(part.extent.width),
+                    static_cast<std::uint32_t>(part.extent.height));
+    const std::size_t pixels = std::size_t{picture.width} * picture.height;
+    const ReadBuffer buffer(device_, pixels * bytes_of(format_.kind));
+    const std::unique_ptr<DeviceImage> single = info_.samples == VK_SAMPLE_COUNT_1_BIT ? nullptr : resolved();
+    const VkImage image = images_[index]->image;
+    device_->run([&](VkCommandBuffer commands) {
+      const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
+      device_->barrier(commands, image, range, layout_, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+      VkBufferImageCopy copy{};
+      copy.imageSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
+      copy.imageOffset = {part.offset.x, part.offset.y, 0};
+      copy.imageExtent = {picture.width, picture.height, 1};
+      if (single != nullptr) {
+        resolve(commands, image, layer, single->image);
+        copy.imageSubresource.baseArrayLayer = 0;
+      }
+      device_->vk.vkCmdCopyImageToBuffer(commands, single != nullptr ? single->image : image,
+                                         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, buffer.buffer, 1, &copy);
+      device_->barrier(commands, image, range, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, layout_);
+    });
+    convert_pixels(format_.kind, buffer.map(), pixels, picture.rgba.data());
+    return picture;
+  }
+
+ private:
+  // An image of one sample, for one layer.
+  std::unique_ptr<DeviceImage> resolved() const {
+    VkImageCreateInfo info = info_;
+    info.samples = VK_SAMPLE_COUNT_1_BIT;
+    info.arrayLayers = info.mipLevels = 1;
+    info.usage = VK_IMAGE_USAGE_TRANSFER_SRC_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+    return std::make_unique<DeviceImage>(device_, info);
+  }
+  void resolve(VkCommandBuffer commands, VkImage from, std::uint32_t layer, VkImage to) const {
+    const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_UNDEFINED, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    VkImageResolve all{};
+    all.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, layer, 1};
+    all.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, 0, 0, 1};
+    all.extent = info_.extent;
+    device_->vk.vkCmdResolveImage(commands, from, VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, to,
+                                  VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &all);
+    device_->barrier(commands, to, range, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
+                     VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL);
+  }
+
+  std::shared_ptr<const VulkanDevice> device_;
+  VkImageCreateInfo info_;
+  const VulkanFormat& format_;
+  VkImageLayout layout_;
+  std::vector<std::unique_ptr<DeviceImage>> images_;
+};
+
+std::unique_ptr<SwapchainImages> VulkanDevice::create_images(const XrSwapchainCreateInfo& info,
+                                                             std::uint32_t count) {
+  VkImageCreateInfo image{VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
+  if ((info.usageFlags & XR_SWAPCHAIN_USAGE_MUTABLE_FORMAT_BIT) != 0)
+    image.flags |= VK_IMAGE_CREATE_MUTABLE_FORMAT_BIT;
+  image.imageType = VK_IMAGE_TYPE_2D;
+  image.format = static_cast<VkFormat>(info.format);
+  image.extent = {info.width, info.height, 1};
+  image.mipLevels = info.mipCount;
+  image.arrayLayers = info.arraySize;
+  image.samples = static_cast<VkSampleCountFlagBits>(info.sampleCount);
+  // In the layout of an attachment, whatever the application does with it.
+  image.usage = usage_of(info.usageFlags) | (format_of(info.format).aspects == VK_IMAGE_ASPECT_COLOR_BIT
+                                                 ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT
+                                                 : VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT);
+  VkImageFormatProperties limits{};
+  const VkResult possible = vk.vkGetPhysicalDeviceImageFormatProperties(
+      physical_, image.format, image.imageType, image.tiling, image.usage, image.flags, &limits);
+  require(possible == VK_SUCCESS && info.mipCount <= limits.maxMipLevels &&
+              info.arraySize <= limits.maxArrayLayers && std::has_single_bit(info.sampleCount) &&
+              (limits.sampleCounts & info.sampleCount) != 0,
+          XR_ERROR_FEATURE_UNSUPPORTED,
+          "the device has no images of this format with these usages, mips, layers and samples");
+  return std::make_unique<VulkanImages>(shared_from_this(), image, count);
+}
+
+}  // namespace
+
+std::shared_ptr<GraphicsDevice> make_vulkan_device(const XrGraphicsBindingVulkanKHR& binding,
+                                                   PFN_vkGetInstanceProcAddr get_proc_addr) {
+  require(binding.instance != nullptr && binding.physicalDevice != nullptr && binding.device != nullptr &&
+              get_proc_addr != nullptr,
+          XR_ERROR_GRAPHICS_DEVICE_INVALID, "instance, physicalDevice and device must be there");
+  return std::make_shared<VulkanDevice>(binding, get_proc_addr);
+}
+
+PFN_vkGetInstanceProcAddr loaded_vulkan() {
+  constexpr const char* name = "vkGetInstanceProcAddr";
+  void* found = dlsym(RTLD_DEFAULT, name);
+  // Of an application that opens the loader itself.
+  void* loader = found == nullptr ? dlopen("libvulkan.so.1", RTLD_NOW | RTLD_NOLOAD) : nullptr;
+  if (loader != nullptr) {
+    found = dlsym(loader, name);
+    dlclose(loader);
+  }
+  return reinterpret_cast<PFN_vkGetInstanceProcAddr>(found);
+}
+
+}  // namespace hrt::mock

@@ -1,0 +1,68 @@
+// What a script lets happen in a session.
+#pragma once
+
+#include <openxr/openxr.h>
+
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "samples/mock_runtime/calls/faults.h"
+#include "samples/mock_runtime/world/pose.h"
+
+namespace hrt::mock {
+
+enum class HandFault { lose_tracking, regain_tracking, freeze, unfreeze, jump };
+struct HandEvent {
+  HandFault fault;
+  XrHandEXT hand = XR_HAND_LEFT_EXT;
+  Eigen::Vector3d jump_m = Eigen::Vector3d::Zero();  ///< along the axes of LOCAL space
+};
+/// The headset loses track of the room, or finds it again.
+struct HeadEvent {
+  bool lost = false;
+};
+struct StateEvent {
+  XrSessionState state = XR_SESSION_STATE_UNKNOWN;
+};
+/// The user recentres.
+struct Recenter {
+  XrReferenceSpaceType space = XR_REFERENCE_SPACE_TYPE_LOCAL;  ///< or STAGE
+  XrDuration delay_ns = 0;                                     ///< from the event to the change
+  Pose pose;                                                   ///< of the new origin in the old space
+  bool pose_valid = true;                                      ///< the application is given the pose
+};
+/// A device is put on, changed or, without a profile, put away.
+struct DeviceEvent {
+  std::string device;   ///< "/user/hand/left"
+  std::string profile;  ///< interaction profile path; empty: off
+};
+/// A button, trigger or stick of a device moves.
+struct InputEvent {
+  std::string device;
+  std::vector<std::pair<std::string, float>> values;  ///< of sources: "/user/hand/left/input/trigger/value"
+};
+/// The user puts the headset on or takes it off.
+struct PresenceEvent {
+  bool present = true;
+};
+/// Of the next frame that the application ends.
+struct TakePicture {};
+struct RepeatState {};
+struct LoseSession {};
+struct LoseInstance {};
+struct InstanceLossPending {};
+
+/// An event in a session.
+struct ScriptEvent {
+  Scope scope;
+  std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
+  std::int64_t time_ns;  ///< after the session was created
+  std::uint64_t reach;   ///< at the end of this reach of the session, from 1; 0: at frame or time_ns
+  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, PresenceEvent,
+               TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>
+      what;
+};
+
+}  // namespace hrt::mock

@@ -1,0 +1,476 @@
+// Sessions that draw: devices, swapchains, layers and pictures. Above each test stands the sentence that it
+// tests, from the OpenXR specification. Needs a Vulkan driver; Mesa's lavapipe is one.
+#include <png.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "samples/mock_runtime/graphics/picture.h"
+#include "tests/samples/mock_runtime/vulkan_application.h"
+#include "tests/samples/process.h"
+
+namespace hrt::mock {
+namespace {
+
+Picture read_png(const std::string& path) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  if (png_image_begin_read_from_file(&image, path.c_str()) == 0) {
+    ADD_FAILURE() << path << ": " << image.message;
+    return {1, 1};
+  }
+  image.format = PNG_FORMAT_RGBA;
+  Picture picture(image.width, image.height);
+  EXPECT_NE(png_image_finish_read(&image, nullptr, picture.rgba.data(), 0, nullptr), 0) << path;
+  return picture;
+}
+
+const std::vector<const char*> drawing_extensions = [] {
+  std::vector<const char*> names = default_extensions();
+  names.insert(names.end(),
+               {XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME, XR_KHR_COMPOSITION_LAYER_DEPTH_EXTENSION_NAME});
+  return names;
+}();
+
+constexpr std::array<float, 4> red{1.0F, 0.0F, 0.0F, 1.0F}, green{0.0F, 1.0F, 0.0F, 1.0F},
+    blue{0.0F, 0.0F, 1.0F, 1.0F};
+
+class MockGraphics : public MockRuntime {
+ protected:
+  MockGraphics() : MockRuntime(drawing_extensions) {}
+  void SetUp() override {
+    MockRuntime::SetUp();
+    application.emplace(instance, system);
+    application->ask_requirements();
+    application->create_device();
+    setenv("HRT_MOCK_PICTURES", folder.path.c_str(), 1);
+  }
+  void TearDown() override {
+    if (session != XR_NULL_HANDLE) {
+      EXPECT_XR(XR_SUCCESS, xrDestroySession(session));
+    }
+    application.reset();
+    unsetenv("HRT_MOCK_PICTURES");
+    MockRuntime::TearDown();
+  }
+
+  XrResult create_drawing_session(const void* binding) {
+    const XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO, binding, 0, system};
+    return xrCreateSession(instance, &info, &session);
+  }
+  void begin_drawing(const std::string& script = "{}") {
+    apply(script);
+    const XrGraphicsBindingVulkanKHR binding = application->binding();
+    ASSERT_XR(XR_SUCCESS, create_drawing_session(&binding));
+    focus();
+    local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  }
+
+  static XrSwapchainCreateInfo swapchain_info(std::int64_t format = VK_FORMAT_R8G8B8A8_SRGB) {
+    return {XR_TYPE_SWAPCHAIN_CREATE_INFO,
+            nullptr,
+            0,
+            XR_SWAPCHAIN_USAGE_COLOR_ATTACHMENT_BIT | XR_SWAPCHAIN_USAGE_TRANSFER_DST_BIT,
+            format,
+            1,
+            64,
+            48,
+            1,
+            1,
+            1};
+  }
+  XrSwapchain make_swapchain(const XrSwapchainCreateInfo& info) {
+    XrSwapchain made = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateSwapchain(session, &info, &made));
+    return made;
+  }
+  static XrResult wait_image(XrSwapchain swapchain) {
+    const XrSwapchainImageWaitInfo wait{XR_TYPE_SWAPCHAIN_IMAGE_WAIT_INFO, nullptr, XR_INFINITE_DURATION};
+    return xrWaitSwapchainImage(swapchain, &wait);
+  }
+  // One frame of a swapchain, of one colour a layer.
+  void draw(XrSwapchain swapchain, const std::vector<std::array<float, 4>>& colours) {
+    std::uint32_t index = 0, count = 0;
+    ASSERT_XR(XR_SUCCESS, xrAcquireSwapchainImage(swapchain, nullptr, &index));
+    ASSERT_XR(XR_SUCCESS, wait_image(swapchain));
+    std::array<XrSwapchainImageVulkanKHR, 3> images{};
+    images.fill({XR_TYPE_SWAPCHAIN_IMAGE_VULKAN_KHR});
+    ASSERT_XR(XR_SUCCESS,
+              xrEnumerateSwapchainImages(swapchain, 3, &count,
+                                         reinterpret_cast<XrSwapchainImageBaseHeader*>(images.data())));
+    for (std::uint32_t layer = 0; layer < colours.size(); ++layer)
+      application->fill(images[index].image, layer, colours[layer]);
+    ASSERT_XR(XR_SUCCESS, xrReleaseSwapchainImage(swapchain, nullptr));
+  }
+
+  // A projection of two views of a swapchain, the right one of array layer `right`.
+  struct Projection {
+    Projection(XrSpace space, XrSwapchain swapchain, std::uint32_t right = 0) {
+      for (std::uint32_t eye = 0; eye < 2; ++eye) {
+        views[eye] = {XR_TYPE_COMPOSITION_LAYER_PROJECTION_VIEW};
+        views[eye].pose = identity_pose;
+        views[eye].fov = {-0.7F, 0.7F, 0.7F, -0.7F};
+        views[eye].subImage = {swapchain, {{0, 0}, {64, 48}}, eye == 0 ? 0 : right};
+      }
+      layer.space = space;
+      layer.viewCount = 2;
+      layer.views = views.data();
+    }
+    Projection(const Projection&) = delete;
+    Projection& operator=(const Projection&) = delete;
+    std::array<XrCompositionLayerProjectionView, 2> views{};
+    XrCompositionLayerProjection layer{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
+  };
+  XrResult end_frame(const std::vector<const void*>& layers) {
+    XrFrameState state{XR_TYPE_FRAME_STATE};
+    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
+    EXPECT_TRUE(state.shouldRender);
+    EXPECT_GE(xrBeginFrame(session, nullptr), XR_SUCCESS);
+    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,
+                             nullptr,
+                             state.predictedDisplayTime,
+                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE,
+                             static_cast<std::uint32_t>(layers.size()),
+                             reinterpret_cast<const XrCompositionLayerBaseHeader* const*>(layers.data())};
+    return xrEndFrame(session, &end);
+  }
+  Picture picture(const std::string& name) { return read_png(folder / name); }
+
+  TemporaryFolder folder;
+  std::optional<VulkanApplication> application;
+};
+
+std::array<int, 3> colour(const Picture& picture, std::uint32_t x, std::uint32_t y) {
+  const std::uint8_t* at = picture.at(x, y);
+  return {at[0], at[1], at[2]};
+}
+constexpr std::array red_pixel{255, 0, 0}, green_pixel{0, 255, 0}, blue_pixel{0, 0, 255};
+
+// "XR_ERROR_GRAPHICS_DEVICE_INVALID [...] if the physical device does not match [that of]
+// xrGetVulkanGraphicsDevice2KHR", or if there is no binding.
+TEST_F(MockGraphics, BindingIsThatOfTheDeviceThatWasGiven) {
+  XrGraphicsBindingVulkanKHR binding = application->binding();
+  binding.physicalDevice = reinterpret_cast<VkPhysicalDevice>(this);
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, create_drawing_session(&binding));
+  binding = application->binding();
+  binding.device = nullptr;
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, create_drawing_session(&binding));
+  // Beside a binding of an extension that is not enabled there is XR_MND_headless.
+  const XrGraphicsBindingOpenGLXlibKHR other{XR_TYPE_GRAPHICS_BINDING_OPENGL_XLIB_KHR};
+  ASSERT_XR(XR_SUCCESS, create_drawing_session(&other));
+  std::uint32_t count = 99;
+  EXPECT_XR(XR_SUCCESS, xrEnumerateSwapchainFormats(session, 0, &count, nullptr));
+  EXPECT_EQ(count, 0U);
+}
+
+// "XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING".
+TEST(MockGraphicsRequirements, AreAskedForFirst) {
+  const std::vector<const char*> names{XR_KHR_VULKAN_ENABLE2_EXTENSION_NAME};
+  const XrInstanceCreateInfo info = instance_info(names);
+  XrInstance instance = XR_NULL_HANDLE;
+  ASSERT_XR(XR_SUCCESS, xrCreateInstance(&info, &instance));
+  const XrGraphicsBindingVulkanKHR binding{XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR};
+  XrSessionCreateInfo create{XR_TYPE_SESSION_CREATE_INFO, &binding, 0, 1};
+  XrSession session = XR_NULL_HANDLE;
+  EXPECT_XR(XR_ERROR_GRAPHICS_REQUIREMENTS_CALL_MISSING, xrCreateSession(instance, &create, &session));
+  create.next = nullptr;
+  EXPECT_XR(XR_ERROR_GRAPHICS_DEVICE_INVALID, xrCreateSession(instance, &create, &session));
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// "Session Lifecycle": an application that draws is in focus once its frame loop runs.
+TEST_F(MockGraphics, StatesFollowFrames) {
+  begin_drawing();
+  EXPECT_EQ(all_states(), (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY}));
+  EXPECT_XR(XR_SUCCESS, end_frame({}));
+  EXPECT_EQ(all_states(),
+            (std::vector{XR_SESSION_STATE_SYNCHRONIZED, XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED}));
+}
+
+// "XR_ERROR_CALL_ORDER_INVALID": if all images are acquired; "if no image has been acquired", or one is
+// waited for already; "if [an] image has not been waited for".
+TEST_F(MockGraphics, ImagesAreAcquiredWaitedForAndReleased) {
+  begin_drawing();
+  const XrSwapchain swapchain = make_swapchain(swapchain_info());
+  std::uint32_t index = 99;
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, wait_image(swapchain));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrReleaseSwapchainImage(swapchain, nullptr));
+  std::vector<std::uint32_t> acquired;
+  while (xrAcquireSwapchainImage(swapchain, nullptr, &index) == XR_SUCCESS) acquired.push_back(index);
+  EXPECT_EQ(acquired, (std::vector{0U, 1U, 2U}));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrAcquireSwapchainImage(swapchain, nullptr, &index));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrReleaseSwapchainImage(swapchain, nullptr));
+  EXPECT_XR(XR_SUCCESS, wait_image(swapchain));
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, wait_image(swapchain));
+  EXPECT_XR(XR_SUCCESS, xrReleaseSwapchainImage(swapchain, nullptr));
+  EXPECT_XR(XR_SUCCESS, xrAcquireSwapchainImage(swapchain, nullptr, &index));
+  EXPECT_EQ(index, 0U);
+  EXPECT_XR(XR_SUCCESS, xrDestroySwapchain(swapchain));
+  EXPECT_XR(XR_ERROR_HANDLE_INVALID, wait_image(swapchain));
+
+  // "XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT [...] the application must only acquire and release one image".
+  XrSwapchainCreateInfo info = swapchain_info();
+  info.createFlags = XR_SWAPCHAIN_CREATE_STATIC_IMAGE_BIT;
+  const XrSwapchain still = make_swapchain(info);
+  draw(still, {red});
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrAcquireSwapchainImage(still, nullptr, &index));
+}
+
+// "XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED", "XR_ERROR_FEATURE_UNSUPPORTED", "XR_ERROR_VALIDATION_FAILURE".
+TEST_F(MockGraphics, SwapchainsThatCannotBeAreRefused) {
+  begin_drawing();
+  const auto expect = [&](XrResult result, auto change) {
+    XrSwapchainCreateInfo info = swapchain_info();
+    change(info);
+    XrSwapchain made = XR_NULL_HANDLE;
+    EXPECT_XR(result, xrCreateSwapchain(session, &info, &made));
+  };
+  expect(XR_ERROR_SWAPCHAIN_FORMAT_UNSUPPORTED, [](auto& info) { info.format = VK_FORMAT_R8_SRGB; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.faceCount = 6; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.sampleCount = 3; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED, [](auto& info) { info.mipCount = 20; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED,
+         [](auto& info) { info.createFlags = XR_SWAPCHAIN_CREATE_PROTECTED_CONTENT_BIT; });
+  expect(XR_ERROR_FEATURE_UNSUPPORTED,
+         [](auto& info) { info.usageFlags = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT; });
+  expect(XR_ERROR_VALIDATION_FAILURE, [](auto& info) { info.faceCount = 2; });
+  expect(XR_ERROR_VALIDATION_FAILURE, [](auto& info) { info.width = 0; });
+  expect(XR_ERROR_VALIDATION_FAILURE, [](auto& info) { info.height = 5000; });
+  expect(XR_ERROR_VALIDATION_FAILURE, [](auto& info) { info.usageFlags = 0x100; });
+}
+
+// "XR_ERROR_LAYER_INVALID [...] if [a] swapchain image has not been released",
+// "XR_ERROR_SWAPCHAIN_RECT_INVALID", "XR_ERROR_POSE_INVALID"; of the depth the same.
+TEST_F(MockGraphics, LayersThatCannotBeShownAreRefused) {
+  begin_drawing();
+  const XrSwapchain colours = make_swapchain(swapchain_info());
+  XrSwapchainCreateInfo depth_info = swapchain_info(VK_FORMAT_D32_SFLOAT);
+  depth_info.usageFlags = XR_SWAPCHAIN_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
+  const XrSwapchain depths = make_swapchain(depth_info);
+  draw(depths, {});
+  Projection projection(local, colours);
+  std::array<XrCompositionLayerDepthInfoKHR, 2> depth{};
+  for (std::size_t eye = 0; eye < 2; ++eye) {
+    depth[eye] = {XR_TYPE_COMPOSITION_LAYER_DEPTH_INFO_KHR,
+                  nullptr,
+                  {depths, {{0, 0}, {64, 48}}, 0},
+                  0.0F,
+                  1.0F,
+                  0.1F,
+                  100.0F};
+    projection.views[eye].next = &depth[eye];
+  }
+  EXPECT_XR(XR_ERROR_LAYER_INVALID, end_frame({&projection.layer}));
+  draw(colours, {red});
+  EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer}));
+  const auto expect = [&](XrResult result, auto& member, auto bad) {
+    const auto good = std::exchange(member, bad);
+    EXPECT_XR(result, end_frame({&projection.layer}));
+    member = good;
+  };
+  expect(XR_ERROR_SWAPCHAIN_RECT_INVALID, projection.views[1].subImage.imageRect.offset.x, 1);
+  expect(XR_ERROR_SWAPCHAIN_RECT_INVALID, projection.views[0].subImage.imageRect.extent.height, 0);
+  expect(XR_ERROR_VALIDATION_FAILURE, projection.views[0].subImage.imageArrayIndex, 1U);
+  expect(XR_ERROR_HANDLE_INVALID, projection.views[0].subImage.swapchain, XrSwapchain{XR_NULL_HANDLE});
+  expect(XR_ERROR_POSE_INVALID, projection.views[0].pose.orientation.w, 0.5F);
+  expect(XR_ERROR_VALIDATION_FAILURE, projection.layer.viewCount, 1U);
+  expect(XR_ERROR_SWAPCHAIN_RECT_INVALID, depth[1].subImage.imageRect.extent.width, 65);
+  expect(XR_ERROR_VALIDATION_FAILURE, depth[0].maxDepth, 2.0F);
+  XrCompositionLayerQuad quad{XR_TYPE_COMPOSITION_LAYER_QUAD};
+  quad.space = local;
+  quad.subImage = projection.views[0].subImage;
+  EXPECT_XR(XR_ERROR_POSE_INVALID, end_frame({&quad}));
+  quad.pose = identity_pose;
+  quad.eyeVisibility = static_cast<XrEyeVisibility>(3);
+  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, end_frame({&quad}));
+}
+
+// "Projection layers [...] quad layers": in order, a quad before the eyes where it is, and for its eye only.
+TEST_F(MockGraphics, PicturesShowTheLayers) {
+  begin_drawing(R"({"events": [{"frame": 2, "do": "take_picture"}]})");
+  XrSwapchainCreateInfo info = swapchain_info();
+  info.arraySize = 2;
+  info.mipCount = 3;
+  const XrSwapchain both = make_swapchain(info),
+                    board = make_swapchain(swapchain_info(VK_FORMAT_B8G8R8A8_SRGB));
+  draw(both, {red, green});
+  draw(board, {blue});
+  const Projection projection(local, both, 1);
+  XrCompositionLayerQuad quad{XR_TYPE_COMPOSITION_LAYER_QUAD};
+  quad.space = local;
+  quad.eyeVisibility = XR_EYE_VISIBILITY_LEFT;
+  quad.subImage = {board, {{0, 0}, {64, 48}}, 0};
+  quad.pose = {{0.0F, 0.0F, 0.0F, 1.0F}, {-0.4F, 0.3F, -1.0F}};
+  quad.size = {0.4F, 0.4F};
+  EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer, &quad}));
+  EXPECT_EQ(read_file(folder / "pictures.txt"), "") << "before it was ordered";
+  EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer, &quad}));
+  const Picture left = picture("000002_left.png"), right = picture("000002_right.png");
+  ASSERT_EQ(left.width, 64U);
+  ASSERT_EQ(left.height, 48U);
+  EXPECT_EQ(colour(left, 60, 40), red_pixel);
+  EXPECT_EQ(colour(right, 60, 40), green_pixel);
+  // By hand: tan 0.7 is 0.842; the quad's centre is at 32 - 32 * 0.4 / 0.842 and 24 - 24 * 0.3 / 0.842.
+  EXPECT_EQ(colour(left, 16, 15), blue_pixel);
+  EXPECT_EQ(colour(left, 16 + 9, 15), red_pixel);
+  EXPECT_EQ(colour(right, 16, 15), green_pixel);
+  const std::string log = call_log().back().reason;
+  EXPECT_EQ(log, "picture of frame 000002: left 64x48 " + hash_of(left) + ", right 64x48 " + hash_of(right));
+  EXPECT_TRUE(has(read_file(folder / "pictures.txt"), "left 64x48 " + hash_of(left) + "\n"));
+}
+
+// Of several samples, of linear and of half formats: 0.5 is 188 of 255 in sRGB.
+TEST_F(MockGraphics, FormatsAndSamplesAreConverted) {
+  begin_drawing(R"({"picture_every_frames": 1})");
+  int frame = 0;
+  for (const std::int64_t format : {VK_FORMAT_R8G8B8A8_UNORM, VK_FORMAT_B8G8R8A8_UNORM,
+                                    VK_FORMAT_R16G16B16A16_SFLOAT, VK_FORMAT_R8G8B8A8_SRGB})
+    for (const std::uint32_t samples : {1U, 4U}) {
+      XrSwapchainCreateInfo info = swapchain_info(format);
+      info.sampleCount = samples;
+      const XrSwapchain swapchain = make_swapchain(info);
+      draw(swapchain, {{0.5F, 0.0F, 1.0F, 1.0F}});
+      const Projection projection(local, swapchain);
+      EXPECT_XR(XR_SUCCESS, end_frame({&projection.layer}));
+      char name[32];
+      std::snprintf(name, sizeof name, "%06d_left.png", ++frame);
+      const auto [r, g, b] = colour(picture(name), 30, 20);
+      EXPECT_NEAR(r, 188, 1) << format << ' ' << samples;
+      EXPECT_EQ(g, 0);
+      EXPECT_EQ(b, 255);
+      EXPECT_XR(XR_SUCCESS, xrDestroySwapchain(swapchain));
+    }
+}
+
+// A picture at the end of a reach.
+TEST_F(MockGraphics, PictureIsTakenWhenAReachHasEnded) {
+  begin_drawing(R"({"events": [{"reach": 2, "do": "take_picture"}]})");
+  place_plate(local);
+  for (int reach = 1; reach <= 2; ++reach) {
+    instruct();
+    while (!truth().isDone) {
+      EXPECT_EQ(read_file(folder / "pictures.txt"), "");
+      EXPECT_XR(XR_SUCCESS, end_frame({}));
+    }
+    EXPECT_XR(XR_SUCCESS, end_frame({}));
+  }
+  EXPECT_EQ(occurrences(read_file(folder / "pictures.txt"), "\n"), 2U);
+}
+
+// What the runtime knows is a picture without graphics, too, and of the same bits each time; nothing of
+// Vulkan or OpenGL is linked for it.
+class MockWorld : public MockRuntime {};
+
+TEST_F(MockWorld, IsSeenByTheTesterOfAHeadlessSession) {
+  const TemporaryFolder folder;
+  setenv("HRT_MOCK_PICTURES", folder.path.c_str(), 1);
+  std::string first;
+  for (int run = 0; run < 3; ++run) {
+    begin_with(R"({"events": [{"frame": 90, "do": "take_picture"}], "picture_views": "world",
+                   "participants": [{"illusion": "linear", "tactile_weight": 0.3, "duration_ms": 1500}]})");
+    place_plate(local);
+    ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 50.0));
+    instruct(0.0, {0.0F, 0.0F, 0.06F}, 0.12);
+    for (int i = 0; i < 89; ++i) frame();
+    frame();
+    const std::string remark = call_log().back().reason;
+    if (run == 0) first = remark;
+    EXPECT_EQ(remark, first);
+    EXPECT_TRUE(has(remark, "picture of frame 000090: world 800x614 "));
+    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
+  }
+  const Picture picture = read_png(folder / "000090_world.png");
+  std::map<std::array<int, 3>, int> colours;
+  for (std::uint32_t y = 0; y < picture.height; ++y)
+    for (std::uint32_t x = 0; x < picture.width; ++x) ++colours[colour(picture, x, y)];
+  for (const std::array<int, 3>& drawn :
+       {std::array{70, 78, 94}, {240, 240, 240}, {255, 150, 40}, {90, 170, 255}})  // ridges, true, felt, goal
+    EXPECT_GT(colours[drawn], 100) << drawn[0];
+  unsetenv("HRT_MOCK_PICTURES");
+  const Outcome needed = Process({"/usr/bin/readelf", "-d", HRT_MOCK_LIBRARY}, {}).wait();
+  EXPECT_TRUE(has(needed.out, "libpng"));
+  EXPECT_FALSE(has(needed.out, "libvulkan"));
+  EXPECT_FALSE(has(needed.out, "libGL"));
+}
+
+// Khronos' own program, as Debian has it.
+class MockHelloXr : public ::testing::TestWithParam<const char*> {
+ protected:
+  static Outcome hello(const std::string& script, const std::string& pictures) {
+    std::vector<std::string> words{HRT_MOCK_RUN, "--script",          script, "--frames", pictures,
+                                   "--",         "/usr/bin/hello_xr", "-g",   GetParam()};
+    std::vector<std::string> environment{"PATH=/usr/bin:/bin", "HOME=" + pictures};
+    if (words.back() == "OpenGL") {
+      words.insert(words.begin(), {"/usr/bin/xvfb-run", "-a"});
+      environment.emplace_back("LD_PRELOAD=" HRT_VIDEO_MODES);
+    }
+    int silent[2];  // it ends with the first key, or the end of its input
+    EXPECT_EQ(pipe(silent), 0);
+    const Outcome outcome = Process(words, environment, -1, silent[0]).wait();
+    for (const int end : silent) close(end);
+    return outcome;
+  }
+};
+
+TEST_P(MockHelloXr, DrawsTheSamePixelsEachTime) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "script.json") << R"({"hands": {"left": {"tracked": true}},
+    "controllers": {"left": {"profile": "/interaction_profiles/khr/simple_controller"},
+                    "right": {"profile": "/interaction_profiles/khr/simple_controller"}},
+    "head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 400, "position_m": [0.1, 0.05, 0.3]}]},
+    "events": [{"frame": 5, "do": "take_picture"}, {"frame": 20, "do": "take_picture"},
+               {"frame": 25, "do": "session_state", "state": "EXITING"}]})";
+  std::string first;
+  for (const std::string run : {"1", "2", "3"}) {
+    std::filesystem::create_directory(folder / run);
+    const Outcome outcome = hello(folder / "script.json", folder / run);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+    const std::string list = read_file(folder / run + "/pictures.txt");
+    ASSERT_EQ(occurrences(list, "\n"), 4U) << outcome.out << outcome.err;
+    if (first.empty()) first = list;
+    EXPECT_EQ(list, first);
+  }
+  // Cubes of several colours before a background.
+  const Picture left = read_png(folder / "1/000020_left.png"),
+                right = read_png(folder / "1/000020_right.png");
+  std::map<std::array<int, 3>, int> colours;
+  for (std::uint32_t y = 0; y < left.height; ++y)
+    for (std::uint32_t x = 0; x < left.width; ++x) ++colours[colour(left, x, y)];
+  EXPECT_GE(colours.size(), 4U);
+  EXPECT_NE(hash_of(left), hash_of(right));
+  EXPECT_EQ(colour(left, 2, 2), colour(right, 1020, 1020));
+}
+
+// The application's own exit code, and a line for what is wrong.
+TEST(MockRun, ExitsAsTheApplicationDoesOrSaysWhatIsMissing) {
+  const TemporaryFolder folder;
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin(), HRT_MOCK_RUN);
+    return Process(words, {"PATH=/usr/bin:/bin"}).wait();
+  };
+  EXPECT_EQ(run({"--", "/bin/sh", "-c", "exit 7"}).exit_code, 7);
+  EXPECT_EQ(run({"--", "/no/such/program"}).exit_code, 127);
+  const Outcome set =
+      run({"--log", folder / "calls.log", "--", "/bin/sh", "-c", "echo $XR_RUNTIME_JSON $HRT_MOCK_CALL_LOG"});
+  EXPECT_TRUE(has(set.out, "/hrtx_mock_runtime.json " + folder.path.string()));
+  EXPECT_TRUE(has(set.err, "0 refused calls"));
+  for (const auto& [words, why] : std::vector<std::pair<std::vector<std::string>, const char*>>{
+           {{"--dance", "--", "true"}, "unknown option --dance"},
+           {{"--script", folder / "none.json", "--", "true"}, "none.json cannot be read"},
+           {{"--script"}, "--script needs a value"},
+           {{"--"}, "no application"}}) {
+    const Outcome refused = run(words);
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(has(refused.err, why));
+  }
+  EXPECT_TRUE(has(run({"--help"}).out, "--frames DIR"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Graphics, MockHelloXr, ::testing::Values("Vulkan2", "Vulkan"),
+                         [](const auto& api) { return std::string(api.param); });
+
+}  // namespace
+}  // namespace hrt::mock

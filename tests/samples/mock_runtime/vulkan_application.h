@@ -1,0 +1,130 @@
+// As little of Vulkan as a test needs that draws: a device by XR_KHR_vulkan_enable2, and images of one
+// colour.
+#pragma once
+
+#include <dlfcn.h>
+
+#include "tests/samples/mock_runtime/support.h"
+
+namespace hrt::mock {
+
+class VulkanApplication {
+ public:
+  VulkanApplication(XrInstance of, XrSystemId system) : xr_(of), system_(system) {
+    library_ = dlopen("libvulkan.so.1", RTLD_NOW | RTLD_LOCAL);
+    EXPECT_NE(library_, nullptr) << dlerror();
+    get = reinterpret_cast<PFN_vkGetInstanceProcAddr>(dlsym(library_, "vkGetInstanceProcAddr"));
+  }
+  ~VulkanApplication() {
+    if (device != nullptr) {
+      of_device<PFN_vkDestroyCommandPool>("vkDestroyCommandPool")(device, pool_, nullptr);
+      of_device<PFN_vkDestroyDevice>("vkDestroyDevice")(device, nullptr);
+    }
+    if (instance != nullptr) of_instance<PFN_vkDestroyInstance>("vkDestroyInstance")(instance, nullptr);
+    dlclose(library_);
+  }
+  VulkanApplication(const VulkanApplication&) = delete;
+  VulkanApplication& operator=(const VulkanApplication&) = delete;
+
+  void ask_requirements() {
+    XrGraphicsRequirementsVulkanKHR needed{XR_TYPE_GRAPHICS_REQUIREMENTS_VULKAN2_KHR};
+    EXPECT_XR(XR_SUCCESS, fetch<PFN_xrGetVulkanGraphicsRequirements2KHR>(
+                              xr_, "xrGetVulkanGraphicsRequirements2KHR")(xr_, system_, &needed));
+    EXPECT_LT(needed.minApiVersionSupported, needed.maxApiVersionSupported);
+  }
+
+  void create_device() {
+    const VkApplicationInfo application{
+        VK_STRUCTURE_TYPE_APPLICATION_INFO, nullptr, "test", 1, "test", 1, VK_API_VERSION_1_0};
+    VkInstanceCreateInfo vulkan{VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO};
+    vulkan.pApplicationInfo = &application;
+    XrVulkanInstanceCreateInfoKHR create{
+        XR_TYPE_VULKAN_INSTANCE_CREATE_INFO_KHR, nullptr, system_, 0, get, &vulkan, nullptr};
+    VkResult result = VK_NOT_READY;
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrCreateVulkanInstanceKHR>(xr_, "xrCreateVulkanInstanceKHR")(
+                              xr_, &create, &instance, &result));
+    ASSERT_EQ(result, VK_SUCCESS);
+    const XrVulkanGraphicsDeviceGetInfoKHR ask{XR_TYPE_VULKAN_GRAPHICS_DEVICE_GET_INFO_KHR, nullptr, system_,
+                                               instance};
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrGetVulkanGraphicsDevice2KHR>(xr_, "xrGetVulkanGraphicsDevice2KHR")(
+                              xr_, &ask, &physical));
+    const float priority = 1.0F;
+    VkDeviceQueueCreateInfo queue_info{VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
+    queue_info.queueCount = 1;
+    queue_info.pQueuePriorities = &priority;
+    VkDeviceCreateInfo device_info{VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
+    device_info.queueCreateInfoCount = 1;
+    device_info.pQueueCreateInfos = &queue_info;
+    const XrVulkanDeviceCreateInfoKHR wanted{
+        XR_TYPE_VULKAN_DEVICE_CREATE_INFO_KHR, nullptr, system_, 0, get, physical, &device_info, nullptr};
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrCreateVulkanDeviceKHR>(xr_, "xrCreateVulkanDeviceKHR")(
+                              xr_, &wanted, &device, &result));
+    ASSERT_EQ(result, VK_SUCCESS);
+    of_device<PFN_vkGetDeviceQueue>("vkGetDeviceQueue")(device, 0, 0, &queue_);
+    VkCommandPoolCreateInfo pool{VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO};
+    ASSERT_EQ(of_device<PFN_vkCreateCommandPool>("vkCreateCommandPool")(device, &pool, nullptr, &pool_),
+              VK_SUCCESS);
+  }
+
+  XrGraphicsBindingVulkanKHR binding() const {
+    return {XR_TYPE_GRAPHICS_BINDING_VULKAN_KHR, nullptr, instance, physical, device, 0, 0};
+  }
+
+  /// Fills one layer of an image that is in COLOR_ATTACHMENT_OPTIMAL.
+  void fill(VkImage image, std::uint32_t layer, const std::array<float, 4>& colour) {
+    const VkCommandBufferAllocateInfo allocate{VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO, nullptr, pool_,
+                                               VK_COMMAND_BUFFER_LEVEL_PRIMARY, 1};
+    VkCommandBuffer commands = nullptr;
+    ASSERT_EQ(
+        of_device<PFN_vkAllocateCommandBuffers>("vkAllocateCommandBuffers")(device, &allocate, &commands),
+        VK_SUCCESS);
+    const VkCommandBufferBeginInfo begin{VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO};
+    of_device<PFN_vkBeginCommandBuffer>("vkBeginCommandBuffer")(commands, &begin);
+    const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, layer, 1};
+    const auto move = [&](VkImageLayout from, VkImageLayout to) {
+      VkImageMemoryBarrier barrier{VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
+      barrier.srcAccessMask = barrier.dstAccessMask = VK_ACCESS_MEMORY_WRITE_BIT;
+      barrier.oldLayout = from;
+      barrier.newLayout = to;
+      barrier.image = image;
+      barrier.subresourceRange = range;
+      of_device<PFN_vkCmdPipelineBarrier>("vkCmdPipelineBarrier")(
+          commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0,
+          nullptr, 1, &barrier);
+    };
+    move(VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL);
+    const VkClearColorValue value{{colour[0], colour[1], colour[2], colour[3]}};
+    of_device<PFN_vkCmdClearColorImage>("vkCmdClearColorImage")(
+        commands, image, VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, &value, 1, &range);
+    move(VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL);
+    of_device<PFN_vkEndCommandBuffer>("vkEndCommandBuffer")(commands);
+    VkSubmitInfo submit{VK_STRUCTURE_TYPE_SUBMIT_INFO};
+    submit.commandBufferCount = 1;
+    submit.pCommandBuffers = &commands;
+    ASSERT_EQ(of_device<PFN_vkQueueSubmit>("vkQueueSubmit")(queue_, 1, &submit, VK_NULL_HANDLE), VK_SUCCESS);
+  }
+
+  VkInstance instance = nullptr;
+  VkPhysicalDevice physical = nullptr;
+  VkDevice device = nullptr;
+  PFN_vkGetInstanceProcAddr get = nullptr;
+
+  template <typename Function>
+  Function of_instance(const char* name) const {
+    return reinterpret_cast<Function>(get(instance, name));
+  }
+  template <typename Function>
+  Function of_device(const char* name) const {
+    const auto get_device = of_instance<PFN_vkGetDeviceProcAddr>("vkGetDeviceProcAddr");
+    return reinterpret_cast<Function>(get_device(device, name));
+  }
+
+ private:
+  XrInstance xr_;
+  XrSystemId system_;
+  void* library_ = nullptr;
+  VkQueue queue_ = nullptr;
+  VkCommandPool pool_ = VK_NULL_HANDLE;
+};
+
+}  // namespace hrt::mock
