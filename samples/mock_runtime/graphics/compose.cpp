@@ -39,17 +39,27 @@ bool same_view(const Camera& a, const Camera& b) {
          a.fov.angleDown == b.fov.angleDown && a.pose.orientation.coeffs() == b.pose.orientation.coeffs();
 }
 
+// Of the view's sides: where they cut the plane at distance 1.
+struct Tangents {
+  double left, right, up, down;
+};
+
+Tangents tangents(const XrFovf& fov) {
+  return {.left = std::tan(static_cast<double>(fov.angleLeft)),
+          .right = std::tan(static_cast<double>(fov.angleRight)),
+          .up = std::tan(static_cast<double>(fov.angleUp)),
+          .down = std::tan(static_cast<double>(fov.angleDown))};
+}
+
 }  // namespace
 
 Eigen::Vector3d Camera::ray(double x, double y) const {
-  const double left = std::tan(fov.angleLeft), right = std::tan(fov.angleRight), up = std::tan(fov.angleUp),
-               down = std::tan(fov.angleDown);
+  const auto [left, right, up, down] = tangents(fov);
   return {left + (right - left) * x / width, up + (down - up) * y / height, -1.0};
 }
 
 Eigen::Vector2d Camera::pixel(const Eigen::Vector3d& point) const {
-  const double left = std::tan(fov.angleLeft), right = std::tan(fov.angleRight), up = std::tan(fov.angleUp),
-               down = std::tan(fov.angleDown);
+  const auto [left, right, up, down] = tangents(fov);
   return {(point.x() / -point.z() - left) / (right - left) * width,
           (point.y() / -point.z() - up) / (down - up) * height};
 }

@@ -221,7 +221,7 @@ class OpenGlImages : public SwapchainImages {
     GLuint single = 0;
     if (info_.sampleCount > 1) single = resolve(frames[1]);
     Picture picture(static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
-    const std::size_t row = bytes_of(kind_) * picture.width;
+    const std::size_t row = std::size_t{bytes_of(kind_)} * picture.width;
     std::vector<std::uint8_t> pixels(row * picture.height);
     gl_->glReadPixels(part.offset.x, part.offset.y, width, height, GL_RGBA,
                       kind_ == PixelKind::half_linear ? GL_HALF_FLOAT : GL_UNSIGNED_BYTE, pixels.data());

@@ -12,7 +12,7 @@ namespace hrt::mock {
 namespace {
 
 float from_half(std::uint16_t bits) {
-  const int exponent = bits >> 10U & 31U;
+  const int exponent = static_cast<int>(bits >> 10U & 31U);
   const float fraction = static_cast<float>(bits & 1023U) / 1024.0F;
   const float size = exponent == 0    ? std::ldexp(fraction, -14)
                      : exponent == 31 ? 65504.0F

@@ -119,6 +119,7 @@ class MockGraphics : public MockRuntime {
       layer.viewCount = 2;
       layer.views = views.data();
     }
+    ~Projection() = default;
     Projection(const Projection&) = delete;
     Projection& operator=(const Projection&) = delete;
     std::array<XrCompositionLayerProjectionView, 2> views{};
@@ -469,7 +470,7 @@ TEST(MockRun, ExitsAsTheApplicationDoesOrSaysWhatIsMissing) {
   EXPECT_TRUE(has(run({"--help"}).out, "--frames DIR"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Graphics, MockHelloXr, ::testing::Values("Vulkan2", "Vulkan"),
+INSTANTIATE_TEST_SUITE_P(Graphics, MockHelloXr, ::testing::Values("Vulkan2", "Vulkan", "OpenGL"),
                          [](const auto& api) { return std::string(api.param); });
 
 }  // namespace
