@@ -3,11 +3,12 @@
 // through PersonFilter, a few at each new sample.
 #pragma once
 
-#include <array>
 #include <optional>
 
 #include "core/person/person_filter.h"
 #include "core/plate/plate_trace.h"
+#include "core/tracker/recent_places.h"
+#include "core/tracker/resting_finger.h"
 
 namespace hrt {
 
@@ -18,12 +19,6 @@ enum class FingerMotion {
   resting,  ///< before the reach
   moving,
   paused,  ///< within it: the finger rests or is lifted
-};
-
-/// A place on the plate, millimetres to the right and away.
-struct PlaceMm {
-  double right_mm;
-  double away_mm;
 };
 
 /// How well the filter predicts the positions it then sees, over the last twenty or so.
@@ -67,42 +62,21 @@ class PersonEstimator {
   /// Of the filter; before the finger moves, of the last position.
   double time_s() const { return filter_s_; }
   /// Where the finger rested: the filter's places are measured from here.
-  const PlaceMm& origin() const { return origin_; }
+  const PlaceMm& origin() const { return rest_.place(); }
   /// The last place that was seen or is predicted.
   PlaceMm place() const;
-  const TrackerNoise& noise() const { return noise_; }
+  const TrackerNoise& noise() const { return rest_.noise(); }
   const ModelFit& fit() const { return fit_; }
   /// When the motion began.
   double onset_s() const { return onset_s_; }
 
  private:
-  struct Sample {
-    double time_s;
-    PlaceMm place;
-  };
-
-  bool store(double time_s, const PlaceMm& position);
-  void watch_rest();
-  void learn_noise();
-  /// The pace that fits a motion from rest, and when it began.
-  struct MotionFit {
-    double log_rate;
-    double evenness;
-    double onset_s;
-  };
-  MotionFit fit_motion() const;
   void begin_motion();
   bool catch_up(const PlateTrace& plate);
-  bool take(const Sample& sample, const PlateTrace& plate);
-  void take_paused(const Sample& sample);
+  bool take(const TimedPlace& sample, const PlateTrace& plate);
+  void take_paused(const TimedPlace& sample);
   void carry_to(double time_s, const PlateTrace& plate);
   bool stands_still(PlaceMm& where) const;
-  PlaceMm mean_of_last(int samples) const;
-  const Sample& recent(int back) const {
-    return samples_[static_cast<std::size_t>((last_ + capacity - back) % capacity)];
-  }
-
-  static constexpr int capacity = 128;
 
   struct Retarget {
     double time_s;  // of the answer
@@ -113,28 +87,15 @@ class PersonEstimator {
   PersonBelief belief_;
   double virtual_direction_deg_;
   double path_mm_;
-  TrackerNoise noise_;
-  bool noise_known_;
+  RecentPlaces places_;
+  RestingFinger rest_;
   PersonFilter filter_;
   std::optional<Retarget> retarget_;  // still to be answered
   FingerMotion motion_ = FingerMotion::resting;
   ModelFit fit_;
 
-  std::array<Sample, capacity> samples_{};
-  int last_ = -1;
-  int count_ = 0;
-  int merged_ = 0;   // positions that make up the last sample
-  int backlog_ = 0;  // of the last samples, those that the filter has not seen
-
-  PlaceMm origin_;
+  int backlog_ = 0;  // of the last places, those that the filter has not seen
   PlaceMm pause_{};
-  int rested_ = 0;
-  // Of a resting finger: squares of its distance from the mean, and of its steps.
-  double square_sum_mm2_ = 0.0;
-  double step_sum_mm2_ = 0.0;
-  double spacing_sum_s_ = 0.0;
-  int steps_ = 0;
-  int departures_ = 0;
 
   double filter_s_ = 0.0;
   double onset_s_ = 0.0;

@@ -21,17 +21,9 @@
 
 #include "core/person/illusion.h"
 #include "core/person/person_belief.h"
+#include "core/tracker/resting_finger.h"
 
 namespace hrt {
-
-/// White and correlated noise of a tracked coordinate, standard deviations, > 0.
-struct TrackerNoise {
-  double white_mm = 0.8;
-  double correlated_mm = 0.9;
-  double correlation_s = 0.1;  ///< the correlated part decays to 1/e in this, > 0
-
-  double variance_mm2() const { return white_mm * white_mm + correlated_mm * correlated_mm; }
-};
 
 /// What is known of the finger and of the person during a motion, or how well.
 struct PersonState {

@@ -15,6 +15,17 @@ struct PlatePoint {
 
 inline constexpr double mm_per_m = 1000.0;
 
+/// The same in millimetres.
+struct PlaceMm {
+  double right_mm;
+  double away_mm;
+};
+
+constexpr double square_distance_mm2(const PlaceMm& a, const PlaceMm& b) {
+  return (a.right_mm - b.right_mm) * (a.right_mm - b.right_mm) +
+         (a.away_mm - b.away_mm) * (a.away_mm - b.away_mm);
+}
+
 /// Where something was, and when.
 struct TimedPoint {
   std::int64_t time_ns = 0;

@@ -1,0 +1,20 @@
+// The pace of a motion and when it began, from its first places.
+#pragma once
+
+#include "core/person/person_belief.h"
+#include "core/tracker/recent_places.h"
+
+namespace hrt {
+
+struct MotionFit {
+  double log_rate;
+  double evenness;
+  double onset_s;
+};
+
+/// Of a motion over `path_mm` from rest at `origin`, of which at least three places have been seen. Maximum
+/// of the posterior on a grid of paces; `noise_variance_mm2` of a coordinate. No heap, no lock, no exception.
+MotionFit fit_motion(const RecentPlaces& places, const PlaceMm& origin, const PersonBelief& belief,
+                     double path_mm, double noise_variance_mm2);
+
+}  // namespace hrt
