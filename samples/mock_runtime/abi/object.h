@@ -76,8 +76,6 @@ class Registry {
     return static_cast<T&>(*found->second);
   }
 
-  bool contains(std::uint64_t id) const { return objects_.contains(id); }
-
   /// The children of one type, oldest first.
   template <typename T>
   std::vector<T*> children(const Object& parent) const {

@@ -53,6 +53,26 @@ InputEvent read_input(Members& members) {
   return input;
 }
 
+const Names<decltype(ScriptEvent::what)>& event_kinds() {
+  static const Names<decltype(ScriptEvent::what)> kinds{
+      {"lose_tracking", HandEvent{HandFault::lose_tracking}},
+      {"regain_tracking", HandEvent{HandFault::regain_tracking}},
+      {"freeze", HandEvent{HandFault::freeze}},
+      {"unfreeze", HandEvent{HandFault::unfreeze}},
+      {"jump", HandEvent{HandFault::jump}},
+      {"session_state", StateEvent{}},
+      {"recenter", Recenter{}},
+      {"interaction_profile", DeviceEvent{}},
+      {"input", InputEvent{}},
+      {"user_presence", PresenceEvent{}},
+      {"take_picture", TakePicture{}},
+      {"repeat_session_state", RepeatState{}},
+      {"lose_session", LoseSession{}},
+      {"lose_instance", LoseInstance{}},
+      {"instance_loss_pending", InstanceLossPending{}}};
+  return kinds;
+}
+
 }  // namespace
 
 ScriptEvent read_event(Members& members) {
@@ -64,22 +84,7 @@ ScriptEvent read_event(Members& members) {
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
   event.reach = members.count("reach", 0, 1);
-  event.what =
-      members.choice<decltype(event.what)>("do", {{"lose_tracking", HandEvent{HandFault::lose_tracking}},
-                                                  {"regain_tracking", HandEvent{HandFault::regain_tracking}},
-                                                  {"freeze", HandEvent{HandFault::freeze}},
-                                                  {"unfreeze", HandEvent{HandFault::unfreeze}},
-                                                  {"jump", HandEvent{HandFault::jump}},
-                                                  {"session_state", StateEvent{}},
-                                                  {"recenter", Recenter{}},
-                                                  {"interaction_profile", DeviceEvent{}},
-                                                  {"input", InputEvent{}},
-                                                  {"user_presence", PresenceEvent{}},
-                                                  {"take_picture", TakePicture{}},
-                                                  {"repeat_session_state", RepeatState{}},
-                                                  {"lose_session", LoseSession{}},
-                                                  {"lose_instance", LoseInstance{}},
-                                                  {"instance_loss_pending", InstanceLossPending{}}});
+  event.what = members.choice("do", event_kinds());
   if (auto* state = std::get_if<StateEvent>(&event.what))
     state->state = members.choice<XrSessionState>("state", {{"SYNCHRONIZED", XR_SESSION_STATE_SYNCHRONIZED},
                                                             {"VISIBLE", XR_SESSION_STATE_VISIBLE},

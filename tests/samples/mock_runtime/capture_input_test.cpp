@@ -230,7 +230,7 @@ TEST_F(MockCaptureInput, GivesTheSameAgain) {
 
 // Any bits, a room that is measured again, and a clock that is another than the machine's.
 TEST_F(MockCaptureInput, GivesWhatAnotherRuntimeGave) {
-  setenv("XR_RUNTIME_JSON", HRT_OTHER_MANIFEST, 1);
+  script(odd_recording());
   capture_to(folder / "capture.json");
   const Given first = run_application();
   const auto seen_first = seen;

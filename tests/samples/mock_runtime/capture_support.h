@@ -23,6 +23,68 @@ struct Given {
   }
 };
 
+/// What a runtime might give that is not this one, as a script: numbers of any bits, uneven frames with a
+/// jump, late states, a clock that is not the machine's, calls that fail, an interaction profile of no
+/// registry.
+inline std::string odd_recording() {
+  std::string all = R"({"playback": {"version": 1, "records": [
+    ["instance", "Other \"runtime\"", 1125921381679110, ["XR_MND_headless", "XR_EXT_hand_tracking",
+     "XR_KHR_locate_spaces", "XR_KHR_convert_timespec_time"]], ["system", "Other headset", true],
+    ["reference_space", 2, [0, 0, 0, 1, 0, 0, 0]], ["reference_space", 2, [0, 0, 0, 1, 0.1, 1e-30, -0.3]],
+    ["reference_space", 1, [0, 0, 0, 1, 0, 0, 0]], ["action_space", "set/grip", "/user/hand/left", [0, 0, 0, 1, 0, 0, 0]],
+    ["action_space", "set/grip", "/user/hand/right", [0, 0, 0, 1, 0.1, 0, -0.3]],
+    ["spaces", 1, [2, 1]], ["bounds", 1, 1, false, 0, 0], ["timespec", 1, 86400123456789, 518400123456789],
+    ["failed", 1, "xrLocateHandJointsEXT", 7, -2], ["failed", 1, "xrLocateHandJointsEXT", 100, -2],
+    ["call", 1, "begin"], ["call", 1, "exit"], ["call", 1, "end"],
+    ["event", 1, 0, 0, "state", 1, 5], ["event", 1, 0, 0, "state", 2, 6], ["event", 1, 1, 1, "state", 3, 7],
+    ["event", 1, 1, 2, "state", 4, 8], ["event", 1, 1, 4, "state", 5, 9],
+    ["event", 1, 1, 20, "space_change", 2, 86400412345678, false, [0, 0, 0, 1, 0, "7fc12345", 0]],
+    ["event", 1, 2, 1, "state", 6, 10], ["event", 1, 3, 0, "state", 1, 11], ["event", 1, 3, 0, "state", 8, 12])";
+  std::uint32_t state = 1;
+  const auto bits = [&](int count) {
+    std::string list;
+    for (char text[16]; count > 0; --count) {
+      state = state * 1664525U + 1013904223U;
+      std::snprintf(text, sizeof text, "\"%08x\"%s", state, count > 1 ? "," : "");
+      list += text;
+    }
+    return list;
+  };
+  const auto add = [&](const std::string& kind, const std::string& rest) {
+    all += ",\n[\"" + kind + "\",1," + rest + "]";
+  };
+  for (int i = 0; i < 70; ++i) {
+    const XrTime at =
+        86'400'123'456'789 + i * 13'888'888LL + i * 7919 % 1000 * 1000 + (i > 30 ? 2'000'000'000 : 0);
+    const std::string time = std::to_string(at), even = i % 2 == 0 ? "true" : "false";
+    add("frame", time + ",13888888," + even);
+    add("bounds", std::string("2,true,") + (i < 20 ? "2" : "2.5") + ",\"40490fdb\"");
+    add("converted", std::to_string(at + 17));
+    add("synced", time + (i < 4 ? ",false" : ",true"));
+    add("profile", time + ",\"/user/hand/left\",\"" +
+                       (i < 30 ? "/interaction_profiles/other/of_no_registry" : "") + "\"");
+    for (const char* action : {"press", "pull", "move", "grip"})
+      for (const char* hand : {"/user/hand/left", "/user/hand/right", ""})
+        add("action", time + ",\"set/" + action + "\",\"" + hand + "\",true," + even + "," +
+                          std::to_string(i) + "," + bits(2));
+    for (const char* space : {"2", "3", "4"})
+      add("located",
+          time + "," + space + ",0," + (i % 7 == 3 ? "0" : "3") + ",[" + bits(7) + "],2,[" + bits(6) + "]");
+    if (i % 3 != 0) continue;  // the nearest counts
+    add("views", time + ",1,3,[" + bits(22) + "]");
+    for (const char* hand : {"1", "2"}) {
+      std::string joints, velocities;
+      for (int joint = 0; joint < 26; ++joint) {
+        joints += (joint == 0 ? "" : ",") + std::to_string(joint % 16) + "," + bits(8);
+        velocities += (joint == 0 ? "" : ",") + std::to_string(joint % 4) + "," + bits(6);
+      }
+      add("joints", time + "," + hand + "," + (i % 2 == 0 ? "0" : "1") + ",true,1,[" + joints + "],[" +
+                        velocities + "]");
+    }
+  }
+  return all + "]}}";
+}
+
 /// A test that captures an application and plays it back.
 class CaptureFixture : public MockRuntime {
  protected:
