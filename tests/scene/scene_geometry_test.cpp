@@ -67,16 +67,6 @@ TEST(SceneGeometry, TurnedPlate) {
   EXPECT_NEAR(scene.plate.pose.orientation.w, half_root, 1e-15);
 }
 
-// A plate set up like a wall: half of a half turn about +X puts its normal along the world's +Z, its mid-line
-// up.
-TEST(SceneGeometry, PlateOnAWall) {
-  const Scene scene = load(document(
-      {plate({{"rotation", {half_root, 0.0, 0.0, half_root}}}), real({{"translation", {0.0, 0.05, 0.02}}})}));
-  EXPECT_NEAR(scene.targets[0].direction_deg, 0.0, 1e-12);
-  EXPECT_NEAR(scene.targets[0].distance_m, 0.1, 1e-15);
-  EXPECT_NEAR(scene.targets[0].position_m.y, 0.02, 1e-15);
-}
-
 // Group (10, 0, 0) turned a quarter left, in it a shelf 1 m along the group's -Z, which is the world's -X,
 // and on it the plate: at (9, 0, 0), looking along -X. The same with every transform as a matrix.
 TEST(SceneGeometry, NestedNodesAsTransformsAndAsMatrices) {

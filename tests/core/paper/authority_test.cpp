@@ -50,23 +50,6 @@ TEST(Authority, ExactlyAtTheLargestGapTheBoundHolds) {
 constexpr double directions_deg[] = {-40.0, -7.5, -5.0, 0.0, 4.0, 5.0, 12.0, 33.0};
 constexpr double tactile_weights[] = {0.02, 0.05, 0.1, 0.15, 0.3, 0.49};
 
-TEST(Authority, MirroredPairsAreMirrored) {
-  for (const double w : tactile_weights) {
-    for (const double real_deg : directions_deg) {
-      for (const double virtual_deg : directions_deg) {
-        const Authority one = steering_authority(real_deg, virtual_deg, w, 84.5);
-        const Authority other = steering_authority(-real_deg, -virtual_deg, w, 84.5);
-        EXPECT_EQ(one.reachable, other.reachable);
-        EXPECT_EQ(one.gap_deg, -other.gap_deg);
-        EXPECT_EQ(one.max_gap_deg, other.max_gap_deg);
-        EXPECT_EQ(one.margin_deg, other.margin_deg);
-        EXPECT_EQ(one.plate_orientation_deg, -other.plate_orientation_deg);
-        EXPECT_EQ(one.settling_direction_deg, -other.settling_direction_deg);
-      }
-    }
-  }
-}
-
 // The person of paper section II-A without noise, over a plate that stands where authority says: the finger
 // settles where authority says, and the person feels the virtual direction there.
 TEST(Authority, ThePlateItNamesHoldsTheFingerWhereItSays) {

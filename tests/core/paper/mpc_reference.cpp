@@ -169,17 +169,4 @@ KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate) {
   };
 }
 
-double window_cost(const MpcConfig& config, const MpcProblem& problem, const std::vector<double>& plate) {
-  double p = problem.finger_offset_deg;
-  double cost = 0.0;
-  for (std::size_t i = 0; i < plate.size(); ++i) {
-    const double e =
-        problem.gains[i] * (problem.tactile_weight * plate[i] + (1.0 - problem.tactile_weight) * p);
-    const double miss = p - problem.real_offset_deg;
-    cost += config.perceived_weight * e * e + config.actual_weight * miss * miss;
-    p -= e;
-  }
-  return cost;
-}
-
 }  // namespace hrt

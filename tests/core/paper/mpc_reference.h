@@ -40,7 +40,4 @@ struct KktResidual {
 };
 KktResidual kkt_residual(const DenseProblem& problem, const LongVector& plate);
 
-/// The cost of the plate offsets `plate` from the definition.
-double window_cost(const MpcConfig& config, const MpcProblem& problem, const std::vector<double>& plate);
-
 }  // namespace hrt

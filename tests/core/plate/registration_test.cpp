@@ -188,24 +188,6 @@ TEST(Registration, ScaleIsFoundOnRequest) {
   EXPECT_EQ(fit_registration({.touch_sd_m = 0.001}, touches).verdict, RegistrationVerdict::inconsistent);
 }
 
-TEST(Registration, ALaterTouchIsChecked) {
-  int refused = 0;
-  for (std::uint32_t i = 0; i < 2000; ++i) {
-    Draws draws(6, 0, i, 0);
-    auto touches = touches_of({0.1, 0.7, -0.3}, 0.003, draws);
-    const Registration found = fit_registration({}, touches);
-    if (found.verdict != RegistrationVerdict::holds) continue;
-    const auto later = touches_of({0.1, 0.7, -0.3}, 0.003, draws);
-    refused += !check_registration(found, later[1]).holds;
-    MarkTouch moved = later[1];
-    moved.touched_m.z() += 0.03;
-    const RegistrationCheck check = check_registration(found, moved);
-    EXPECT_FALSE(check.holds);
-    EXPECT_GT(check.distance_m, check.allowed_m);
-  }
-  EXPECT_LT(refused, 20);
-}
-
 // What a check of the start shows of a plate that has moved, with touches of 3 mm.
 TEST(Registration, CheckFindsAPlateThatHasMovedByCentimetres) {
   const auto share_found = [](double moved_m) {
