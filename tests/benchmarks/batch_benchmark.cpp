@@ -1,10 +1,8 @@
 // Simulated steps per second on one thread: participant, controller and random number of a step together.
-// Rows: one of a table (two trials side by side, one after the other), one with the solver in the loop, and
-// both in turn for the ratio of their speeds.
+// Rows: one of a table (two trials side by side, one after the other), and one with the solver in the loop.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
-#include <ctime>
 
 #include "core/paper_simulation/batch.h"
 #include "core/paper_simulation/trial_table.h"
@@ -40,51 +38,19 @@ void steps_by_table(benchmark::State& state) {
 BENCHMARK(steps_by_table<PairLanes>)->Apply(grid);
 BENCHMARK(steps_by_table<ScalarLanes>)->Apply(grid);
 
-// What a job of a single trial pays.
-void tabulation(benchmark::State& state) {
-  const Condition condition = condition_of(state);
-  for (auto _ : state) benchmark::DoNotOptimize(TrialTable::tabulate(condition));
-}
-BENCHMARK(tabulation)->Apply(grid)->Unit(benchmark::kMicrosecond);
-
-std::uint64_t run_with_solver(const Condition& condition, std::uint32_t id) {
-  for (std::uint32_t trial = 0; trial < solver_trials; ++trial)
-    benchmark::DoNotOptimize(simulate_trial(condition, {.seed = 1, .condition = id, .trial = trial}));
-  return solver_trials * static_cast<std::uint64_t>(condition.steps);
-}
-
 void steps_by_solver(benchmark::State& state) {
   const Condition condition = condition_of(state);
   std::uint32_t id = 0;
   std::uint64_t steps = 0;
-  for (auto _ : state) steps += run_with_solver(condition, id++);
+  for (auto _ : state) {
+    for (std::uint32_t trial = 0; trial < solver_trials; ++trial)
+      benchmark::DoNotOptimize(simulate_trial(condition, {.seed = 1, .condition = id, .trial = trial}));
+    steps += solver_trials * static_cast<std::uint64_t>(condition.steps);
+    ++id;
+  }
   state.SetItemsProcessed(static_cast<std::int64_t>(steps));
 }
 BENCHMARK(steps_by_solver)->Apply(grid);
-
-void table_to_solver(benchmark::State& state) {
-  const Condition condition = condition_of(state);
-  const TrialTable table = *TrialTable::tabulate(condition);
-  std::uint32_t id = 0;
-  std::clock_t table_time = 0;
-  std::clock_t solver_time = 0;
-  double table_steps = 0.0;
-  double solver_steps = 0.0;
-  for (auto _ : state) {
-    const std::clock_t start = std::clock();
-    table_steps += static_cast<double>(table.run<PairLanes>(1, id, 0, table_trials).steps);
-    const std::clock_t middle = std::clock();
-    solver_steps += static_cast<double>(run_with_solver(condition, id++));
-    table_time += middle - start;
-    solver_time += std::clock() - middle;
-  }
-  const double table_rate = table_steps * CLOCKS_PER_SEC / static_cast<double>(table_time);
-  const double solver_rate = solver_steps * CLOCKS_PER_SEC / static_cast<double>(solver_time);
-  state.counters["table_steps_per_s"] = table_rate;
-  state.counters["solver_steps_per_s"] = solver_rate;
-  state.counters["ratio"] = table_rate / solver_rate;
-}
-BENCHMARK(table_to_solver)->Apply(grid);
 
 }  // namespace
 }  // namespace hrt
