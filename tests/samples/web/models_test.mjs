@@ -88,26 +88,6 @@ test("over a still plate the hand goes to the ghost, and somewhat beyond", () =>
   for (const result of results) near(result.plateFastest_deg_s, 0, 0, "a still plate");
 });
 
-test("our controller brings unknown people to the cylinder, while they feel the ghost", () => {
-  let arrived = 0;
-  for (let person = 1; person <= 20; ++person) {
-    const { results } = watch({ person }, 5);
-    arrived += hits(results.slice(-1));
-    near(results[4].feltToGhost_mm, 0, 8, `felt place of person ${person}`);
-  }
-  assert.ok(arrived >= 18, `${arrived} of 20 fifth reaches`);
-});
-
-test("the paper's controller assumes a weight of 0.15 and misses people with another one", () => {
-  const paper = [], ours = [];
-  for (let person = 1; person <= 20; ++person) {
-    paper.push(...watch({ person, controller: "paper", tactile_weight: 0.28 }).results);
-    ours.push(...watch({ person, tactile_weight: 0.28 }).results);
-  }
-  assert.ok(hits(paper) < hits(ours) - 5, `${hits(paper)} and ${hits(ours)} of 20`);
-  assert.deepEqual([...new Set(paper.map((result) => result.weight))], [0.15]);
-});
-
 test("what is learnt of a person stays for another gap and plate, and goes with another person", () => {
   const { watch: reaches, results } = watch({ tactile_weight: 0.25 }, 4);
   const learnt = results[3].weight;
@@ -117,12 +97,6 @@ test("what is learnt of a person stays for another gap and plate, and goes with 
   near(reaches.command.tactile_weight, learnt, 0.02, "the believed weight");
   reaches.apply(settings({ tactile_weight: 0.26, gap_deg: 6 }));
   assert.equal(reaches.number, 1);
-});
-
-test("a gap that cannot be held is missed, and the controller comes to say so", () => {
-  const { results } = watch({ tactile_weight: 0.08, gap_deg: 15 }, 5);
-  assert.equal(hits(results), 0);
-  assert.ok(results[4].flags & 16, `flags ${results[4].flags}`);
 });
 
 test("each slider does what it says", () => {
