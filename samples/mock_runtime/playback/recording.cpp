@@ -87,14 +87,9 @@ class Fields {
       wrong("a number");
     return static_cast<float>(value.get<double>());
   }
-  XrVector3f vector() {
-    const float x = single(), y = single(), z = single();
-    return {x, y, z};
-  }
-  XrPosef pose() {
-    const float x = single(), y = single(), z = single(), w = single();
-    return {{x, y, z, w}, vector()};
-  }
+  // Braces evaluate from left to right.
+  XrVector3f vector() { return {single(), single(), single()}; }
+  XrPosef pose() { return {{single(), single(), single(), single()}, vector()}; }
   /// An array: read(fields of it).
   template <typename Read>
   void nested(Read read) {
@@ -133,27 +128,19 @@ RecordedJoints read_joints(Fields& fields) {
   RecordedJoints joints{fields.boolean(), fields.whole<std::int32_t>(), {}, {}};
   if (!joints.active) return joints;
   fields.nested([&](Fields& each) {
-    while (each.more() && joints.locations.size() < max_joints) {
-      const auto flags = each.whole<XrSpaceLocationFlags>();
-      const XrPosef pose = each.pose();
-      joints.locations.push_back({flags, pose, each.single()});
-    }
+    while (each.more() && joints.locations.size() < max_joints)
+      joints.locations.push_back({each.whole<XrSpaceLocationFlags>(), each.pose(), each.single()});
   });
   if (fields.more())
     fields.nested([&](Fields& each) {
-      while (each.more() && joints.velocities.size() < max_joints) {
-        const auto flags = each.whole<XrSpaceVelocityFlags>();
-        const XrVector3f linear = each.vector();
-        joints.velocities.push_back({flags, linear, each.vector()});
-      }
+      while (each.more() && joints.velocities.size() < max_joints)
+        joints.velocities.push_back({each.whole<XrSpaceVelocityFlags>(), each.vector(), each.vector()});
     });
   return joints;
 }
 
 RecordedLocation read_location(Fields& fields) {
-  RecordedLocation location{};
-  location.flags = fields.whole<XrSpaceLocationFlags>();
-  location.pose = fields.nested_pose();
+  RecordedLocation location{fields.whole<XrSpaceLocationFlags>(), fields.nested_pose(), 0, {}, {}};
   if (!fields.more()) return location;
   location.velocity_flags = fields.whole<XrSpaceVelocityFlags>();
   fields.nested([&](Fields& velocity) {
@@ -166,13 +153,9 @@ RecordedLocation read_location(Fields& fields) {
 RecordedViews read_views(Fields& fields) {
   RecordedViews result{fields.whole<XrViewStateFlags>(), {}};
   fields.nested([&](Fields& each) {
-    while (each.more() && result.views.size() < max_views) {
-      XrView view{XR_TYPE_VIEW};
-      view.pose = each.pose();
-      for (float* angle : {&view.fov.angleLeft, &view.fov.angleRight, &view.fov.angleUp, &view.fov.angleDown})
-        *angle = each.single();
-      result.views.push_back(view);
-    }
+    while (each.more() && result.views.size() < max_views)
+      result.views.push_back(
+          {XR_TYPE_VIEW, nullptr, each.pose(), {each.single(), each.single(), each.single(), each.single()}});
   });
   return result;
 }
@@ -188,13 +171,7 @@ RecordedTruth read_truth(Fields& fields) {
 }
 
 ActionState read_state(Fields& fields) {
-  ActionState state{};
-  state.active = fields.boolean();
-  state.changed = fields.boolean();
-  state.last_change = fields.whole<XrTime>();
-  state.value.x = fields.single();
-  state.value.y = fields.single();
-  return state;
+  return {fields.boolean(), fields.boolean(), fields.whole<XrTime>(), {fields.single(), fields.single()}};
 }
 
 template <typename Enum>
@@ -212,20 +189,15 @@ XrEventDataBuffer as_buffer(const Event& event) {
 // None for an event that this runtime does not know.
 std::optional<XrEventDataBuffer> read_event(Fields& fields) {
   const std::string kind = fields.text();
-  if (kind == "state") {
-    XrEventDataSessionStateChanged event{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED};
-    event.state = read_enum<XrSessionState>(fields);
-    event.time = fields.whole<XrTime>();
-    return as_buffer(event);
-  }
-  if (kind == "space_change") {
-    XrEventDataReferenceSpaceChangePending event{XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING};
-    event.referenceSpaceType = read_enum<XrReferenceSpaceType>(fields);
-    event.changeTime = fields.whole<XrTime>();
-    event.poseValid = fields.boolean() ? XR_TRUE : XR_FALSE;
-    event.poseInPreviousSpace = fields.nested_pose();
-    return as_buffer(event);
-  }
+  if (kind == "state")
+    return as_buffer(XrEventDataSessionStateChanged{XR_TYPE_EVENT_DATA_SESSION_STATE_CHANGED, nullptr,
+                                                    nullptr, read_enum<XrSessionState>(fields),
+                                                    fields.whole<XrTime>()});
+  if (kind == "space_change")
+    return as_buffer(XrEventDataReferenceSpaceChangePending{
+        XR_TYPE_EVENT_DATA_REFERENCE_SPACE_CHANGE_PENDING, nullptr, nullptr,
+        read_enum<XrReferenceSpaceType>(fields), fields.whole<XrTime>(), XrBool32{fields.boolean()},
+        fields.nested_pose()});
   if (kind == "profile_change")
     return as_buffer(XrEventDataInteractionProfileChanged{XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED,
                                                           nullptr, nullptr});
@@ -233,9 +205,8 @@ std::optional<XrEventDataBuffer> read_event(Fields& fields) {
     return as_buffer(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
                                                     fields.whole<XrTime>()});
   if (kind == "presence")
-    return as_buffer(
-        XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr, nullptr,
-                                          fields.boolean() ? XrBool32{XR_TRUE} : XrBool32{XR_FALSE}});
+    return as_buffer(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr,
+                                                       nullptr, XrBool32{fields.boolean()}});
   if (kind == "events_lost")
     return as_buffer(
         XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});
@@ -278,6 +249,34 @@ void sort_by_time(std::map<Key, Stream<Value>>& streams) {
 
 // What a record of a session adds, by its kind.
 using Reader = void (*)(Fields& fields, RecordedSession& in, const Recording& names);
+
+// A time and what was given then.
+template <auto stream, auto read>
+void timed(Fields& fields, RecordedSession& in, const Recording&) {
+  const auto time = fields.whole<XrTime>();
+  (in.*stream).emplace_back(time, read(fields));
+}
+
+// A time, of what, and what was given then.
+template <auto streams, auto read_key, auto read>
+void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
+  const auto time = fields.whole<XrTime>();
+  auto& stream = (in.*streams)[read_key(fields, names)];
+  stream.emplace_back(time, read(fields));
+}
+
+constexpr auto read_text = [](Fields& fields, auto&...) { return fields.text(); };
+constexpr auto read_hand = [](Fields& fields, const Recording&) { return fields.whole<int>(); };
+constexpr auto read_hand_and_space = [](Fields& fields, const Recording& names) {
+  return std::pair{fields.whole<int>(), read_space(fields, names)};
+};
+constexpr auto read_two_spaces = [](Fields& fields, const Recording& names) {
+  return std::pair{read_space(fields, names), read_space(fields, names)};
+};
+constexpr auto read_two_texts = [](Fields& fields, const Recording&) {
+  return std::pair{fields.text(), fields.text()};
+};
+
 constexpr std::pair<std::string_view, Reader> session_readers[] = {
     {"spaces",
      [](Fields& fields, RecordedSession& in, const Recording&) {
@@ -290,85 +289,35 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
      [](Fields& fields, RecordedSession& in, const Recording&) {
        const auto type = read_enum<XrReferenceSpaceType>(fields);
        const bool available = fields.boolean();
-       const float width = fields.single();
-       const XrExtent2Df extent{width, fields.single()};
+       const XrExtent2Df extent{fields.single(), fields.single()};
        in.bounds[type].push_back(available ? std::optional(extent) : std::nullopt);
      }},
     {"call", [](Fields& fields, RecordedSession& in,
                 const Recording&) { in.calls.push_back(read_call_kind(fields)); }},
     {"frame",
      [](Fields& fields, RecordedSession& in, const Recording&) {
-       RecordedFrame frame{};
-       frame.time = fields.time();
-       frame.period = fields.whole<XrDuration>();
-       frame.should_render = fields.boolean();
-       in.frames.push_back(frame);
+       in.frames.push_back({fields.time(), fields.whole<XrDuration>(), fields.boolean()});
      }},
     {"converted",
      [](Fields& fields, RecordedSession& in, const Recording&) { in.converted.push_back(fields.time()); }},
-    {"timespec",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto time = fields.whole<XrTime>();
-       in.clock_ns.emplace_back(time, fields.whole<std::int64_t>());
-     }},
     {"event",
      [](Fields& fields, RecordedSession& in, const Recording&) {
-       RecordedEvent event{};
-       event.calls = fields.whole<std::size_t>();
-       event.frames = fields.whole<std::size_t>();
+       RecordedEvent event{fields.whole<std::size_t>(), fields.whole<std::size_t>(), {}};
        const auto buffer = read_event(fields);
        if (!buffer) return;
        event.buffer = *buffer;
        in.events.push_back(event);
      }},
-    {"joints",
-     [](Fields& fields, RecordedSession& in, const Recording& names) {
-       const auto time = fields.whole<XrTime>();
-       const int hand = fields.whole<int>();
-       const std::size_t base = read_space(fields, names);
-       in.joints[{hand, base}].emplace_back(time, read_joints(fields));
-     }},
-    {"located",
-     [](Fields& fields, RecordedSession& in, const Recording& names) {
-       const auto time = fields.whole<XrTime>();
-       const std::size_t space = read_space(fields, names);
-       const std::size_t base = read_space(fields, names);
-       in.locations[{space, base}].emplace_back(time, read_location(fields));
-     }},
-    {"views",
-     [](Fields& fields, RecordedSession& in, const Recording& names) {
-       const auto time = fields.whole<XrTime>();
-       const std::size_t base = read_space(fields, names);
-       in.views[base].emplace_back(time, read_views(fields));
-     }},
-    {"synced",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto present = fields.whole<XrTime>();
-       in.synced.emplace_back(present, fields.boolean());
-     }},
-    {"action",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto present = fields.whole<XrTime>();
-       const std::string action = fields.text();
-       const std::string subaction = fields.text();
-       in.states[{action, subaction}].emplace_back(present, read_state(fields));
-     }},
-    {"profile",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto present = fields.whole<XrTime>();
-       const std::string top_level = fields.text();
-       in.profiles[top_level].emplace_back(present, fields.text());
-     }},
-    {"plate",
-     [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto time = fields.whole<XrTime>();
-       in.plate_deg.emplace_back(time, fields.real());
-     }},
-    {"truth", [](Fields& fields, RecordedSession& in, const Recording&) {
-       const auto present = fields.whole<XrTime>();
-       const int hand = fields.whole<int>();
-       in.truths[hand].emplace_back(present, read_truth(fields));
-     }}};
+    {"timespec",
+     timed<&RecordedSession::clock_ns, [](Fields& fields) { return fields.whole<std::int64_t>(); }>},
+    {"synced", timed<&RecordedSession::synced, [](Fields& fields) { return fields.boolean(); }>},
+    {"plate", timed<&RecordedSession::plate_deg, [](Fields& fields) { return fields.real(); }>},
+    {"joints", keyed<&RecordedSession::joints, read_hand_and_space, read_joints>},
+    {"located", keyed<&RecordedSession::locations, read_two_spaces, read_location>},
+    {"views", keyed<&RecordedSession::views, read_space, read_views>},
+    {"action", keyed<&RecordedSession::states, read_two_texts, read_state>},
+    {"profile", keyed<&RecordedSession::profiles, read_text, read_text>},
+    {"truth", keyed<&RecordedSession::truths, read_hand, read_truth>}};
 
 }  // namespace
 
@@ -393,16 +342,9 @@ void Recording::add(const Json& record) {
   } else if (kind == "failed") {
     failures.push_back(read_failure(fields));
   } else if (kind == "reference_space") {
-    SpaceName space;
-    space.reference = read_enum<XrReferenceSpaceType>(fields);
-    space.pose = fields.nested_pose();
-    spaces.push_back(space);
+    spaces.push_back({read_enum<XrReferenceSpaceType>(fields), "", "", fields.nested_pose()});
   } else if (kind == "action_space") {
-    SpaceName space;
-    space.action = fields.text();
-    space.subaction = fields.text();
-    space.pose = fields.nested_pose();
-    spaces.push_back(space);
+    spaces.push_back({XR_REFERENCE_SPACE_TYPE_MAX_ENUM, fields.text(), fields.text(), fields.nested_pose()});
   } else {
     const auto reader = std::find_if(std::begin(session_readers), std::end(session_readers),
                                      [&](const auto& each) { return each.first == kind; });

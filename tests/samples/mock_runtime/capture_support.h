@@ -153,12 +153,7 @@ class CaptureFixture : public MockRuntime {
     }
   }
   XrTime frame() {
-    XrFrameState state{XR_TYPE_FRAME_STATE};
-    EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-    EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
-    const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
-                             XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};
-    EXPECT_XR(XR_SUCCESS, xrEndFrame(session, &end));
+    const XrFrameState state = whole_frame();
     given.add(state.predictedDisplayTime);
     given.add(state.predictedDisplayPeriod);
     given.add(state.shouldRender);

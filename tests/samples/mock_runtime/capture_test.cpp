@@ -1,7 +1,11 @@
-// The layer in samples/mock_runtime/capture: what an application was given, played back.
+// The layer in samples/mock_runtime/capture: what an application was given, played back; one of several
+// threads.
 #include <dlfcn.h>
 
+#include <atomic>
 #include <filesystem>
+#include <map>
+#include <thread>
 
 #include "tests/samples/mock_runtime/capture_support.h"
 #include "tests/samples/mock_runtime/negotiation.h"
@@ -43,23 +47,187 @@ class MockCapture : public CaptureFixture {
     return joints;
   }
 
-  // An application with a head and two hands in two spaces.
+  // Paths are other numbers in another runtime.
+  std::string text_of(XrPath of) {
+    std::array<char, XR_MAX_PATH_LENGTH> text{};
+    std::uint32_t count = 0;
+    if (of != XR_NULL_PATH) {
+      EXPECT_XR(XR_SUCCESS, xrPathToString(instance, of, text.size(), &count, text.data()));
+    }
+    return text.data();
+  }
+
+  void make_actions() {
+    hands = {path("/user/hand/left"), path("/user/hand/right")};
+    set = make_set("set");
+    const std::vector<XrPath> subactions(hands.begin(), hands.end());
+    press = make_action(set, "press", XR_ACTION_TYPE_BOOLEAN_INPUT, subactions);
+    pull = make_action(set, "pull", XR_ACTION_TYPE_FLOAT_INPUT, subactions);
+    move = make_action(set, "move", XR_ACTION_TYPE_VECTOR2F_INPUT, subactions);
+    grip = make_action(set, "grip", XR_ACTION_TYPE_POSE_INPUT, subactions);
+    for (const auto& [profile, sources] :
+         std::map<const char*, std::vector<std::pair<XrAction, std::string>>>{
+             {"/interaction_profiles/oculus/touch_controller",
+              {{press, "thumbstick/click"},
+               {pull, "trigger/value"},
+               {move, "thumbstick"},
+               {grip, "grip/pose"}}},
+             {"/interaction_profiles/khr/simple_controller",
+              {{press, "select/click"}, {grip, "aim/pose"}}}}) {
+      std::vector<XrActionSuggestedBinding> bindings;
+      for (const char* inputs : {"/user/hand/left/input/", "/user/hand/right/input/"})
+        for (const auto& [action, source] : sources)
+          bindings.push_back({action, path((inputs + source).c_str())});
+      ASSERT_XR(XR_SUCCESS, suggest(profile, bindings));
+    }
+    ASSERT_XR(XR_SUCCESS, attach({set}));
+  }
+  XrSpace make_grip_space(XrPath of, const XrPosef& pose) {
+    const XrActionSpaceCreateInfo info{XR_TYPE_ACTION_SPACE_CREATE_INFO, nullptr, grip, of, pose};
+    XrSpace space = XR_NULL_HANDLE;
+    EXPECT_XR(XR_SUCCESS, xrCreateActionSpace(session, &info, &space));
+    return space;
+  }
+
+  template <typename State, typename Get>
+  State read(Get get, XrStructureType type, XrAction action, XrPath subaction) {
+    const XrActionStateGetInfo info{XR_TYPE_ACTION_STATE_GET_INFO, nullptr, action, subaction};
+    State state{type};
+    EXPECT_XR(XR_SUCCESS, get(session, &info, &state));
+    seen["active"] += state.isActive == XR_TRUE;
+    given.add(state.isActive);
+    if constexpr (!std::is_same_v<State, XrActionStatePose>) {
+      given.add(state.currentState);
+      given.add(state.changedSinceLastSync);
+      given.add(state.lastChangeTime);
+    }
+    return state;
+  }
+  void read_actions() {
+    const XrResult result = sync({{set, XR_NULL_PATH}});
+    ASSERT_TRUE(XR_SUCCEEDED(result)) << result_name(result);
+    given.add(result);
+    seen["not focused"] += result == XR_SESSION_NOT_FOCUSED;
+    for (const XrPath user : {hands[0], hands[1], XrPath{XR_NULL_PATH}}) {
+      seen["pressed"] +=
+          read<XrActionStateBoolean>(xrGetActionStateBoolean, XR_TYPE_ACTION_STATE_BOOLEAN, press, user)
+              .currentState == XR_TRUE;
+      seen["pulled"] +=
+          read<XrActionStateFloat>(xrGetActionStateFloat, XR_TYPE_ACTION_STATE_FLOAT, pull, user)
+              .currentState != 0.0F;
+      seen["moved"] +=
+          read<XrActionStateVector2f>(xrGetActionStateVector2f, XR_TYPE_ACTION_STATE_VECTOR2F, move, user)
+              .currentState.y != 0.0F;
+      read<XrActionStatePose>(xrGetActionStatePose, XR_TYPE_ACTION_STATE_POSE, grip, user);
+    }
+    for (const XrPath user : hands) {
+      XrInteractionProfileState state{XR_TYPE_INTERACTION_PROFILE_STATE};
+      ASSERT_XR(XR_SUCCESS, xrGetCurrentInteractionProfile(session, user, &state));
+      const std::string profile = text_of(state.interactionProfile);
+      given.bytes += profile;
+      ++seen[profile];
+    }
+  }
+  void locate(const std::vector<XrSpace>& spaces, XrSpace base, XrTime time) {
+    XrSpaceVelocity velocity{XR_TYPE_SPACE_VELOCITY};
+    XrSpaceLocation location{XR_TYPE_SPACE_LOCATION, &velocity};
+    ASSERT_XR(XR_SUCCESS, xrLocateSpace(spaces[0], base, time, &location));
+    given.add(location.locationFlags);
+    given.add(location.pose);
+    given.add(velocity.velocityFlags);
+    given.add(velocity.linearVelocity);
+    given.add(velocity.angularVelocity);
+    const auto locate_several = fetch<PFN_xrLocateSpacesKHR>(instance, "xrLocateSpacesKHR");
+    std::vector<XrSpaceVelocityData> moving(spaces.size());
+    XrSpaceVelocities velocities{XR_TYPE_SPACE_VELOCITIES, nullptr, static_cast<std::uint32_t>(moving.size()),
+                                 moving.data()};
+    for (void* next : {static_cast<void*>(nullptr), static_cast<void*>(&velocities)}) {
+      std::vector<XrSpaceLocationData> located(spaces.size());
+      XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, next, static_cast<std::uint32_t>(located.size()),
+                                 located.data()};
+      const XrSpacesLocateInfo info{XR_TYPE_SPACES_LOCATE_INFO,
+                                    nullptr,
+                                    base,
+                                    time,
+                                    static_cast<std::uint32_t>(spaces.size()),
+                                    spaces.data()};
+      ASSERT_XR(XR_SUCCESS, locate_several(session, &info, &locations));
+      for (const XrSpaceLocationData& each : located) {
+        given.add(each.locationFlags);
+        given.add(each.pose);
+        ++seen[each.locationFlags == 0 ? "lost" : "located"];
+      }
+    }
+    for (const XrSpaceVelocityData& each : moving) {
+      given.add(each.velocityFlags);
+      given.add(each.linearVelocity);
+      given.add(each.angularVelocity);
+      seen["moving"] += each.velocityFlags != 0;
+    }
+  }
+  void convert(XrTime displayed) {
+    timespec clock{};
+    clock_gettime(CLOCK_MONOTONIC, &clock);
+    XrTime now = 0;
+    ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimespecTimeToTimeKHR>(
+                              instance, "xrConvertTimespecTimeToTimeKHR")(instance, &clock, &now));
+    given.add(now);
+    for (const XrTime time : {displayed, now}) {
+      ASSERT_XR(XR_SUCCESS, fetch<PFN_xrConvertTimeToTimespecTimeKHR>(
+                                instance, "xrConvertTimeToTimespecTimeKHR")(instance, time, &clock));
+      given.add(clock.tv_sec);
+      given.add(clock.tv_nsec);
+    }
+    offset_s = clock.tv_sec - now / 1'000'000'000;
+  }
+  void measure_room() {
+    std::array<XrReferenceSpaceType, 8> types{};
+    std::uint32_t count = 0;
+    ASSERT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, types.size(), &count, types.data()));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      XrExtent2Df bounds{};
+      const XrResult result = xrGetReferenceSpaceBoundsRect(session, types[i], &bounds);
+      given.add(result);
+      given.add(bounds);
+      ++seen[result_name(result)];
+      if (result == XR_SUCCESS) widths.insert(bounds.width);
+    }
+  }
+
+  void locate_views(XrSpace base, XrTime time) {
+    const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO,
+                                time, base};
+    XrViewState state{XR_TYPE_VIEW_STATE};
+    std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
+    std::uint32_t count = 0;
+    EXPECT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
+    given.add(state.viewStateFlags);
+    for (const XrView& each : views) {
+      given.add(each.pose);
+      given.add(each.fov);
+    }
+  }
+
+  // An application with head, hands and controllers that asks for everything in each frame.
   Given run_application() {
     given = {};
-    EXPECT_XR(XR_SUCCESS, create_instance());
+    seen.clear();
+    widths.clear();
+    std::vector<const char*> extensions{XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
+                                        XR_KHR_LOCATE_SPACES_EXTENSION_NAME};
+    if (asks_clock) extensions.push_back(XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME);
+    EXPECT_XR(XR_SUCCESS, create_instance(extensions));
     XrInstanceProperties properties{XR_TYPE_INSTANCE_PROPERTIES};
     EXPECT_XR(XR_SUCCESS, xrGetInstanceProperties(instance, &properties));
     given.bytes += properties.runtimeName;
     given.add(properties.runtimeVersion);
     create_session();
-    std::uint32_t count = 0;
-    EXPECT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, 0, &count, nullptr));
-    std::vector<XrReferenceSpaceType> types(count);
-    EXPECT_XR(XR_SUCCESS, xrEnumerateReferenceSpaces(session, count, &count, types.data()));
-    for (const XrReferenceSpaceType type : types) given.add(type);
+    make_actions();
     local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
     const XrSpace aside = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL, {{0, 0, 0, 1}, {0.1F, 1e-30F, -0.3F}});
-    const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+    const std::vector<XrSpace> spaces{
+        make_grip_space(hands[0], identity_pose), make_grip_space(hands[1], {{0, 0, 0, 1}, {0.1F, 0, -0.3F}}),
+        make_grip_space(XR_NULL_PATH, identity_pose), create_space(XR_REFERENCE_SPACE_TYPE_VIEW)};
     const XrHandTrackerEXT trackers[] = {track(XR_HAND_LEFT_EXT), track(XR_HAND_RIGHT_EXT)};
     for (int frames = 0; frames < 60;) {
       poll();
@@ -68,49 +236,77 @@ class MockCapture : public CaptureFixture {
       ++frames;
       for (const XrHandTrackerEXT tracker : trackers)
         for (const XrSpace base : {local, aside}) locate_hand(tracker, base, time);
-      XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
-      EXPECT_XR(XR_SUCCESS, xrLocateSpace(view, local, time, &location));
-      given.add(location.locationFlags);
-      given.add(location.pose);
-      const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr,
-                                  XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, time, aside};
-      XrViewState state{XR_TYPE_VIEW_STATE};
-      std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
-      EXPECT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
-      given.add(state.viewStateFlags);
-      for (const XrView& each : views) {
-        given.add(each.pose);
-        given.add(each.fov);
+      locate_views(aside, time);
+      read_actions();
+      locate(spaces, local, time);
+      if (asks_clock) {
+        convert(time);
+        read_actions();  // at another present, without a frame
       }
+      measure_room();
     }
     end();
     return given;
   }
+
+  std::array<XrPath, 2> hands{};
+  XrActionSet set = XR_NULL_HANDLE;
+  XrAction press = XR_NULL_HANDLE, pull = XR_NULL_HANDLE, move = XR_NULL_HANDLE, grip = XR_NULL_HANDLE;
+  std::map<std::string, int> seen;
+  std::set<float> widths;
+  std::int64_t offset_s = 0;
+  bool asks_clock = false;  // which a manual clock lacks
 };
 
-const std::string moving_hand = R"({"hands": {"left": {"tracked": true}, "right": {"path": [
-    {"time_ms": 0, "position_m": [0.1, -0.3, -0.4]},
-    {"time_ms": 2000, "position_m": [-0.2, -0.35, -0.5], "orientation": [0.1, 0.2, -0.3, 0.927362]}]}},
+const std::string moving_user =
+    R"({"clock": "real-time", "hands": {"left": {"tracked": true}, "right": {"path": [
+      {"time_ms": 0, "position_m": [0.1, -0.3, -0.4]},
+      {"time_ms": 2000, "position_m": [-0.2, -0.35, -0.5], "orientation": [0.1, 0.2, -0.3, 0.927362]}]}},
     "head": {"path": [{"time_ms": 0, "position_m": [0, 0, 0]}, {"time_ms": 900, "position_m": [0.1, 0, 0.3]}]},
-    "events": [{"frame": 20, "do": "lose_tracking", "hand": "right"},
+    "controllers": {
+      "left": {"profile": "/interaction_profiles/oculus/touch_controller", "path": [
+        {"time_ms": 0, "position_m": [-0.2, -0.3, -0.4]},
+        {"time_ms": 400, "position_m": [-0.1, -0.2, -0.5], "orientation": [0.1, 0.2, -0.3, 0.927362]}]},
+      "right": {"profile": "/interaction_profiles/oculus/touch_controller"}},
+    "events": [{"frame": 5, "do": "input", "device": "left", "source": "thumbstick/click", "value": true},
+               {"frame": 8, "do": "input", "device": "right", "source": "trigger/value", "value": 0.1},
+               {"frame": 9, "do": "input", "device": "left", "source": "thumbstick", "value": [0.5, -0.7]},
+               {"frame": 12, "do": "input", "device": "left", "source": "thumbstick/click", "value": false},
+               {"frame": 15, "do": "session_state", "state": "VISIBLE"},
+               {"frame": 18, "do": "session_state", "state": "FOCUSED"},
+               {"frame": 20, "do": "lose_tracking", "hand": "right"},
+               {"frame": 25, "do": "interaction_profile", "device": "left",
+                "profile": "/interaction_profiles/khr/simple_controller"},
                {"frame": 30, "do": "regain_tracking", "hand": "right"},
+               {"frame": 30, "do": "interaction_profile", "device": "right", "profile": null},
                {"frame": 40, "do": "recenter", "position_m": [0.1, 0, 0], "yaw_deg": 20}]})";
 
 TEST_F(MockCapture, GivesTheSameAgain) {
-  script(moving_hand);
+  script(moving_user);
+  asks_clock = true;
   capture_to(folder / "capture.json");
   const Given first = run_application();
-  EXPECT_EQ(first.active, 60 * 4 - 20);
+  const auto seen_first = seen;
+  EXPECT_EQ(first.active, (60 - 3) * 4 - 20);
+  for (const char* what :
+       {"active", "pressed", "pulled", "moved", "not focused", "located", "lost", "moving", "",
+        "/interaction_profiles/oculus/touch_controller", "/interaction_profiles/khr/simple_controller",
+        "XR_SUCCESS", "XR_SPACE_BOUNDS_UNAVAILABLE"})
+    EXPECT_GT(seen[what], 0) << what;
   play(folder / "capture.json");
   const Given again = run_application();
-  EXPECT_TRUE(first.bytes == again.bytes);
+  EXPECT_EQ(seen_first, seen);
   EXPECT_EQ(first.states, again.states);
+  EXPECT_TRUE(first.bytes == again.bytes);
 }
 
+// Any bits, a room that is measured again, a clock that is another than the machine's, calls that fail.
 TEST_F(MockCapture, GivesWhatAnotherRuntimeGave) {
   script(odd_recording());
+  asks_clock = true;
   capture_to(folder / "capture.json");
   const Given first = run_application();
+  const auto seen_first = seen;
   EXPECT_EQ(first.failures, 2);
   EXPECT_EQ(first.active, 60 * 4 - 2);
   EXPECT_EQ(first.bytes.compare(0, 15, "Other \"runtime\""), 0);
@@ -118,16 +314,22 @@ TEST_F(MockCapture, GivesWhatAnotherRuntimeGave) {
             (std::vector{XR_SESSION_STATE_IDLE, XR_SESSION_STATE_READY, XR_SESSION_STATE_SYNCHRONIZED,
                          XR_SESSION_STATE_VISIBLE, XR_SESSION_STATE_FOCUSED, XR_SESSION_STATE_STOPPING,
                          XR_SESSION_STATE_IDLE, XR_SESSION_STATE_EXITING}));
+  EXPECT_EQ(widths, (std::set{2.0F, 2.5F}));
+  EXPECT_EQ(offset_s, 5 * 86'400);
+  EXPECT_GT(seen["/interaction_profiles/other/of_no_registry"], 0);
   play(folder / "capture.json");
   const Given again = run_application();
+  EXPECT_EQ(seen_first, seen);
   EXPECT_EQ(again.failures, first.failures);
   EXPECT_EQ(first.states, again.states);
+  EXPECT_EQ(widths, (std::set{2.0F, 2.5F}));
+  EXPECT_EQ(offset_s, 5 * 86'400);
   EXPECT_TRUE(first.bytes == again.bytes);
 }
 
 // For a time between two samples the nearer one; in a space that the capture does not have, as it would be.
 TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
-  script(moving_hand);
+  script(std::string(moving_user).replace(0, 23, "{"));
   capture_to(folder / "capture.json");
   run_application();
   play(folder / "capture.json");
@@ -149,9 +351,9 @@ TEST_F(MockCapture, GivesTheNearestInAnySpaceOfTheSameOrigin) {
   const Joints next = locate_hand(right, local, first + 8'000'000);
   EXPECT_NE(std::memcmp(&joints, &next, sizeof joints), 0);
   // By hand: the inverse of a turn by 2 atan 0.75 about +Y, 16.26 degrees short of a right angle.
-  const Joints seen = locate_hand(right, turned, first);
+  const Joints turned_hand = locate_hand(right, turned, first);
   const XrVector3f p = joints[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
-  const XrVector3f q = seen[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
+  const XrVector3f q = turned_hand[XR_HAND_JOINT_INDEX_TIP_EXT].pose.position;
   const float x = p.x - 1, y = p.y - 2, z = p.z - 3;
   EXPECT_NEAR(q.x, 0.28F * x - 0.96F * z, 1e-6F);
   EXPECT_NEAR(q.y, y, 1e-6F);
@@ -269,6 +471,62 @@ TEST_F(MockCapture, IsImplicitWhereItsManifestIsInstalled) {
   ASSERT_TRUE(std::filesystem::exists(folder / "capture.json"));
   play(folder / "capture.json");
   EXPECT_TRUE(first.bytes == run_application().bytes);
+}
+
+// A time that was not asked for then is as far from the nearest one by either clock.
+TEST_F(MockCapture, MachinesClockRunsBetweenItsSamples) {
+  std::ofstream(folder / "clock.json") << R"({"playback": {"version": 1, "records": [
+      ["instance", "r", 1, ["XR_MND_headless", "XR_KHR_convert_timespec_time"]],
+      ["timespec", 1, 5000000000, 105000000001], ["timespec", 1, 8000000000, 108000000002]]}})";
+  play(folder / "clock.json");
+  ASSERT_XR(XR_SUCCESS,
+            create_instance({XR_MND_HEADLESS_EXTENSION_NAME, XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME}));
+  create_session();
+  const auto to_timespec =
+      fetch<PFN_xrConvertTimeToTimespecTimeKHR>(instance, "xrConvertTimeToTimespecTimeKHR");
+  for (const auto& [time, nanoseconds] : std::map<XrTime, std::int64_t>{{5'000'000'000, 105'000'000'001},
+                                                                        {4'000'000'000, 104'000'000'001},
+                                                                        {6'400'000'000, 106'400'000'001},
+                                                                        {6'600'000'000, 106'600'000'002}}) {
+    timespec clock{};
+    ASSERT_XR(XR_SUCCESS, to_timespec(instance, time, &clock));
+    EXPECT_EQ(clock.tv_sec * 1'000'000'000 + clock.tv_nsec, nanoseconds) << time;
+  }
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
+}
+
+// Frames on one thread, hands on two others: no call is missing, and the file is whole. With the thread
+// sanitizer this also shows that there are no data races with the thread that writes.
+TEST_F(MockCapture, ThreadsAreCaptured) {
+  capture_to(folder / "capture.json");
+  ASSERT_XR(XR_SUCCESS, create_instance());
+  create_session();
+  while (!running) poll();
+  local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
+  const XrSpace view = create_space(XR_REFERENCE_SPACE_TYPE_VIEW);
+  std::atomic<bool> stop = false;
+  std::array<std::atomic<int>, 2> calls{};
+  std::vector<std::thread> threads;
+  for (std::atomic<int>& count : calls)
+    threads.emplace_back([&] {
+      for (; !stop; ++count) {
+        XrSpaceLocation location{XR_TYPE_SPACE_LOCATION};
+        EXPECT_XR(XR_SUCCESS, xrLocateSpace(view, local, 1'000'000'000 + count, &location));
+        std::this_thread::yield();
+      }
+    });
+  for (int i = 0; i < 100 || calls[0] < 100 || calls[1] < 100; ++i) {
+    frame();
+    std::this_thread::yield();
+  }
+  stop = true;
+  for (std::thread& thread : threads) thread.join();
+  end();
+  EXPECT_EQ(occurrences(read_file(folder / "capture.json"), "[\"located\","),
+            static_cast<std::size_t>(calls[0] + calls[1]));
+  play(folder / "capture.json");
+  EXPECT_XR(XR_SUCCESS, create_instance());
+  EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
 // Without a loader, which hides these.

@@ -341,21 +341,7 @@ TEST_F(MockDevices, PresenceIsReportedAtTheBeginningAndAtChanges) {
   EXPECT_EQ(reported, std::vector<bool>({true, false, true}));
 }
 
-// XR_EXT_local_floor and XR_KHR_locate_spaces, which OpenXR 1.1 promotes, in an application for 1.0.
-TEST_F(MockDevices, PromotedExtensionsServeOpenXR10) {
-  begin_session();
-  const XrSpace floor = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL_FLOOR);
-  const auto locate_spaces = fetch<PFN_xrLocateSpacesKHR>(instance, "xrLocateSpacesKHR");
-  ASSERT_NE(locate_spaces, nullptr);
-  XrSpaceLocationData data{};
-  XrSpaceLocations locations{XR_TYPE_SPACE_LOCATIONS, nullptr, 1, &data};
-  const XrSpacesLocateInfo info{
-      XR_TYPE_SPACES_LOCATE_INFO, nullptr, create_space(XR_REFERENCE_SPACE_TYPE_LOCAL), frame(), 1, &floor};
-  ASSERT_XR(XR_SUCCESS, locate_spaces(session, &info, &locations));
-  EXPECT_NEAR(data.pose.position.y, -1.2F, 1e-6F);
-}
-
-// The log: thread, handles and arguments.
+// The log: thread, handles, arguments, results and reasons.
 TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
   begin_session();
   local = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
@@ -369,9 +355,14 @@ TEST_F(MockDevices, CallLogHasArgumentsHandlesAndThread) {
   EXPECT_TRUE(arguments.ends_with(std::string(", ") + handle + ")")) << arguments;
   EXPECT_GE(log.back().thread, 1U);
   EXPECT_EQ(log.back().thread, log.front().thread);
-  // Of a refused call no pointer is followed.
+  EXPECT_EQ(log.back().time, 1'000'000'000);
+  // Of a refused call no pointer is followed, and the reason is there.
   EXPECT_XR(XR_ERROR_HANDLE_INVALID, xrDestroySpace(reinterpret_cast<XrSpace>(0x77)));
   EXPECT_STREQ(call_log().back().arguments, "(0x77)");
+  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
+  log = call_log();
+  EXPECT_EQ(log.back().result, XR_ERROR_CALL_ORDER_INVALID);
+  EXPECT_STREQ(log.back().reason, "no xrWaitFrame goes with this xrBeginFrame");
 }
 
 }  // namespace

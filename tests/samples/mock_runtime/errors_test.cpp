@@ -18,6 +18,11 @@ namespace {
 
 using Codes = std::map<std::string, std::set<std::string>>;  // by function, without "XR_ERROR_"
 
+template <typename T>
+concept has_size = requires { sizeof(T); };
+template <typename T>
+constexpr bool is_handle = std::is_pointer_v<T> && !has_size<std::remove_pointer_t<T>>;
+
 // "*": every function that has the code.
 struct Reason {
   const char* functions;
@@ -141,7 +146,7 @@ class MockErrors : public MockNegotiation {
     return made;
   }
 
-  // Calls every function with this handle and zeros; with null handles if `null`.
+  // Calls every function with this handle and zeros; with handles that are none if `null`.
   void call_all(bool null) {
 #define HRT_CALL(name, implementation, extension, returned) \
   call_zeros(#name, direct<PFN_##name>(#name), null);
@@ -152,7 +157,18 @@ class MockErrors : public MockNegotiation {
   void call_zeros(const char* name, XrResult (*function)(First, Rest...), bool null) {
     const bool destroys = std::string(name).starts_with("xrDestroy");
     if (!null && destroys) return;
-    note(name, function(null ? First{} : handle(First{}), Rest{}...));
+    const XrResult result = note(name, function(null ? First{} : handle(First{}), Rest{}...));
+    if constexpr (std::is_same_v<First, XrInstance>) {
+      EXPECT_LT(result, XR_SUCCESS) << name << " succeeds without its outputs";
+    }
+    if constexpr (is_handle<First>) {
+      if (!null || std::string(name) == "xrGetInstanceProcAddr") return;
+      for (const std::uintptr_t none :
+           {std::uintptr_t{0}, std::uintptr_t{1}, std::uintptr_t{0x77}, ~std::uintptr_t{0},
+            reinterpret_cast<std::uintptr_t>(instance) + 1000})
+        EXPECT_XR(XR_ERROR_HANDLE_INVALID, function(reinterpret_cast<First>(none), Rest{}...))
+            << name << none;
+    }
   }
   XrInstance handle(XrInstance) const { return instance; }
   XrSession handle(XrSession) const { return session; }
@@ -333,9 +349,18 @@ void MockErrors::provoke_in_session() {
   end.environmentBlendMode = XR_ENVIRONMENT_BLEND_MODE_OPAQUE;
   end.layerCount = 1;
   REFUSED(LAYER_INVALID, xrEndFrame, session, &end);
-  end.layerCount = 10'000;
+  XrCompositionLayerProjection layer{XR_TYPE_FRAME_STATE};
+  std::array<const XrCompositionLayerBaseHeader*, XR_MIN_COMPOSITION_LAYERS_SUPPORTED + 1> layers{};
+  end.layers = layers.data();
+  REFUSED(LAYER_INVALID, xrEndFrame, session, &end);
+  layers.fill(reinterpret_cast<const XrCompositionLayerBaseHeader*>(&layer));
+  REFUSED(LAYER_INVALID, xrEndFrame, session, &end);
+  layer.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
+  REFUSED(HANDLE_INVALID, xrEndFrame, session, &end);
+  layer.space = local;
+  end.layerCount = layers.size();
   REFUSED(LAYER_LIMIT_EXCEEDED, xrEndFrame, session, &end);
-  end.layerCount = 0;
+  --end.layerCount;
   EXPECT_XR(XR_SUCCESS, CALL(xrEndFrame, session, &end)) << "what was refused has not ended the frame";
   CALL(xrRequestExitSession, session);
   CALL(xrEndSession, session);

@@ -228,18 +228,5 @@ TEST_F(MockHand, SpacesAreLocatedInEachOther) {
   EXPECT_NEAR(location.pose.orientation.y, -half, 1e-6F);
 }
 
-// "xrLocateViews": two of them, an eye distance apart.
-TEST_F(MockHand, TwoViewsAreLocated) {
-  const XrViewLocateInfo info{XR_TYPE_VIEW_LOCATE_INFO, nullptr, XR_VIEW_CONFIGURATION_TYPE_PRIMARY_STEREO, 1,
-                              local};
-  XrViewState state{XR_TYPE_VIEW_STATE};
-  std::uint32_t count = 0;
-  std::array<XrView, 2> views{{{XR_TYPE_VIEW}, {XR_TYPE_VIEW}}};
-  ASSERT_XR(XR_SUCCESS, xrLocateViews(session, &info, &state, 2, &count, views.data()));
-  EXPECT_EQ(count, 2U);
-  EXPECT_EQ(state.viewStateFlags, 15U);
-  EXPECT_NEAR(views[1].pose.position.x - views[0].pose.position.x, 0.063F, 1e-6F);
-}
-
 }  // namespace
 }  // namespace hrt::mock

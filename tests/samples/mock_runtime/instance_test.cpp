@@ -91,24 +91,6 @@ TEST(MockExtensions, FunctionOfAnExtensionThatIsNotEnabledIsUnsupported) {
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
 }
 
-// "Each [...] XrExtensionProperties::type must be XR_TYPE_EXTENSION_PROPERTIES", and the two-call idiom.
-TEST(MockExtensions, EnumerationFollowsTheTwoCallIdiom) {
-  std::uint32_t count = 0;
-  ASSERT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, 0, &count, nullptr));
-  ASSERT_GE(count, default_extensions().size());
-  std::vector<XrExtensionProperties> properties(count, {XR_TYPE_EXTENSION_PROPERTIES});
-  std::uint32_t filled = 0;
-  ASSERT_XR(XR_SUCCESS, xrEnumerateInstanceExtensionProperties(nullptr, count, &filled, properties.data()));
-  EXPECT_EQ(filled, count);
-  for (const char* name : default_extensions()) {
-    const bool found =
-        std::any_of(properties.begin(), properties.end(), [&](const XrExtensionProperties& property) {
-          return std::strcmp(property.extensionName, name) == 0 && property.extensionVersion > 0;
-        });
-    EXPECT_TRUE(found) << name;
-  }
-}
-
 // "Functions [must return] XR_ERROR_HANDLE_INVALID [for] a handle [that is] invalid": null, bogus, destroyed,
 // and of another type.
 TEST_F(MockInstance, HandlesThatAreNoneAreRefused) {
@@ -136,17 +118,6 @@ TEST_F(MockInstance, DestroyingASessionDestroysWhatIsBelowIt) {
   EXPECT_XR(XR_ERROR_HANDLE_INVALID, functions->destroy_hand_tracker(tracker));
   create_session();
   EXPECT_NE(session, first);
-}
-
-// "supportsHandTracking"; and no form factor is no head-mounted display.
-TEST_F(MockInstance, TheOneSystemIsAHeadMountedDisplayWithHandTracking) {
-  const XrSystemGetInfo none{XR_TYPE_SYSTEM_GET_INFO, nullptr, XrFormFactor{}};
-  XrSystemId other = XR_NULL_SYSTEM_ID;
-  EXPECT_XR(XR_ERROR_FORM_FACTOR_UNSUPPORTED, xrGetSystem(instance, &none, &other));
-  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT};
-  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
-  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
-  EXPECT_TRUE(hands.supportsHandTracking);
 }
 
 // "View configurations": one, primary stereo, of two views.
@@ -213,16 +184,6 @@ TEST_F(MockInstance, PathsAndStringsConvertBothWays) {
   ASSERT_XR(XR_SUCCESS, xrPathToString(instance, atom, count, &count, buffer.data()));
   EXPECT_STREQ(buffer.data(), text);
   EXPECT_XR(XR_ERROR_PATH_INVALID, xrPathToString(instance, XR_NULL_PATH, 0, &count, nullptr));
-}
-
-// "Structure types must be [valid]": XR_ERROR_VALIDATION_FAILURE, as for null pointers.
-TEST_F(MockInstance, WrongTypesAndNullPointersAreRefused) {
-  const XrSystemGetInfo wrong{XR_TYPE_SESSION_CREATE_INFO, nullptr, XR_FORM_FACTOR_HEAD_MOUNTED_DISPLAY};
-  XrSystemId id = 0;
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetSystem(instance, &wrong, &id));
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrGetSystem(instance, nullptr, &id));
-  XrEventDataBuffer event{XR_TYPE_SYSTEM_PROPERTIES};
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, xrPollEvent(instance, &event));
 }
 
 }  // namespace

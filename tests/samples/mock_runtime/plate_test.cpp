@@ -140,21 +140,6 @@ TEST_F(MockPlate, TruthNamesTheDirectionsThatCanBeHeld) {
   EXPECT_NEAR(truth().rightmostDirection, 5.0 + 3.0 - 1.0 - 15.0, 1e-12);
 }
 
-// The ridges lead the hand away from where the participant believes to go (paper, figure 8): at rest
-// P = (G - w_T T) / (1 - w_T), which is -5.9 degrees for G = -5 and T = 0.
-TEST_F(MockPlate, PlateHeldStillBendsThePathAsThePaperSays) {
-  place_plate();
-  double sum_deg = 0.0;
-  constexpr int reaches = 40;
-  for (int i = 0; i < reaches; ++i) {
-    instruct(-5.0);
-    while (!truth().isDone) frame();
-    sum_deg += truth().trueDirection;
-  }
-  // The end of a reach has a variance of about 0.6 degrees squared.
-  EXPECT_NEAR(sum_deg / reaches, -5.0 / 0.85, 4.0 * std::sqrt(0.6 / reaches));
-}
-
 // The slides of a script are those of instructed people, and come again after their rest.
 TEST_F(MockPlate, SlidesThatNobodyInstructsComeAgain) {
   const auto begin = [&](const std::string& hands) {

@@ -483,20 +483,6 @@ TEST_F(MockScript, SeedAndNumberMakeTheReach) {
   EXPECT_NE(whole[2], whole[0]);
 }
 
-TEST_F(MockScript, CallLogHasEveryCallItsResultAndTheReasonOfARefusal) {
-  begin_session();
-  EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrBeginFrame(session, nullptr));
-  const auto log = call_log();
-  ASSERT_GE(log.size(), 3U);
-  EXPECT_STREQ(log.back().function, "xrBeginFrame");
-  EXPECT_EQ(log.back().result, XR_ERROR_CALL_ORDER_INVALID);
-  EXPECT_STREQ(log.back().reason, "no xrWaitFrame goes with this xrBeginFrame");
-  EXPECT_EQ(log.back().time, 1'000'000'000);
-  EXPECT_TRUE(std::any_of(log.begin(), log.end(), [](const XrCallRecordHRTX& record) {
-    return std::strcmp(record.function, "xrCreateSession") == 0 && record.result == XR_SUCCESS;
-  }));
-}
-
 TEST_F(MockScript, ManualClockDoesNotWaitAndRealTimeDoes) {
   using std::chrono::steady_clock;
   begin_with(R"({"frame_rate_hz": 100})");
@@ -640,21 +626,6 @@ TEST_F(MockEnvironment, ManualClockHasNoTimespecs) {
   EXPECT_EQ(std::count(names.begin(), names.end(), XR_KHR_CONVERT_TIMESPEC_TIME_EXTENSION_NAME), 0);
   ASSERT_XR(XR_SUCCESS, create());
   EXPECT_XR(XR_SUCCESS, xrDestroyInstance(instance));
-}
-
-// "XrSystemHandTrackingPropertiesEXT [...] supportsHandTracking"; "XR_ERROR_FEATURE_UNSUPPORTED must be
-// returned [...] if the system does not support hand tracking".
-TEST_F(MockScript, SystemHasNoHandTrackingOnOrder) {
-  ASSERT_XR(XR_SUCCESS, functions->apply_script(instance, R"({"hand_tracking": false})"));
-  XrSystemHandTrackingPropertiesEXT hands{XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT, nullptr, XR_TRUE};
-  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &hands};
-  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
-  EXPECT_EQ(hands.supportsHandTracking, static_cast<XrBool32>(XR_FALSE));
-  begin_session();
-  const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, nullptr, XR_HAND_RIGHT_EXT,
-                                        XR_HAND_JOINT_SET_DEFAULT_EXT};
-  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_FEATURE_UNSUPPORTED, functions->create_hand_tracker(session, &info, &tracker));
 }
 
 TEST_F(MockEnvironment, ScriptThatIsMissingOrBrokenFailsTheInstance) {

@@ -97,38 +97,6 @@ TEST_F(MockSession, FrameCallsComeInOrder) {
   EXPECT_XR(XR_ERROR_CALL_ORDER_INVALID, xrEndFrame(session, &end));
 }
 
-// "XR_ERROR_LAYER_INVALID [...] if an unknown or unsupported layer type is passed"; "if layerCount is greater
-// than the maximum supported layer count then XR_ERROR_LAYER_LIMIT_EXCEEDED"; "space must be a valid XrSpace
-// handle". Nothing of it ends the frame.
-TEST_F(MockSession, EndFrameRefusesBadLayers) {
-  begin_session();
-  XrFrameState state{XR_TYPE_FRAME_STATE};
-  ASSERT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
-  ASSERT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
-  XrCompositionLayerProjection projection{XR_TYPE_COMPOSITION_LAYER_PROJECTION};
-  projection.space = create_space(XR_REFERENCE_SPACE_TYPE_LOCAL);
-  const std::vector<const XrCompositionLayerBaseHeader*> layers(
-      XR_MIN_COMPOSITION_LAYERS_SUPPORTED + 1,
-      reinterpret_cast<const XrCompositionLayerBaseHeader*>(&projection));
-  const auto end = [&](std::uint32_t count, const XrCompositionLayerBaseHeader* const* given) {
-    const XrFrameEndInfo info{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
-                              XR_ENVIRONMENT_BLEND_MODE_OPAQUE, count,   given};
-    return xrEndFrame(session, &info);
-  };
-  EXPECT_XR(XR_ERROR_LAYER_LIMIT_EXCEEDED, end(XR_MIN_COMPOSITION_LAYERS_SUPPORTED + 1, layers.data()));
-  EXPECT_XR(XR_ERROR_LAYER_INVALID, end(1, nullptr));
-  const XrCompositionLayerBaseHeader* null_layer = nullptr;
-  EXPECT_XR(XR_ERROR_LAYER_INVALID, end(1, &null_layer));
-  projection.type = XR_TYPE_FRAME_STATE;
-  EXPECT_XR(XR_ERROR_LAYER_INVALID, end(1, layers.data()));
-  projection.type = XR_TYPE_COMPOSITION_LAYER_PROJECTION;
-  const XrSpace space = projection.space;
-  projection.space = XR_NULL_HANDLE;
-  EXPECT_XR(XR_ERROR_HANDLE_INVALID, end(1, layers.data()));
-  projection.space = space;
-  EXPECT_XR(XR_SUCCESS, end(XR_MIN_COMPOSITION_LAYERS_SUPPORTED, layers.data()));
-}
-
 // On a headset with graphics focus follows frames: an application that waits for it before its first frame
 // waits forever.
 TEST_F(MockSession, FocusFollowsFramesOnOrder) {

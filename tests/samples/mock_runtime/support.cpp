@@ -252,14 +252,14 @@ XrReachTruthHRTX MockRuntime::truth() {
   return truth;
 }
 
-XrTime MockRuntime::frame() {
+XrFrameState MockRuntime::whole_frame() {
   XrFrameState state{XR_TYPE_FRAME_STATE};
   EXPECT_XR(XR_SUCCESS, xrWaitFrame(session, nullptr, &state));
   EXPECT_XR(XR_SUCCESS, xrBeginFrame(session, nullptr));
   const XrFrameEndInfo end{XR_TYPE_FRAME_END_INFO,           nullptr, state.predictedDisplayTime,
                            XR_ENVIRONMENT_BLEND_MODE_OPAQUE, 0,       nullptr};
   EXPECT_XR(XR_SUCCESS, xrEndFrame(session, &end));
-  return state.predictedDisplayTime;
+  return state;
 }
 
 }  // namespace hrt::mock

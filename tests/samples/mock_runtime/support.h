@@ -126,7 +126,8 @@ class MockRuntime : public ::testing::Test {
   XrReachTruthHRTX truth();
 
   /// One frame of the loop. Returns the predicted display time.
-  XrTime frame();
+  XrTime frame() { return whole_frame().predictedDisplayTime; }
+  XrFrameState whole_frame();
 
   XrInstance instance = XR_NULL_HANDLE;
   XrSystemId system = XR_NULL_SYSTEM_ID;
