@@ -12,7 +12,7 @@
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/base/profile_file.h"
 #include "samples/reach/output/calibration_text.h"
-#include "samples/reach/output/run_files.h"
+#include "samples/reach/output/recording_file.h"
 #include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
 #include "samples/reach/run/attendant.h"
@@ -44,7 +44,7 @@ class Run {
         prompt_(options.speak_with, [this] { status_.clear(); }) {
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
-    files_.emplace(plugin_, targets_, options.record, options.plot);
+    recording_.emplace(plugin_, targets_.session, options.record);
     if (!options.calibrate.empty()) {
       const auto limit_ns = static_cast<XrDuration>(options.calibration_limit_s * 1e9);
       calibration_.emplace(plugin_, targets_, limit_ns, options.steering, options.seed);
@@ -72,7 +72,7 @@ class Run {
     } catch (const std::exception& error) {
       put_in_order_now();
       status_.clear();
-      keep_files_as_they_are();
+      keep_recording_as_it_is();
       prompt_.speak(error.what());  // main() prints it
       prompt_.finish();
       throw;
@@ -187,7 +187,6 @@ class Run {
       status_.clear();
       table_.print_row(std::cout, pair, result);
       tally_.add(pair, result);
-      files_->add(pair, result);
       unfinished_in_a_row_ = 0;
       if (stage.simulation == nullptr) prompt_.speak("Done.");
     } catch (const OtherReach& wish) {
@@ -217,7 +216,7 @@ class Run {
     table_.print_legend(std::cout);
     std::cout << summary.str();
     check_output();
-    files_->finish(origin());
+    recording_->finish();
     if (!is_simulated_) prompt_.speak(summary.str());
     if (code != ExitCode::success) return code;
     if (tally_.unfinished > 0) return ExitCode::no_hand;
@@ -229,16 +228,16 @@ class Run {
     print_calibration(std::cout, *calibrated_);
     plugin_.check(plugin_.hrt_calibration_apply(targets_.session, &calibrated_->result));
     save_profile(plugin_, targets_.session, options_.calibrate);
-    files_->finish(origin());
+    recording_->finish();
     check_output();
     prompt_.speak(calibration_in_words(*calibrated_));
     return calibrated_->enough ? ExitCode::success : ExitCode::target_missed;
   }
 
   // During a failure, which a second one must not hide.
-  void keep_files_as_they_are() {
+  void keep_recording_as_it_is() {
     try {
-      files_->finish(origin());
+      recording_->finish();
     } catch (const Failure& failure) {
       std::cerr << "hrt-reach: " << failure.what() << "\n";
     }
@@ -255,7 +254,7 @@ class Run {
     }
     status_.clear();
     prompt_.close();
-    keep_files_as_they_are();
+    keep_recording_as_it_is();
   }
 
   // Whose numbers these are.
@@ -289,7 +288,7 @@ class Run {
   SpaceMotion spaces_;
   StatusLine status_;
   Prompt prompt_;
-  std::optional<RunFiles> files_;
+  std::optional<RecordingFile> recording_;
   std::size_t next_ = 0;
   int unfinished_in_a_row_ = 0;
   bool checked_ = false;      // the registration, before the next reach

@@ -158,14 +158,13 @@ void add_place(CLI::App& app, Options& options) {
 
 void add_files(CLI::App& app, Options& options) {
   app.add_option("--record", options.record, "Record the plugin's inputs and outputs into this CSV file");
-  app.add_option("--plot", options.plot, "Draw the reaches from above into this SVG file");
   app.add_option("--profile", options.profile, "Start from this user's profile, which --calibrate wrote")
       ->check(CLI::ExistingFile);
   app.add_option(
          "--calibrate", options.calibrate,
          "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
          "write their profile into this file")
-      ->excludes("--target", "--repeat", "--plot", "--profile", "--tactile-weight");
+      ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
   app.add_flag(
          "--steering", options.steering,
          "Calibrate how fast and how late the user steers, too: 12 slides more, within which the plate\n"

@@ -38,7 +38,6 @@ struct Options {
   bool check_each = false;            ///< a touch checks the plate before every reach
   std::filesystem::path marks;        ///< that registering asks for; empty: the scene's start and rim
   std::filesystem::path record;       ///< empty: none
-  std::filesystem::path plot;         ///< empty: none
   std::filesystem::path profile;      ///< of the user; empty: an unknown user
   std::filesystem::path calibrate;    ///< into this profile, in place of reaches; empty: reaches
   double calibration_limit_s = 600.0;

@@ -158,7 +158,7 @@ std::string request_for(const Stage& stage, const TargetPair& pair) {
 }
 
 ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, const hrt_reach_summary& summary,
-                      std::vector<Moment> moments) {
+                      const std::vector<Moment>& moments) {
   ReachResult result{};
   Point end_m = moments.back().position_m;
   result.can_be_held = moments.back().can_be_held;
@@ -186,7 +186,6 @@ ReachResult result_of(const Stage& stage, const TargetPair& pair, Hand hand, con
   if (summary.steps > 0)
     result.saturated_share = static_cast<double>(summary.saturated_steps + summary.rate_limited_steps) /
                              static_cast<double>(summary.steps);
-  result.moments = std::move(moments);
   return result;
 }
 
@@ -236,7 +235,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
     moments.push_back(moment);
     stage.on_frame(pair, moment);
   }
-  ReachResult result = result_of(stage, pair, first, reach.end(), std::move(moments));
+  ReachResult result = result_of(stage, pair, first, reach.end(), moments);
   result.changed_hands = finger.has_changed();
   return result;
 }

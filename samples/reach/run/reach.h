@@ -2,8 +2,6 @@
 // orientation, and the plate turns to it.
 #pragma once
 
-#include <vector>
-
 #include "samples/reach/run/stage.h"
 
 namespace hrt::reach {
@@ -24,7 +22,6 @@ struct ReachResult {
   int frames;
   int dropouts;            ///< frames without a tracked fingertip
   double saturated_share;  ///< of the controller's steps, those held by the plate's bound or rate
-  std::vector<Moment> moments;
 };
 
 /// Throws Failure, XrFailure; XrLost if the session was lost and the reach must be repeated. Failure with

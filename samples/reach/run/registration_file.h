@@ -1,4 +1,4 @@
-// A registered plate in a file, for the next run.
+// A registered plate in a JSON file, for the next run.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,8 @@ namespace hrt::reach {
 /// Replaces the file as a whole. Throws Failure (ExitCode::output).
 void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate);
 
-/// Throws Failure (ExitCode::registration) naming the line. The plugin checks the numbers when they are used.
+/// Throws Failure (ExitCode::registration) naming the member. The plugin checks the numbers when they are
+/// used.
 RegisteredPlate read_registration(const std::filesystem::path& file);
 
 }  // namespace hrt::reach

@@ -6,10 +6,8 @@
 #include <termios.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "samples/reach/base/exit_code.h"
 #include "tests/plugin/plate/pty_device.h"
 #include "tests/samples/text.h"
 
@@ -18,33 +16,6 @@ namespace {
 
 using plate::eventually;
 using plate::PtyPlate;
-
-// What a failed plate says; empty if `action` does not fail.
-template <class Action>
-std::string failure_of(Action action) {
-  try {
-    action();
-  } catch (const Failure& failure) {
-    EXPECT_EQ(failure.code(), ExitCode::plate);
-    return failure.what();
-  }
-  return {};
-}
-
-// Serves the plate until it fails, or for too long.
-std::string failure_of_service(DevicePlate& plate) {
-  return failure_of([&] {
-    eventually([&] {
-      plate.service(0);
-      return false;
-    });
-  });
-}
-
-bool has_heard(PtyPlate& plate, const std::string& body) {
-  const auto heard = plate.heard();
-  return std::find(heard.begin(), heard.end(), body) != heard.end();
-}
 
 // What is felt the same within the limits, the nearer one of several; else the nearest limit.
 TEST(OrientationWithin, TakesWhatIsFeltTheSame) {
@@ -103,23 +74,6 @@ TEST(DevicePlate, LeavesTheLineAsItWas) {
   EXPECT_EQ(after.c_oflag, before.c_oflag);
   EXPECT_EQ(after.c_cflag, before.c_cflag);
   EXPECT_EQ(cfgetospeed(&after), cfgetospeed(&before));
-}
-
-TEST(DevicePlate, FailsWhenUnplugged) {
-  PtyPlate device;
-  DevicePlate plate("serial:" + device.device());
-  device.unplug();
-  EXPECT_TRUE(has(failure_of_service(plate), "is unplugged"));
-}
-
-TEST(DevicePlate, StopsThePlateAtTheEnd) {
-  PtyPlate device;
-  {
-    DevicePlate plate("serial:" + device.device());
-    plate.command(0, 10.0);
-  }
-  EXPECT_TRUE(eventually([&] { return has_heard(device, "STOP"); }));
-  EXPECT_FALSE(device.moving_allowed());
 }
 
 }  // namespace

@@ -34,9 +34,12 @@ TEST(ReachEndToEnd, ReachesEveryTargetOfTheDesk) {
 }
 
 // A seed is a person. Of reaches that a plate can hold for its person, the controller for people leads nearly
-// all to the target; the exit code says whether any was missed that is not reported as unreachable.
+// all to the target; the exit code says whether any was missed that is not reported as unreachable. The owner
+// of the fingertip feels another place, with an error whose peak has a median of at most 7.5 degrees over
+// people.
 TEST(ReachEndToEnd, LeadsThePeopleWhomSeedsMake) {
   std::set<std::string> weights;
+  std::vector<double> peaks;
   int holdable = 0, reached = 0;
   for (int seed = 1; seed <= 25; ++seed) {
     for (const std::string plate : {"runtime", "servo"}) {
@@ -49,6 +52,7 @@ TEST(ReachEndToEnd, LeadsThePeopleWhomSeedsMake) {
       bool all = true;
       for (const Row& row : rows) {
         EXPECT_EQ(row.touch, rows[0].touch);
+        peaks.push_back(row.peak_felt_deg);
         const double gap_deg = std::abs(row.virtual_direction_deg - row.real_direction_deg);
         all = all && (row.reached || row.unreachable);
         if (std::stod(row.holds) < gap_deg) continue;
@@ -61,6 +65,9 @@ TEST(ReachEndToEnd, LeadsThePeopleWhomSeedsMake) {
   EXPECT_GT(weights.size(), 20U);
   EXPECT_GT(holdable, 75);
   EXPECT_GT(reached, holdable * 9 / 10);
+  std::nth_element(peaks.begin(), peaks.begin() + 75, peaks.end());
+  EXPECT_GT(peaks[75], 0.5);
+  EXPECT_LT(peaks[75], 7.5);
 }
 
 // The paper's controller takes everybody's weight of touch for 0.15.
@@ -68,20 +75,6 @@ TEST(ReachEndToEnd, ThePapersControllerMissesThoseWhoAreNotAsItAssumes) {
   const std::string strong = R"({"participants": [{"illusion": "linear", "tactile_weight": 0.3}]})";
   EXPECT_EQ(run_scripted(strong, {desk, "--controller", "paper"}).exit_code, 1);
   EXPECT_EQ(run_scripted(strong, {desk}).exit_code, 0);
-}
-
-// What makes the reach worth it: the fingertip goes to one place, and its owner feels another one, with an
-// error whose peak has a median of at most 7.5 degrees over people.
-TEST(ReachEndToEnd, IsFeltAsTheVirtualTarget) {
-  std::vector<double> peaks;
-  for (int seed = 1; seed <= 15; ++seed) {
-    for (const Row& row : rows_of(run_program({desk, "--seed", std::to_string(seed)})))
-      peaks.push_back(row.peak_felt_deg);
-  }
-  ASSERT_EQ(peaks.size(), 45U);
-  std::nth_element(peaks.begin(), peaks.begin() + 22, peaks.end());
-  EXPECT_GT(peaks[22], 0.5);
-  EXPECT_LT(peaks[22], 7.5);
 }
 
 // Condition 1 of the paper's Table I, all six pairs. The reconstructed model gives 92.8 % (over
@@ -163,7 +156,6 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk, "--bogus"}, 2, "--bogus"},
       {{desk, "--steering"}, 2, "--calibrate"},
       {{desk, "--calibrate", "profile.json", "--target", "bottle"}, 2, ""},
-      {{desk, "--calibrate", "profile.json", "--plot", "bottle"}, 2, ""},
       {{desk, "--register", "plate.txt", "--registered", "plate.txt"}, 2, ""},
       {{desk, "--marks", "plate.txt"}, 2, ""},
       {{desk, "--fingertip"}, 2, ""},
@@ -176,8 +168,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {person_and({"--eye-height", "3"}), 2, ""},
       {person_and({"--eye-height", "tall"}), 2, ""},
       {{desk, "--record", "/nonexistent/reach.csv"}, 10, "/nonexistent/reach.csv"},
-      {{desk, "--record", "/dev/full"}, 10, "/dev/full: not a regular file"},
-      {{desk, "--plot", "/nonexistent/reach.svg"}, 10, ""}};
+      {{desk, "--record", "/dev/full"}, 10, "/dev/full: not a regular file"}};
   for (const auto& [arguments, exit_code, named, environment] : all) {
     const Outcome outcome = run_program(arguments, environment);
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.err;

@@ -271,19 +271,5 @@ TEST(ReachFault, VelocitiesAreMissingOrZero) {
     EXPECT_EQ(run_desk(R"({"tracker": {"velocities": ")" + velocities + "\"}}").out, usual);
 }
 
-// A controller that is given the user's weight of touch leads every user there.
-TEST(ReachOfParticipants, WithWeightsOfTouchFromATenthToThreeTenths) {
-  for (const std::string weight : {"0.10", "0.15", "0.20", "0.25", "0.30"}) {
-    const std::string script =
-        R"({"participants": [{"illusion": "linear", "habit_deg": 0, "duration_ms": 2000, "tactile_weight": )" +
-        weight + "}]}";
-    const Outcome outcome = run_scripted(script, {desk, "--tactile-weight", weight});
-    expect_all_reached(outcome, script);
-    // With the plate within 75 degrees of the motion; the pawn's gap is 12.
-    const bool all = outcome.out.find("3 of 3 targets that can be held") != std::string::npos;
-    EXPECT_EQ(all, 75.0 * std::stod(weight) > 12.0) << outcome.out;
-  }
-}
-
 }  // namespace
 }  // namespace hrt::reach

@@ -45,14 +45,5 @@ TEST(ReachLayers, CoreValidationHasNothingToSay) {
   }
 }
 
-// It prints the arguments of every call.
-TEST(ReachLayers, ApiDumpHasEveryFrame) {
-  const std::string report = scratch_folder() + "/report.txt";
-  const Outcome outcome = run_with("api_dump", "API_DUMP", report, "{}", {"--target", "bottle"});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_GE(static_cast<int>(occurrences(read_file(report), "xrEndFrame")), rows_of(outcome)[0].frames);
-}
-
 }  // namespace
 }  // namespace hrt::reach

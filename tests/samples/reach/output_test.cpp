@@ -30,36 +30,6 @@ TEST(ReachRecording, IsTheSameForTheSameSeedAndReplays) {
   EXPECT_GE(expect_replays(folder + "/a.csv"), 3U * (144U + 2U));
 }
 
-TEST(ReachPlot, DrawsEveryReach) {
-  const std::string file = scratch_folder() + "/reach.svg";
-  ASSERT_EQ(run_program({desk, "--plot", file}).exit_code, 0);
-  const std::string svg = read_file(file);
-  EXPECT_EQ(svg.rfind("<svg ", 0), 0U);
-  EXPECT_EQ(svg.substr(svg.size() - 7), "</svg>\n");
-  EXPECT_EQ(occurrences(svg, "class=\"plate\""), 3U);
-  EXPECT_EQ(occurrences(svg, "<polyline"), 6U);    // a true and a felt path each
-  EXPECT_EQ(occurrences(svg, "<path "), 3U * 5U);  // at five moments each
-  EXPECT_EQ(occurrences(svg, "class=\"real\""), 3U);
-  EXPECT_EQ(occurrences(svg, "class=\"virtual\""), 3U);
-  EXPECT_TRUE(has(svg, "SIMULATION"));
-  EXPECT_FALSE(has(svg, "nan"));
-}
-
-TEST(ReachPlot, DrawsThePictureOfTheReadme) {
-  const std::string file = scratch_folder() + "/reach.svg";
-  ASSERT_EQ(run_program({desk, "--target", "pawn", "--seed", "7", "--plot", file}).exit_code, 0);
-  EXPECT_EQ(read_file(file), read_file(std::string(HRT_SCENES) + "/../reach/reach.svg"))
-      << "regenerate it: samples/run --target pawn --seed 7 --plot samples/reach/reach.svg";
-}
-
-TEST(ReachPlot, ThatDoesNotFitOnTheDiskIsNamedWithTheReason) {
-  const Outcome outcome = run_program({desk, "--plot", "/dev/full"});
-  EXPECT_EQ(outcome.exit_code, 10);
-  EXPECT_EQ(rows_of(outcome).size(), 3U);
-  EXPECT_TRUE(has(outcome.out, " targets that can be held were reached"));
-  EXPECT_EQ(outcome.err, "hrt-reach: /dev/full cannot be written: No space left on device\n");
-}
-
 // Over half a second of real time, at the fastest refresh ten lines: a pseudo-terminal holds 4096 bytes.
 const std::string half_a_second =
     R"({"clock": "real-time", "participants": [{"reaction_ms": 0, "duration_ms": 300}]})";
@@ -180,8 +150,7 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     PtyPlate device;
     const std::string folder = scratch_folder();
-    Program program({desk, "--plate", "serial:" + device.device(), "--record", folder + "/r.csv", "--plot",
-                     folder + "/r.svg"},
+    Program program({desk, "--plate", "serial:" + device.device(), "--record", folder + "/r.csv"},
                     scripted_environment(real_time));
     ASSERT_TRUE(eventually([&] { return device.moving_allowed(); }));
     program.send_signal(signal);
@@ -192,7 +161,6 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
     EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
     EXPECT_FALSE(device.moving_allowed());
     expect_replays(folder + "/r.csv");
-    EXPECT_TRUE(has(read_file(folder + "/r.svg"), "</svg>"));
   }
 }
 

@@ -106,14 +106,6 @@ TEST(ReachPerson, TurnsThePlateOfTheRuntime) {
   EXPECT_FALSE(has(calls, "xrInstructReachHRTX("));
 }
 
-TEST(ReachPerson, EndsWithARestAnywhere) {
-  const Outcome outcome =
-      reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, 0.01}, 800).rest(3000));
-  EXPECT_EQ(outcome.exit_code, 1) << outcome.out << outcome.err;
-  ASSERT_EQ(rows_of(outcome).size(), 1U);
-  EXPECT_NEAR(rows_of(outcome)[0].miss_mm, 60.0, 1.0);
-}
-
 // Where it left the plate, not where it went afterwards.
 TEST(ReachPerson, EndsWithALift) {
   const Outcome outcome = reach_along(Path(plate_of_desk).hold(start, 2000).slide({0.0, -0.03}, 800).lift());

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
 #include "tests/samples/reach/hand_path.h"
 #include "tests/samples/reach/program.h"
@@ -40,13 +40,11 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
   EXPECT_TRUE(rows_of(outcome)[0].reached);
   // In STAGE, whose floor is 1.2 m below the eyes of LOCAL.
-  EXPECT_TRUE(has(read_file(file), "\nspace STAGE\n"));
-  std::istringstream position(read_file(file).substr(read_file(file).find("position_m") + 10));
-  double x_m = 0.0, y_m = 0.0, z_m = 0.0;
-  position >> x_m >> y_m >> z_m;
-  EXPECT_NEAR(x_m, PlatePose{}.x_m, 1e-4);
-  EXPECT_NEAR(y_m, PlatePose{}.y_m + 0.008 + 1.2, 1e-4);
-  EXPECT_NEAR(z_m, PlatePose{}.z_m, 1e-4);
+  const auto kept = nlohmann::json::parse(read_file(file));
+  EXPECT_EQ(kept["space"], "STAGE");
+  EXPECT_NEAR(kept["position_m"][0], PlatePose{}.x_m, 1e-4);
+  EXPECT_NEAR(kept["position_m"][1], PlatePose{}.y_m + 0.008 + 1.2, 1e-4);
+  EXPECT_NEAR(kept["position_m"][2], PlatePose{}.z_m, 1e-4);
 }
 
 // 63 samples at rest a touch average 1.2 mm of noise.
@@ -92,8 +90,9 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   EXPECT_NEAR(rows_of(outcome)[0].final_direction_deg, 0.0, 0.2);
   EXPECT_LE(rows_of(outcome)[0].miss_mm, 5.1);
   // The file keeps it for the next run.
-  EXPECT_TRUE(has(read_file(file), "\nfingertip_right "));
-  EXPECT_FALSE(has(read_file(file), "fingertip_left"));
+  auto joint = nlohmann::json::parse(read_file(file));
+  EXPECT_TRUE(joint["fingertips"].contains("right"));
+  EXPECT_FALSE(joint["fingertips"].contains("left"));
   const Path next = Path().hold_hand({-10, 0, 25}, skin_m).hold(marks[0]).reach();
   const Outcome kept = run(next, {"--registered", file});
   EXPECT_EQ(kept.exit_code, 0) << kept.out << kept.err;
@@ -103,9 +102,8 @@ TEST_F(ReachRegistration, FindsTheSkinOfAHandThatLeans) {
   EXPECT_EQ(other.exit_code, 12) << other.err;
   expect_said(other, "by the skin of the other hand");
   // Without it the lean of the hand, 45 degrees over 20 mm, is taken for a place.
-  std::string joint = read_file(file);
-  joint.erase(joint.find("fingertip_right"));
-  const Outcome ignored = run(next, {"--registered", written(joint)});
+  joint["fingertips"].clear();
+  const Outcome ignored = run(next, {"--registered", written(joint.dump())});
   EXPECT_NE(ignored.exit_code, 0) << ignored.out << ignored.err;
 }
 
@@ -167,7 +165,8 @@ TEST_F(ReachRegistration, WhoDoesNotTouchIsNotWaitedForForever) {
 
 TEST_F(ReachRegistration, TakesMarksFromAFile) {
   const std::string own = scratch_folder() + "/marks.csv";
-  std::ofstream(own) << "name,x_m,y_m,z_m,plate_orientation\nstart,0,-0.001,0.05,0\nnear,0,-0.001,0.088,any\n"
+  std::ofstream(own) << "name,x_m,y_m,z_m,plate_orientation\nd\xe9"
+                        "part,0,-0.001,0.05,0\nnear,0,-0.001,0.088,any\n"
                         "near right,0.0762102,-0.001,0.044,any\nfar right,0.0762102,-0.001,-0.044,any\n"
                         "far left,-0.0762102,-0.001,-0.044,any\n";
   const std::vector<Place> there = {
@@ -175,6 +174,8 @@ TEST_F(ReachRegistration, TakesMarksFromAFile) {
   const Outcome outcome = run(Path().touch(there).reach(), {"--register", file, "--marks", own});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   expect_said(outcome, "\"far left\" with your index finger and hold still (5 of 5)");
+  // A name that is not UTF-8 is kept as far as it is.
+  EXPECT_EQ(nlohmann::json::parse(read_file(file))["check"], "d\xef\xbf\xbdpart");
 }
 
 TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
@@ -200,21 +201,21 @@ TEST_F(ReachRegistration, BadFilesAreRefusedByLine) {
     std::string text = good;
     return text.replace(text.find(part), part.size(), by);
   };
-  refused("", "line 1: the file ends here", "--registered");
-  refused("hello\n", "line 1: \"hrt-reach registration, version 1\" is needed here", "--registered");
-  refused(with("STAGE", "MOON"), "line 2: the space is to be STAGE or LOCAL", "--registered");
-  refused(with("scale 1", "scale"), "line 6: \"scale\" is needed here", "--registered");
-  refused(with("scale 1", "scale inf"), "line 6: scale is not 1 numbers", "--registered");
-  refused(with("scale 1", "scale 1 1"), "line 6: scale has more than 1 numbers", "--registered");
-  refused(good + "fingertip_left 0 0\n", "line 12: fingertip_left is not 3 numbers", "--registered");
-  refused(good + "fingertip_right 0 0 0\n", "line 13: the file ends here", "--registered");
-  refused(good + "more\n", "line 12: the file is to end here", "--registered");
-  refused(good.substr(0, good.size() / 2), "line 7: covariance is not 28 numbers", "--registered");
+  refused("", "parse error", "--registered");
+  refused("{}", "key 'version' not found", "--registered");
+  refused(good.substr(0, good.size() / 2), "parse error", "--registered");
+  refused(with("\"version\":1", "\"version\":2"), "version must be 1", "--registered");
+  refused(with("STAGE", "MOON"), "space must be STAGE or LOCAL", "--registered");
+  refused(with("\"scale\"", "\"scala\""), "key 'scale' not found", "--registered");
+  refused(with("[1.0]", "[\"1\"]"), "type must be number", "--registered");
+  refused(with("[1.0]", "[1, 1]"), "scale must have 1 numbers", "--registered");
+  refused(with("\"fingertips\":{", "\"fingertips\":{\"left\":{\"offset_m\":[0, 0]}"),
+          "offset_m must have 3 numbers", "--registered");
   const Outcome missing = run(Path(), {"--registered", "/nowhere/plate.txt"});
   EXPECT_EQ(missing.exit_code, 12);
   expect_said(missing, "/nowhere/plate.txt cannot be read");
   // Numbers that are none of a plate are refused by the plugin.
-  const Outcome scaled = run(Path().hold(marks[0]), {"--registered", written(with("scale 1", "scale 9"))});
+  const Outcome scaled = run(Path().hold(marks[0]), {"--registered", written(with("[1.0]", "[9.0]"))});
   EXPECT_EQ(scaled.exit_code, 3) << scaled.err;
   expect_said(scaled, "plate_scale is 9; allowed: 0.5 to 2");
   const Outcome unwritten = run(Path().touch(marks), {"--register", "/nowhere/plate.txt"});

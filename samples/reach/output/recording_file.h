@@ -1,0 +1,26 @@
+// The plugin's recording of a run.
+#pragma once
+
+#include <filesystem>
+
+#include "samples/reach/base/plugin.h"
+
+namespace hrt::reach {
+
+/// Opens the file at once, so that a wrong name is known before the first reach. All throw Failure
+/// (ExitCode::output).
+class RecordingFile {
+ public:
+  /// An empty name: no recording.
+  RecordingFile(const Plugin& plugin, hrt_session session, std::filesystem::path file);
+
+  /// Closes it. For the second time it does nothing.
+  void finish();
+
+ private:
+  const Plugin& plugin_;
+  hrt_session session_;
+  std::filesystem::path file_;
+};
+
+}  // namespace hrt::reach
