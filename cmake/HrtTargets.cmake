@@ -23,7 +23,15 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND HRT_SANITIZE STREQUAL "thread")
 endif()
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux" AND NOT HRT_SANITIZE)  # which look for the same and more
   target_compile_options(hrt_flags INTERFACE -fstack-protector-strong
-    $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE> $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=2>)
+    $<$<NOT:$<CONFIG:Debug>>:-U_FORTIFY_SOURCE>
+    $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=$<IF:$<BOOL:$<TARGET_PROPERTY:HRT_HARDENED>>,3,2>>)
+  include(CheckCXXCompilerFlag)
+  foreach(flag -fcf-protection -fstack-clash-protection)
+    check_cxx_compiler_flag(${flag} HRT_HAS${flag})
+    if(HRT_HAS${flag})
+      target_compile_options(hrt_flags INTERFACE $<$<BOOL:$<TARGET_PROPERTY:HRT_HARDENED>>:${flag}>)
+    endif()
+  endforeach()
   target_link_options(hrt_flags INTERFACE LINKER:-z,relro,-z,now,-z,noexecstack)
 endif()
 target_compile_definitions(hrt_flags INTERFACE $<$<CONFIG:Debug>:_GLIBCXX_ASSERTIONS>)
@@ -53,6 +61,11 @@ function(hrt_add_executable name)
     target_link_options(${name} PRIVATE -O1 -sNODERAWFS=1 -sEXIT_RUNTIME=1 -sWASM_ASYNC_COMPILATION=0
                         -sALLOW_MEMORY_GROWTH=1)
   endif()
+endfunction()
+
+# hrt_harden(name): what reads arguments, files and lines that others wrote has all that the compiler offers.
+function(hrt_harden name)
+  set_target_properties(${name} PROPERTIES HRT_HARDENED ON)
 endfunction()
 
 # hrt_precompile(name HEADERS...): for targets of many sources, whose time to compile is mostly that of Eigen's
@@ -107,10 +120,11 @@ endfunction()
 # hrt_bring_runtime(name): on Linux, the C++ runtime inside, and glibc 2.31 at most.
 function(hrt_bring_runtime name)
   # The host may bring another C++ runtime; ours is inside, and hidden.
-  target_link_options(${name} PRIVATE -static-libstdc++ LINKER:--gc-sections)
+  target_link_options(${name} PRIVATE -static-libstdc++ -static-libgcc LINKER:--gc-sections $<$<CONFIG:Release>:LINKER:--strip-all>)
   if(NOT HRT_SANITIZE)  # sanitizers have definitions of their own for these, and leave theirs to the program
     target_link_options(${name} PRIVATE LINKER:-z,defs)
-    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
+    target_sources(${name} PRIVATE ${PROJECT_SOURCE_DIR}/plugin/src/abi/emergency_pool.cpp
+                   ${PROJECT_SOURCE_DIR}/plugin/src/abi/glibc_compat.cpp)
     target_link_options(${name} PRIVATE LINKER:--push-state,--no-as-needed -l:libpthread.so.0
                         LINKER:--pop-state)
   endif()

@@ -117,6 +117,8 @@ class Check {
     if (!version || !version->is_string()) refuse(file_, "not a glTF file: asset.version is missing");
     const auto& text = version->get_ref<const std::string&>();
     if (!text.starts_with("2.")) refuse(file_, "asset.version is {}; glTF 2 is read", in_quotes(text));
+    const json* needed = find(*asset, "minVersion");
+    if (needed && *needed != "2.0") refuse(file_, "asset.minVersion is {}; glTF 2.0 is read", needed->dump());
   }
 
   void check_required_extensions() const {

@@ -29,8 +29,7 @@ std::vector<CalibrationTrial> simulate(CalibrationCondition condition, int trial
 }
 
 hrt_calibration_config calibration_config() {
-  hrt_calibration_config config;
-  EXPECT_OK(hrt_calibration_config_default(&config, sizeof config));
+  hrt_calibration_config config = hrt_calibration_config_init();
   return config;
 }
 
@@ -242,9 +241,6 @@ TEST_F(CalibrationTest, BadArgumentsAreRefused) {
   hrt_sample sample = position_sample(1001, 0.0, 0.0);
   sample.flags = 1u << 31;
   expect_error(add(sample), HRT_ERROR_OUT_OF_RANGE, "flags");
-  sample.struct_size = 8;
-  expect_error(add(sample), HRT_ERROR_STRUCT_SIZE, "sample");
-  expect_error(hrt_calibration_add_sample(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT, "sample is null");
   ASSERT_OK(add(position_sample(1001, 0.0, 0.0)));
   ASSERT_OK(hrt_calibration_end_trial(calibration));
   // Another trial, another clock.
@@ -252,37 +248,14 @@ TEST_F(CalibrationTest, BadArgumentsAreRefused) {
   ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::min(), 0.0, 0.0)));
   ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::max(), 0.0, 0.0)));
   ASSERT_OK(hrt_calibration_end_trial(calibration));
-
-  expect_error(hrt_calibration_solve(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_result");
-  hrt_calibration_result small{};
-  expect_error(hrt_calibration_solve(calibration, &small), HRT_ERROR_STRUCT_SIZE, "out_result");
 }
 
-TEST_F(CalibrationTest, ConfigIsChecked) {
-  const auto refused = [&](auto change, const char* part) {
-    hrt_calibration_config config = calibration_config();
-    change(config);
-    hrt_calibration out{7};
-    expect_error(hrt_calibration_create(session, &config, &out), HRT_ERROR_OUT_OF_RANGE, part);
-    EXPECT_EQ(out.value, 7u);
-  };
-  refused([](auto& c) { c.max_trials = 9; }, "max_trials is 9; allowed: 10 to 10000");
-  refused([](auto& c) { c.max_trials = 10'001; }, "max_trials");
-  refused([](auto& c) { c.max_samples = 99; }, "max_samples is 99; allowed: 100 to 1000000");
-  refused([](auto& c) { c.max_samples = 0xffffffff; }, "max_samples");
-  refused([](auto& c) { c.reserved = 1; }, "reserved");
-  refused([](auto& c) { c.goal_direction_deg = 181.0; }, "goal_direction_deg");
-  refused([](auto& c) { c.goal_direction_deg = std::nan(""); }, "goal_direction_deg");
-  refused([](auto& c) { c.lower_plate_deg = -90.0; }, "lower_plate_deg is -90; allowed: -89 to 89");
-  refused([](auto& c) { c.upper_plate_deg = -40.0; }, "at least 40 above lower_plate_deg, -75");
-  refused([](auto& c) { c.enough_weight_width = 0.0; }, "enough_weight_width");
-  const hrt_calibration_config config = calibration_config();
+TEST_F(CalibrationTest, CreationIsChecked) {
+  hrt_calibration_config narrow = calibration_config();
+  narrow.upper_plate_deg = -40.0;
   hrt_calibration out{};
-  expect_error(hrt_calibration_create(session, nullptr, &out), HRT_ERROR_NULL_ARGUMENT, "config is null");
-  expect_error(hrt_calibration_create(session, &config, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_calibration");
-  expect_error(hrt_calibration_create({calibration.value}, &config, &out), HRT_ERROR_INVALID_HANDLE,
-               "session");
-  expect_error(hrt_calibration_config_default(nullptr, sizeof config), HRT_ERROR_NULL_ARGUMENT, "out_config");
+  expect_error(hrt_calibration_create(session, &narrow, &out), HRT_ERROR_OUT_OF_RANGE,
+               "at least 40 above lower_plate_deg, -75");
 }
 
 TEST_F(CalibrationTest, LimitsAreKept) {
@@ -305,19 +278,10 @@ TEST_F(CalibrationTest, LimitsAreKept) {
 }
 
 TEST_F(CalibrationTest, HandlesAreChecked) {
-  auto result = output<hrt_calibration_result>();
-  const hrt_sample sample = position_sample(0, 0.0, 0.0);
   const hrt_calibration old = calibration;
   make(calibration_config());
-  for (const hrt_calibration bad :
-       {hrt_calibration{0}, old, hrt_calibration{session.value}, hrt_calibration{~0ull}}) {
+  for (const hrt_calibration bad : {old, hrt_calibration{session.value}})
     expect_error(hrt_calibration_begin_trial(bad, 0.0), HRT_ERROR_INVALID_HANDLE, "calibration");
-    expect_error(hrt_calibration_add_sample(bad, &sample), HRT_ERROR_INVALID_HANDLE, "calibration");
-    expect_error(hrt_calibration_end_trial(bad), HRT_ERROR_INVALID_HANDLE, "calibration");
-    expect_error(hrt_calibration_cancel_trial(bad), HRT_ERROR_INVALID_HANDLE, "calibration");
-    expect_error(hrt_calibration_solve(bad, &result), HRT_ERROR_INVALID_HANDLE, "calibration");
-    expect_error(hrt_calibration_destroy(bad), HRT_ERROR_INVALID_HANDLE, "does not exist");
-  }
   const hrt_calibration_config config = calibration_config();
   std::vector<hrt_calibration> all(HRT_CALIBRATIONS_MAX - 1);
   for (hrt_calibration& one : all) ASSERT_OK(hrt_calibration_create(session, &config, &one));
@@ -461,7 +425,6 @@ TEST_F(CalibrationTest, SlidesAreNamedAfterASolution) {
   EXPECT_LT(slide.residual_deg, -15.0);
   expect_error(hrt_calibration_get_residual(calibration, 15, &slide), HRT_ERROR_OUT_OF_RANGE,
                "slide is 15; allowed: 0 to 14");
-  expect_error(hrt_calibration_get_residual(calibration, 0, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_slide");
 }
 
 TEST_F(CalibrationTest, TheNextAngleIsWithinTheRange) {
@@ -486,10 +449,6 @@ TEST_F(CalibrationTest, TheNextAngleIsWithinTheRange) {
   expect_error(hrt_calibration_next_angle(calibration, &angle_deg, &enough), HRT_ERROR_WRONG_STATE,
                "under way");
   ASSERT_OK(hrt_calibration_cancel_trial(calibration));
-  expect_error(hrt_calibration_next_angle(calibration, nullptr, &enough), HRT_ERROR_NULL_ARGUMENT,
-               "out_plate");
-  expect_error(hrt_calibration_next_angle(calibration, &angle_deg, nullptr), HRT_ERROR_NULL_ARGUMENT,
-               "out_enough");
   EXPECT_EQ(angle_deg, 7.0);
   EXPECT_EQ(enough, 7u);
 }
@@ -558,13 +517,8 @@ TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
           "tactile_weight_sd");
   refused([](auto& r) { r.tracker_noise_m.known = 2; }, "tracker_noise_m.known is 2");
   refused([](auto& r) { r.tracker_noise_m.reserved = 1; }, "reserved");
-  auto result = all_known();
-  result.struct_size = 8;
-  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_STRUCT_SIZE, "result");
-  expect_error(hrt_calibration_apply(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "result is null");
-  expect_error(hrt_calibration_apply({1}, &result), HRT_ERROR_INVALID_HANDLE, "session");
   begin_reach();
-  result = all_known();
+  const auto result = all_known();
   expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_WRONG_STATE, "under way");
   const hrt_session_config after = config();
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
@@ -642,10 +596,6 @@ TEST(CalibrationComparison, BadResultsAreRefusedByField) {
   bad.bias_deg.known = 2;
   expect_error(hrt_calibration_compare(&bad, &good, &comparison), HRT_ERROR_OUT_OF_RANGE,
                "bias_deg.known is 2");
-  expect_error(hrt_calibration_compare(nullptr, &good, &comparison), HRT_ERROR_NULL_ARGUMENT,
-               "first is null");
-  expect_error(hrt_calibration_compare(&good, &good, nullptr), HRT_ERROR_NULL_ARGUMENT,
-               "out_comparison is null");
   EXPECT_EQ(comparison.differing, 77u);
 }
 

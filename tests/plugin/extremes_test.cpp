@@ -6,47 +6,27 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "generated/fields.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {
 
 using C = hrt_session_config;
+using F = plugin::Fields<C>;
+using Range = plugin::Field<C, double>;
 
-struct Range {
-  double C::* field;
-  double low;
-  double high;
-};
-constexpr Range ranges[] = {
-    {&C::perceived_weight, 1e-6, 1e6},
-    {&C::actual_weight, 0.0, 1e6},
-    {&C::plate_bound_deg, 0.1, 90.0},
-    {&C::plate_max_speed_deg_s, 0.0, 1e6},
-    {&C::plate_max_acceleration_deg_s2, 0.0, 1e8},
-    {&C::fixed_plate_orientation_deg, -180.0, 180.0},
-    {&C::tactile_weight, 0.001, 0.499},
-    {&C::tactile_weight_sd, 0.001, 0.49},
-    {&C::motor_variance_deg2, 1e-9, 1e4},
-    {&C::sensory_variance_deg2, 1e-9, 1e4},
-    {&C::initial_variance_deg2, 0.0, 1e4},
-    {&C::tracker_noise_m, 0.0, 0.1},
-    {&C::tracker_correlated_noise_m, 0.0, 0.1},
-    {&C::tracker_correlation_s, 0.01, 2.0},
-    {&C::steering_rate_per_s, 0.0, 50.0},
-    {&C::steering_delay_s, 0.0, 0.5},
-    {&C::plate_radius_m, 0.001, 1000.0},
-    {&C::lift_height_m, 0.0001, 1000.0},
-    {&C::bias_deg, -45.0, 45.0},
-    {&C::motor_variance_sd_deg2, 0.001, 10.0},
-    {&C::max_felt_error_deg, 0.1, 45.0},
-    {&C::motion_bound_deg, 1.0, 89.0},
-};
-
-constexpr double trait_ranges[HRT_PERSON_TRAITS][2] = {{0.01, 0.6},   {-0.1, 0.5},   {3.0, 20.0},
-                                                       {-90.0, 90.0}, {-45.0, 45.0}, {0.0, 1.0},
-                                                       {-2.0, 2.0},   {-3.0, 2.4},   {-0.2, 1.0}};
+// Of the numbers; the stops depend on each other.
+const std::vector<Range> ranges = [] {
+  std::vector<Range> found;
+  plugin::for_each_field<C>([&](const auto& field) {
+    if constexpr (std::is_same_v<const Range&, decltype(field)>)
+      if (!std::string_view(field.name).ends_with("stop_deg")) found.push_back(field);
+  });
+  return found;
+}();
 
 // From an offset on, all of these are doubles. The offset of the first that is not finite, or 0.
 template <class Struct>
@@ -91,7 +71,7 @@ class Extremes : public SessionTest {
     const auto share = one_of<std::size_t>({1, 2, 8});
     const auto changes = [&] { return below(share) == 0; };
     for (const Range& range : ranges) {
-      if (changes()) config.*range.field = within(range.low, range.high);
+      if (changes()) config.*range.member = within(range.low, range.high);
     }
     if (changes()) config.horizon = one_of({1u, 2u, 3u, 10u, 50u});
     if (changes()) config.step_period_ns = one_of<std::int64_t>({1'000'000, 10'000'000, 10'000'000'000});
@@ -121,7 +101,8 @@ class Extremes : public SessionTest {
   /// A person within the documented bounds, whose traits are independent.
   void believe(hrt_session_config* config) {
     for (int trait = 0; trait < HRT_PERSON_TRAITS; ++trait)
-      config->person_mean[trait] = within(trait_ranges[trait][0], trait_ranges[trait][1]);
+      config->person_mean[trait] =
+          within(F::person_mean_elements[trait].low, F::person_mean_elements[trait].high);
     for (double& covariance : config->person_covariance) covariance = 0.0;
     for (int trait = 0, at = 0; trait < HRT_PERSON_TRAITS; at += ++trait + 1)
       config->person_covariance[at] = within(1e-12, 1e4);
@@ -141,8 +122,7 @@ class Extremes : public SessionTest {
   }
 
   hrt_result begin_anyhow() {
-    hrt_reach_config reach;
-    EXPECT_OK(hrt_reach_config_default(&reach, sizeof reach));
+    hrt_reach_config reach = hrt_reach_config_init();
     reach.real_target = place(HRT_TARGET_REAL);
     reach.virtual_target = place(HRT_TARGET_VIRTUAL);
     reach.flags = below(2) == 0 ? HRT_REACH_PLATE_ORIENTATION : 0u;
@@ -186,7 +166,7 @@ class Extremes : public SessionTest {
   /// What the session knows after a reach is finite, can be configured, and is a profile.
   void check_what_is_kept() {
     hrt_session_config config = config_of(session);
-    for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(config.*range.field));
+    for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(config.*range.member));
     EXPECT_EQ(first_not_finite(config.person_mean, 0), 0u);
     EXPECT_EQ(first_not_finite(config.person_covariance, 0), 0u);
     EXPECT_OK(hrt_session_set_config(session, &config));
@@ -236,8 +216,7 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
   int solved = 0;
   for (int i = 0; i < 90; ++i) {
     SCOPED_TRACE("calibration " + std::to_string(i));
-    hrt_calibration_config config;
-    ASSERT_OK(hrt_calibration_config_default(&config, sizeof config));
+    hrt_calibration_config config = hrt_calibration_config_init();
     config.goal_direction_deg = below(2) == 0 ? 0.0 : within(-180.0, 180.0);
     hrt_calibration calibration{};
     ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
@@ -247,14 +226,13 @@ TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
     auto result = output<hrt_calibration_result>();
     if (hrt_calibration_solve(calibration, &result) == HRT_OK) {
       ++solved;
-      for (const hrt_interval& interval :
-           {result.tactile_weight, result.bias_deg, result.tracker_noise_m, result.person_weight,
-            result.person_curve, result.max_gap_deg, result.habit_deg, result.correlated_noise_m,
-            result.noise_correlation_s, result.steering_rate_per_s, result.steering_delay_s}) {
-        EXPECT_TRUE(std::isfinite(interval.value) && std::isfinite(interval.lower) &&
-                    std::isfinite(interval.upper));
-        EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);
-      }
+      plugin::for_each_field<hrt_calibration_result>([&](const auto& field) {
+        const auto& value = result.*field.member;
+        if constexpr (std::is_same_v<const hrt_interval&, decltype(value)>) {
+          EXPECT_TRUE(std::isfinite(value.lower) && std::isfinite(value.upper)) << field.name;
+          EXPECT_TRUE(value.lower <= value.value && value.value <= value.upper) << field.name;
+        }
+      });
       if (hrt_calibration_apply(session, &result) == HRT_OK) check_what_is_kept();
     }
     EXPECT_OK(hrt_calibration_destroy(calibration));
@@ -285,9 +263,9 @@ TEST_F(Extremes, OfOneFieldGiveFiniteNumbers) {
   for (const Range& range : ranges) {
     for (const double value : {range.low, range.high, std::nextafter(range.low, range.high)}) {
       for (const std::uint32_t guidance : {HRT_GUIDANCE_FIXED_DIRECTION, HRT_GUIDANCE_ARRIVAL}) {
-        SCOPED_TRACE("field " + std::to_string(&range - ranges) + " at " + std::to_string(value));
+        SCOPED_TRACE(std::string(range.name) + " at " + std::to_string(value));
         hrt_session_config config = session_config();
-        config.*range.field = value;
+        config.*range.member = value;
         config.guidance = guidance;
         create(config);
         for (int n = 0; n < 3; ++n) {

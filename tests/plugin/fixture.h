@@ -30,9 +30,7 @@ Output output() {
 }
 
 inline hrt_session_config session_config() {
-  hrt_session_config config;
-  EXPECT_OK(hrt_session_config_default(&config, sizeof config));
-  return config;
+  return hrt_session_config_init();
 }
 
 inline hrt_session_config config_of(hrt_session session) {
@@ -51,8 +49,7 @@ inline hrt_session_config paper_config() {
 }
 
 inline hrt_target_config target_config(std::uint32_t role, double direction_deg, const char* name = "") {
-  hrt_target_config config;
-  EXPECT_OK(hrt_target_config_default(&config, sizeof config));
+  hrt_target_config config = hrt_target_config_init();
   config.role = role;
   config.direction_deg = direction_deg;
   std::snprintf(config.name, sizeof config.name, "%s", name);
@@ -102,8 +99,7 @@ class SessionTest : public ::testing::Test {
   }
 
   hrt_result begin(hrt_target real_target, hrt_target virtual_target) {
-    hrt_reach_config config;
-    EXPECT_OK(hrt_reach_config_default(&config, sizeof config));
+    hrt_reach_config config = hrt_reach_config_init();
     config.real_target = real_target;
     config.virtual_target = virtual_target;
     return hrt_reach_begin(session, &config);

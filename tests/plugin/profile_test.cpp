@@ -29,8 +29,8 @@ TEST_F(ProfileTest, IsWhatTheHeaderSays) {
   EXPECT_EQ(
       save(session),
       "{\"format\":\"haptic retargeting profile\",\"version\":1,\"tactile_weight\":0.2,"
-      "\"tactile_weight_sd\":0.05,\"bias_deg\":0,\"motor_variance_deg2\":0.5,\"motor_variance_sd_deg2\":0.5,"
-      "\"sensory_variance_deg2\":0.1,\"initial_variance_deg2\":0,\"tracker_noise_m\":0}\n");
+      "\"tactile_weight_sd\":0.05,\"motor_variance_deg2\":0.5,\"sensory_variance_deg2\":0.1,"
+      "\"initial_variance_deg2\":0,\"tracker_noise_m\":0,\"bias_deg\":0,\"motor_variance_sd_deg2\":0.5}\n");
 }
 
 TEST_F(ProfileTest, ComesBackToTheLastBit) {
@@ -114,7 +114,6 @@ TEST_F(ProfileTest, WhatIsNotAProfileIsRefusedAndChangesNothing) {
                "tactile_weight is 0.9");
   expect_error(load(session, profile(",\"tactile_weight\":1e999")), HRT_ERROR_BAD_FORMAT,
                "not a JSON object");
-  expect_error(hrt_profile_load(session, nullptr, 5), HRT_ERROR_NULL_ARGUMENT, "text");
   begin_reach();
   expect_error(load(session, before), HRT_ERROR_WRONG_STATE, "under way");
   EXPECT_EQ(save(session), before);
@@ -209,12 +208,9 @@ TEST_F(ConditionsTest, BadOnesAreRefusedAndChangeNothing) {
   };
   refused(conditions("a\nb", ""), HRT_ERROR_OUT_OF_RANGE, "plate has a control character at byte 1");
   refused(conditions("", "\xff"), HRT_ERROR_OUT_OF_RANGE, "tracker is not UTF-8");
-  refused(conditions("", "", -1), HRT_ERROR_OUT_OF_RANGE, "time_s is -1; allowed: 0 to 253402300799");
   hrt_conditions endless = conditions("", "");
   std::fill(std::begin(endless.tracker), std::end(endless.tracker), 'x');
   refused(endless, HRT_ERROR_OUT_OF_RANGE, "tracker is not ended by a zero within 64 bytes");
-  expect_error(hrt_profile_set_conditions(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "conditions is null");
-  expect_error(hrt_profile_get_conditions(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_conditions");
   const auto profile = [](const std::string& fields) {
     return R"({"format":"haptic retargeting profile","version":1)" + fields + "}";
   };

@@ -193,8 +193,7 @@ TEST_F(ReachTest, PlateIsWhereTheLastReachLeftItUnlessSaid) {
   ASSERT_OK(begin(real, virtual_target));
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 20.0, 1e-9);
   end();
-  hrt_reach_config reach;
-  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = real;
   reach.virtual_target = virtual_target;
   reach.flags = HRT_REACH_PLATE_ORIENTATION;
@@ -222,8 +221,7 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
   const auto reach = [&] {
-    hrt_reach_config reach_config;
-    EXPECT_OK(hrt_reach_config_default(&reach_config, sizeof reach_config));
+    hrt_reach_config reach_config = hrt_reach_config_init();
     reach_config.real_target = real;
     reach_config.virtual_target = virtual_target;
     EXPECT_OK(hrt_reach_begin(session, &reach_config));
@@ -318,45 +316,21 @@ TEST_F(ReachTest, AnHourLateAndTheWholeRangeOfTimeAreBounded) {
   EXPECT_GT(command.step, 0);
 }
 
-TEST_F(ReachTest, BadSamplesAreRefusedAndChangeNothing) {
+TEST_F(ReachTest, SamplesOfTwoPlacesOrWithoutAPoseAreRefusedAndChangeNothing) {
   begin_reach();
   const hrt_command before = update(direction_sample(0, 0.0));
-  const auto refused = [&](hrt_sample sample, hrt_result code, const char* part) {
+  const auto refused = [&](hrt_sample sample, const char* part) {
     auto command = output<hrt_command>();
     command.step = 77;
-    expect_error(hrt_reach_update(session, &sample, &command), code, part);
+    expect_error(hrt_reach_update(session, &sample, &command), HRT_ERROR_OUT_OF_RANGE, part);
     EXPECT_EQ(command.step, 77);
   };
-  const double infinity = std::numeric_limits<double>::infinity();
-  for (const double bad : {std::nan(""), infinity, -infinity, 180.1, -1e300}) {
-    refused(direction_sample(1, bad), HRT_ERROR_OUT_OF_RANGE, "finger_direction_deg");
-    refused(position_sample(1, bad * 10.0, 0.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m[0] is");
-    refused(position_sample(1, 0.0, bad * 10.0), HRT_ERROR_OUT_OF_RANGE, "finger_position_m[2] is");
-    hrt_sample measured = direction_sample(1, 0.0);
-    measured.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-    measured.plate_orientation_deg = bad * 20.0;
-    refused(measured, HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
-  }
   hrt_sample sample = direction_sample(1, 0.0);
   sample.flags = HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION;
-  refused(sample, HRT_ERROR_OUT_OF_RANGE, "flags is 3; allowed: one of");
+  refused(sample, "flags is 3; allowed: one of");
   sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
-  refused(sample, HRT_ERROR_OUT_OF_RANGE, "plate_rotation is (0, 0, 0, 0)");
-  sample.plate_position_m[1] = std::nan("");
-  refused(sample, HRT_ERROR_OUT_OF_RANGE, "plate_position_m");
-  sample.flags = 1u << 31;
-  refused(sample, HRT_ERROR_OUT_OF_RANGE, "flags");
-  sample = direction_sample(1, 0.0);
-  sample.struct_size = 3;
-  refused(sample, HRT_ERROR_STRUCT_SIZE, "sample");
-  auto command = output<hrt_command>();
-  expect_error(hrt_reach_update(session, nullptr, &command), HRT_ERROR_NULL_ARGUMENT, "sample is null");
-  const hrt_sample good = direction_sample(0, 0.0);
-  expect_error(hrt_reach_update(session, &good, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_command is null");
-  command.struct_size = 0;
-  expect_error(hrt_reach_update(session, &good, &command), HRT_ERROR_STRUCT_SIZE, "out_command");
-
-  EXPECT_EQ(update(good).plate_orientation_deg, before.plate_orientation_deg);
+  refused(sample, "plate_rotation is (0, 0, 0, 0)");
+  EXPECT_EQ(update(direction_sample(0, 0.0)).plate_orientation_deg, before.plate_orientation_deg);
   EXPECT_EQ(end().samples, 2);
 }
 
@@ -374,7 +348,6 @@ TEST_F(ReachTest, BadPairsAreRefused) {
                "real target is at -50 degrees, the virtual at 45");
   expect_error(begin(virtual_target, real), HRT_ERROR_OUT_OF_RANGE, "real_target");
   expect_error(begin({0}, virtual_target), HRT_ERROR_INVALID_HANDLE, "real_target");
-  expect_error(hrt_reach_begin(session, nullptr), HRT_ERROR_NULL_ARGUMENT, "config is null");
 }
 
 TEST_F(ReachTest, GoesOnWhenItsTargetsAreRemoved) {
@@ -392,8 +365,7 @@ TEST_F(ReachTest, MirroredReachIsMirrored) {
   for (int i = 0; i < 30; ++i)
     left[i] = update(direction_sample(i * step_ns, 10.0 - i)).plate_orientation_deg;
   end();
-  hrt_reach_config reach;
-  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = add(HRT_TARGET_REAL, 4.0);
   reach.virtual_target = add(HRT_TARGET_VIRTUAL, -7.0);
   reach.flags = HRT_REACH_PLATE_ORIENTATION;

@@ -190,8 +190,7 @@ class RealTimeTest : public SessionTest {
   }
 
   hrt_calibration full_of(std::uint32_t trials, std::uint32_t samples) const {
-    hrt_calibration_config config;
-    EXPECT_OK(hrt_calibration_config_default(&config, sizeof config));
+    hrt_calibration_config config = hrt_calibration_config_init();
     config.max_trials = trials;
     config.max_samples = samples;
     hrt_calibration calibration{};

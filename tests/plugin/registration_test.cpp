@@ -123,44 +123,13 @@ TEST(RegistrationFit, RefusesByName) {
   std::vector<hrt_mark_touch> given = touches();
   auto found = output<hrt_registration>();
   found.verdict = 77;
-  const auto refused = [&](const hrt_registration_config* config, const char* part) {
-    expect_error(hrt_registration_fit(config, given.data(), given.size(), 0, nullptr, &found),
-                 HRT_ERROR_OUT_OF_RANGE, part);
-    EXPECT_EQ(found.verdict, 77u);
-  };
-  for (const double bad : {nan, HUGE_VAL, -1001.0, 1e300}) {
-    given[3].touched_m[2] = bad;
-    refused(nullptr, "touches[3].touched_m");
-    given[3].touched_m[2] = 0.0;
-    given[5].mark_m[0] = bad;
-    refused(nullptr, "touches[5].mark_m");
-    given[5].mark_m[0] = 0.0;
-    hrt_registration_config config = hrt_registration_config_init();
-    config.touch_sd_m = bad;
-    refused(&config, "touch_sd_m");
-    config = hrt_registration_config_init();
-    config.flags = HRT_REGISTER_UP;
-    config.up[1] = bad;
-    refused(&config, "up");
-  }
   hrt_registration_config config = hrt_registration_config_init();
-  config.flags = 4;
-  refused(&config, "flags");
-  config = hrt_registration_config_init();
   config.flags = HRT_REGISTER_UP;
   config.up[1] = 0.0;
-  refused(&config, "up is (0, 0, 0)");
+  expect_error(hrt_registration_fit(&config, given.data(), given.size(), 0, nullptr, &found),
+               HRT_ERROR_OUT_OF_RANGE, "up is (0, 0, 0)");
   expect_error(hrt_registration_fit(nullptr, given.data(), HRT_TOUCHES_MAX + 1, 0, nullptr, &found),
                HRT_ERROR_OUT_OF_RANGE, "touch_count is 1001");
-  expect_error(hrt_registration_fit(nullptr, nullptr, 1, 0, nullptr, &found), HRT_ERROR_NULL_ARGUMENT,
-               "touches is null");
-  expect_error(hrt_registration_fit(nullptr, given.data(), 6, 6, nullptr, &found), HRT_ERROR_NULL_ARGUMENT,
-               "out_residuals_m is null");
-  expect_error(hrt_registration_fit(nullptr, given.data(), 6, 0, nullptr, nullptr), HRT_ERROR_NULL_ARGUMENT,
-               "out_registration is null");
-  found.struct_size = 8;
-  expect_error(hrt_registration_fit(nullptr, given.data(), 6, 0, nullptr, &found), HRT_ERROR_STRUCT_SIZE,
-               "out_registration");
 }
 
 // The finger rests on the registered start: it is seen there.
@@ -239,22 +208,6 @@ TEST_F(RegistrationTest, ApplyRefusesByNameAndChangesNothing) {
   expect_error(hrt_registration_apply(session, &good, 0), HRT_ERROR_WRONG_STATE, "a reach is under way");
   expect_error(hrt_registration_apply(session, nullptr, 0), HRT_ERROR_WRONG_STATE, "a reach is under way");
   ASSERT_OK(hrt_reach_cancel(session));
-  expect_error(hrt_registration_apply(session, nullptr, 0), HRT_ERROR_NULL_ARGUMENT, "registration is null");
-}
-
-TEST_F(RegistrationTest, ConfigurationIsChecked) {
-  const auto refused = [&](auto&& spoil, const char* part) {
-    hrt_session_config config = session_config();
-    spoil(config);
-    expect_error(hrt_session_set_config(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
-  };
-  refused([](auto& c) { c.plate_scale = 0.0; }, "plate_scale");
-  refused([](auto& c) { c.plate_scale = nan; }, "plate_scale");
-  refused([](auto& c) { c.plate_covariance[0] = nan; }, "plate_covariance");
-  refused([](auto& c) { c.plate_covariance[2] = 1.01; }, "plate_covariance");
-  refused([](auto& c) { c.plate_covariance[2] = -0.01; }, "plate_covariance");
-  refused([](auto& c) { c.plate_covariance[1] = 1e-6; }, "plate_covariance is not positive semidefinite");
-  refused([](auto& c) { c.flags = 4; }, "flags");
 }
 
 // A scene says where the plate is, and so replaces what was registered.
@@ -310,12 +263,7 @@ TEST_F(RegistrationTest, ATouchBeforeAReachRenewsItOrEndsIt) {
   expect_error(hrt_registration_confirm(session, &found, &on_mark, 0, &check), HRT_ERROR_WRONG_STATE,
                "a reach is under way");
   ASSERT_OK(hrt_reach_cancel(session));
-  expect_error(hrt_registration_confirm(session, &found, nullptr, 0, &check), HRT_ERROR_NULL_ARGUMENT,
-               "touch is null");
   EXPECT_EQ(check.holds, 77u);
-  check.struct_size = 4;
-  expect_error(hrt_registration_confirm(session, &found, &on_mark, 0, &check), HRT_ERROR_STRUCT_SIZE,
-               "out_check");
   EXPECT_EQ(config_of(session).registration_time_ns, 2000);
 }
 
@@ -462,17 +410,6 @@ TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
   EXPECT_NEAR(command.bearing_error_sd_deg, 0.001 / 0.05 / one_degree, 0.001);
 }
 
-TEST_F(RegisteredReachTest, LimitsAreChecked) {
-  const auto refused = [&](auto&& spoil, const char* part) {
-    hrt_session_config config = session_config();
-    spoil(config);
-    expect_error(hrt_session_set_config(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
-  };
-  refused([](auto& c) { c.max_registration_age_ns = -1; }, "max_registration_age_ns");
-  refused([](auto& c) { c.max_registration_sd_deg = -1.0; }, "max_registration_sd_deg");
-  refused([](auto& c) { c.max_registration_sd_deg = nan; }, "max_registration_sd_deg");
-}
-
 TEST(RegistrationCheck, ALaterTouch) {
   const hrt_registration found = fit(touches(0.002));
   auto check = output<hrt_touch_check>();
@@ -487,7 +424,6 @@ TEST(RegistrationCheck, ALaterTouch) {
   EXPECT_NEAR(check.distance_m, 0.03, 0.005);
   later.mark_m[0] = nan;
   expect_error(hrt_registration_check(&found, &later, &check), HRT_ERROR_OUT_OF_RANGE, "touch.mark_m");
-  expect_error(hrt_registration_check(&found, nullptr, &check), HRT_ERROR_NULL_ARGUMENT, "touch is null");
 }
 
 TEST(FingertipFit, OffsetAndItsRefusals) {
@@ -552,8 +488,6 @@ TEST(FingertipPlace, TurnsTheOffsetWithTheJoint) {
   unknown = fingertip;
   unknown.offset_m[2] = nan;
   refused(hrt_fingertip_place(&unknown, &joint, &sample), "offset_m");
-  expect_error(hrt_fingertip_place(&fingertip, nullptr, &sample), HRT_ERROR_NULL_ARGUMENT, "joint is null");
-  expect_error(hrt_fingertip_place(&fingertip, &joint, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_sample");
 }
 
 // A finger that rolls and leans by up to 40 degrees as it slides, seen at a joint 14 mm from the skin. By the
@@ -658,7 +592,6 @@ TEST(LatencyFit, RefusesByName) {
   refused(HRT_ERROR_TIME_REVERSED, "samples[8]: time_ns", [](auto& s) { s[8].time_ns = 0; });
   refused(HRT_ERROR_STRUCT_SIZE, "samples[9]", [](auto& s) { s[9].struct_size = 12; });
   refused(HRT_ERROR_STRUCT_SIZE, "samples[0]", [](auto& s) { s[0].struct_size = 0; });
-  expect_error(hrt_latency_fit(nullptr, 5, &found), HRT_ERROR_NULL_ARGUMENT, "samples[0] is null");
   const hrt_sample one = carried(0)[0];
   expect_error(hrt_latency_fit(&one, HRT_LATENCY_SAMPLES_MAX + 1, &found), HRT_ERROR_OUT_OF_RANGE,
                "sample_count is 100001");

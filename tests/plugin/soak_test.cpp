@@ -68,8 +68,7 @@ TEST_F(SoakTest, MemoryStaysFlatAndCommandsFinite) {
   config.plate_max_speed_deg_s = 400.0;
   create(config);
   const hrt_target real = add(HRT_TARGET_REAL, -5.0), virtual_target = add(HRT_TARGET_VIRTUAL, 5.0);
-  hrt_reach_config reach;
-  ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = real;
   reach.virtual_target = virtual_target;
 

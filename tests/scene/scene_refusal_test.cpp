@@ -43,6 +43,7 @@ TEST(SceneRefusal, NotGltf) {
     EXPECT_TRUE(refusal(text).starts_with("test.gltf: not a glTF file: ")) << refusal(text);
   }
   refused("/asset/version", "1.0", R"(asset.version is "1.0"; glTF 2 is read)");
+  refused("/asset/minVersion", "2.1", R"(asset.minVersion is "2.1"; glTF 2.0 is read)");
   refused("/nodes", Json::object(), "nodes is not an array of objects");
   refused("/nodes/0", 7, "nodes is not an array of objects");
   refused("/scenes", Json::array({7}), "scenes is not an array of objects");

@@ -1,26 +1,15 @@
-"""The C interface as a model, read from its headers: constants, structs, functions, and their comments.
-
-The C preprocessor and pycparser read the declarations; comments are taken from the text of the headers, above
-or behind what they describe.
-"""
+"""The C interface as a model: constants, structs, functions, and their comments. headers.py reads it."""
 
 from __future__ import annotations
 
 import re
-import subprocess
-import tempfile
 from dataclasses import dataclass, field
-from pathlib import Path
-
-from pycparser import c_ast, c_parser
 
 import comments
 
+# Ends of the names of numbers without a unit: ratios, unit vectors, and arrays whose elements have units of their own.
+_WITHOUT_UNIT = ("weight", "width", "scale", "rotation", "up", "mean", "covariance")
 SIZES = {"char": 1, "int32_t": 4, "uint32_t": 4, "int64_t": 8, "uint64_t": 8, "double": 8}
-
-
-# Headers that are written from the others.
-WRITTEN = ("init.h", "functions.h")
 
 
 class HeaderError(Exception):
@@ -35,6 +24,10 @@ class Type:
     pointer: bool = False
     const: bool = False  # what is pointed to
     callback: bool = False
+
+    def __str__(self) -> str:
+        """As C writes it."""
+        return ("const " if self.const else "") + self.name + ("*" if self.pointer else "")
 
 
 @dataclass(frozen=True)
@@ -78,10 +71,15 @@ class Field:
     place: int  # among those with this comment
 
     @property
+    def named_prefix(self) -> str:
+        """The prefix of the constants that its comment names, or nothing."""
+        named = re.search(r"\b(HRT_[A-Z_]+_)\*", self.doc)
+        return named[1] if named else ""
+
+    @property
     def enumeration(self) -> str:
         """The prefix of the constants that it takes, or nothing."""
-        named = re.search(r"\b(HRT_[A-Z_]+_)\*", self.doc)
-        return named[1] if named and self.type == Type("uint32_t") else ""
+        return self.named_prefix if self.type == Type("uint32_t") else ""
 
     @property
     def boolean(self) -> bool:
@@ -95,7 +93,26 @@ class Field:
 
     @property
     def numbers(self) -> comments.Numbers:
+        if self.name in ("struct_size", "reserved"):
+            return comments.Numbers()
         return comments.numbers(self.shared_doc, self.unit, self.place)
+
+    @property
+    def is_value(self) -> bool:
+        """A number or text that a host chooses."""
+        return self.type.name in SIZES and not self.type.pointer and self.name not in ("struct_size", "reserved")
+
+    def check(self, struct: str, needs_default: bool) -> None:
+        """Of a struct that hosts fill in, a field without range, unit or default is an error."""
+        numbers = self.numbers
+        if not self.is_value:
+            return
+        if not numbers.has_range or needs_default and not numbers.has_default:
+            raise HeaderError(f"{struct}::{self.name}: its comment does not end with a range{' and a default' * needs_default}, "
+                              "as generator/comments.py reads them")
+        word = self.name.removesuffix("_sd").rpartition("_")[2]
+        if self.type.name == "double" and not self.unit and word not in _WITHOUT_UNIT:
+            raise HeaderError(f"{struct}::{self.name}: its name has no unit at its end; generator/abi.py lists which need none")
 
 
 @dataclass(frozen=True)
@@ -134,6 +151,11 @@ class Function:
         """An hrt_result, which nothing else has the type of."""
         return self.result == Type("int32_t")
 
+    @property
+    def declared(self) -> str:
+        """Its parameters as C has them."""
+        return ", ".join(f"{p.type} {p.name}" for p in self.parameters) or "void"
+
 
 @dataclass
 class Abi:
@@ -149,6 +171,9 @@ class Abi:
         if not found:
             raise HeaderError(f"no struct {name}, which a host shows")
         return found[0]
+
+    def has_default(self, struct: Struct) -> bool:
+        return f"{struct.name}_default" in [f.name for f in self.functions]
 
     @property
     def enumerations(self) -> list[Enumeration]:
@@ -206,183 +231,3 @@ def prefix_of(constant: str) -> str:
 
 def pascal(name: str) -> str:
     return "".join(part[:1].upper() + part[1:].lower() for part in name.split("_"))
-
-
-def read(include: Path, plate: bool = False) -> Abi:
-    """The interface that `include`/haptic_retargeting/*.h declare: of the plugin, or of the library that drives the plate."""
-    headers = sorted(p for p in (include / "haptic_retargeting").glob("*.h")
-                     if p.name not in WRITTEN and (p.name == "plate.h") == plate)
-    if not headers:
-        raise HeaderError(f"no headers in {include}/haptic_retargeting")
-    # The header of all includes what is written from the model.
-    names = [path.name for path in headers if path.name != "haptic_retargeting.h"]
-    texts = {str(path): path.read_text(encoding="utf-8") for path in headers}
-    macros = [name for text in texts.values() for name in re.findall(r"^#define (HRT_\w+) +[^\s_]", text, re.M)]
-    macros = [name for name in macros if name not in ("HRT_API", "HRT_NODISCARD", "HRT_NOEXCEPT")]
-    try:
-        tree = c_parser.CParser().parse(_preprocess([include], names, macros))
-    except c_parser.ParseError as error:
-        raise HeaderError(f"{error}: not C that pycparser reads") from error
-
-    abi = Abi(headers=names)
-    for node in tree.ext:
-        if str(node.coord.file) in texts:
-            _take(node, texts[str(node.coord.file)], abi)
-    values = {e.name: e.value for node in tree.ext if _is_values(node) for e in node.type.values.enumerators}
-    for text in texts.values():
-        for name in macros:
-            at = re.search(rf"^#define {name}\b", text, re.M)
-            if at:
-                value, unsigned = _evaluate(values[name + "_value"])
-                abi.constants.append(Constant(name, value, unsigned, *_constant_doc(text, at.start())))
-    _check_types(abi)
-    return abi
-
-
-def _check_types(abi: Abi) -> None:
-    known = {*SIZES, "size_t", *(s.name for s in abi.structs), *(c.name for c in abi.callbacks)}
-    used = [(f"{s.name}::{f.name}", f.type) for s in abi.structs for f in s.fields]
-    used += [(f"{f.name}({p.name})", p.type) for f in abi.functions + abi.callbacks for p in f.parameters]
-    for place, type_ in used:
-        if type_.name not in known and not (type_.pointer and type_.name == "void"):
-            raise HeaderError(f"{place}: {type_.name} is none of the types that every host has: {', '.join(SIZES)}")
-
-
-# What the headers need of the C library, in types whose size says what they are.
-_STDINT = """
-typedef int int32_t; typedef unsigned int uint32_t;
-typedef long long int64_t; typedef unsigned long long uint64_t;
-#define UINT32_C(x) x##u
-#define INT64_C(x) x##ll
-"""
-_STDDEF = "typedef unsigned long size_t;\n#define NULL 0\n"
-
-
-def _preprocess(folders: list[Path], headers: list[str], macros: list[str]) -> str:
-    """All headers, and an enumerator NAME_value for each macro, so that the parser sees what it stands for."""
-    with tempfile.TemporaryDirectory() as folder:
-        (Path(folder) / "stdint.h").write_text(_STDINT)
-        (Path(folder) / "stddef.h").write_text(_STDDEF)
-        source = "".join(f"#include <haptic_retargeting/{name}>\n" for name in headers)
-        source += "enum { " + ", ".join(f"{name}_value = {name}" for name in macros) + " };\n"
-        command = ["cpp", "-nostdinc", "-D__attribute__(x)=", "-I", folder, *(f"-I{f}" for f in folders), "-"]
-        done = subprocess.run(command, input=source, text=True, capture_output=True, check=False)
-    if done.returncode != 0:
-        raise HeaderError(done.stderr)
-    return done.stdout
-
-
-def _is_values(node: c_ast.Node) -> bool:
-    return isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.Enum)
-
-
-def _evaluate(node: c_ast.Node) -> tuple[int, bool]:
-    if isinstance(node, c_ast.Constant) and "int" in node.type:
-        return int(node.value.rstrip("uUlL"), 0), "u" in node.value.lower()
-    if isinstance(node, c_ast.UnaryOp) and node.op == "-":
-        value, unsigned = _evaluate(node.expr)
-        return -value, unsigned
-    raise HeaderError(f"{node.coord}: a constant is an integer, or minus one")
-
-
-def _take(node: c_ast.Node, text: str, abi: Abi) -> None:
-    if isinstance(node, c_ast.Decl) and isinstance(node.type, c_ast.FuncDecl):
-        abi.functions.append(_function(node.name, node.type, _doc(text, rf"\b{node.name}\(")))
-        return
-    if not isinstance(node, c_ast.Typedef):
-        raise HeaderError(f"{node.coord}: neither a typedef nor a function")
-    doc = _doc(text, rf"\btypedef [^;{{]*\b{node.name}\b")
-    if isinstance(node.type, c_ast.PtrDecl) and isinstance(node.type.type, c_ast.FuncDecl):
-        abi.callbacks.append(_function(node.name, node.type.type, doc))
-    elif isinstance(node.type, c_ast.TypeDecl) and isinstance(node.type.type, c_ast.Struct):
-        abi.structs.append(_struct(node.name, node.type.type, text, doc, abi))
-    elif node.name == "hrt_result":
-        abi.result_doc = doc
-    else:
-        raise HeaderError(f"{node.coord}: {node.name} is neither a struct nor a callback")
-
-
-def _struct(name: str, node: c_ast.Struct, text: str, doc: str, abi: Abi) -> Struct:
-    body = text[text.index(f"typedef struct {name} {{") :]
-    fields: list[Field] = []
-    for decl in node.decls:
-        field_doc = _doc(body, rf"\b{decl.name}\b[^;]*;")
-        type_, length = decl.type, 0
-        if isinstance(type_, c_ast.ArrayDecl):
-            type_, length = type_.type, _evaluate(type_.dim)[0]
-        if isinstance(type_, c_ast.PtrDecl) and isinstance(type_.type, c_ast.FuncDecl):
-            abi.callbacks.append(_function(f"{name}_{decl.name}", type_.type, field_doc))
-            kind = Type(f"{name}_{decl.name}", callback=True)
-        else:
-            kind = _type(type_)
-        before = fields[-1] if fields and not field_doc and fields[-1].type == kind and not length else None
-        fields.append(Field(decl.name, kind, length, field_doc, before.shared_doc if before else field_doc,
-                            before.place + 1 if before else 0))
-    return Struct(name, tuple(fields), doc)
-
-
-def _function(name: str, node: c_ast.FuncDecl, doc: str) -> Function:
-    declared = [p for p in node.args.params if not (isinstance(p.type, c_ast.TypeDecl) and p.name is None)]
-    types = [_type(p.type) for p in declared]
-    names = [p.name for p in declared]
-    parameters = []
-    for i, (parameter, type_) in enumerate(zip(names, types)):
-        before, after = names[i - 1] if i > 0 else "", names[i + 1] if i + 1 < len(names) else ""
-        counted = before == "capacity" or after in ("length", "count") or after.endswith("_count") and type_.const
-        parameters.append(Parameter(parameter, type_, type_.pointer and counted))
-    return Function(name, _type(node.type), tuple(parameters), doc)
-
-
-def _type(node: c_ast.Node) -> Type:
-    if isinstance(node, c_ast.PtrDecl):
-        if not isinstance(node.type, c_ast.TypeDecl):
-            raise HeaderError(f"{node.coord}: a pointer to a pointer or function")
-        return Type(_type(node.type).name, pointer=True, const="const" in node.type.quals)
-    if isinstance(node, c_ast.TypeDecl) and isinstance(node.type, c_ast.IdentifierType):
-        name = " ".join(node.type.names)
-        if name == "hrt_result":
-            return Type("int32_t")
-        return Type(name, callback=name.endswith("_callback"))
-    raise HeaderError(f"{node.coord}: a type that bindings have no name for")
-
-
-_COMMENT = re.compile(r"/\*.*?\*/", re.S)
-_DIRECTIVE = re.compile(r"^#(?:\\\n|.)*$", re.M)
-_COMMENT_BEFORE = re.compile(r"/\*\*(?!<)((?:[^*]|\*(?!/))*)\*/\s*$")
-_DEFINE = re.compile(r"#define (HRT_\w+) ")
-_COMMENT_BEHIND = re.compile(r"[^\n]*?(?:\\\n[^\n]*?)?/\*\*<((?:[^*]|\*(?!/))*)\*/")
-
-
-def _doc(text: str, pattern: str) -> str:
-    """The comment before the first declaration with `pattern`."""
-    code = text
-    for other in (_COMMENT, _DIRECTIVE):
-        code = other.sub(lambda found: " " * len(found.group()), code)
-    match = re.search(pattern, code)
-    if match is None:
-        raise HeaderError(f"nothing in the header looks like {pattern}")
-    declaration_at = max(code.rfind(end, 0, match.start()) for end in ";{}") + 1
-    first_token_at = match.start() - len(code[declaration_at : match.start()].lstrip())
-    comment = _COMMENT_BEFORE.search(text[:first_token_at])
-    return _plain(comment.group(1)) if comment else ""
-
-
-def _constant_doc(text: str, at: int) -> tuple[str, str]:
-    """What is said of the constant defined at `at`, and of the group that it begins."""
-    before = _COMMENT_BEFORE.search(text[:at])
-    behind = _COMMENT_BEHIND.match(text[at:])
-    if behind:
-        return _plain(behind.group(1)), _plain(before.group(1)) if before else ""
-    if not before:
-        return "", ""
-    prefix = prefix_of(_DEFINE.match(text[at:]).group(1))
-    next_one = _DEFINE.match(text[text.index("\n", at) + 1 :])
-    is_first = prefix not in {prefix_of(name) for name in _DEFINE.findall(text[:at])}
-    if is_first and next_one and prefix_of(next_one[1]) == prefix:  # no comment stands between: this one is of all
-        return "", _plain(before.group(1))
-    earlier = _COMMENT_BEFORE.search(text[: before.start()])
-    return _plain(before.group(1)), _plain(earlier.group(1)) if earlier else ""
-
-
-def _plain(comment: str) -> str:
-    return " ".join(re.sub(r"^\s*\*? ?", "", line).strip() for line in comment.strip().splitlines())

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import textwrap
 
-from abi import Abi, Function, Struct, Type
+from abi import Abi, Function, Struct
 
 _WIDTH = 110
 
@@ -62,16 +62,10 @@ def render_functions(abi: Abi, notice: str) -> str:
 
 
 def _typedef(function: Function) -> str:
-    head = f"typedef {_name(function.result, function.returns_result)} (*PFN_{function.name})("
-    parameters = ", ".join(f"{_name(p.type)} {p.name}" for p in function.parameters) or "void"
+    head = f"typedef {'hrt_result' if function.returns_result else function.result} (*PFN_{function.name})("
+    parameters = function.declared
     if len(head + parameters) + 2 <= _WIDTH:
         return f"{head}{parameters});\n"
     indent = " " * len(head) if len(head) < 60 else "    "
     lines = textwrap.wrap(parameters + ");", _WIDTH - len(indent))
     return head + ("\n" + indent).join(lines) + "\n"
-
-
-def _name(type_: Type, is_result: bool = False) -> str:
-    if is_result:
-        return "hrt_result"
-    return ("const " if type_.const else "") + type_.name + ("*" if type_.pointer else "")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from abi import Abi, Parameter, Type
+from abi import Abi
 
 
 def render(abi: Abi, pointer_size: int, exported: str) -> str:
@@ -18,14 +18,5 @@ def render(abi: Abi, pointer_size: int, exported: str) -> str:
                          f'"offset of {struct.name}::{field.name}");')
     # Declared again: an error unless the types are the same.
     for function in abi.functions:
-        parameters = ", ".join(_parameter(p) for p in function.parameters) or "void"
-        lines.append(f"{exported} {_name(function.result)} {function.name}({parameters});")
+        lines.append(f"{exported} {function.result} {function.name}({function.declared});")
     return "\n".join(lines) + "\n"
-
-
-def _parameter(parameter: Parameter) -> str:
-    return f"{_name(parameter.type)} {parameter.name}"
-
-
-def _name(type_: Type) -> str:
-    return ("const " if type_.const else "") + type_.name + ("*" if type_.pointer else "")

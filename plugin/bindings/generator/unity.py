@@ -56,8 +56,8 @@ def _value(field: Field) -> str:
 def _setting(names: Renderer, field: Field) -> str:
     numbers = field.numbers
     attributes = _tooltip(names, field)
-    if numbers.lower is not None and numbers.upper is not None and not field.enumeration:
-        lower, upper = _shown(field, numbers.lower), _shown(field, numbers.upper)
+    if numbers.lowest is not None and numbers.upper is not None and not field.enumeration and not field.length:
+        lower, upper = _shown(field, numbers.lowest), _shown(field, numbers.upper)
         attributes += (f"[Range({lower}f, {upper}f)]\n" if Decimal(upper) - Decimal(lower) <= _WIDEST_SLIDER
                        else f"[Min({lower}f)]\n")
     default = ""

@@ -228,9 +228,9 @@ class _Renderer:
         field, numbers = member.field, member.field.numbers
         units = {"m": "cm", "ns": "s", "s": "s", "deg": "deg"}.get(field.unit)
         items = [f'Units = "{units}"'] if units and member.type == "double" else []
-        if numbers.lower is not None and numbers.upper is not None and member.type in ("double", "int32"):
+        if numbers.lowest is not None and numbers.upper is not None and member.type in ("double", "int32"):
             ends = sorted((-1 if member.name.endswith("Yaw") else 1) * _shown(field, n)
-                          for n in (numbers.lower, numbers.upper))
+                          for n in (numbers.lowest, numbers.upper))
             items += [f'ClampMin = "{ends[0].normalize():f}"', f'ClampMax = "{ends[1].normalize():f}"']
         return ", ".join(items)
 

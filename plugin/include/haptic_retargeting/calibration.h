@@ -189,9 +189,9 @@ typedef struct hrt_calibration_comparison {
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config,
                                                                 uint32_t struct_size) HRT_NOEXCEPT;
 
-/** Creates a calibration without trials. It copies the plate's pose and the lift height from the session.
- *  Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY. [one-thread] for
- *  the session */
+/** Creates a calibration without trials. `config` may be null: the defaults. It copies the plate's pose and
+ * the lift height from the session. Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY.
+ * [one-thread] for the session */
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_create(hrt_session session,
                                                         const hrt_calibration_config* config,
                                                         hrt_calibration* out_calibration) HRT_NOEXCEPT;

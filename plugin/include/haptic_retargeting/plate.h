@@ -48,7 +48,7 @@ typedef struct hrt_plate_options {
   uint32_t reserved;
   /** After this time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() the plate stops where it
    * is: an application that hangs leaves no moving plate. The next hrt_plate_set() moves it again. 50 ms to
-   * 10 s, default 300 ms. */
+   * 10 s. Default 300 ms. */
   int64_t host_timeout_ns;
 } hrt_plate_options;
 

@@ -2,16 +2,14 @@
  * Profiles: a participant's parameters as JSON, to be stored and loaded later:
  *
  *   {"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.05,
- *    "bias_deg":0,"motor_variance_deg2":0.5,"motor_variance_sd_deg2":0.5,"sensory_variance_deg2":0.1,
- *    "initial_variance_deg2":0,"tracker_noise_m":0,"person_mean":[...],"person_covariance":[...]}
+ *    "motor_variance_deg2":0.5,"sensory_variance_deg2":0.1,"initial_variance_deg2":0,"tracker_noise_m":0,
+ *    "bias_deg":0,"motor_variance_sd_deg2":0.5,"person_mean":[...],"person_covariance":[...]}
  *
  * If the host names them, it also has the conditions under which the person was measured:
  *
  *    "measured_at_s":1767225600,"plate":"desk 2","tracker":"Ultraleap"
  *
- * Fields and ranges are those of hrt_session_config. person_mean and person_covariance are there once a reach
- * of the person was carried; tracker_correlated_noise_m and tracker_correlation_s, steering_rate_per_s and
- * steering_delay_s if a calibration found them.
+ * Fields and ranges are those of hrt_session_config whose comments say "In profiles".
  */
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
@@ -30,12 +28,13 @@ extern "C" {
 /** Conditions of a measurement. The plugin reads no clock and knows no devices: the host names them. */
 typedef struct hrt_conditions {
   uint32_t struct_size;
-  /** Output: HRT_CONDITION_*, of what both the profile and the host name, and not alike. Input: not read. */
+  /** Output: of what both the profile and the host name, and not alike. Input: not read. HRT_CONDITION_*. */
   uint32_t differing;
-  /** Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999. 0: unknown. */
+  /** Seconds since 1970, UTC. 0 to 253402300799, the end of the year 9999; 0: unknown. */
   int64_t time_s;
-  /** Names of plate and tracker: UTF-8 without control characters, ended by a zero. Empty: unknown. */
+  /** Name of the plate; empty: unknown. UTF-8 without control characters, ended by a zero. */
   char plate[HRT_NAME_SIZE];
+  /** Name of the tracker; empty: unknown. UTF-8 without control characters, ended by a zero. */
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 

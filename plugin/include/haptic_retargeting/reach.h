@@ -54,7 +54,7 @@ typedef struct hrt_sample {
   uint32_t struct_size;
   /** HRT_SAMPLE_*. */
   uint32_t flags;
-  /** The caller's monotonic clock, with any origin; never less than the last sample's. */
+  /** The caller's monotonic clock, with any origin; never less than the last sample's. Any. */
   int64_t time_ns;
   /** Direction in which the finger moves, taken as exact. -180 to 180. */
   double finger_direction_deg;
@@ -64,8 +64,9 @@ typedef struct hrt_sample {
    *  not count: the model takes the orientation with the same ridges that is nearest to the expected one.
    *  -3600 to 3600. */
   double plate_orientation_deg;
-  /** Pose of the plate in the world; see hrt_session_config. */
+  /** Pose of the plate in the world; see hrt_session_config. Each within 1000. */
   double plate_position_m[3];
+  /** Length 1 within 0.001. */
   double plate_rotation[4];
 } hrt_sample;
 

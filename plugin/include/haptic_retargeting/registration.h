@@ -50,7 +50,7 @@ typedef struct hrt_registration_config {
    * accepts worse touches. 1e-5 to 0.1. Default 0.003. */
   double touch_sd_m;
   /** Up in the engine's world, of any length: the plate's face must look that way within 60 degrees. Each
-   *  within 1000, and not all 0. Default (0, 1, 0). */
+   *  within 1000, not all 0. Default (0, 1, 0). */
   double up[3];
 } hrt_registration_config;
 

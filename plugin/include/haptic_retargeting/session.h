@@ -55,17 +55,19 @@ typedef struct hrt_session {
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 
 /** Traits of a person, in this order, in hrt_session_config::person_mean. */
-#define HRT_PERSON_WEIGHT 0 /**< w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t */
-#define HRT_PERSON_CURVE 1  /**< b: 0 for a linear illusion */
-#define HRT_PERSON_GAIN 2   /**< rate at which they correct the direction they feel, 1/s */
-#define HRT_PERSON_BIAS 3   /**< goal minus virtual direction, degrees */
-/** Curving: the goal's turn at the start, minus that at the end, halved, degrees. */
+/** w: slope of the felt shift w t - b t (t / 75)^2 over the plate's angle t. 0.01 to 0.6. */
+#define HRT_PERSON_WEIGHT 0
+#define HRT_PERSON_CURVE 1 /**< b: 0 for a linear illusion. -0.1 to 0.5. */
+#define HRT_PERSON_GAIN 2  /**< rate at which they correct the direction they feel. 3 to 20 1/s. */
+#define HRT_PERSON_BIAS 3  /**< goal minus virtual direction, degrees. -90 to 90. */
+/** Curving: the goal's turn at the start, minus that at the end, halved, degrees. -45 to 45. */
 #define HRT_PERSON_HABIT 4
-#define HRT_PERSON_EVENNESS 5 /**< of the pace: 0 minimum jerk, 1 even */
-#define HRT_PERSON_HEADING 6  /**< share of the goal's direction in which they set out */
-#define HRT_PERSON_LOG_RATE 7 /**< natural logarithm of one over a reach's duration in seconds */
+#define HRT_PERSON_EVENNESS 5 /**< of the pace: 0 minimum jerk, 1 even. 0 to 1. */
+#define HRT_PERSON_HEADING 6  /**< share of the goal's direction in which they set out. -2 to 2. */
+/** Natural logarithm of one over a reach's duration in seconds. -3 to 2.4. */
+#define HRT_PERSON_LOG_RATE 7
 /** Share of touch that fades from one ridge to the next: 0 if all of the ridges is always felt, 1 if a ridge
- * is felt as it is crossed and then fades. */
+ * is felt as it is crossed and then fades. -0.2 to 1. */
 #define HRT_PERSON_FADING 8
 /** Number of traits. */
 #define HRT_PERSON_TRAITS 9
@@ -117,27 +119,27 @@ typedef struct hrt_session_config {
   double fixed_plate_orientation_deg;
   /** Share of touch in the direction that the user feels. At a higher weight, the same turn of the plate
    *  steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as linear, at 60
-   *  degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2. */
+   *  degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2. In profiles. */
   double tactile_weight;
   /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation
    *  faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as uncertain in
-   *  proportion. 0.001 to 0.49. Default 0.05. */
+   *  proportion. 0.001 to 0.49. Default 0.05. In profiles. */
   double tactile_weight_sd;
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more
-   *  closely. 1e-9 to 1e4. Default 0.5. */
+   *  closely. 1e-9 to 1e4. Default 0.5. In profiles. */
   double motor_variance_deg2;
-  /** Variance of the felt direction per step. Raising it models a user who reacts to touch more slowly.
-   *  1e-9 to 1e4. Default 0.1. */
+  /** Variance of the felt direction per step. Raising it models a user who reacts to touch more slowly. 1e-9
+   * to 1e4. Default 0.1. In profiles. */
   double sensory_variance_deg2;
   /** Variance of the user's felt direction before the first step. Raising it models a user who trusts
-   *  touch more in the first steps. 0 to 1e4. Default 0. */
+   *  touch more in the first steps. 0 to 1e4. Default 0. In profiles. */
   double initial_variance_deg2;
   /** Standard deviation of white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise,
    * unless tracker_correlated_noise_m says how much of it is correlated. Raising it smooths positions more. 0
-   * to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. */
+   * to 0.1, less than 1e-9 as 1e-9; 0: learnt from the samples. Default 0. In profiles. */
   double tracker_noise_m;
-  /** Start of reaches in plate coordinates. Directions of targets are measured from here. Each within
-   *  1000. Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
+  /** Start of reaches in plate coordinates. Directions of targets are measured from here. Each within 1000.
+   * Default (0, 0, 0.05): on the mid-line, 5 cm towards the user. */
   double start_position_m[3];
   /** Radius of the plate: positions beyond it get HRT_COMMAND_OFF_PLATE. 0.001 to 1000. Default 0.075. */
   double plate_radius_m;
@@ -150,10 +152,10 @@ typedef struct hrt_session_config {
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
    *  direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default
-   * 0. */
+   * 0. In profiles. */
   double bias_deg;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation
-   *  faster and less steady. 0.001 to 10. Default 0.5. */
+   *  faster and less steady. 0.001 to 10. Default 0.5. In profiles. */
   double motor_variance_sd_deg2;
   /** Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended direction, as
    * predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer targets: of
@@ -166,27 +168,27 @@ typedef struct hrt_session_config {
   double motion_bound_deg;
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. */
   int64_t tracker_latency_ns;
-  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*. Read if person_covariance is not 0:
-   * then the weight in 0.01 to 0.6, the curve -0.1 to 0.5, the gain 3 to 20, the bias -90 to 90, the habit
-   * -45 to 45, the evenness 0 to 1, the heading -2 to 2, the logarithm of the rate -3 to 2.4, the fading -0.2
-   * to 1. Default 0. */
+  /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*, which have the ranges. Read if
+   *  person_covariance is not 0. Each within 100. Default 0. In profiles if person_covariance is not 0. */
   double person_mean[HRT_PERSON_TRAITS];
-  /** Covariance of person_mean: the lower triangle, row by row; positive definite, up to 1e4. All 0: an
-   *  unknown person, of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Default 0. */
+  /** Covariance of person_mean: the lower triangle, row by row; positive definite. All 0: an unknown person,
+   * of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Each within 1e4. Default 0. In
+   * profiles if person_covariance is not 0. */
   double person_covariance[HRT_PERSON_COVARIANCES];
   /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides
    *  positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. */
   double plate_scale;
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
    *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
-   * row by row. Variances 0 to 1. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into UNREACHABLE
-   * and bearing_error_sd_deg; it does not change commands. Default 0. */
+   *  row by row; positive semidefinite. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into
+   *  UNREACHABLE and bearing_error_sd_deg; it does not change commands. Each within 1. Default 0. */
   double plate_covariance[6];
-  /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Default 0.
+  /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Any. Default
+   *  0.
    */
   int64_t registration_time_ns;
   /** Largest age of a registration at a sample. Older ones, and a session without HRT_SESSION_REGISTERED, get
-   *  HRT_COMMAND_REGISTRATION. 0: not checked. Default 0. */
+   *  HRT_COMMAND_REGISTRATION. 0 or more; 0: not checked. Default 0. */
   int64_t max_registration_age_ns;
   /** Largest standard deviation that plate_covariance may give the bearing of the real target. Worse ones,
    * and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not checked.
@@ -194,14 +196,17 @@ typedef struct hrt_session_config {
   double max_registration_sd_deg;
   /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under
    *  GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not
-   *  known. Default 0. */
+   * known. Default 0. In profiles if tracker_correlated_noise_m is not 0. */
   double tracker_correlated_noise_m;
-  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. */
+  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In
+   *  profiles if tracker_correlated_noise_m is not 0. */
   double tracker_correlation_s;
   /** Rate at which the person corrects an error that they feel. Found by calibration.h, kept in the profile;
-   *  the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not known. Default 0. */
+   *  the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not known. Default 0. In
+   * profiles if steering_rate_per_s is not 0. */
   double steering_rate_per_s;
-  /** Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not known. Default 0. */
+  /** Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not known. Default 0. In
+   * profiles if steering_delay_s is not 0. */
   double steering_delay_s;
 } hrt_session_config;
 
@@ -209,8 +214,8 @@ typedef struct hrt_session_config {
 HRT_NODISCARD HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
                                                             uint32_t struct_size) HRT_NOEXCEPT;
 
-/** Creates a session. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY.
- *  [any-thread] */
+/** Creates a session. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE,
+ * LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
@@ -243,7 +248,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_set_log_callback(hrt_session sessio
 HRT_NODISCARD HRT_API hrt_result hrt_session_get_config(hrt_session session,
                                                         hrt_session_config* out_config) HRT_NOEXCEPT;
 
-/** Replaces the configuration. Targets stay. Errors:
+/** Replaces the configuration; null: by the defaults. Targets stay. Errors:
  *  as hrt_session_create(), and WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set_config(hrt_session session,
                                                         const hrt_session_config* config) HRT_NOEXCEPT;

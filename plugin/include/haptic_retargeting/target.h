@@ -37,14 +37,14 @@ typedef struct hrt_target_config {
   /** HRT_PLACE_*. Default HRT_PLACE_DIRECTION. */
   uint32_t place;
   uint32_t reserved;
-  /** Direction from the start (base.h), -180 to 180. Default 0. */
+  /** Direction from the start (base.h). -180 to 180. Default 0. */
   double direction_deg;
-  /** Distance from the start along the plate, 0.001 to 1000. Default 0.1. */
+  /** Distance from the start along the plate. 0.001 to 1000. Default 0.1. */
   double distance_m;
   /** Place in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate;
    *  the height y has no effect. Each within 1000. Default (0, 0, 0). */
   double position_m[3];
-  /** UTF-8, terminated by a zero; unique within the session unless empty. Default empty. */
+  /** Unique within the session unless empty. UTF-8, terminated by a zero. Default empty. */
   char name[HRT_NAME_SIZE];
 } hrt_target_config;
 

@@ -1,7 +1,6 @@
 // Checks on what crosses the boundary: struct sizes, numbers out of range.
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -11,6 +10,7 @@
 #include "haptic_retargeting/recording.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/abi/error.h"
+#include "plugin/src/abi/field.h"
 #include "plugin/src/abi/utf8.h"
 
 namespace hrt::plugin {
@@ -43,6 +43,13 @@ hrt_result read_struct(const char* name, const Struct* given, Struct* known) {
   std::memcpy(known, given, sizeof(Struct));
   known->struct_size = sizeof(Struct);
   return HRT_OK;
+}
+
+/// The same of a configuration; null means the defaults.
+template <class Struct>
+hrt_result read_configuration(const char* name, const Struct* given, Struct* known) {
+  *known = defaults<Struct>;
+  return given ? read_struct(name, given, known) : HRT_OK;
 }
 
 /// Whether write_struct() can be called.
@@ -93,11 +100,41 @@ inline hrt_result check_flags(std::uint32_t flags, std::uint32_t known) {
   return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", flags, "; allowed: the bits of ", known);
 }
 
-/// Of the plate: ten turns either way.
-inline constexpr double max_orientation_deg = 3600.0;
+/// Fails, calling the value `name`, unless it is within the field's range.
+template <class S, class T>
+hrt_result check_value(const char* name, const Field<S, T>& field, const T& value) {
+  if constexpr (std::is_array_v<T>) {
+    if (field.kind == FieldKind::free) return HRT_OK;
+    for (std::size_t i = 0; i < std::size(value); ++i) {
+      if (value[i] >= field.low && value[i] <= field.high) continue;  // not a number is neither
+      return fail(HRT_ERROR_OUT_OF_RANGE, name, "[", i, "] is ", value[i], "; allowed: ", field.low, " to ",
+                  field.high);
+    }
+    return HRT_OK;
+  } else if constexpr (std::is_arithmetic_v<T>) {
+    if (field.kind == FieldKind::free || (field.zero && value == 0)) return HRT_OK;
+    if constexpr (std::is_same_v<T, std::uint32_t>) {
+      if (field.kind == FieldKind::flags) return check_flags(value, field.high);
+      if (field.kind == FieldKind::reserved) return check_zero(name, value);
+    }
+    return check_range(name, value, field.low, field.high);
+  } else {
+    return HRT_OK;
+  }
+}
 
-inline hrt_result check_plate_orientation(double orientation_deg) {
-  return check_range("plate_orientation_deg", orientation_deg, -max_orientation_deg, max_orientation_deg);
+template <class S, class T>
+hrt_result check_field(const S& values, const Field<S, T>& field) {
+  return check_value(field.name, field, values.*field.member);
+}
+
+/// Fails naming the first field that is out of its range.
+template <class S>
+hrt_result check_fields(const S& values) {
+  hrt_result result = HRT_OK;
+  const auto is_fine = [&](const auto& field) { return (result = check_field(values, field)) == HRT_OK; };
+  std::apply([&](const auto&... field) { (void)(is_fine(field) && ...); }, Fields<S>::all);
+  return result;
 }
 
 /// A name that a host gives; what is behind its zero is cleared.
@@ -111,17 +148,6 @@ inline hrt_result check_name(const char* field, char (&name)[HRT_NAME_SIZE]) {
   for (std::size_t i = 0; i < length; ++i) {
     if (static_cast<unsigned char>(name[i]) < 0x20 || name[i] == 0x7f)
       return fail(HRT_ERROR_OUT_OF_RANGE, field, " has a control character at byte ", i);
-  }
-  return HRT_OK;
-}
-
-inline constexpr double max_coordinate_m = 1000.0;
-
-inline hrt_result check_position(const char* field, const double (&position_m)[3]) {
-  for (int axis = 0; axis < 3; ++axis) {
-    if (std::abs(position_m[axis]) <= max_coordinate_m) continue;  // not a number is not
-    return fail(HRT_ERROR_OUT_OF_RANGE, field, "[", axis, "] is ", position_m[axis],
-                "; allowed: ", -max_coordinate_m, " to ", max_coordinate_m);
   }
   return HRT_OK;
 }

@@ -146,7 +146,7 @@ File::~File() {
   if (descriptor_ >= 0) close_descriptor(descriptor_);
 }
 
-hrt_result File::open_regular(const char* path, int flags, File* out) {
+hrt_result File::open_regular(const char* path, int flags, std::uint64_t max_size, File* out) {
   File file;
   file.descriptor_ = open_descriptor(path, flags);
   Status status{};
@@ -154,17 +154,19 @@ hrt_result File::open_regular(const char* path, int flags, File* out) {
   if (file.descriptor_ < 0 && means_no_file()) return fail_as_not_regular(path);
   if (file.descriptor_ < 0 || status_of(file.descriptor_, &status) != 0) return fail_of_file(path);
   if (!is_regular(status)) return fail_as_not_regular(path);
+  if (const auto size = static_cast<std::uint64_t>(status.st_size); size > max_size)
+    return fail(HRT_ERROR_SYSTEM, Shown{path}, ": has ", size, " bytes; allowed: up to ", max_size);
   *out = std::move(file);
   return HRT_OK;
 }
 
-hrt_result File::open(const char* path, File* out) {
-  return open_regular(path, to_read, out);
+hrt_result File::open(const char* path, std::uint64_t max_size, File* out) {
+  return open_regular(path, to_read, max_size, out);
 }
 
 hrt_result File::create(const char* path, File* out) {
   File file;
-  HRT_RETURN_IF_FAILED(open_regular(path, to_write, &file));
+  HRT_RETURN_IF_FAILED(open_regular(path, to_write, UINT64_MAX, &file));
   if (!lock(file.descriptor_)) return fail_as_taken(path);
   if (truncate(file.descriptor_) != 0) return fail_of_file(path);
   *out = std::move(file);

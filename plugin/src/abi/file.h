@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string_view>
@@ -30,8 +31,9 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
 
-  /// Opens a file to read. Fails naming the path and the reason. Never blocks: a pipe is refused.
-  static hrt_result open(const char* path, File* out);
+  /// Opens a file of at most `max_size` bytes to read. Fails naming the path and the reason. Never blocks: a
+  /// pipe is refused.
+  static hrt_result open(const char* path, std::uint64_t max_size, File* out);
   /// Creates or empties a file to write. Fails too if another recording, of any process, is written to it.
   static hrt_result create(const char* path, File* out);
 
@@ -43,7 +45,7 @@ class File {
   void release();
 
  private:
-  static hrt_result open_regular(const char* path, int flags, File* out);
+  static hrt_result open_regular(const char* path, int flags, std::uint64_t max_size, File* out);
 
   int descriptor_ = -1;
 };

@@ -10,6 +10,7 @@
 #include "core/learning.h"
 #include "core/person/calibrated_person.h"
 #include "core/tracker/tracker_noise.h"
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 #include "plugin/src/recording/recorded_calibration.h"
@@ -109,7 +110,8 @@ hrt_result check_calibration_result(const hrt_calibration_result& result) {
   };
   for (const auto& [name, interval] : intervals) HRT_RETURN_IF_FAILED(check_interval(name, interval));
   if (!describes_person(result)) return HRT_OK;
-  HRT_RETURN_IF_FAILED(check_range("peak_offset_deg", result.peak_offset_deg, 1.0, 89.0));
+  HRT_RETURN_IF_FAILED(
+      check_value("peak_offset_deg", Fields<hrt_session_config>::motion_bound_deg, result.peak_offset_deg));
   return check_range("weight_curve_correlation", result.weight_curve_correlation, -1.0, 1.0);
 }
 
@@ -170,7 +172,7 @@ using namespace hrt::plugin;
 
 hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config, uint32_t struct_size) noexcept {
   return guarded("hrt_calibration_config_default", [&] {
-    return write_default("out_config", default_calibration_config(), out_config, struct_size);
+    return write_default("out_config", defaults<hrt_calibration_config>, out_config, struct_size);
   });
 }
 
@@ -178,8 +180,8 @@ hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_con
                                   hrt_calibration* out_calibration) noexcept {
   return with_session("hrt_calibration_create", session, [&](RecordedSession& s) -> hrt_result {
     if (!out_calibration) return fail(HRT_ERROR_NULL_ARGUMENT, "out_calibration is null");
-    hrt_calibration_config checked = default_calibration_config();
-    HRT_RETURN_IF_FAILED(read_struct("config", config, &checked));
+    hrt_calibration_config checked;
+    HRT_RETURN_IF_FAILED(read_configuration("config", config, &checked));
     HRT_RETURN_IF_FAILED(check_calibration_config(checked));
     const std::uint64_t handle = calibrations.insert(s.make_calibration(checked));
     if (handle == 0)

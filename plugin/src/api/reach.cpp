@@ -1,33 +1,20 @@
 #include "haptic_retargeting/reach.h"
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
-
-namespace hrt::plugin {
-namespace {
-
-constexpr hrt_reach_config default_reach_config{
-    .struct_size = sizeof(hrt_reach_config),
-    .flags = 0,
-    .real_target = {0},
-    .virtual_target = {0},
-    .plate_orientation_deg = 0.0,
-    .duration_s = 0.0,
-};
-
-}  // namespace
-}  // namespace hrt::plugin
 
 using namespace hrt::plugin;
 
 hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_reach_config_default",
-                 [&] { return write_default("out_config", default_reach_config, out_config, struct_size); });
+  return guarded("hrt_reach_config_default", [&] {
+    return write_default("out_config", defaults<hrt_reach_config>, out_config, struct_size);
+  });
 }
 
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
   return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
-    hrt_reach_config known = default_reach_config;
+    hrt_reach_config known = defaults<hrt_reach_config>;
     if (const hrt_result result = read_struct("config", config, &known); result != HRT_OK)
       return s.refuse(result, Refused::Argument::config, config);
     return s.begin(known);

@@ -5,6 +5,7 @@
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
 #include "plugin/src/api/sessions.h"
+#include "plugin/src/recording/format.h"
 #include "plugin/src/recording/replay.h"
 
 namespace hrt::plugin {
@@ -22,17 +23,18 @@ hrt_recording_status to_abi(const RecorderStatus& status) {
   };
 }
 
+// As much of a file as replay() has a use for: what does not begin as a recording is not read to its end.
 hrt_result read_file(const char* path, std::string* out) {
   File file;
-  HRT_RETURN_IF_FAILED(File::open(path, &file));
+  HRT_RETURN_IF_FAILED(File::open(path, max_file, &file));
   for (std::size_t size = 0; size <= max_file;) {
     out->resize(size + block_size);
     const std::ptrdiff_t n = file.read({out->data() + size, block_size});
     if (n < 0) return fail_of_file(path);
     out->resize(size += static_cast<std::size_t>(n));
-    if (n == 0) return HRT_OK;
+    if (n == 0 || (size >= recording_begin.size() && !out->starts_with(recording_begin))) return HRT_OK;
   }
-  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", max_file, " bytes");
+  return fail(HRT_ERROR_SYSTEM, Shown{path}, ": larger than ", max_file, " bytes");  // it grows
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/plate/frame_error.h"
 #include "core/plate/registration.h"
 #include "core/tracker/tracker_latency.h"
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 #include "plugin/src/session/finger_sample.h"
@@ -21,14 +22,7 @@ namespace hrt::plugin {
 namespace {
 
 constexpr double deg_per_rad = 57.29577951308232;
-constexpr std::uint32_t known_flags = HRT_REGISTER_SCALE | HRT_REGISTER_UP;
-
-constexpr hrt_registration_config default_registration_config{
-    .struct_size = sizeof(hrt_registration_config),
-    .flags = 0,
-    .touch_sd_m = 0.003,
-    .up = {0.0, 1.0, 0.0},
-};
+using SetupFields = Fields<hrt_registration_config>;
 
 struct VerdictText {
   RegistrationVerdict core;
@@ -59,13 +53,13 @@ Eigen::Matrix3d rotation_of(const double (&q)[4]) {
 }
 
 hrt_result read_config(const hrt_registration_config* given, RegistrationConfig* out) {
-  hrt_registration_config config = default_registration_config;
-  if (given) HRT_RETURN_IF_FAILED(read_struct("config", given, &config));
-  HRT_RETURN_IF_FAILED(check_flags(config.flags, known_flags));
-  HRT_RETURN_IF_FAILED(check_range("touch_sd_m", config.touch_sd_m, 1e-5, 0.1));
+  hrt_registration_config config;
+  HRT_RETURN_IF_FAILED(read_configuration("config", given, &config));
+  HRT_RETURN_IF_FAILED(check_field(config, SetupFields::flags));
+  HRT_RETURN_IF_FAILED(check_field(config, SetupFields::touch_sd_m));
   *out = {.touch_sd_m = config.touch_sd_m, .fit_scale = (config.flags & HRT_REGISTER_SCALE) != 0};
   if ((config.flags & HRT_REGISTER_UP) == 0) return HRT_OK;
-  HRT_RETURN_IF_FAILED(check_position("up", config.up));
+  HRT_RETURN_IF_FAILED(check_field(config, SetupFields::up));
   out->up = vector_of(config.up);
   if (!(out->up.norm() > 0.0)) return fail(HRT_ERROR_OUT_OF_RANGE, "up is (0, 0, 0); it must have a length");
   return HRT_OK;
@@ -84,8 +78,9 @@ hrt_result read_touch(const char* where, const hrt_mark_touch& given, MarkTouch*
   Text<64> mark, touched;
   mark << where << "mark_m";
   touched << where << "touched_m";
-  HRT_RETURN_IF_FAILED(check_position(mark.c_str(), given.mark_m));
-  HRT_RETURN_IF_FAILED(check_position(touched.c_str(), given.touched_m));
+  using F = Fields<hrt_mark_touch>;
+  HRT_RETURN_IF_FAILED(check_value(mark.c_str(), F::mark_m, given.mark_m));
+  HRT_RETURN_IF_FAILED(check_value(touched.c_str(), F::touched_m, given.touched_m));
   *out = {vector_of(given.mark_m), vector_of(given.touched_m)};
   return HRT_OK;
 }
@@ -94,7 +89,7 @@ hrt_result read_touch(const char* where, const hrt_joint_touch& given, TurnedTou
   Text<64> position, rotation;
   position << where << "position_m";
   rotation << where << "rotation";
-  HRT_RETURN_IF_FAILED(check_position(position.c_str(), given.position_m));
+  HRT_RETURN_IF_FAILED(check_value(position.c_str(), Fields<hrt_joint_touch>::position_m, given.position_m));
   HRT_RETURN_IF_FAILED(check_rotation(rotation.c_str(), given.rotation));
   *out = {rotation_of(given.rotation), vector_of(given.position_m)};
   return HRT_OK;
@@ -147,8 +142,10 @@ hrt_result read_registration(const hrt_registration* given, Registration* out) {
   if (known.verdict != HRT_REGISTRATION_HOLDS)
     return fail(HRT_ERROR_OUT_OF_RANGE, "verdict is ", known.verdict, "; allowed: HRT_REGISTRATION_HOLDS, ",
                 HRT_REGISTRATION_HOLDS);
-  HRT_RETURN_IF_FAILED(check_plate_pose(known.plate_position_m, known.plate_rotation));
-  HRT_RETURN_IF_FAILED(check_range("plate_scale", known.plate_scale, min_plate_scale, max_plate_scale));
+  using F = Fields<hrt_session_config>;
+  HRT_RETURN_IF_FAILED(check_value("plate_position_m", F::plate_position_m, known.plate_position_m));
+  HRT_RETURN_IF_FAILED(check_rotation("plate_rotation", known.plate_rotation));
+  HRT_RETURN_IF_FAILED(check_value("plate_scale", F::plate_scale, known.plate_scale));
   HRT_RETURN_IF_FAILED(check_range("touch_sd_m", known.touch_sd_m, 1e-9, 1.0));
   *out = {.verdict = RegistrationVerdict::holds,
           .rotation = rotation_of(known.plate_rotation),
@@ -265,7 +262,7 @@ using namespace hrt::plugin;
 hrt_result hrt_registration_config_default(hrt_registration_config* out_config,
                                            uint32_t struct_size) noexcept {
   return guarded("hrt_registration_config_default", [&] {
-    return write_default("out_config", default_registration_config, out_config, struct_size);
+    return write_default("out_config", defaults<hrt_registration_config>, out_config, struct_size);
   });
 }
 
@@ -373,7 +370,7 @@ hrt_result hrt_fingertip_place(const hrt_fingertip* fingertip, const hrt_joint_t
     hrt_fingertip known{};
     HRT_RETURN_IF_FAILED(read_struct("fingertip", fingertip, &known));
     HRT_RETURN_IF_FAILED(check_range("known", known.known, 1u, 1u));
-    HRT_RETURN_IF_FAILED(check_position("offset_m", known.offset_m));
+    HRT_RETURN_IF_FAILED(check_value("offset_m", Fields<hrt_joint_touch>::position_m, known.offset_m));
     if (!joint) return fail(HRT_ERROR_NULL_ARGUMENT, "joint is null");
     hrt::TurnedTouch held;
     HRT_RETURN_IF_FAILED(read_touch("joint.", *joint, &held));

@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 
@@ -15,14 +16,14 @@ using namespace hrt::plugin;
 
 hrt_result hrt_session_config_default(hrt_session_config* out_config, uint32_t struct_size) noexcept {
   return guarded("hrt_session_config_default", [&] {
-    return write_default("out_config", default_session_config(), out_config, struct_size);
+    return write_default("out_config", defaults<hrt_session_config>, out_config, struct_size);
   });
 }
 
 hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
-    hrt_session_config checked = default_session_config();
+    hrt_session_config checked;
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     const std::uint64_t handle = sessions.insert(std::make_unique<RecordedSession>(checked));
     if (handle == 0)
@@ -73,7 +74,7 @@ hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config*
   return with_session("hrt_session_set_config", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_no_reach());
     s.log_findings(session.value);
-    hrt_session_config checked = s.session().config();
+    hrt_session_config checked;
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
     return s.set_config(checked);
   });

@@ -2,26 +2,16 @@
 
 #include <cstring>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 
 namespace hrt::plugin {
 namespace {
 
-constexpr hrt_target_config default_target_config{
-    .struct_size = sizeof(hrt_target_config),
-    .role = HRT_TARGET_REAL,
-    .place = HRT_PLACE_DIRECTION,
-    .reserved = 0,
-    .direction_deg = 0.0,
-    .distance_m = 0.1,
-    .position_m = {0.0, 0.0, 0.0},
-    .name = "",
-};
-
 hrt_result read_target_config(const hrt_session_config& session_config, const hrt_target_config* given,
                               hrt_target_config* config) {
-  *config = default_target_config;
+  *config = defaults<hrt_target_config>;
   HRT_RETURN_IF_FAILED(read_struct("config", given, config));
   return check_target_config(session_config, config);
 }
@@ -32,8 +22,9 @@ hrt_result read_target_config(const hrt_session_config& session_config, const hr
 using namespace hrt::plugin;
 
 hrt_result hrt_target_config_default(hrt_target_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_target_config_default",
-                 [&] { return write_default("out_config", default_target_config, out_config, struct_size); });
+  return guarded("hrt_target_config_default", [&] {
+    return write_default("out_config", defaults<hrt_target_config>, out_config, struct_size);
+  });
 }
 
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,

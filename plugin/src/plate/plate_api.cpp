@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "generated/plate_fields.h"
 #include "haptic_retargeting/plate.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/handles.h"
@@ -23,16 +24,9 @@ namespace {
 constexpr std::size_t max_plates = 16;
 constexpr std::uint8_t plates_kind = 'p';
 constexpr std::size_t max_name = 1024;
-constexpr std::int64_t min_timeout_ns = 50'000'000, max_timeout_ns = 10'000'000'000;
 
 using Plates = HandleTable<PlateDriver, max_plates, plates_kind>;
 Plates plates;
-
-constexpr hrt_plate_options defaults{
-    .struct_size = sizeof(hrt_plate_options),
-    .reserved = 0,
-    .host_timeout_ns = 300'000'000,
-};
 
 template <class Body>
 hrt_result with_plate(const char* call, hrt_plate plate, Body&& body) noexcept {
@@ -40,11 +34,8 @@ hrt_result with_plate(const char* call, hrt_plate plate, Body&& body) noexcept {
 }
 
 hrt_result read_options(const hrt_plate_options* given, hrt_plate_options* options) {
-  *options = defaults;
-  if (!given) return HRT_OK;
-  HRT_RETURN_IF_FAILED(read_struct("options", given, options));
-  HRT_RETURN_IF_FAILED(check_zero("reserved", options->reserved));
-  return check_range("host_timeout_ns", options->host_timeout_ns, min_timeout_ns, max_timeout_ns);
+  HRT_RETURN_IF_FAILED(read_configuration("options", given, options));
+  return check_fields(*options);
 }
 
 // Behind the kind, as in "/dev/ttyACM0?id=1": without the options.
@@ -64,8 +55,9 @@ hrt_result check_ready(const PlateDriver& driver) {
 }  // namespace
 
 hrt_result hrt_plate_options_default(hrt_plate_options* out_options, uint32_t struct_size) noexcept {
-  return guarded("hrt_plate_options_default",
-                 [&] { return write_default("out_options", defaults, out_options, struct_size); });
+  return guarded("hrt_plate_options_default", [&] {
+    return write_default("out_options", defaults<hrt_plate_options>, out_options, struct_size);
+  });
 }
 
 hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
@@ -97,7 +89,7 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
 hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
   return with_plate("hrt_plate_set", plate, [&](PlateDriver& driver) -> hrt_result {
     HRT_RETURN_IF_FAILED(
-        check_range("orientation_deg", orientation_deg, -max_orientation_deg, max_orientation_deg));
+        check_value("orientation_deg", Fields<hrt_sample>::plate_orientation_deg, orientation_deg));
     HRT_RETURN_IF_FAILED(check_ready(driver));
     driver.set(orientation_deg);
     return HRT_OK;

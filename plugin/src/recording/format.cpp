@@ -4,16 +4,13 @@
 #include <bit>
 #include <iterator>
 
-#include "plugin/src/abi/checks.h"
 #include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
-#include "plugin/src/session/reach_numbers.h"
 
 namespace hrt::plugin {
 namespace {
 
-constexpr std::string_view header =
-    "# haptic retargeting recording, version 3\n"
+constexpr std::string_view explanation =
     "# Lines that begin with # are comments. Each other line is a call; what a call does not have is empty.\n"
     "# Angles: degrees counter-clockwise from the plate's mid-line. Positions: x right, y up, z towards the "
     "user\n"
@@ -24,19 +21,7 @@ constexpr std::string_view header =
     "# refused_argument is one that was null or, with struct_size, had a wrong size. The others hold what "
     "came "
     "out;\n"
-    "# plate_orientation_deg of a row \"begin\" is where the plate stood.\n"
-    "call,result,time_ns,sample_flags,sample_direction_deg,sample_x_m,sample_y_m,sample_z_m,measured_plate_"
-    "deg,plate_x_m,plate_y_m,plate_z_m,plate_qx,plate_qy,plate_qz,plate_qw,"
-    "reach_flags,real_target,virtual_target,duration_s,refused_argument,struct_size,"
-    "real_direction_deg,virtual_direction_deg,real_distance_m,start_right_m,start_away_m,"
-    "command_flags,step,plate_orientation_deg,finger_direction_deg,perceived_direction_deg,aimed_direction_"
-    "deg,distance_to_go_m,tactile_weight,tactile_weight_sd,time_to_go_s,felt_error_deg,predicted_miss_deg,"
-    "normalised_innovation,bearing_error_sd_deg,"
-    "samples,dropped_samples,steps,predicted_steps,saturated_steps,rate_limited_steps,"
-    "final_miss_deg,perceived_error_deg,tracker_noise_m,motor_variance_deg2,motor_variance_sd_deg2,"
-    "summary_flags,bearing_error_deg,peak_felt_error_deg,rms_felt_error_deg,illusion_curve,illusion_curve_sd,"
-    "gain_per_s,gain_sd_per_s,bias_deg,bias_sd_deg,habit_deg,habit_sd_deg,duration_learnt_s"
-    ",calibration,calibration_result\n";
+    "# plate_orientation_deg of a row \"begin\" is where the plate stood.\n";
 
 struct ArgumentName {
   Refused::Argument argument;
@@ -84,76 +69,57 @@ void write(const PlateStands& plate, hrt_result, RecordText& out) {
 
 void write(const Refused& refused, hrt_result result, RecordText& out) {
   const ArgumentName& argument = argument_names[static_cast<std::size_t>(refused.argument)];
-  Row row(out);
-  row.put(argument.call).put(result).skip(sample_columns + begin_columns).put(argument.name);
-  if (result != HRT_ERROR_NULL_ARGUMENT) row.put(refused.struct_size);
+  Row row(out, argument.call, result);
+  row.put(column("refused_argument"), argument.name);
+  if (result != HRT_ERROR_NULL_ARGUMENT) row.put(column("struct_size"), refused.struct_size);
 }
 
 void put(const Reach& reach, Row& row) {
-  row.put(reach.real_direction_deg).put(reach.virtual_direction_deg).put(reach.real_distance_m);
-  row.put(reach.start.right_m).put(reach.start.away_m);
+  row.put(column("real_direction_deg"), reach.real_direction_deg);
+  row.put(column("virtual_direction_deg"), reach.virtual_direction_deg);
+  row.put(column("real_distance_m"), reach.real_distance_m);
+  row.put(column("start_right_m"), reach.start.right_m);
+  row.put(column("start_away_m"), reach.start.away_m);
+}
+
+void put_targets(std::uint64_t real_number, std::uint64_t virtual_number, Row& row) {
+  row.put(column("real_target"), real_number);
+  row.put(column("virtual_target"), virtual_number);
 }
 
 void write(const Retargeted& retargeted, hrt_result result, RecordText& out) {
-  Row row(out);
-  row.put("retarget").put(result).skip(sample_columns + 1);
-  row.put(retargeted.real_number).put(retargeted.virtual_number).skip(1 + refused_columns);
+  Row row(out, "retarget", result);
+  put_targets(retargeted.real_number, retargeted.virtual_number, row);
   if (result == HRT_OK) put(retargeted.reach, row);
 }
 
 void write(const ReachCancelled&, hrt_result result, RecordText& out) {
-  Row(out).put("cancel").put(result);
+  Row(out, "cancel", result);
 }
 
 void write(const ReachBegun& begun, hrt_result result, RecordText& out) {
-  Row row(out);
-  row.put("begin").put(result).skip(measured_plate_column - 2);
-  row.put_if((begun.flags & HRT_REACH_PLATE_ORIENTATION) != 0, {begun.plate_orientation_deg});
-  row.skip(begin_column - measured_plate_column - 1);
-  row.put(begun.flags).put(begun.real_number).put(begun.virtual_number).put(begun.duration_s);
-  row.skip(refused_columns);
+  Row row(out, "begin", result);
+  if (begun.flags & HRT_REACH_PLATE_ORIENTATION)
+    row.put(column("measured_plate_deg"), begun.plate_orientation_deg);
+  row.put(column("reach_flags"), begun.flags);
+  put_targets(begun.real_number, begun.virtual_number, row);
+  row.put(column("duration_s"), begun.duration_s);
   if (result != HRT_OK) return;
   put(begun.reach, row);
-  row.skip(2).put(begun.reach.plate_orientation_deg);
+  row.put(column("plate_orientation_deg"), begun.reach.plate_orientation_deg);
 }
 
-static_assert(command_columns == 2 + command_numbers.size());
-
 void write(const Updated& updated, hrt_result result, RecordText& out) {
-  Row row(out);
-  row.put("update").put(result);
+  Row row(out, "update", result);
   put_sample(updated.sample, row);
-  row.skip(begin_columns + refused_columns);
   if (result != HRT_OK) return;
-  if (updated.reach) {
-    put(*updated.reach, row);
-  } else {
-    row.skip(reach_columns);
-  }
-  const hrt_command& command = updated.command;
-  row.put(command.flags).put(command.step);
-  for (double hrt_command::* number : command_numbers) row.put(command.*number);
+  if (updated.reach) put(*updated.reach, row);
+  row.put_fields(updated.command);
 }
 
 void write(const ReachEnded& ended, hrt_result result, RecordText& out) {
-  Row row(out);
-  row.put("end").put(result).skip(sample_columns + begin_columns + refused_columns + reach_columns);
-  if (result != HRT_OK) return;
-  const hrt_reach_summary& summary = ended.summary;
-  row.skip(3).put(summary.final_direction_deg).put(summary.perceived_direction_deg).skip(1);
-  row.put(summary.distance_to_target_m).put(summary.tactile_weight).put(summary.tactile_weight_sd);
-  row.skip(3).put(summary.normalised_innovation).put(summary.bearing_error_sd_deg);
-  row.put(summary.samples).put(summary.dropped_samples).put(summary.steps).put(summary.predicted_steps);
-  row.put(summary.saturated_steps).put(summary.rate_limited_steps);
-  row.put(summary.final_miss_deg).put(summary.perceived_error_deg).put(summary.tracker_noise_m);
-  row.put(summary.motor_variance_deg2).put(summary.motor_variance_sd_deg2).put(summary.flags);
-  row.put(summary.bearing_error_deg).put(summary.peak_felt_error_deg).put(summary.rms_felt_error_deg);
-  row.put(summary.illusion_curve)
-      .put(summary.illusion_curve_sd)
-      .put(summary.gain_per_s)
-      .put(summary.gain_sd_per_s);
-  row.put(summary.bias_deg).put(summary.bias_sd_deg).put(summary.habit_deg).put(summary.habit_sd_deg);
-  row.put(summary.duration_s);
+  Row row(out, "end", result);
+  if (result == HRT_OK) row.put_fields(ended.summary);
 }
 
 // Doubles may be spelled in other ways: other releases have written 1e+05 where this one writes 100000.
@@ -167,32 +133,35 @@ bool is_same_cell(std::string_view cell, std::string_view other) {
          std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(other_number);
 }
 
+hrt_result read_targets(const Cells& cells, std::uint64_t* real_number, std::uint64_t* virtual_number) {
+  HRT_RETURN_IF_FAILED(read_cell(cells, column("real_target"), real_number));
+  return read_cell(cells, column("virtual_target"), virtual_number);
+}
+
 hrt_result read_begin(const Cells& cells, Record* out) {
   ReachBegun begun{};
-  HRT_RETURN_IF_FAILED(read_cell(cells, measured_plate_column, &begun.plate_orientation_deg));
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column, &begun.flags));
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 1, &begun.real_number));
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 2, &begun.virtual_number));
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 3, &begun.duration_s));
+  HRT_RETURN_IF_FAILED(read_cell(cells, column("measured_plate_deg"), &begun.plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(read_cell(cells, column("reach_flags"), &begun.flags));
+  HRT_RETURN_IF_FAILED(read_targets(cells, &begun.real_number, &begun.virtual_number));
+  HRT_RETURN_IF_FAILED(read_cell(cells, column("duration_s"), &begun.duration_s));
   out->call = begun;
   return HRT_OK;
 }
 
 hrt_result read_retarget(const Cells& cells, Record* out) {
   Retargeted retargeted{};
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 1, &retargeted.real_number));
-  HRT_RETURN_IF_FAILED(read_cell(cells, begin_column + 2, &retargeted.virtual_number));
+  HRT_RETURN_IF_FAILED(read_targets(cells, &retargeted.real_number, &retargeted.virtual_number));
   out->call = retargeted;
   return HRT_OK;
 }
 
 // A refused call, if the row has an argument for which it was.
 hrt_result read_refused(const Cells& cells, Record* out) {
-  const std::string_view name = cells[refused_column];
+  const std::string_view name = cells[column("refused_argument")];
   for (const ArgumentName& known : argument_names) {
     if (known.name != name || known.call != cells[0]) continue;
     Refused refused{known.argument, 0};
-    HRT_RETURN_IF_FAILED(read_cell(cells, refused_column + 1, &refused.struct_size));
+    HRT_RETURN_IF_FAILED(read_cell(cells, column("struct_size"), &refused.struct_size));
     out->call = refused;
     return HRT_OK;
   }
@@ -207,9 +176,23 @@ hrt_result read_update(const Cells& cells, Record* out) {
   return HRT_OK;
 }
 
+// Calls `visit` with each cell of a line.
+template <class Visit>
+void for_each_cell(std::string_view line, Visit&& visit) {
+  for (std::size_t from = 0; from <= line.size();) {
+    const std::size_t comma = std::min(line.find(',', from), line.size());
+    visit(line.substr(from, comma - from));
+    from = comma + 1;
+  }
+}
+
 }  // namespace
 
-std::string_view recording_header() {
+std::string recording_header() {
+  std::string header(recording_begin);
+  header += explanation;
+  for (const std::string_view name : recording_columns) (header += name) += ',';
+  header.back() = '\n';
   return header;
 }
 
@@ -221,11 +204,27 @@ void write_end(std::uint64_t checksum, RecordText& out) {
   out << end_comment << checksum << "\n";
 }
 
-hrt_result read_row(std::string_view line, Record* out) {
+hrt_result FileColumns::read_names(std::string_view line) {
+  if (!line.starts_with("call,result,"))
+    return fail(HRT_ERROR_BAD_FORMAT, "this comes before the names of the columns");
+  for_each_cell(line, [&](std::string_view name) {
+    const auto* ours = std::find(std::begin(recording_columns), std::end(recording_columns), name);
+    places_.push_back(static_cast<std::size_t>(ours - recording_columns));
+  });
+  return HRT_OK;
+}
+
+hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
   Cells cells;
-  HRT_RETURN_IF_FAILED(split(line, columns, &cells));
-  HRT_RETURN_IF_FAILED(read_cell(cells, 1, &out->result));
-  if (!cells[refused_column].empty()) return read_refused(cells, out);
+  std::size_t n = 0;
+  for_each_cell(line, [&](std::string_view cell) {
+    if (n < places_.size() && places_[n] < columns) cells[places_[n]] = cell;
+    ++n;
+  });
+  if (n != places_.size())
+    return fail(HRT_ERROR_BAD_FORMAT, "the row has ", n, " columns; ", places_.size(), " are needed");
+  HRT_RETURN_IF_FAILED(read_cell(cells, column("result"), &out->result));
+  if (!cells[column("refused_argument")].empty()) return read_refused(cells, out);
   if (cells[0] == "begin") return read_begin(cells, out);
   if (cells[0] == "update") return read_update(cells, out);
   if (cells[0] == "retarget") return read_retarget(cells, out);
@@ -242,17 +241,17 @@ hrt_result read_row(std::string_view line, Record* out) {
               "\"; allowed: begin, update, retarget, cancel, end", calibration_calls);
 }
 
-bool is_same_row(std::string_view row, std::string_view other) {
-  const auto next_cell = [](std::string_view& rest) {
-    const std::size_t comma = std::min(rest.find(','), rest.size());
-    const std::string_view cell = rest.substr(0, comma);
-    rest.remove_prefix(std::min(comma + 1, rest.size()));
-    return cell;
-  };
-  while (!row.empty() && !other.empty()) {
-    if (!is_same_cell(next_cell(row), next_cell(other))) return false;
-  }
-  return row.empty() && other.empty();
+bool FileColumns::is_same_row(std::string_view row, std::string_view written) const {
+  Cells cells;
+  std::size_t n = 0;
+  for_each_cell(written, [&](std::string_view cell) { cells[n++] = cell; });
+  n = 0;
+  bool same = true;
+  for_each_cell(row, [&](std::string_view cell) {
+    const std::size_t place = places_[n++];
+    same = same && (place == columns || is_same_cell(cell, cells[place]));
+  });
+  return same;
 }
 
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {

@@ -3,8 +3,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include "core/reach/reach.h"
 #include "haptic_retargeting/calibration.h"
@@ -113,8 +115,11 @@ struct Record {
 
 using RecordText = Text<8192>;
 
-/// The first lines of a recording: what it is, what its columns mean, and their names.
-std::string_view recording_header();
+/// The first line of a recording.
+inline constexpr std::string_view recording_begin = "# haptic retargeting recording, version 3\n";
+
+/// The lines before the first record: what it is, what its columns mean, and their names.
+std::string recording_header();
 
 /// The line of a record, with its line feed: a comment for what configures, a row of the table for the rest.
 void write_record(const Record& record, RecordText& out);
@@ -130,11 +135,22 @@ inline constexpr std::string_view end_comment = "# end ";
 /// The last line: a checksum of all before it.
 void write_end(std::uint64_t checksum, RecordText& out);
 
-/// Reads a row of the table: what went into the call, and its result. What came out of it is not read.
-hrt_result read_row(std::string_view line, Record* out);
+/// The columns of a file, which may be one of another version's: of outputs it may have fewer, or others.
+class FileColumns {
+ public:
+  bool known() const { return !places_.empty(); }
+  /// Reads the line of their names.
+  hrt_result read_names(std::string_view line);
+  /// Reads a row: what went into the call, and its result. What came out of it is not read.
+  hrt_result read_row(std::string_view line, Record* out) const;
+  /// Whether every cell of a row of the file is the same as in a row that was written here, numbers to the
+  /// bit.
+  bool is_same_row(std::string_view row, std::string_view written) const;
 
-/// Whether every cell of two rows is the same, numbers to the bit.
-bool is_same_row(std::string_view row, std::string_view other);
+ private:
+  std::vector<std::size_t>
+      places_;  // of each column of the file, among ours; beyond the last: not one of ours
+};
 
 /// Reads the rest of a comment about a target, the plate or a calibration. Checked except for what depends on
 /// others.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
 #include "plugin/src/recording/json_number.h"
@@ -26,43 +27,11 @@ constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
 
-// The fields of each struct in JSON, in their order: `visit` gets each one's key and value.
-void visit_fields(hrt_session_config& config, auto&& visit) {
-  visit("horizon", config.horizon);
-  visit("step_period_ns", config.step_period_ns);
-  visit("control", config.control);
-  visit("guidance", config.guidance);
-  visit("adaptation", config.adaptation);
-  visit("plate_latency_ns", config.plate_latency_ns);
-  visit("tracker_latency_ns", config.tracker_latency_ns);
-  visit("registration_time_ns", config.registration_time_ns);
-  visit("max_registration_age_ns", config.max_registration_age_ns);
-  visit("flags", config.flags);
-  for (const NumberField& field : number_fields()) visit(field.name, config.*field.value);
-  visit("start_position_m", config.start_position_m);
-  visit("plate_position_m", config.plate_position_m);
-  visit("plate_rotation", config.plate_rotation);
-  visit("person_mean", config.person_mean);
-  visit("person_covariance", config.person_covariance);
-  visit("plate_covariance", config.plate_covariance);
-}
-
-void visit_fields(hrt_target_config& target, auto&& visit) {
-  visit("name", target.name);
-  visit("role", target.role);
-  visit("place", target.place);
-  visit("direction_deg", target.direction_deg);
-  visit("distance_m", target.distance_m);
-  visit("position_m", target.position_m);
-}
-
-void visit_fields(hrt_calibration_config& config, auto&& visit) {
-  visit("max_trials", config.max_trials);
-  visit("max_samples", config.max_samples);
-  visit("goal_direction_deg", config.goal_direction_deg);
-  visit("lower_plate_deg", config.lower_plate_deg);
-  visit("upper_plate_deg", config.upper_plate_deg);
-  visit("enough_weight_width", config.enough_weight_width);
+// Each field's key and value.
+template <class Values>
+void visit_fields(Values& values, auto&& visit) {
+  for_each_field<std::remove_const_t<Values>>(
+      [&](const auto& field) { visit(field.name, values.*field.member); });
 }
 
 void visit_fields(hrt_conditions& conditions, auto&& visit) {
@@ -108,12 +77,12 @@ class ObjectWriter {
 };
 
 template <class Struct>
-void write_all(Struct values, JsonText& out) {
+void write_object(const Struct& values, JsonText& out) {
   visit_fields(values, ObjectWriter(out));
 }
 
 // A field of a flat object: a number, a string, or an array of numbers.
-struct Field {
+struct JsonField {
   std::string key;
   bool is_array = false;
   bool is_text = false;
@@ -127,7 +96,7 @@ struct Field {
 // allocate, and so end the process when memory runs out.
 class FlatObjectReader : public nlohmann::json_sax<Json> {
  public:
-  std::vector<Field> fields;
+  std::vector<JsonField> fields;
 
   bool start_object(std::size_t) override { return ++depth_ == 1; }
   bool end_object() override { return true; }
@@ -171,7 +140,7 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
  private:
   bool number(double value, bool is_whole, std::int64_t whole) {
     if (depth_ == 0 || fields.empty()) return false;
-    Field& field = fields.back();
+    JsonField& field = fields.back();
     field.numbers.push_back(value);
     field.is_whole = is_whole && !in_array_;
     field.whole = whole;
@@ -182,15 +151,15 @@ class FlatObjectReader : public nlohmann::json_sax<Json> {
   bool in_array_ = false;
 };
 
-hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
+hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
   if (text.size() > max_text)
     return fail(HRT_ERROR_BAD_FORMAT, "the text has ", text.size(), " bytes; allowed: up to ", max_text);
   FlatObjectReader reader;
   if (!Json::sax_parse(text, &reader))
     return fail(HRT_ERROR_BAD_FORMAT,
                 "the text is not a JSON object of numbers, arrays of numbers and strings");
-  for (const Field& field : reader.fields) {
-    const auto same = [&](const Field& other) { return other.key == field.key; };
+  for (const JsonField& field : reader.fields) {
+    const auto same = [&](const JsonField& other) { return other.key == field.key; };
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
       return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
@@ -198,19 +167,19 @@ hrt_result parse_fields(std::string_view text, std::vector<Field>* out) {
   return HRT_OK;
 }
 
-hrt_result read(const Field& field, double& out) {
+hrt_result read(const JsonField& field, double& out) {
   if (field.is_array || field.is_text) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a number");
   out = field.numbers[0];
   return HRT_OK;
 }
 
-hrt_result read(const Field& field, std::int64_t& out) {
+hrt_result read(const JsonField& field, std::int64_t& out) {
   if (!field.is_whole) return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a whole number");
   out = field.whole;
   return HRT_OK;
 }
 
-hrt_result read(const Field& field, std::uint32_t& out) {
+hrt_result read(const JsonField& field, std::uint32_t& out) {
   std::int64_t number = 0;
   HRT_RETURN_IF_FAILED(read(field, number));
   HRT_RETURN_IF_FAILED(check_range<std::int64_t>(field.key.c_str(), number, 0, UINT32_MAX));
@@ -219,14 +188,14 @@ hrt_result read(const Field& field, std::uint32_t& out) {
 }
 
 template <std::size_t size>
-hrt_result read(const Field& field, double (&out)[size]) {
+hrt_result read(const JsonField& field, double (&out)[size]) {
   if (!field.is_array || field.numbers.size() != size)
     return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not an array of ", size, " numbers");
   std::copy(field.numbers.begin(), field.numbers.end(), out);
   return HRT_OK;
 }
 
-hrt_result read(const Field& field, char (&out)[HRT_NAME_SIZE]) {
+hrt_result read(const JsonField& field, char (&out)[HRT_NAME_SIZE]) {
   if (!field.is_text || field.text.size() >= sizeof out)
     return fail(HRT_ERROR_BAD_FORMAT, field.key, " is not a text of up to ", sizeof out - 1, " bytes");
   std::memcpy(out, field.text.data(), field.text.size());
@@ -235,7 +204,7 @@ hrt_result read(const Field& field, char (&out)[HRT_NAME_SIZE]) {
 
 // Reads the member of `*out` that has the field's key; `what` names the struct in messages.
 template <class Struct>
-hrt_result read_into(const char* what, const Field& field, Struct* out) {
+hrt_result read_into(const char* what, const JsonField& field, Struct* out) {
   std::optional<hrt_result> result;
   visit_fields(*out, [&](std::string_view key, auto& value) {
     if (key == field.key) result = read(field, value);
@@ -244,30 +213,26 @@ hrt_result read_into(const char* what, const Field& field, Struct* out) {
   return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is not a field of a ", what);
 }
 
-// Reads an object that has every field of `*out`, and no other.
+// Reads an object of fields of `*out`. Those that it lacks stay.
 template <class Struct>
-hrt_result read_all(const char* what, std::string_view text, Struct* out) {
-  std::vector<Field> fields;
+hrt_result read_object(const char* what, std::string_view text, Struct* out) {
+  std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
-  std::size_t needed = 0;
-  visit_fields(*out, [&](std::string_view, auto&) { ++needed; });
-  if (fields.size() != needed)
-    return fail(HRT_ERROR_BAD_FORMAT, "the ", what, " has ", fields.size(), " fields; ", needed,
-                " are needed");
-  for (const Field& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
+  for (const JsonField& field : fields) HRT_RETURN_IF_FAILED(read_into(what, field, out));
   return HRT_OK;
 }
 
 bool is_of_participant(std::string_view key) {
-  if (key == "person_mean" || key == "person_covariance") return true;
-  return std::any_of(number_fields().begin(), number_fields().end(),
-                     [&](const NumberField& number) { return number.of_participant && key == number.name; });
+  bool found = false;
+  for_each_field<hrt_session_config>(
+      [&](const auto& field) { found = found || (field.in_profile && key == field.name); });
+  return found;
 }
 
 }  // namespace
 
 void write_config(const hrt_session_config& config, JsonText& out) {
-  write_all(config, out);
+  write_object(config, out);
 }
 
 void write_target(const hrt_target_config& target, JsonText& out) {
@@ -277,16 +242,16 @@ void write_target(const hrt_target_config& target, JsonText& out) {
     std::fill(std::begin(read.position_m), std::end(read.position_m), 0.0);
   else
     read.direction_deg = read.distance_m = 0.0;
-  write_all(read, out);
+  write_object(read, out);
 }
 
 void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
-  write_all(config, out);
+  write_object(config, out);
 }
 
 hrt_result read_config(std::string_view text, hrt_session_config* out) {
-  hrt_session_config config = default_session_config();
-  HRT_RETURN_IF_FAILED(read_all("configuration", text, &config));
+  hrt_session_config config = defaults<hrt_session_config>;
+  HRT_RETURN_IF_FAILED(read_object("configuration", text, &config));
   HRT_RETURN_IF_FAILED(check_session_config(config));
   *out = config;
   return HRT_OK;
@@ -295,15 +260,15 @@ hrt_result read_config(std::string_view text, hrt_session_config* out) {
 hrt_result read_target(std::string_view text, hrt_target_config* out) {
   hrt_target_config target{};
   target.struct_size = sizeof target;
-  HRT_RETURN_IF_FAILED(read_all("target", text, &target));
+  HRT_RETURN_IF_FAILED(read_object("target", text, &target));
   HRT_RETURN_IF_FAILED(check_target_fields(&target));
   *out = target;
   return HRT_OK;
 }
 
 hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out) {
-  hrt_calibration_config config = default_calibration_config();
-  HRT_RETURN_IF_FAILED(read_all("calibration", text, &config));
+  hrt_calibration_config config = defaults<hrt_calibration_config>;
+  HRT_RETURN_IF_FAILED(read_object("calibration", text, &config));
   HRT_RETURN_IF_FAILED(check_calibration_config(config));
   *out = config;
   return HRT_OK;
@@ -314,14 +279,9 @@ void write_profile(const hrt_session_config& config, const hrt_conditions& condi
     ObjectWriter write(out);
     write("format", profile_format);
     write("version", 1);
-    for (const NumberField& field : number_fields()) {
-      if (!field.of_participant || (field.known_by && !(config.*field.known_by > 0.0))) continue;
-      write(field.name, config.*field.value);
-    }
-    if (knows_person(config)) {
-      write("person_mean", config.person_mean);
-      write("person_covariance", config.person_covariance);
-    }
+    for_each_field<hrt_session_config>([&](const auto& field) {
+      if (field.in_profile && field.in_profile(config)) write(field.name, config.*field.member);
+    });
     if (conditions.time_s != 0) write("measured_at_s", conditions.time_s);
     if (conditions.plate[0] != '\0') write("plate", conditions.plate);
     if (conditions.tracker[0] != '\0') write("tracker", conditions.tracker);
@@ -330,16 +290,18 @@ void write_profile(const hrt_session_config& config, const hrt_conditions& condi
 }
 
 hrt_result read_profile(std::string_view text, hrt_session_config* config, hrt_conditions* conditions) {
-  std::vector<Field> fields;
+  std::vector<JsonField> fields;
   HRT_RETURN_IF_FAILED(parse_fields(text, &fields));
   hrt_session_config known = *config;
-  // A profile without learnt traits resets them.
-  forget_person(&known);
-  for (const NumberField& field : number_fields())
-    if (field.known_by) known.*field.known_by = 0.0;
+  // What the profile lacks is not known of its person.
+  for_each_field<hrt_session_config>([&](const auto& field) {
+    constexpr hrt_session_config unknown = defaults<hrt_session_config>;
+    if (field.optional)
+      std::memcpy(&(known.*field.member), &(unknown.*field.member), sizeof(known.*field.member));
+  });
   hrt_conditions measured{};
   bool has_format = false, has_version = false;
-  for (const Field& field : fields) {
+  for (const JsonField& field : fields) {
     if (field.key == "format") {
       has_format = field.text == profile_format;
     } else if (field.key == "version") {

@@ -19,17 +19,18 @@ void write_config(const hrt_session_config& config, JsonText& out);
 /// A target, in one line.
 void write_target(const hrt_target_config& target, JsonText& out);
 
-/// Reads what write_target() wrote; every field must be there, and no other. Checked except for what depends
-/// on other targets or on the session.
+/// Reads what write_target() wrote, and no other field. Checked except for what depends on other targets or
+/// on the session.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
 /// A calibration's configuration, in one line.
 void write_calibration_config(const hrt_calibration_config& config, JsonText& out);
 
-/// Reads what write_calibration_config() wrote; every field must be there, and no other. Checked.
+/// Reads what write_calibration_config() wrote, and no other field; those that are missing take their
+/// defaults. Checked.
 hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out);
 
-/// Reads what write_config() wrote; every field must be there, and no other. Checked.
+/// Reads what write_config() wrote, likewise.
 hrt_result read_config(std::string_view text, hrt_session_config* out);
 
 /// What is known of a participant, and under which conditions they were measured, in one line.

@@ -1,6 +1,5 @@
 #include "plugin/src/recording/recorder.h"
 
-#include <chrono>
 #include <cstring>
 #include <system_error>
 #include <utility>
@@ -18,6 +17,8 @@ constexpr bool has_threads = false;  // who calls writes the file, whenever the 
 #else
 constexpr bool has_threads = true;
 #endif
+
+constexpr std::chrono::seconds seconds_between_reports{1};
 
 }  // namespace
 
@@ -46,12 +47,13 @@ Recorder::~Recorder() {
 }
 
 void Recorder::push(const Record& record) noexcept {
-  Entry* entry = is_of_parent() ? nullptr : claim();
+  Entry* entry = is_of_parent() || overrun_.load() ? nullptr : claim();
   if (!has_threads && !entry) {
     drain();
     entry = claim();
   }
   if (!entry) {
+    overrun_.store(has_threads);
     lost_.fetch_add(1);
     lost_unnoted_.fetch_add(1);
     return;
@@ -108,10 +110,12 @@ RecorderStatus Recorder::status() const {
 void Recorder::write_all() {
   while (!stopping_.load(std::memory_order_acquire)) {
     drain();
+    report_lost(seconds_between_reports);
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
   }
   drain();
   write_lost(lost_unnoted_.exchange(0));
+  report_lost(std::chrono::seconds(0));
   RecordText end;
   write_end(checksum_.value(), end);
   write(end.view());
@@ -120,6 +124,7 @@ void Recorder::write_all() {
 // Hands what the ring holds to the operating system.
 void Recorder::drain() {
   for (;; ++taken_) {
+    if (pushed_.load() - taken_ <= capacity / 2) overrun_.store(false);
     Entry& entry = ring_[taken_ % capacity];
     if (entry.turn.load(std::memory_order_acquire) != taken_ + 1) return;
     write_lost(entry.lost_before);
@@ -149,10 +154,19 @@ void Recorder::write_record_of(const Record& record) {
 void Recorder::write_lost(std::uint64_t count) {
   if (count == 0) return;
   Text<128> line;
-  line << lost_comment << count << " calls here: the disk was too slow";
-  report(HRT_LOG_WARNING, line.view());
-  line << "\n";
+  line << lost_comment << count << " calls here: the disk was too slow\n";
   write(line.view());
+  lost_unreported_ += count;
+}
+
+// A disk that is too slow stays so for a while: the log gets one line about many gaps.
+void Recorder::report_lost(std::chrono::seconds after) {
+  const auto now = std::chrono::steady_clock::now();
+  if (lost_unreported_ == 0 || now - reported_ < after) return;
+  Text<128> line;
+  line << "lost " << std::exchange(lost_unreported_, 0) << " calls: the disk is too slow";
+  report(HRT_LOG_WARNING, line.view());
+  reported_ = now;
 }
 
 void Recorder::report(std::uint32_t level, std::string_view text) const {

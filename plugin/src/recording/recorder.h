@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <string_view>
@@ -64,6 +65,7 @@ class Recorder {
   void write(std::string_view text);
   void write_record_of(const Record& record);
   void write_lost(std::uint64_t count);
+  void report_lost(std::chrono::seconds after);
   void report(std::uint32_t level, std::string_view text) const;
   void abandon();
 
@@ -75,6 +77,9 @@ class Recorder {
   std::atomic<int> system_error_{0};
   std::atomic<bool> stopping_{false};
   std::atomic<std::uint64_t> lost_unnoted_{0};  // of lost_, those that no entry notes
+  std::atomic<bool> overrun_{false};            // nothing is taken in until half of the ring is free
+  std::uint64_t lost_unreported_ = 0;           // this and the next are the writing thread's
+  std::chrono::steady_clock::time_point reported_{};
   std::uint32_t forks_ = 0;
   File file_;
   const SessionLog& log_;

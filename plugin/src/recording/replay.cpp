@@ -3,15 +3,15 @@
 #include <bit>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <utility>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
+#include "plugin/src/abi/number.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/recording/replayed_calibrations.h"
-#include "plugin/src/session/reach_numbers.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {
@@ -20,9 +20,12 @@ namespace {
 void add(const hrt_command& command, Hash& hash) {
   hash.add(std::uint64_t{command.flags});
   hash.add(static_cast<std::uint64_t>(command.step));
-  // As hrt_replay_report::hash says: without bearing_error_sd_deg.
-  for (double hrt_command::* number : std::span(command_numbers).first(11))
-    hash.add(std::bit_cast<std::uint64_t>(command.*number));
+  // As hrt_replay_report::hash says: not of what came later.
+  int numbers = 0;
+  for_each_field<hrt_command>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), double hrt_command::*>)
+      if (++numbers <= 11) hash.add(std::bit_cast<std::uint64_t>(command.*field.member));
+  });
 }
 
 hrt_result check_size(const Refused& call) {
@@ -71,10 +74,9 @@ class Replay {
 
  private:
   hrt_result take_header(std::string_view* text) {
-    const std::string_view header = recording_header();
-    if (!starts_with_and_drops(*text, header)) return refuse_header(*text);
-    for (const char c : header) line_number_ += c == '\n' ? 1 : 0;
-    checksum_.add(header);
+    if (!starts_with_and_drops(*text, recording_begin)) return refuse_header(*text);
+    ++line_number_;
+    checksum_.add(recording_begin);
     return HRT_OK;
   }
 
@@ -157,15 +159,16 @@ class Replay {
   }
 
   hrt_result take_row(std::string_view line) {
+    if (!columns_.known()) return columns_.read_names(line);
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
-    HRT_RETURN_IF_FAILED(read_row(line, &record));
+    HRT_RETURN_IF_FAILED(columns_.read_row(line, &record));
     HRT_RETURN_IF_FAILED(rerun(&record));
     ++report_.rows;
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (report_.first_different_line == 0 && !is_same_row(row, line))
+    if (report_.first_different_line == 0 && !columns_.is_same_row(line, row))
       report_.first_different_line = line_number_;
     return HRT_OK;
   }
@@ -229,6 +232,7 @@ class Replay {
                 ": ", last_failure().view());
   }
 
+  FileColumns columns_;
   std::optional<Session> session_;
   std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
   ReplayedCalibrations calibrations_;

@@ -2,12 +2,11 @@
 
 #include <cstring>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 
 namespace hrt::plugin {
 namespace {
-
-constexpr std::int64_t end_of_year_9999_s = 253'402'300'799;
 
 bool differ(const char* one, const char* other) {
   return *one != '\0' && *other != '\0' && std::strcmp(one, other) != 0;
@@ -16,7 +15,7 @@ bool differ(const char* one, const char* other) {
 }  // namespace
 
 hrt_result check_conditions(hrt_conditions* conditions) {
-  HRT_RETURN_IF_FAILED(check_range<std::int64_t>("time_s", conditions->time_s, 0, end_of_year_9999_s));
+  HRT_RETURN_IF_FAILED(check_field(*conditions, Fields<hrt_conditions>::time_s));
   HRT_RETURN_IF_FAILED(check_name("plate", conditions->plate));
   HRT_RETURN_IF_FAILED(check_name("tracker", conditions->tracker));
   conditions->differing = 0;

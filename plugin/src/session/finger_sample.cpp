@@ -1,13 +1,13 @@
 #include "plugin/src/session/finger_sample.h"
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/session_config.h"
 
 namespace hrt::plugin {
 namespace {
 
-constexpr std::uint32_t sample_flags =
-    finger_flags | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED | HRT_SAMPLE_PLATE_POSE;
+using SampleFields = Fields<hrt_sample>;
 
 FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample) {
   const auto& p = sample.finger_position_m;
@@ -26,20 +26,20 @@ FingerOnPlate locate(const hrt_session_config& config, const hrt_sample& sample)
 }  // namespace
 
 hrt_result check_sample(const hrt_sample& sample) {
-  HRT_RETURN_IF_FAILED(check_flags(sample.flags, sample_flags));
+  HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::flags));
   const std::uint32_t finger = sample.flags & finger_flags;
   if ((finger & (finger - 1)) != 0)
     return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
                 "; allowed: one of DIRECTION, PLATE_POSITION and WORLD_POSITION, or none");
   if (finger == HRT_SAMPLE_DIRECTION)
-    HRT_RETURN_IF_FAILED(check_range("finger_direction_deg", sample.finger_direction_deg, -180.0, 180.0));
+    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::finger_direction_deg));
   else if (finger != 0)
-    HRT_RETURN_IF_FAILED(check_position("finger_position_m", sample.finger_position_m));
+    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::finger_position_m));
   if (sample.flags & HRT_SAMPLE_PLATE_ORIENTATION)
-    HRT_RETURN_IF_FAILED(check_plate_orientation(sample.plate_orientation_deg));
-  if (sample.flags & HRT_SAMPLE_PLATE_POSE)
-    HRT_RETURN_IF_FAILED(check_plate_pose(sample.plate_position_m, sample.plate_rotation));
-  return HRT_OK;
+    HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::plate_orientation_deg));
+  if ((sample.flags & HRT_SAMPLE_PLATE_POSE) == 0) return HRT_OK;
+  HRT_RETURN_IF_FAILED(check_field(sample, SampleFields::plate_position_m));
+  return check_rotation("plate_rotation", sample.plate_rotation);
 }
 
 FingerSample observe(const hrt_session_config& config, const hrt_sample& sample,

@@ -5,22 +5,24 @@
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/frame_error.h"
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/finger_sample.h"
-#include "plugin/src/session/reach_numbers.h"
 
 namespace hrt::plugin {
 namespace {
 
 // The last line of defence: false, and 0 in its place, if a value is no finite number.
-template <class Struct, std::size_t count>
-bool make_finite(Struct& values, const std::array<double Struct::*, count>& fields) {
+template <class Struct>
+bool zero_what_is_not_finite(Struct& values) {
   bool finite = true;
-  for (double Struct::* field : fields) {
-    if (std::isfinite(values.*field)) continue;
-    values.*field = 0.0;
-    finite = false;
-  }
+  for_each_field<Struct>([&](const auto& field) {
+    if constexpr (std::is_same_v<decltype(field.member), double Struct::*>) {
+      if (std::isfinite(values.*field.member)) return;
+      values.*field.member = 0.0;
+      finite = false;
+    }
+  });
   return finite;
 }
 
@@ -37,13 +39,13 @@ bool is_registration_poor(const hrt_session_config& config, const Reach& reach) 
 bool make_finite(hrt_command& command, double held_orientation_deg) {
   const bool plate_finite = std::isfinite(command.plate_orientation_deg);
   if (!plate_finite) command.plate_orientation_deg = held_orientation_deg;
-  if (make_finite(command, command_numbers) && plate_finite) return true;
+  if (zero_what_is_not_finite(command) && plate_finite) return true;
   command.flags |= HRT_COMMAND_FAULT | HRT_COMMAND_HELD;
   return false;
 }
 
 bool make_finite(hrt_reach_summary& summary) {
-  if (make_finite(summary, summary_numbers)) return true;
+  if (zero_what_is_not_finite(summary)) return true;
   summary.flags |= HRT_COMMAND_FAULT;
   return false;
 }
@@ -96,10 +98,11 @@ hrt_result Session::aim(const Pair& pair, const PlatePoint& start, Reach* out) c
 
 hrt_result Session::begin(const hrt_reach_config& config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
-  HRT_RETURN_IF_FAILED(check_flags(config.flags, HRT_REACH_PLATE_ORIENTATION | HRT_REACH_START_AT_FINGER));
+  using F = Fields<hrt_reach_config>;
+  HRT_RETURN_IF_FAILED(check_field(config, F::flags));
   const bool orientation_given = (config.flags & HRT_REACH_PLATE_ORIENTATION) != 0;
-  if (orientation_given) HRT_RETURN_IF_FAILED(check_plate_orientation(config.plate_orientation_deg));
-  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.1, 20.0));
+  if (orientation_given) HRT_RETURN_IF_FAILED(check_field(config, F::plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(check_field(config, F::duration_s));
   Pair pair{};
   HRT_RETURN_IF_FAILED(find_pair(targets, config.real_target, config.virtual_target, &pair));
   Reach reach{};

@@ -1,7 +1,5 @@
-// A session's configuration: its defaults and ranges, and what the core makes of it.
+// A session's configuration: whether it can be used, and what the core makes of it.
 #pragma once
-
-#include <span>
 
 #include "core/learning.h"
 #include "core/plate/frame_error.h"
@@ -12,23 +10,10 @@
 
 namespace hrt::plugin {
 
-/// A field that is a number with a range.
-struct NumberField {
-  const char* name;
-  double hrt_session_config::* value;
-  double low;
-  double high;
-  bool of_participant;                              ///< part of a profile
-  double hrt_session_config::* known_by = nullptr;  ///< in the profile only if this is above 0
-};
-std::span<const NumberField> number_fields();
-
-hrt_session_config default_session_config();
-
 /// Fails naming the first field that is out of its range.
 hrt_result check_session_config(const hrt_session_config& config);
 
-/// Reads what a caller gave, and checks it.
+/// Reads what a caller gave, null for the defaults, and checks it.
 hrt_result read_session_config(const hrt_session_config* given, hrt_session_config* config);
 
 /// True if person_mean and person_covariance hold something.
@@ -48,9 +33,6 @@ void write_person(const PersonBelief& belief, hrt_session_config* config);
 /// something.
 Illusion illusion_of(const hrt_session_config& config, double distance_m);
 
-inline constexpr double min_plate_scale = 0.5;
-inline constexpr double max_plate_scale = 2.0;
-
 /// Between plate_covariance and the core's matrix.
 FrameCovariance frame_covariance_of(const hrt_session_config& config);
 void write_frame_covariance(const FrameCovariance& covariance, hrt_session_config* config);
@@ -65,9 +47,6 @@ PlateSurface surface_of(const hrt_session_config& checked_config);
 Pose plate_pose_of(const hrt_session_config& checked_config);
 
 Pose to_pose(const double (&position_m)[3], const double (&rotation)[4]);
-
-/// Fails unless the pose is one, naming the fields plate_position_m and plate_rotation.
-hrt_result check_plate_pose(const double (&position_m)[3], const double (&rotation)[4]);
 
 /// Fails, naming `field`, unless it is a unit quaternion.
 hrt_result check_rotation(const char* field, const double (&rotation)[4]);

@@ -5,29 +5,14 @@
 
 #include "core/calibrate/slide_plan.h"
 #include "core/math/trigonometry.h"
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/finger_sample.h"
 
 namespace hrt::plugin {
 namespace {
 
-constexpr std::uint32_t max_trials_min = 10;
-constexpr std::uint32_t max_trials_max = 10'000;
-constexpr std::uint32_t max_samples_min = 100;
-constexpr std::uint32_t max_samples_max = 1'000'000;
-
 constexpr double min_plate_range_deg = 40.0;
-
-constexpr hrt_calibration_config defaults{
-    .struct_size = sizeof(hrt_calibration_config),
-    .max_trials = 200,
-    .max_samples = 100'000,
-    .reserved = 0,
-    .goal_direction_deg = 0.0,
-    .lower_plate_deg = SlidePlan{}.lower_plate_deg,
-    .upper_plate_deg = SlidePlan{}.upper_plate_deg,
-    .enough_weight_width = SlidePlan{}.enough_weight_width,
-};
 
 std::uint32_t illusion_of(const Calibration& calibration) {
   return calibration.lack_of_fit.angle_p < min_fit_p
@@ -53,21 +38,11 @@ hrt_interval to_abi(const Interval& interval) {
 
 }  // namespace
 
-hrt_calibration_config default_calibration_config() {
-  return defaults;
-}
-
 hrt_result check_calibration_config(const hrt_calibration_config& config) {
-  HRT_RETURN_IF_FAILED(check_range("max_trials", config.max_trials, max_trials_min, max_trials_max));
-  HRT_RETURN_IF_FAILED(check_range("max_samples", config.max_samples, max_samples_min, max_samples_max));
-  HRT_RETURN_IF_FAILED(check_zero("reserved", config.reserved));
-  HRT_RETURN_IF_FAILED(check_range("goal_direction_deg", config.goal_direction_deg, -180.0, 180.0));
-  HRT_RETURN_IF_FAILED(check_range("lower_plate_deg", config.lower_plate_deg, -89.0, 89.0));
-  HRT_RETURN_IF_FAILED(check_range("upper_plate_deg", config.upper_plate_deg, -89.0, 89.0));
-  if (config.upper_plate_deg - config.lower_plate_deg < min_plate_range_deg)
-    return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", config.upper_plate_deg,
-                "; allowed: at least 40 above lower_plate_deg, ", config.lower_plate_deg);
-  return check_range("enough_weight_width", config.enough_weight_width, 0.001, 0.5);
+  HRT_RETURN_IF_FAILED(check_fields(config));
+  if (config.upper_plate_deg - config.lower_plate_deg >= min_plate_range_deg) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", config.upper_plate_deg,
+              "; allowed: at least 40 above lower_plate_deg, ", config.lower_plate_deg);
 }
 
 StreamedCalibration::StreamedCalibration(const hrt_session_config& session_config,
@@ -85,7 +60,8 @@ StreamedCalibration::~StreamedCalibration() {
 
 hrt_result StreamedCalibration::begin_trial(double plate_orientation_deg) {
   HRT_RETURN_IF_FAILED(check_no_trial());
-  HRT_RETURN_IF_FAILED(check_plate_orientation(plate_orientation_deg));
+  HRT_RETURN_IF_FAILED(
+      check_value("plate_orientation_deg", Fields<hrt_sample>::plate_orientation_deg, plate_orientation_deg));
   if (trials_.size() == config_.max_trials)
     return fail(HRT_ERROR_LIMIT_REACHED, "the calibration holds max_trials trials, ", config_.max_trials);
   trials_.push_back({plate_orientation_deg, samples_.size()});

@@ -11,8 +11,6 @@
 
 namespace hrt::plugin {
 
-hrt_calibration_config default_calibration_config();
-
 /// Fails naming the first field that is out of its range.
 hrt_result check_calibration_config(const hrt_calibration_config& config);
 

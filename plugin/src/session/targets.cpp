@@ -3,11 +3,15 @@
 #include <atomic>
 #include <cstring>
 
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/utf8.h"
 #include "plugin/src/session/session_config.h"
 
 namespace hrt::plugin {
+
+static_assert(Fields<hrt_target_config>::distance_m.low == min_distance_m);
+
 namespace {
 
 // The kind in the top byte keeps a target's id from being taken for a handle.
@@ -24,15 +28,15 @@ hrt_result no_such_target(std::uint64_t id) {
 }  // namespace
 
 hrt_result check_target_fields(hrt_target_config* config) {
-  HRT_RETURN_IF_FAILED(check_range<unsigned>("role", config->role, HRT_TARGET_REAL, HRT_TARGET_VIRTUAL));
-  HRT_RETURN_IF_FAILED(
-      check_range<unsigned>("place", config->place, HRT_PLACE_DIRECTION, HRT_PLACE_WORLD_POSITION));
-  HRT_RETURN_IF_FAILED(check_zero("reserved", config->reserved));
+  using F = Fields<hrt_target_config>;
+  HRT_RETURN_IF_FAILED(check_field(*config, F::role));
+  HRT_RETURN_IF_FAILED(check_field(*config, F::place));
+  HRT_RETURN_IF_FAILED(check_field(*config, F::reserved));
   if (config->place == HRT_PLACE_DIRECTION) {
-    HRT_RETURN_IF_FAILED(check_range("direction_deg", config->direction_deg, -180.0, 180.0));
-    HRT_RETURN_IF_FAILED(check_range("distance_m", config->distance_m, min_distance_m, max_coordinate_m));
+    HRT_RETURN_IF_FAILED(check_field(*config, F::direction_deg));
+    HRT_RETURN_IF_FAILED(check_field(*config, F::distance_m));
   } else {
-    HRT_RETURN_IF_FAILED(check_position("position_m", config->position_m));
+    HRT_RETURN_IF_FAILED(check_field(*config, F::position_m));
   }
   return check_name("name", config->name);
 }

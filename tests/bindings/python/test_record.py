@@ -36,13 +36,18 @@ def test_recorded_reach_is_read_bit_for_bit(session: hrt.Session, straight: np.n
 def test_checked_in_recordings_are_read() -> None:
     (reach,) = hrt.read_recording(REACH).reaches
     assert len(reach.samples) == 303 and reach.commands["step"][-1] == 30
-    golden = hrt.read_recording(ROOT / "tests/plugin/recording/golden_recording.csv")
-    assert golden.complete and len(golden.reaches) == 3
-    refused = golden.reaches[0].results != 0
-    assert refused.any() and np.isnan(golden.reaches[0].commands["plate_orientation_deg"][refused]).all()
-    # The third is in the world, with the plate's pose in each sample.
-    in_world = golden.reaches[2]
-    assert np.allclose(in_world.position_m, in_world.samples["finger_position_m"])
+
+
+def test_calls_that_were_refused_have_no_command(tmp_path: Path) -> None:
+    lines = REACH.read_text().splitlines(keepends=True)
+    header = next(line for line in lines if not line.startswith("#")).rstrip("\n").split(",")
+    at = next(i for i, line in enumerate(lines) if line.startswith("update"))
+    inputs = header.index("real_direction_deg")
+    row = ["update", "-7", *lines[at].split(",")[2:inputs], *[""] * (len(header) - inputs)]
+    (tmp_path / "refused.csv").write_text("".join([*lines[:at + 1], ",".join(row) + "\n", *lines[at + 1:]]))
+    (reach,) = hrt.read_recording(tmp_path / "refused.csv").reaches
+    refused = reach.results != 0
+    assert refused.sum() == 1 and np.isnan(reach.commands["plate_orientation_deg"][refused]).all()
 
 
 def test_calls_that_were_refused_unread_are_left_out(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Hrt.HostTests
 {
-    // The declarations against tests/plugin/abi/abi.txt, which the C compiler wrote: sizes, offsets, values, functions.
+    // The declarations against generated/abi.txt, with which the C compiler agrees: sizes, offsets, values, functions.
     public sealed class AbiTests
     {
         static readonly Assembly package = typeof(HapticRetargetingSession).Assembly;

@@ -73,8 +73,7 @@ hrt_result live(hrt_session* session) {
   const hrt_target_config renamed =
       target_config(HRT_TARGET_REAL, -5.0, "a third name, no shorter than those");
   if (const auto result = hrt_target_set(*session, real, &renamed); result != HRT_OK) return result;
-  hrt_reach_config reach;
-  EXPECT_OK(hrt_reach_config_default(&reach, sizeof reach));
+  hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = real;
   reach.virtual_target = virtual_target;
   EXPECT_OK(hrt_reach_begin(*session, &reach));
@@ -149,8 +148,7 @@ TEST(Memory, EveryRequestOfACalibrationMayBeRefused) {
   const hrt_session_config config = session_config();
   hrt_session session{};
   ASSERT_OK(hrt_session_create(&config, &session));
-  hrt_calibration_config calibration_config;
-  ASSERT_OK(hrt_calibration_config_default(&calibration_config, sizeof calibration_config));
+  hrt_calibration_config calibration_config = hrt_calibration_config_init();
   hrt_calibration calibration{};
   refuse_each_request(allocator, [&] {
     const hrt_result result = hrt_calibration_create(session, &calibration_config, &calibration);

@@ -52,8 +52,7 @@ TEST(Threads, SessionsAreIndependent) {
       ASSERT_OK(hrt_session_create(&config, &session));
       const hrt_target_config real_config = target_config(HRT_TARGET_REAL, -5.0, "real");
       const hrt_target_config virtual_config = target_config(HRT_TARGET_VIRTUAL, 5.0, "virtual");
-      hrt_reach_config reach;
-      ASSERT_OK(hrt_reach_config_default(&reach, sizeof reach));
+      hrt_reach_config reach = hrt_reach_config_init();
       ASSERT_OK(hrt_target_add(session, &real_config, &reach.real_target));
       ASSERT_OK(hrt_target_add(session, &virtual_config, &reach.virtual_target));
       ASSERT_OK(hrt_reach_begin(session, &reach));

@@ -14,8 +14,7 @@ namespace {
 class CalibrationRecordingTest : public RecordingTest {
  protected:
   hrt_calibration make() {
-    hrt_calibration_config config;
-    EXPECT_OK(hrt_calibration_config_default(&config, sizeof config));
+    hrt_calibration_config config = hrt_calibration_config_init();
     config.max_trials = 20;
     config.max_samples = 4000;
     config.enough_weight_width = 0.1;
@@ -130,7 +129,8 @@ TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
   EXPECT_NE(replay(text.substr(0, first) + text.substr(second)).first_different_line, 0u);
 
   const std::string begins = "\ncalibration_begin_trial,0,,,,,,,-30,";
-  expect_refused(replaced(text, begins, "\ncalibration_begin_trial,0,,,,,,,steep,"), "column 9 is \"steep\"");
+  expect_refused(replaced(text, begins, "\ncalibration_begin_trial,0,,,,,,,steep,"),
+                 "measured_plate_deg is \"steep\"");
   expect_refused(replaced(text, "\ncalibration_end_trial,0", "\ncalibration_finish,0"),
                  "the row's call is \"calibration_finish\"; allowed: begin, update, retarget, cancel, end, "
                  "calibration_begin_trial");
@@ -146,9 +146,8 @@ TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
                  "max_trials is 5; allowed: 10 to 10000");
   expect_refused(replaced(text, "\"max_trials\":20", "\"trials_at_most\":20"),
                  "\"trials_at_most\" is not a field of a calibration");
-  expect_refused(replaced(text, "\"max_trials\":20,", ""), "the calibration has 5 fields; 6 are needed");
   expect_refused(replaced(text, ",calibration,calibration_result", ",calibration"),
-                 "the text does not begin as a recording of version 3 does");
+                 "the row has 67 columns; 66 are needed");
   const std::string added = "# calibration added 1";
   const std::string line =
       text.substr(text.find(added), text.find('\n', text.find(added)) + 1 - text.find(added));

@@ -1,0 +1,78 @@
+// What the C headers say of a field: its name, its range, whether profiles have it. generated/fields.h, which
+// plugin/bindings/generate writes, has Fields of every struct, and defaults of those that have some.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <limits>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
+
+namespace hrt::plugin {
+
+enum class FieldKind : std::uint8_t { free, number, flags, reserved };
+
+template <class S, class T>
+struct Field {
+  using Element = std::remove_extent_t<T>;
+  using Number = std::conditional_t<std::is_arithmetic_v<Element>, Element, int>;
+  const char* name;
+  T S::* member;
+  FieldKind kind = FieldKind::free;
+  Number low = 0, high = 0;  ///< of a number, of each in an array; of flags, `high` has all bits
+  bool zero = false;         ///< 0 is allowed besides
+  bool (*in_profile)(const S&) = nullptr;
+  bool optional = false;  ///< in some profiles only
+};
+
+/// The range of one element of an array.
+struct Element {
+  const char* name;
+  double low, high;
+};
+
+/// A function with arguments that it may refuse, and their names.
+struct Call {
+  const char* name;
+  std::string_view parameters;
+};
+
+/// A constant for each field but `struct_size`, and all of them in `all`.
+template <class S>
+struct Fields;
+template <class S>
+inline constexpr S defaults{};
+
+template <class S>
+bool always(const S&) {
+  return true;
+}
+
+template <class T>
+bool is_not_zero(const T& value) {
+  if constexpr (std::is_array_v<T>) {
+    for (const auto& element : value)
+      if (element != 0) return true;
+    return false;
+  } else {
+    return value != 0;
+  }
+}
+
+template <auto member, class S>
+bool is_set(const S& values) {
+  return is_not_zero(values.*member);
+}
+
+/// Visits every field of a struct that holds something.
+template <class S, class Visit>
+constexpr void for_each_field(Visit&& visit) {
+  const auto one = [&](const auto& field) {
+    if (field.kind != FieldKind::reserved) visit(field);
+  };
+  std::apply([&](const auto&... field) { (one(field), ...); }, Fields<S>::all);
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,252 @@
+// Every call refuses what is null, has a wrong size, or is the handle of nothing, by the argument's name, and
+// changes no output.
+#include <array>
+#include <cstring>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "generated/fields.h"
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+std::set<std::string> tried;
+
+std::vector<std::string> parameters_of(std::string_view call) {
+  std::vector<std::string> names;
+  for (const plugin::Call& known : plugin::calls) {
+    if (known.name != call) continue;
+    std::string_view rest = known.parameters;
+    for (std::size_t space = 0; !rest.empty(); rest.remove_prefix(std::min(space + 1, rest.size()))) {
+      space = std::min(rest.find(' '), rest.size());
+      names.emplace_back(rest.substr(0, space));
+    }
+  }
+  return names;
+}
+
+template <class T>
+concept Sized = requires(T value) { value.struct_size; };
+template <class T>
+concept Handle = requires(T value) { value.value; } && sizeof(T) == 8;
+
+/// Makes the call with each argument in turn spoilt; `given` are arguments that it would read.
+template <class... P>
+class Refusals {
+ public:
+  Refusals(const char* call, hrt_result (*function)(P...) noexcept, std::set<std::string> optional,
+           P... given)
+      : function_(function), given_(given...), optional_(std::move(optional)), names_(parameters_of(call)) {
+    tried.insert(call);
+    SCOPED_TRACE(call);
+    EXPECT_EQ(names_.size(), sizeof...(P));
+    if (names_.size() == sizeof...(P)) try_all(std::index_sequence_for<P...>());
+  }
+
+ private:
+  template <std::size_t... i>
+  void try_all(std::index_sequence<i...>) {
+    (try_one<i>(), ...);
+  }
+
+  template <std::size_t i>
+  void try_one() {
+    using T = std::tuple_element_t<i, std::tuple<P...>>;
+    if constexpr (std::is_pointer_v<T>) {
+      using Pointed = std::remove_const_t<std::remove_pointer_t<T>>;
+      if (!optional_.contains(names_[i])) with<i>(nullptr, HRT_ERROR_NULL_ARGUMENT, names_[i]);
+      if constexpr (Sized<Pointed>) {
+        if (names_.back() == "struct_size") return;  // the size that counts, of a call for defaults
+        for (const std::uint32_t size : {0u, 4u, static_cast<unsigned>(sizeof(Pointed)) - 8,
+                                         static_cast<unsigned>(sizeof(Pointed)) + 4, 4104u, ~0u}) {
+          Pointed spoilt = *std::get<i>(given_);
+          spoilt.struct_size = size;
+          with<i>(&spoilt, HRT_ERROR_STRUCT_SIZE, "struct_size is " + std::to_string(size));
+        }
+      }
+    } else if constexpr (Handle<T>) {
+      for (const std::uint64_t value : {std::uint64_t{0}, ~std::uint64_t{0}, std::uint64_t{1} << 56})
+        with<i>(T{value}, HRT_ERROR_INVALID_HANDLE, std::to_string(value));
+    }
+  }
+
+  template <std::size_t i>
+  void with(std::tuple_element_t<i, std::tuple<P...>> spoilt, hrt_result expected, const std::string& part) {
+    std::tuple<P...> arguments = given_;
+    std::get<i>(arguments) = spoilt;
+    const std::vector<std::string> before = std::apply(
+        [](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
+    expect_error(std::apply(function_, arguments), expected, part);
+    const std::vector<std::string> after = std::apply(
+        [](auto... argument) { return std::vector<std::string>{bytes_of(argument)...}; }, arguments);
+    EXPECT_EQ(before, after) << "an output changed";
+  }
+
+  template <class T>
+  static std::string bytes_of(T argument) {
+    if constexpr (std::is_pointer_v<T>) {
+      if constexpr (!std::is_void_v<std::remove_pointer_t<T>> &&
+                    !std::is_function_v<std::remove_pointer_t<T>>)
+        if (argument) return {reinterpret_cast<const char*>(argument), sizeof *argument};
+    }
+    return {};
+  }
+
+  hrt_result (*function_)(P...) noexcept;
+  std::tuple<P...> given_;
+  std::set<std::string> optional_;
+  std::vector<std::string> names_;
+};
+
+template <class... P, class... Given>
+void refuses(const char* call, hrt_result (*function)(P...) noexcept, const std::set<std::string>& optional,
+             Given... given) {
+  Refusals<P...>(call, function, optional, static_cast<P>(given)...);
+}
+#define REFUSES(call, ...) refuses(#call, call, {}, __VA_ARGS__)
+#define REFUSES_BUT(optional, call, ...) refuses(#call, call, std::set<std::string> optional, __VA_ARGS__)
+
+class ArgumentsTest : public SessionTest {
+ protected:
+  void try_reaches();
+  void try_set_up();
+};
+
+void ArgumentsTest::try_reaches() {
+  const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
+  std::array<hrt_target, 64> targets{};
+  std::array<char, 4096> text{};
+  std::uint64_t count = 7;
+  std::uint32_t number = 7;
+
+  hrt_session_config config = session_config();
+  hrt_session other{7};
+  REFUSES(hrt_session_config_default, &config, sizeof config);
+  REFUSES_BUT(({"config"}), hrt_session_create, &config, &other);
+  REFUSES(hrt_session_get_state, session, &number);
+  REFUSES(hrt_session_destroy, hrt_session{0});
+  REFUSES_BUT(({"callback", "context"}), hrt_session_set_log_callback, hrt_session{0}, nullptr, nullptr);
+  REFUSES(hrt_session_get_config, session, &config);
+  REFUSES_BUT(({"config"}), hrt_session_set_config, session, &config);
+
+  hrt_target_config target = target_config(HRT_TARGET_REAL, 0.0);
+  REFUSES(hrt_target_config_default, &target, sizeof target);
+  REFUSES(hrt_target_add, session, &target, targets.data());
+  REFUSES(hrt_target_set, session, real, &target);
+  REFUSES(hrt_target_get, session, real, &target);
+  REFUSES(hrt_target_remove, session, real);
+  REFUSES(hrt_target_find, session, "cup", targets.data());
+  REFUSES(hrt_target_list, session, 0, targets.size(), targets.data(), &count);
+
+  auto authority = output<hrt_authority>();
+  REFUSES(hrt_authority_query, session, real, seen, &authority);
+  REFUSES(hrt_authority_query_all, session, 1, &authority, &count);
+  REFUSES(hrt_authority_query_best, session, seen, &authority);
+  REFUSES(hrt_target_assign, session, &seen, 1, &real, 1, 0, 1, &authority);
+
+  auto conditions = output<hrt_conditions>();
+  REFUSES(hrt_profile_set_conditions, session, &conditions);
+  REFUSES(hrt_profile_get_conditions, session, &conditions);
+  REFUSES(hrt_profile_save, session, text.size(), text.data(), &count);
+  REFUSES(hrt_profile_load, session, "{}", 2);
+
+  hrt_reach_config reach = hrt_reach_config_init();
+  reach.real_target = real;
+  reach.virtual_target = seen;
+  hrt_sample sample = direction_sample(0, 0.0);
+  auto command = output<hrt_command>();
+  auto summary = output<hrt_reach_summary>();
+  REFUSES(hrt_reach_config_default, &reach, sizeof reach);
+  REFUSES(hrt_reach_begin, session, &reach);
+  ASSERT_OK(begin(real, seen));
+  REFUSES(hrt_reach_update, session, &sample, &command);
+  REFUSES(hrt_reach_retarget, session, real, seen);
+  REFUSES(hrt_reach_cancel, hrt_session{0});
+  REFUSES(hrt_reach_end, session, &summary);
+  ASSERT_OK(hrt_reach_cancel(session));
+
+  auto status = output<hrt_recording_status>();
+  auto report = output<hrt_replay_report>();
+  const std::string path = testing::TempDir() + "hrt_arguments.csv";
+  REFUSES(hrt_recording_start, session, path.c_str());
+  ASSERT_OK(hrt_recording_start(session, path.c_str()));
+  REFUSES(hrt_recording_get_status, session, &status);
+  REFUSES(hrt_recording_stop, session, &status);
+  ASSERT_OK(hrt_recording_stop(session, &status));
+  REFUSES(hrt_replay_text, "#", 1, &report);
+  REFUSES(hrt_replay_file, path.c_str(), &report);
+  std::remove(path.c_str());
+}
+
+void ArgumentsTest::try_set_up() {
+  std::uint32_t number = 7;
+  double angle_deg = 7.0;
+  hrt_calibration_config config = hrt_calibration_config_init();
+  hrt_calibration calibration{};
+  REFUSES(hrt_calibration_config_default, &config, sizeof config);
+  REFUSES_BUT(({"config"}), hrt_calibration_create, session, &config, &calibration);
+  ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
+  hrt_sample sample = position_sample(0, 0.0, 0.0);
+  auto result = output<hrt_calibration_result>();
+  auto slide = output<hrt_calibration_slide>();
+  auto comparison = output<hrt_calibration_comparison>();
+  REFUSES(hrt_calibration_begin_trial, calibration, 0.0);
+  REFUSES(hrt_calibration_add_sample, calibration, &sample);
+  REFUSES(hrt_calibration_end_trial, calibration);
+  REFUSES(hrt_calibration_cancel_trial, calibration);
+  REFUSES(hrt_calibration_next_angle, calibration, &angle_deg, &number);
+  REFUSES(hrt_calibration_solve, calibration, &result);
+  REFUSES(hrt_calibration_get_residual, calibration, 0, &slide);
+  REFUSES(hrt_calibration_compare, &result, &result, &comparison);
+  REFUSES(hrt_calibration_apply, session, &result);
+  REFUSES(hrt_calibration_destroy, hrt_calibration{0});
+  ASSERT_OK(hrt_calibration_destroy(calibration));
+
+  hrt_registration_config setup = hrt_registration_config_init();
+  const std::array<hrt_mark_touch, 3> touches{
+      {{{0, 0, 0}, {0, 0, 0}}, {{0.05, 0, 0}, {0.05, 0, 0}}, {{0, 0, 0.05}, {0, 0, 0.05}}}};
+  const hrt_joint_touch joint{{}, {0, 0, 0, 1}};
+  double residuals_m[3];
+  auto registration = output<hrt_registration>();
+  auto check = output<hrt_touch_check>();
+  auto fingertip = output<hrt_fingertip>();
+  auto latency = output<hrt_latency>();
+  REFUSES(hrt_registration_config_default, &setup, sizeof setup);
+  REFUSES_BUT(({"config"}), hrt_registration_fit, &setup, touches.data(), 3, 3, residuals_m, &registration);
+  ASSERT_OK(hrt_registration_fit(&setup, touches.data(), 3, 0, nullptr, &registration));
+  REFUSES(hrt_registration_apply, session, &registration, 0);
+  ASSERT_OK(hrt_registration_apply(session, &registration, 0));
+  REFUSES(hrt_registration_check, &registration, touches.data(), &check);
+  REFUSES(hrt_registration_confirm, session, &registration, touches.data(), 0, &check);
+  REFUSES_BUT(({"config"}), hrt_fingertip_fit, &setup, &joint, 1, &fingertip);
+  fingertip.known = 1;
+  REFUSES(hrt_fingertip_place, &fingertip, &joint, &sample);
+  REFUSES(hrt_latency_fit, &sample, 1, &latency);
+
+  hrt_scene scene{};
+  std::array<hrt_target, 64> targets{};
+  auto info = output<hrt_scene_info>();
+  auto target = output<hrt_scene_target>();
+  REFUSES(hrt_scene_load_file, HRT_DESK_SCENE, &scene);
+  REFUSES(hrt_scene_load_memory, "{}", 2, "it", &scene);
+  ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+  REFUSES(hrt_scene_get_info, scene, &info);
+  REFUSES(hrt_scene_get_target, scene, 0, &target);
+  REFUSES(hrt_scene_register, scene, session, targets.size(), targets.data());
+  REFUSES(hrt_scene_destroy, hrt_scene{0});
+  ASSERT_OK(hrt_scene_destroy(scene));
+}
+
+// A new call needs a line above.
+TEST_F(ArgumentsTest, OfEveryCallAreRefusedByName) {
+  try_reaches();
+  try_set_up();
+  tried.insert({"hrt_set_allocator", "hrt_set_log_callback"});  // in memory_test.cpp; takes any
+  for (const plugin::Call& call : plugin::calls) EXPECT_TRUE(tried.contains(call.name)) << call.name;
+}
+
+}  // namespace
+}  // namespace hrt::test

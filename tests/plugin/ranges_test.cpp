@@ -1,0 +1,246 @@
+// Every field that a host fills in has the range and the default of its comment in the headers: the ends are
+// taken, what is beyond is refused by name, and changes nothing.
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "generated/fields.h"
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+namespace {
+
+using plugin::Field;
+using plugin::FieldKind;
+
+/// Values of a field at the ends of its range, or just beyond.
+template <class S, class T>
+std::vector<typename Field<S, T>::Number> ends(const Field<S, T>& field) {
+  if (field.kind == FieldKind::reserved) return {0};
+  if (field.kind == FieldKind::free) return {};
+  std::vector<typename Field<S, T>::Number> values{field.low, field.high};
+  if (field.zero) values.push_back(0);
+  return values;
+}
+
+template <class S, class T>
+std::vector<typename Field<S, T>::Number> beyond(const Field<S, T>& field) {
+  using Number = typename Field<S, T>::Number;
+  using Limits = std::numeric_limits<Number>;
+  if (field.kind == FieldKind::reserved) return {1};
+  if (field.kind == FieldKind::free) return {};
+  if constexpr (std::is_floating_point_v<Number>) {
+    const double infinity = Limits::infinity();
+    return {std::nextafter(field.low, -infinity), std::nextafter(field.high, infinity), infinity, -infinity,
+            std::nan("")};
+  } else {
+    std::vector<Number> values;
+    if (field.low > Limits::min()) values.push_back(static_cast<Number>(field.low - 1));
+    if (field.high < Limits::max()) values.push_back(static_cast<Number>(field.high + 1));
+    if (values.size() == 2 && field.zero) values.erase(values.begin());
+    return values;
+  }
+}
+
+/// Gives `take` a struct with each field at its ends and beyond; `prepare` makes one in which that field is
+/// read. Returns the fields that were refused at an end, which depends on others then.
+template <class S, class Prepare, class Take>
+std::set<std::string> try_ranges(Prepare&& prepare, Take&& take) {
+  std::set<std::string> refused_at_an_end;
+  int tried = 0;
+  const auto try_field = [&](const auto& field) {
+    SCOPED_TRACE(field.name);
+    const auto with = [&]([[maybe_unused]] auto value, [[maybe_unused]] std::size_t element) {
+      S values = prepare(std::string(field.name));
+      if constexpr (std::is_array_v<std::remove_reference_t<decltype(values.*field.member)>>)
+        (values.*field.member)[element] =
+            static_cast<std::remove_reference_t<decltype((values.*field.member)[0])>>(value);
+      else if constexpr (std::is_arithmetic_v<std::remove_reference_t<decltype(values.*field.member)>>)
+        values.*field.member = value;
+      return take(values);
+    };
+    constexpr std::size_t elements = std::extent_v<std::remove_reference_t<decltype(S{}.*field.member)>>;
+    for (std::size_t i = 0; i < std::max<std::size_t>(elements, 1); ++i) {
+      for (const auto value : ends(field)) {
+        if (with(value, i) == HRT_OK) continue;
+        refused_at_an_end.insert(field.name);
+      }
+      for (const auto value : beyond(field)) {
+        expect_error(with(value, i), HRT_ERROR_OUT_OF_RANGE, std::string(field.name));
+        ++tried;
+      }
+    }
+  };
+  std::apply([&](const auto&... field) { (try_field(field), ...); }, plugin::Fields<S>::all);
+  EXPECT_GT(tried, 0);
+  return refused_at_an_end;
+}
+
+using Names = std::set<std::string>;
+
+TEST(Ranges, OfASession) {
+  const auto prepare = [](const std::string& field) {
+    hrt_session_config config = session_config();
+    if (field == "plate_latency_ns") config.step_period_ns = 1'000'000'000;
+    return config;
+  };
+  const auto take = [](const hrt_session_config& config) {
+    hrt_session session{7};
+    const hrt_result result = hrt_session_create(&config, &session);
+    if (result == HRT_OK) return hrt_session_destroy(session);
+    EXPECT_EQ(session.value, 7u);
+    return result;
+  };
+  // Stops are half a turn apart; one variance or covariance alone is no covariance.
+  EXPECT_EQ(try_ranges<hrt_session_config>(prepare, take),
+            (Names{"plate_lower_stop_deg", "plate_upper_stop_deg", "person_covariance", "plate_covariance"}));
+}
+
+TEST_F(SessionTest, RangesOfACalibration) {
+  const auto take = [&](const hrt_calibration_config& config) {
+    hrt_calibration calibration{7};
+    const hrt_result result = hrt_calibration_create(session, &config, &calibration);
+    if (result == HRT_OK) return hrt_calibration_destroy(calibration);
+    EXPECT_EQ(calibration.value, 7u);
+    return result;
+  };
+  // The upper end is at least 40 degrees above the lower one.
+  EXPECT_EQ(try_ranges<hrt_calibration_config>(
+                [](const std::string&) { return hrt_calibration_config_init(); }, take),
+            (Names{"lower_plate_deg", "upper_plate_deg"}));
+}
+
+TEST_F(SessionTest, RangesOfATarget) {
+  const auto prepare = [](const std::string& field) {
+    hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);
+    if (field == "position_m") config.place = HRT_PLACE_PLATE_POSITION;
+    return config;
+  };
+  const auto take = [&](const hrt_target_config& config) {
+    hrt_target target{7};
+    const hrt_result result = hrt_target_add(session, &config, &target);
+    if (result == HRT_OK) return hrt_target_remove(session, target);
+    EXPECT_EQ(target.value, 7u);
+    return result;
+  };
+  EXPECT_EQ(try_ranges<hrt_target_config>(prepare, take), Names{});
+}
+
+TEST_F(SessionTest, RangesOfAReach) {
+  const hrt_target real = add(HRT_TARGET_REAL, 0.0), seen = add(HRT_TARGET_VIRTUAL, 5.0);
+  const auto prepare = [&](const std::string& field) {
+    hrt_reach_config config = hrt_reach_config_init();
+    config.real_target = real;
+    config.virtual_target = seen;
+    if (field == "plate_orientation_deg") config.flags = HRT_REACH_PLATE_ORIENTATION;
+    return config;
+  };
+  const auto take = [&](const hrt_reach_config& config) {
+    const hrt_result result = hrt_reach_begin(session, &config);
+    return result == HRT_OK ? hrt_reach_cancel(session) : result;
+  };
+  EXPECT_EQ(try_ranges<hrt_reach_config>(prepare, take), Names{});
+}
+
+hrt_sample sample_with(const std::string& field) {
+  auto sample = output<hrt_sample>();
+  sample.plate_rotation[3] = 1.0;
+  if (field == "finger_direction_deg") sample.flags = HRT_SAMPLE_DIRECTION;
+  if (field == "finger_position_m") sample.flags = HRT_SAMPLE_PLATE_POSITION;
+  if (field == "plate_orientation_deg") sample.flags = HRT_SAMPLE_PLATE_ORIENTATION;
+  if (field == "plate_position_m") sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  return sample;
+}
+
+TEST_F(SessionTest, RangesOfASample) {
+  begin_reach();
+  const auto take = [&](const hrt_sample& sample) {
+    auto command = output<hrt_command>();
+    command.step = 77;
+    const hrt_result result = hrt_reach_update(session, &sample, &command);
+    EXPECT_EQ(result == HRT_OK, command.step != 77);
+    return result;
+  };
+  // Of three kinds of places a sample has one.
+  EXPECT_EQ(try_ranges<hrt_sample>(sample_with, take), Names{"flags"});
+}
+
+TEST_F(SessionTest, RangesOfTheConditionsOfAMeasurement) {
+  auto given = output<hrt_conditions>();
+  for (const std::int64_t time_s : ends(plugin::Fields<hrt_conditions>::time_s)) {
+    given.time_s = time_s;
+    EXPECT_OK(hrt_profile_set_conditions(session, &given));
+  }
+  for (const std::int64_t time_s : beyond(plugin::Fields<hrt_conditions>::time_s)) {
+    given.time_s = time_s;
+    expect_error(hrt_profile_set_conditions(session, &given), HRT_ERROR_OUT_OF_RANGE,
+                 "time_s is " + std::to_string(time_s) + "; allowed: 0 to 253402300799");
+  }
+}
+
+TEST(Ranges, OfARegistration) {
+  std::vector<hrt_mark_touch> touches(4);
+  const auto fit = [&](const hrt_registration_config* config) {
+    auto found = output<hrt_registration>();
+    found.verdict = 77;
+    const hrt_result result =
+        hrt_registration_fit(config, touches.data(), touches.size(), 0, nullptr, &found);
+    EXPECT_EQ(result == HRT_OK, found.verdict != 77u);
+    return result;
+  };
+  const auto prepare = [](const std::string& field) {
+    hrt_registration_config config = hrt_registration_config_init();
+    if (field == "up") config.flags = HRT_REGISTER_UP;
+    return config;
+  };
+  EXPECT_EQ(try_ranges<hrt_registration_config>(
+                prepare, [&](const hrt_registration_config& config) { return fit(&config); }),
+            Names{});
+  const auto touch = [&](const hrt_mark_touch& given) {
+    touches[3] = given;
+    const hrt_result result = fit(nullptr);
+    if (result != HRT_OK) {
+      EXPECT_NE(std::strstr(hrt_last_error(), "touches[3]."), nullptr) << hrt_last_error();
+    }
+    return result;
+  };
+  EXPECT_EQ(try_ranges<hrt_mark_touch>([](const std::string&) { return hrt_mark_touch{}; }, touch), Names{});
+}
+
+TEST(Ranges, OfAJoint) {
+  const auto take = [](const hrt_joint_touch& given) {
+    auto found = output<hrt_fingertip>();
+    return hrt_fingertip_fit(nullptr, &given, 1, &found);
+  };
+  const auto prepare = [](const std::string&) { return hrt_joint_touch{{}, {0.0, 0.0, 0.0, 1.0}}; };
+  EXPECT_EQ(try_ranges<hrt_joint_touch>(prepare, take), Names{});
+  for (const double bad : {0.9, std::nan(""), 1e300}) {
+    hrt_joint_touch joint = prepare("");
+    joint.rotation[3] = bad;
+    expect_error(take(joint), HRT_ERROR_OUT_OF_RANGE, "touches[0].rotation");
+  }
+}
+
+/// Whether `hrt_NAME_default()` gives what the table has.
+template <class S>
+void expect_defaults(hrt_result (*call)(S*, std::uint32_t) noexcept) {
+  S given;
+  ASSERT_OK(call(&given, sizeof given));
+  EXPECT_EQ(std::memcmp(&given, &plugin::defaults<S>, sizeof given), 0);
+  expect_error(call(nullptr, sizeof given), HRT_ERROR_NULL_ARGUMENT, "out_config is null");
+  expect_error(call(&given, 8), HRT_ERROR_STRUCT_SIZE, "out_config: struct_size is 8");
+}
+
+TEST(Defaults, AreThoseOfTheHeaders) {
+  expect_defaults(hrt_session_config_default);
+  expect_defaults(hrt_target_config_default);
+  expect_defaults(hrt_reach_config_default);
+  expect_defaults(hrt_calibration_config_default);
+  expect_defaults(hrt_registration_config_default);
+}
+
+}  // namespace
+}  // namespace hrt::test
