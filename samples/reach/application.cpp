@@ -11,6 +11,7 @@
 #include "samples/reach/base/at_end.h"
 #include "samples/reach/base/interrupt.h"
 #include "samples/reach/base/profile_file.h"
+#include "samples/reach/base/say.h"
 #include "samples/reach/output/calibration_text.h"
 #include "samples/reach/output/recording_file.h"
 #include "samples/reach/output/status_line.h"
@@ -47,7 +48,7 @@ class Run {
     recording_.emplace(plugin_, targets_.session, options.record);
     if (!options.calibrate.empty()) {
       const auto limit_ns = static_cast<XrDuration>(options.calibration_limit_s * 1e9);
-      calibration_.emplace(plugin_, targets_, limit_ns, options.steering, options.seed);
+      calibration_.emplace(plugin_, targets_, limit_ns, options.seed);
     }
   }
 
@@ -239,7 +240,7 @@ class Run {
     try {
       recording_->finish();
     } catch (const Failure& failure) {
-      std::cerr << "hrt-reach: " << failure.what() << "\n";
+      say(format("hrt-reach: %s\n", failure.what()));
     }
   }
 
@@ -249,7 +250,7 @@ class Run {
       try {
         turning_->stop(0);
       } catch (const Failure& failure) {
-        std::cerr << "hrt-reach: " << failure.what() << "\n";
+        say(format("hrt-reach: %s\n", failure.what()));
       }
     }
     status_.clear();

@@ -6,6 +6,7 @@
 #include <cstdio>
 
 #include "samples/format.h"
+#include "samples/reach/base/say.h"
 #include "samples/text.h"
 
 namespace hrt::reach {
@@ -46,7 +47,7 @@ void StatusLine::show(const TargetPair& pair, const Moment& moment) {
 }
 
 void StatusLine::clear() {
-  if (shown_) std::fputs("\r\033[K", stderr);
+  if (shown_) say("\r\033[K");
   shown_ = false;
 }
 

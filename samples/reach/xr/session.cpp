@@ -85,8 +85,27 @@ void XrHeadlessSession::find_spaces() {
   CHECK_XR(xrEnumerateReferenceSpaces(session_, 0, &count, nullptr));
   spaces_.resize(count);
   CHECK_XR(xrEnumerateReferenceSpaces(session_, count, &count, spaces_.data()));
-  if (has_space(local_floor_space)) floor_space_ = local_floor_space;
-  if (has_space(XR_REFERENCE_SPACE_TYPE_STAGE)) steady_space_ = floor_space_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+  if (has_space(XR_REFERENCE_SPACE_TYPE_STAGE))
+    steady_space_ = floor_space_ = XR_REFERENCE_SPACE_TYPE_STAGE;
+  else if (!has_space(local_floor_space))
+    return;
+  else if (can_be_made(local_floor_space))
+    floor_space_ = local_floor_space;
+  else
+    std::erase(spaces_, local_floor_space);
+}
+
+// An API layer older than the space refuses it, though the runtime has it.
+bool XrHeadlessSession::can_be_made(XrReferenceSpaceType type) const {
+  XrReferenceSpaceCreateInfo space_info{XR_TYPE_REFERENCE_SPACE_CREATE_INFO};
+  space_info.referenceSpaceType = type;
+  space_info.poseInReferenceSpace.orientation.w = 1.0F;
+  XrSpace space = XR_NULL_HANDLE;
+  const XrResult made = CALL_XR(xrCreateReferenceSpace(session_, &space_info, &space));
+  if (made == XR_ERROR_VALIDATION_FAILURE || made == XR_ERROR_REFERENCE_SPACE_UNSUPPORTED) return false;
+  CHECK_XR_RESULT("xrCreateReferenceSpace", made);
+  CALL_XR(xrDestroySpace(space));
+  return true;
 }
 
 bool XrHeadlessSession::has_space(XrReferenceSpaceType space) const {

@@ -76,6 +76,7 @@ class XrHeadlessSession {
   void create();
   void find_spaces();
   bool has_space(XrReferenceSpaceType space) const;
+  bool can_be_made(XrReferenceSpaceType type) const;
   void make_plate_space();
   void follow_spaces(XrTime time);
   void destroy();

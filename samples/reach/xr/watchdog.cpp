@@ -2,9 +2,11 @@
 
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <condition_variable>
+#include <csignal>
 #include <cstdlib>
-#include <iostream>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -14,6 +16,7 @@
 #include "samples/format.h"
 #include "samples/reach/base/exit_code.h"
 #include "samples/reach/base/interrupt.h"
+#include "samples/reach/base/say.h"
 #include "samples/reach/person/keyboard.h"
 
 namespace hrt::reach {
@@ -25,12 +28,37 @@ using namespace std::chrono_literals;
 constexpr auto look_period = 10ms;
 constexpr auto call_after_signal = 500ms;     // that a call may still take
 constexpr auto program_after_signal = 900ms;  // that the program may still take
+constexpr auto files_after_signal = 5s;       // while it closes its files
+constexpr auto last_will_limit = 2s;          // what it waits for may never come
+constexpr std::array crashes{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+
+// A crash, wherever it was: the signal's number.
+std::atomic<int> crash = 0;
+
+[[noreturn]] void end_process(ExitCode code) {
+  restore_terminal();
+  if (const int signal = crash; signal != 0) {
+    std::signal(signal, SIG_DFL);
+    kill(getpid(), signal);
+    pause();
+  }
+  std::_Exit(static_cast<int>(code));
+}
 
 class Watchdog {
  public:
   void start(std::chrono::milliseconds limit) {
     limit_ = limit;
     std::thread([this] { watch(); }).detach();
+    std::thread([this] { limit_last_will(); }).detach();
+    std::atexit([] { the().program_exits(); });
+    catch_crashes();
+  }
+
+  // Never destroyed: its threads live as long as the process.
+  static Watchdog& the() {
+    static auto* const watchdog = new Watchdog;
+    return *watchdog;
   }
 
   void set_last_will(std::function<void()> put_in_order) {
@@ -81,45 +109,89 @@ class Watchdog {
     std::optional<Clock::time_point> interrupted_at;
     for (;;) {
       std::this_thread::sleep_for(look_period);
+      if (crash != 0) end_after_crash();
       std::unique_lock lock(mutex_);
       const auto now = Clock::now();
       const bool in_call = !call_.empty();
-      if (in_call && now - call_began_ > limit_) end_program(lock, ExitCode::runtime_blocked);
+      if (in_call && now - call_began_ > limit_)
+        end_program(lock, exit_code_ ? ExitCode{*exit_code_} : ExitCode::runtime_blocked,
+                    "the OpenXR runtime has not returned from " + std::string(call_) +
+                        format(" within %g s", static_cast<double>(limit_.count()) * 1e-3));
       if (!is_interrupted()) continue;
       if (!interrupted_at) interrupted_at = now;
       const auto passed = now - *interrupted_at;
       if (passed > call_after_signal) closed_ = true;
-      if (passed > call_after_signal && in_call) end_program(lock, ExitCode::interrupted);
-      if (passed > program_after_signal && !ending_) end_without_order();
+      if (passed > call_after_signal && in_call)
+        end_program(lock, ExitCode::interrupted,
+                    "interrupted while the OpenXR runtime was in " + std::string(call_));
+      // The other thread runs: its streams and files are out of reach.
+      if (passed > (ending_ ? files_after_signal : program_after_signal)) {
+        say("hrt-reach: interrupted; files may be incomplete\n");
+        end_process(ExitCode::interrupted);
+      }
     }
   }
 
-  [[noreturn]] void end_program(std::unique_lock<std::mutex>& lock, ExitCode code) {
+  // The thread in the runtime is blocked, or this one.
+  [[noreturn]] void end_program(std::unique_lock<std::mutex>& lock, ExitCode code, const std::string& why) {
     taken_over_ = true;
     const std::function<void()> put_in_order = std::exchange(put_in_order_, nullptr);
-    const std::string call(call_);
     lock.unlock();
-    if (exit_code_) std::_Exit(code == ExitCode::interrupted ? static_cast<int>(code) : *exit_code_);
+    end_code_ = code;
+    if (exit_code_) end_process(code);
+    last_will_began_ = Clock::now().time_since_epoch().count();
     try {
       if (put_in_order) put_in_order();
     } catch (const std::exception& error) {
-      std::cerr << "hrt-reach: " << error.what() << "\n";
+      say(format("hrt-reach: %s\n", error.what()));
     }
-    if (code == ExitCode::interrupted)
-      std::cerr << "hrt-reach: interrupted while the OpenXR runtime was in " << call << "\n";
-    else
-      std::cerr << "hrt-reach: the OpenXR runtime has not returned from " << call
-                << format(" within %g s", static_cast<double>(limit_.count()) * 1e-3) << "\n";
-    std::cout.flush();
-    std::_Exit(static_cast<int>(code));
+    say("hrt-reach: " + why + "\n");
+    end_process(code);
   }
 
-  // The other thread runs: its streams and files are out of reach.
-  [[noreturn]] static void end_without_order() {
-    restore_terminal();
-    constexpr std::string_view text = "hrt-reach: interrupted; files may be incomplete\n";
-    if (write(STDERR_FILENO, text.data(), text.size()) < 0) std::_Exit(static_cast<int>(ExitCode::output));
-    std::_Exit(static_cast<int>(ExitCode::interrupted));
+  // The thread that crashed waits, perhaps with a lock of ours or of the allocator.
+  [[noreturn]] void end_after_crash() {
+    last_will_began_ = Clock::now().time_since_epoch().count();
+    std::unique_lock lock(mutex_);
+    const std::string where = call_.empty() ? "" : " while the OpenXR runtime was in " + std::string(call_);
+    end_program(lock, ExitCode::runtime_failed, "it crashed" + where);
+  }
+
+  // The program's own exit is expected. Any other one is the runtime's, and no success.
+  void program_exits() {
+    std::unique_lock lock(mutex_);
+    if (exit_code_) return;
+    if (taken_over_) park(lock);
+    end_program(lock, ExitCode::runtime_failed,
+                call_.empty() ? "the OpenXR runtime ended the program"
+                              : "the OpenXR runtime ended the program in " + std::string(call_));
+  }
+
+  void limit_last_will() {
+    for (;;) {
+      std::this_thread::sleep_for(look_period);
+      const Clock::rep began = last_will_began_;
+      if (began != 0 && Clock::now() - Clock::time_point(Clock::duration(began)) > last_will_limit)
+        end_process(end_code_);
+    }
+  }
+
+  // On a stack of its own, since a thread may have used up the other.
+  static void catch_crashes() {
+    static std::array<char, 65536> stack;
+    const stack_t alternative{.ss_sp = stack.data(), .ss_flags = 0, .ss_size = stack.size()};
+    sigaltstack(&alternative, nullptr);
+    struct sigaction action{};
+    action.sa_handler = [](int signal) {
+      int none = 0;
+      if (!crash.compare_exchange_strong(none, signal)) {  // in the last will, too
+        std::signal(none, SIG_DFL);
+        raise(none);
+      }
+      for (;;) pause();
+    };
+    action.sa_flags = SA_ONSTACK | SA_NODEFER;
+    for (const int signal : crashes) sigaction(signal, &action, nullptr);
   }
 
   std::mutex mutex_;
@@ -129,49 +201,45 @@ class Watchdog {
   std::string_view call_;  // empty: none
   Clock::time_point call_began_;
   std::optional<int> exit_code_;  // the program exits with it
-  bool closed_ = false;           // for calls, since a signal came
+  std::atomic<Clock::rep> last_will_began_ = 0;
+  std::atomic<ExitCode> end_code_ = ExitCode::runtime_failed;
+  bool closed_ = false;  // for calls, since a signal came
   bool ending_ = false;
   bool taken_over_ = false;
 };
 
-// Never destroyed: its thread lives as long as the process.
-Watchdog& watchdog() {
-  static auto* const the = new Watchdog;
-  return *the;
-}
-
 }  // namespace
 
 void watch_runtime(std::chrono::milliseconds limit) {
-  watchdog().start(limit);
+  Watchdog::the().start(limit);
 }
 
 LastWill::LastWill(std::function<void()> put_in_order) {
-  watchdog().set_last_will(std::move(put_in_order));
+  Watchdog::the().set_last_will(std::move(put_in_order));
 }
 
 LastWill::~LastWill() {
-  watchdog().set_last_will(nullptr);
+  Watchdog::the().set_last_will(nullptr);
 }
 
 void put_in_order_now() {
-  watchdog().put_in_order_now();
+  Watchdog::the().put_in_order_now();
 }
 
 bool is_runtime_blocked() {
-  return watchdog().has_taken_over();
+  return Watchdog::the().has_taken_over();
 }
 
 void expect_exit(int exit_code) {
-  watchdog().expect_exit(exit_code);
+  Watchdog::the().expect_exit(exit_code);
 }
 
 RuntimeCall::RuntimeCall(std::string_view name) {
-  watchdog().begin_call(name);
+  Watchdog::the().begin_call(name);
 }
 
 RuntimeCall::~RuntimeCall() {
-  watchdog().end_call();
+  Watchdog::the().end_call();
 }
 
 }  // namespace hrt::reach

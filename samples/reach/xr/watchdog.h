@@ -1,8 +1,9 @@
 // One watchdog over every call into the OpenXR runtime, any of which may block forever.
 //
-// Calls are made in one thread. If one takes too long, or a signal asks for the end meanwhile, the watchdog's
-// thread puts in order what needs no runtime, and ends the program. The blocked thread is parked if the call
-// should return after all, so the two never run at once.
+// Calls are made in one thread. If one takes too long or crashes, if the runtime ends the program, or a
+// signal asks for the end meanwhile, the watchdog's thread puts in order what needs no runtime, and ends the
+// program. The blocked thread is parked if the call should return after all, so the two never run at once.
+// The watchdog takes no lock of a stream: the runtime may hold it.
 #pragma once
 
 #include <chrono>
@@ -13,11 +14,12 @@ namespace hrt::reach {
 
 /// Starts the watchdog's thread: a call that lasts longer than `limit` ends the program with
 /// ExitCode::runtime_blocked, and one that lasts 0.5 s after a signal with ExitCode::interrupted. A program
-/// that has not reached put_in_order_now() 0.9 s after a signal ends too.
+/// that has not reached put_in_order_now() 0.9 s after a signal ends too. A crash ends it by its signal, and
+/// a call of exit() by another than main() with ExitCode::runtime_failed.
 void watch_runtime(std::chrono::milliseconds limit);
 
 /// While it exists, the watchdog calls `put_in_order` before it ends the program: stop the plate, close the
-/// files. One at a time.
+/// files. One at a time. It may not print on a stream (base/say.h), and has 2 s.
 class LastWill {
  public:
   explicit LastWill(std::function<void()> put_in_order);
@@ -26,7 +28,7 @@ class LastWill {
   LastWill& operator=(const LastWill&) = delete;
 };
 
-/// From now on a signal no longer ends the program by itself, since it is ending: files are being closed.
+/// From now on the program has 5 s after a signal, since it is ending: files are being closed.
 void put_in_order_now();
 
 /// The watchdog has taken over: a call is blocked, and no further one may be made.

@@ -1,0 +1,12 @@
+// Words on standard error that wait for nobody.
+#pragma once
+
+#include <string_view>
+
+namespace hrt::reach {
+
+/// Writes `text` by write(2), without the lock of a stream, which another thread may hold forever. What a
+/// full pipe or a stopped terminal does not take within 100 ms is dropped. Any thread.
+void say(std::string_view text);
+
+}  // namespace hrt::reach
