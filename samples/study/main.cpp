@@ -64,16 +64,15 @@ Exit codes: 0 done, 1 failed, 2 an argument is wrong.)");
   app.set_help_flag("-h,--help", "Print this and exit.");
   app.require_subcommand(1);
   add_table1(app);
+  add_ridges(app);
   add_trial(app);
   add_sweep(app);
   add_report(app);
   add_participants(app);
   add_calibrate(app);
   add_coverage(app);
-  add_steering(app);
   add_robustness(app);
   add_power(app);
-  add_authority(app);
   add_scene(app);
   try {
     app.parse(argc, argv);

@@ -195,6 +195,14 @@ CLI::Option* add_out(CLI::App& app, std::string* path) {
                   "Write there instead of to standard output.");
 }
 
+CLI::Option* add_plot(CLI::App& app, std::string* path, const std::string& help) {
+  return add_value(app, "--plot", "a file whose name ends with .svg", *path, help,
+                   [path](const std::string& text) {
+                     *path = text;
+                     return text.ends_with(".svg") && text.find('\0') == std::string::npos;
+                   });
+}
+
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads) {
   *threads = std::max(1U, std::thread::hardware_concurrency());
   return add_integer(app, "--threads", threads, 1, 256,

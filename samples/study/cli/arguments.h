@@ -82,6 +82,9 @@ CLI::Option* add_path(CLI::App& app, const std::string& name, std::string* value
 /// Adds --out, a file.
 CLI::Option* add_out(CLI::App& app, std::string* path);
 
+/// Adds --plot, a file whose name ends with .svg.
+CLI::Option* add_plot(CLI::App& app, std::string* path, const std::string& help);
+
 /// Adds --threads; the default is every processor.
 CLI::Option* add_threads(CLI::App& app, std::uint64_t* threads);
 

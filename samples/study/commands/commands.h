@@ -10,13 +10,12 @@ namespace hrt::study {
 void add_table1(CLI::App& app);
 void add_trial(CLI::App& app);
 void add_sweep(CLI::App& app);
-void add_authority(CLI::App& app);
 void add_scene(CLI::App& app);
 void add_report(CLI::App& app);
 void add_participants(CLI::App& app);
 void add_calibrate(CLI::App& app);
 void add_coverage(CLI::App& app);
-void add_steering(CLI::App& app);
+void add_ridges(CLI::App& app);
 void add_robustness(CLI::App& app);
 void add_power(CLI::App& app);
 

@@ -5,12 +5,11 @@
 #include <memory>
 #include <string>
 
-#include <nlohmann/json.hpp>
-
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/numbers/parallel.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/numbers/statistics.h"
 #include "samples/text.h"
 
@@ -24,13 +23,17 @@ struct Options {
   std::uint64_t threads = 2;
   std::string kind = "all";
   std::string angles = "grid";
-  std::string format = "text";
-  std::string out;
+  Writing writing;
 };
 
-struct Row {
+struct KindRow {
   const CoverageKind* kind;
   Coverage coverage;
+};
+
+struct CoverageStudy {
+  Options options;
+  std::vector<KindRow> rows;
 };
 
 Coverage simulate(const CoverageKind& kind, const Options& options) {
@@ -43,7 +46,8 @@ Coverage simulate(const CoverageKind& kind, const Options& options) {
   return coverage;
 }
 
-std::string text(const Options& options, const std::vector<Row>& rows) {
+std::string text(const CoverageStudy& study) {
+  const Options& options = study.options;
   std::string page =
       "Calibrations of simulated people; there was no human trial. " + std::to_string(options.people) +
       " people a kind, " + std::to_string(options.session.plate_angles_deg.size() * options.slides_an_angle) +
@@ -59,7 +63,7 @@ std::string text(const Options& options, const std::vector<Row>& rows) {
   page += '\n' + left("", 14);
   for (int i = 0; i < quantities; ++i) page += "  known cover           error  width ";
   page += '\n';
-  for (const Row& row : rows) {
+  for (const KindRow& row : study.rows) {
     page += left(row.kind->name, 14);
     for (int i = 0; i < quantities; ++i) {
       const Tally& tally = row.coverage.of[static_cast<std::size_t>(i)];
@@ -72,7 +76,7 @@ std::string text(const Options& options, const std::vector<Row>& rows) {
   page +=
       "\nWithheld for a pattern over the plate's angle, the order of the slides, the path; refused: % of "
       "people\n";
-  for (const Row& row : rows) {
+  for (const KindRow& row : study.rows) {
     const Coverage& of = row.coverage;
     page += left(row.kind->name, 14) + cell(of.angle.percent(), 0, 6) + cell(of.order.percent(), 0, 6) +
             cell(of.path.percent(), 0, 6) + cell(of.refused.percent(), 0, 6) + "   " + row.kind->says + '\n';
@@ -80,42 +84,43 @@ std::string text(const Options& options, const std::vector<Row>& rows) {
   return page;
 }
 
-std::string json(const Options& options, const std::vector<Row>& rows) {
-  nlohmann::ordered_json page{{"simulation", true},
-                              {"people", options.people},
-                              {"seed", options.session.seed},
-                              {"duration_s", options.session.duration_s},
-                              {"planned", options.session.planned}};
-  for (const Row& row : rows) {
-    const Coverage& coverage = row.coverage;
-    nlohmann::ordered_json entry{{"kind", row.kind->name},           {"description", row.kind->says},
-                                 {"refused", coverage.refused.hits}, {"angle", coverage.angle.hits},
-                                 {"order", coverage.order.hits},     {"path", coverage.path.hits}};
+Results results(const CoverageStudy& study) {
+  Results found{.about = {{"simulation", true},
+                          {"people", study.options.people},
+                          {"seed", study.options.session.seed},
+                          {"duration_s", study.options.session.duration_s},
+                          {"planned", study.options.session.planned}},
+                .rows = {}};
+  for (const KindRow& kind : study.rows) {
+    const Coverage& coverage = kind.coverage;
+    Row row{{"kind", kind.kind->name},          {"description", kind.kind->says},
+            {"refused", coverage.refused.hits}, {"angle", coverage.angle.hits},
+            {"order", coverage.order.hits},     {"path", coverage.path.hits}};
     for (std::size_t i = 0; i < quantities; ++i) {
       const Tally& tally = coverage.of[i];
-      entry["values"][quantity_name[i]] = {{"known", tally.known.hits},
-                                           {"covered", tally.covered.hits},
-                                           {"mean_error", tally.mean_error()},
-                                           {"mean_width", tally.mean_width()}};
+      const std::string name = quantity_name[i];
+      row[name + "_known"] = tally.known.hits;
+      row[name + "_covered"] = tally.covered.hits;
+      row[name + "_mean_error"] = tally.mean_error();
+      row[name + "_mean_width"] = tally.mean_width();
     }
-    page["rows"].push_back(entry);
+    found.rows.push_back(row);
   }
-  return page.dump(2) + '\n';
+  return found;
 }
 
-void run(Options options) {
+CoverageStudy simulate(Options options) {
   options.session.slides_an_angle = static_cast<int>(options.slides_an_angle);
   options.session.planned = options.angles == "planned";
-  const Output out("--out", options.out);
-  std::vector<Row> rows;
+  CoverageStudy study{.options = options, .rows = {}};
   Progress progress;
   const auto kinds = coverage_kinds();
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (options.kind == "all" || options.kind == kinds[i].name)
-      rows.push_back({&kinds[i], simulate(kinds[i], options)});
+      study.rows.push_back({&kinds[i], simulate(kinds[i], options)});
     progress.update(i + 1, kinds.size());
   }
-  out.write(options.format == "json" ? json(options, rows) : text(options, rows));
+  return study;
 }
 
 }  // namespace
@@ -130,7 +135,7 @@ session. 50 people of all kinds take some ten minutes.
 Examples:
   hrt-study coverage --kind habit-5
   hrt-study coverage --angles planned --trials 2 --people 200)",
-      [options] { run(*options); });
+      [options] { options->writing.write([options] { return simulate(*options); }, results, text); });
   std::vector<std::string> kinds{"all"};
   for (const CoverageKind& kind : coverage_kinds()) kinds.emplace_back(kind.name);
   add_choice(command, "--kind", &options->kind, kinds, "Kind of people.");
@@ -141,8 +146,7 @@ Examples:
   add_number(command, "--duration", &options->session.duration_s, {0.3, 20.0}, "Time of a slide, s.");
   add_integer(command, "--threads", &options->threads, 1, 64, "Threads.");
   add_seed(command, &options->session.seed);
-  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_out(command, &options->out);
+  options->writing.add_options(command);
 }
 
 }  // namespace hrt::study

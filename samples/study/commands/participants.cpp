@@ -26,8 +26,7 @@ struct Options {
 void check_size(const Options& options) {
   const CalibrationCondition& condition = options.session.condition;
   const double trials = static_cast<double>(options.session.plate_angles_deg.size()) *
-                            static_cast<double>(options.session.trials_per_angle) +
-                        static_cast<double>(options.session.turning_trials);
+                        static_cast<double>(options.session.trials_per_angle);
   const double rows = trials * (condition.rest_s + condition.duration_s) * condition.tracker_rate_hz;
   if (rows > max_rows)
     throw UsageError(not_allowed("--trials", std::to_string(options.session.trials_per_angle),
@@ -84,7 +83,6 @@ Each of several tactile weights makes a participant, a file participant_N.csv in
 
 Examples:
   hrt-study participants --tactile-weight 0.2 --bias 2 --out me.csv && hrt-study calibrate me.csv
-  hrt-study participants --turning 12 --out me.csv && hrt-study calibrate me.csv
   hrt-study participants --tactile-weight 0.1:0.3:9 --trials 4 --out people/)",
       [options] { run(*options); });
   CalibrationCondition& condition = options->session.condition;
@@ -100,8 +98,6 @@ Examples:
   add_numbers(command, "--angles", &options->session.plate_angles_deg, {-360.0, 360.0},
               "Plate orientations, deg.");
   add_integer(command, "--trials", &options->session.trials_per_angle, 1, 1'000, "Slides at each angle.");
-  add_integer(command, "--turning", &options->session.turning_trials, 0, 1'000,
-              "Slides more, within which the plate turns by 70 deg and back: they show the steering.");
   add_number(command, "--distance", &options->distance_mm, {1.0, 1'000.0}, "Length of a slide, mm.");
   add_number(command, "--duration", &condition.duration_s, {0.1, 60.0}, "Time of a slide, s.");
   add_number(command, "--rest", &condition.rest_s, {0.0, 60.0}, "Time at rest before a slide, s.");

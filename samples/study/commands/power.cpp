@@ -5,45 +5,16 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/workshop.h"
-#include "samples/study/pages/power_page.h"
 #include "samples/study/paper/power_study.h"
 
 namespace hrt::study {
 namespace {
 
-namespace fs = std::filesystem;
-
 struct Options {
   PowerOptions power;
   std::string against = "none";
-  std::string format = "text";
-  std::string out;
+  Writing writing;
 };
-
-std::string formatted(const Options& options, const PowerStudy& study) {
-  return options.format == "csv"    ? power_csv(study)
-         : options.format == "json" ? power_json(study)
-                                    : power_text(study);
-}
-
-// Pictures, page and numbers, all or none.
-void make_folder(const Options& options) {
-  Workshop workshop("--out", options.out);
-  const PowerStudy study = simulate_power(options.power);
-  std::vector<Figure> figures = power_figures(study);
-  workshop.draw(figures);
-  workshop.write("power.csv", power_csv(study));
-  workshop.write("power.json", power_json(study));
-  workshop.write("power.html", power_page(study, figures));
-  workshop.publish();
-  Output("--out", "")
-      .write(formatted(options, study) + (options.format == "text"
-                                              ? "\nWrote " + std::to_string(2 * figures.size()) +
-                                                    " pictures, power.csv, power.json and the page " +
-                                                    (fs::path(options.out) / "power.html").string() + "\n"
-                                              : ""));
-}
 
 void run(Options options) {
   PowerOptions& power = options.power;
@@ -56,9 +27,7 @@ void run(Options options) {
     list->erase(std::unique(list->begin(), list->end()), list->end());
   }
   power.pool.reaches = static_cast<std::uint64_t>(power.reaches.back());
-  if (!options.out.empty()) return make_folder(options);
-  const Output output("--out", "");
-  output.write(formatted(options, simulate_power(power)));
+  options.writing.write([&] { return simulate_power(power); }, power_results, power_text);
 }
 
 }  // namespace
@@ -72,13 +41,10 @@ from them, and a paired t test compares the sizes of each person's errors of the
 bearing. The text names every assumption; effects of 0 show whether the test is exact for these
 people. All is simulation; there was no human trial.
 
---out makes a folder with power.csv, power.json, a picture for each number of reaches (.svg and .png)
-and power.html, which contains everything. Needs gnuplot.
-
 Examples:
   hrt-study power
   hrt-study power --against paper --effect 0.5,1 --reaches 10
-  hrt-study power --scatter 3 --out power)",
+  hrt-study power --scatter 3 --format csv --out power.csv)",
       [options] { run(*options); });
   PowerOptions& power = options->power;
   add_choice(command, "--against", &options->against, {"none", "paper"},
@@ -97,10 +63,7 @@ Examples:
   add_integer(command, "--trials", &power.trials, 100, 1'000'000, "Simulated trials of each number.");
   add_seed(command, &power.pool.seed);
   add_threads(command, &power.pool.threads);
-  add_choice(command, "--format", &options->format, {"text", "csv", "json"},
-             "What to write to standard output.");
-  add_path(command, "--out", &options->out, "a folder that can be written",
-           "Folder for numbers, pictures and page; made if missing.");
+  options->writing.add_options(command);
 }
 
 }  // namespace hrt::study

@@ -5,8 +5,10 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/figures/figures.h"
+#include "samples/study/figures/page.h"
+#include "samples/study/figures/ridges.h"
 #include "samples/study/figures/workshop.h"
-#include "samples/study/pages/page.h"
+#include "samples/study/paper/table1_text.h"
 
 namespace hrt::study {
 namespace {
@@ -22,17 +24,15 @@ void run(const Options& options) {
   Workshop workshop("--out", options.out);
   const Table1 table = simulate_table1(options.table);
   std::vector<Figure> figures = path_figures(options.table.seed);
+  figures.insert(figures.begin(), ridges_figure(simulate_ridges({.seed = options.table.seed})));
   figures.push_back(table1_figure(table));
   figures.push_back(authority_figure(table));
-  figures.push_back(frontier_figure({.trials = std::max<std::uint64_t>(1, options.table.trials / 2),
-                                     .seed = options.table.seed,
-                                     .threads = options.table.threads}));
-  workshop.draw(figures);
+  for (const Figure& figure : figures) workshop.draw(figure);
   const std::string page = "report.html";
-  workshop.write(page, html_page(table, figures));
+  workshop.write(page, html_page(table1_text(table), figures));
   workshop.publish();
   Output("--out", "")
-      .write("Wrote " + std::to_string(2 * figures.size()) + " pictures and the page " +
+      .write("Wrote " + std::to_string(figures.size()) + " pictures and the page " +
              (fs::path(options.out) / page).string() + "\n");
 }
 
@@ -41,9 +41,9 @@ void run(const Options& options) {
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
-      app, "report", "Figs. 4 to 8, Table I, authority and frontier as SVG and PNG, and a page of them.",
-      R"(Makes fig4 to fig8, table1, authority and frontier (.svg and .png) and report.html, which contains
-all pictures. Needs gnuplot. Files of these names are replaced.
+      app, "report", "Figs. 1c and 4 to 8, Table I and authority as SVG, and a page of them.",
+      R"(Makes fig1c, fig4 to fig8, table1 and authority (.svg) and report.html, which shows them. Needs gnuplot. Files
+of these names are replaced.
 
 Examples:
   hrt-study report --out report
@@ -51,8 +51,7 @@ Examples:
       [options] { run(*options); });
   require(add_path(command, "--out", &options->out, "a folder that can be written",
                    "Folder for the files; made if missing."));
-  add_trials(command, &options->table.trials,
-             "Trials of each cell of Table I; half as many for each point of the frontier.");
+  add_trials(command, &options->table.trials, "Trials of each cell of Table I.");
   add_seed(command, &options->table.seed);
   add_threads(command, &options->table.threads);
 }

@@ -1,5 +1,5 @@
 // hrt-study robustness: the controllers on simulated people who are not their model.
-#include "samples/study/pages/robustness_text.h"
+#include "samples/study/people/robustness_text.h"
 
 #include <algorithm>
 #include <cctype>
@@ -10,8 +10,7 @@
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
-#include "samples/study/figures/workshop.h"
-#include "samples/study/pages/robustness_page.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/people/person_file.h"
 #include "samples/study/people/replay.h"
 #include "samples/text.h"
@@ -27,15 +26,9 @@ struct Options {
   std::vector<const PeopleFamily*> families;  // empty: not given
   std::string person;
   std::string replay;
-  std::string format = "text";
-  std::string out;
+  std::string csv;
+  Writing writing;
 };
-
-std::string formatted(const std::string& format, const RobustnessStudy& study) {
-  return format == "csv"    ? robustness_csv(study)
-         : format == "json" ? robustness_json(study)
-                            : robustness_text(study);
-}
 
 // draw_person() takes durations to the millisecond, and files are named after them.
 void check_durations(const RobustnessOptions& options) {
@@ -50,25 +43,6 @@ void simulate(RobustnessStudy& study) {
   study.rows = simulate_robustness(study.people, study.options, [&](std::uint64_t done, std::uint64_t total) {
     progress.update(done, total);
   });
-}
-
-// Pictures, page and numbers, all or none.
-void make_folder(const Options& options, RobustnessStudy& study) {
-  Workshop workshop("--out", options.out);
-  simulate(study);
-  std::vector<Figure> figures = robustness_figures(study);
-  workshop.draw(figures);
-  const std::string page = "robustness.html";
-  workshop.write("robustness.csv", robustness_csv(study));
-  workshop.write("robustness.json", robustness_json(study));
-  workshop.write(page, robustness_page(study, figures));
-  workshop.publish();
-  Output("--out", "")
-      .write(formatted(options.format, study) +
-             (options.format == "text" ? "\nWrote " + std::to_string(2 * figures.size()) +
-                                             " pictures, robustness.csv, robustness.json and the page " +
-                                             (fs::path(options.out) / page).string() + "\n"
-                                       : ""));
 }
 
 // A file's name, as far as tables and CSV can hold it.
@@ -98,22 +72,13 @@ SimulatedPeople take_person(const Options& options, RobustnessStudy& study) {
 
 // Recorded paths in an open loop.
 void run_replay(const Options& options) {
-  if (!options.person.empty() || !options.families.empty() || !options.out.empty())
-    throw UsageError(not_allowed("--replay", options.replay, "given without --person, --family and --out"));
-  const Output output("--out", "");
-  std::vector<ReplayedPath> paths;
-  std::vector<std::string> left_out;
-  for (const RecordedPaths& recorded : read_recorded_folder("--replay", options.replay)) {
-    for (ReplayedPath& path : replay(recorded)) paths.push_back(std::move(path));
-    left_out.insert(left_out.end(), recorded.left_out.begin(), recorded.left_out.end());
-  }
-  output.write(options.format == "csv"    ? replay_csv(paths)
-               : options.format == "json" ? replay_json(paths, left_out)
-                                          : replay_text(paths, left_out));
+  if (!options.person.empty() || !options.families.empty() || !options.csv.empty())
+    throw UsageError(not_allowed("--replay", options.replay, "given without --person, --family and --csv"));
+  options.writing.write([&] { return replay_folder("--replay", options.replay); }, replay_results,
+                        replay_text);
 }
 
-void run(const Options& options) {
-  if (!options.replay.empty()) return run_replay(options);
+RobustnessStudy simulated(const Options& options) {
   RobustnessStudy study{.options = options.robustness, .people = {}, .rows = {}};
   if (!options.durations_s.empty()) study.options.durations_s = options.durations_s;
   check_durations(study.options);
@@ -121,10 +86,15 @@ void run(const Options& options) {
   for (const PeopleFamily* family : options.families) study.people.push_back(people_of(*family));
   if (study.people.empty())
     for (const PeopleFamily& family : people_families()) study.people.push_back(people_of(family));
-  if (!options.out.empty()) return make_folder(options, study);
-  const Output output("--out", "");
+  const Output csv("--csv", options.csv);
   simulate(study);
-  output.write(formatted(options.format, study));
+  if (!options.csv.empty()) csv.write(csv_of(robustness_results(study)));
+  return study;
+}
+
+void run(const Options& options) {
+  if (!options.replay.empty()) return run_replay(options);
+  options.writing.write([&] { return simulated(options); }, robustness_results, robustness_text);
 }
 
 std::string family_list() {
@@ -141,7 +111,7 @@ without a controller; with the paper's; five times with ours, which starts witho
 person and carries what it learns; and once with ours informed of the person's traits, which shows
 what is lost by not knowing them. All is simulation; there was no human trial.
 
-The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a line for
+The text is the share of reaches that end within 1.5 deg, and the flags. CSV and JSON have a row for
 each family, duration and controller, each number with its 95 % interval (shares: Wilson's;
 quantiles: between two of the reaches, for any distribution): that share, the miss across the real
 direction, the largest felt error, unreachable found (in this reach or one before) and false, model
@@ -150,14 +120,11 @@ it or unreachable), and how often the 95 % interval of w_T covers the person's, 
 interval is honest. People who cannot hold the gap, whatever the plate does, are counted apart. A
 field without a value is empty (CSV) or null (JSON). With one sort of people the text has all of it.
 
---out makes a folder with robustness.csv, robustness.json, a picture for each duration (.svg and
-.png) and robustness.html, which contains everything. Needs gnuplot.
-
 Examples:
   hrt-study robustness
   hrt-study robustness --family linear,place --durations 1.5 --people 1000
   hrt-study robustness --people 1000 --format csv > robustness.csv
-  hrt-study robustness --out robustness
+  hrt-study robustness --csv robustness.csv
   hrt-study robustness --person me.json --people 1000
   hrt-study robustness --replay recordings --format csv
 
@@ -166,9 +133,9 @@ recorded path through our controller and prints what the controller would have b
 That is an open loop: the finger could not answer, so it shows neither misses nor felt errors under
 our commands.
 
---person simulates a person of your own: JSON, {"tactile_weight": 0.18, "illusion": "sine"}, or CSV with
-the header name,value. --people is then the number of times that the person does it all, each time as
-a stranger. Parameters (those left out keep their default):
+--person simulates a person of your own: JSON, {"tactile_weight": 0.18, "illusion": "sine"}. --people is
+then the number of times that the person does it all, each time as a stranger. Parameters (those left out
+keep their default):
 )" + person_parameters() +
          R"(
 Families (*: kept apart from the search for our controller's numbers; +: tracker or plate is off):
@@ -195,10 +162,9 @@ void add_robustness(CLI::App& app) {
            "Recorded paths to pass through our controller, in place of simulated people.");
   add_seed(command, &robustness.seed);
   add_threads(command, &robustness.threads);
-  add_choice(command, "--format", &options->format, {"text", "csv", "json"},
-             "What to write to standard output.");
-  add_path(command, "--out", &options->out, "a folder that can be written",
-           "Folder for numbers, pictures and page; made if missing.");
+  add_path(command, "--csv", &options->csv, "a file in a folder that can be written",
+           "All numbers there as well, in one run.");
+  options->writing.add_options(command);
 }
 
 }  // namespace hrt::study

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "core/math/trigonometry.h"
 #include "core/paper/authority.h"
 #include "samples/study/cli/arguments.h"
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
+#include "samples/study/numbers/results.h"
 #include "samples/text.h"
 
 namespace hrt::study {
@@ -20,8 +20,7 @@ struct Options {
   std::string file;
   std::vector<double> tactile_weights{0.1, 0.15, 0.2};
   double plate_bound_deg = 84.5;
-  std::string format = "text";
-  std::string out;
+  Writing writing;
 };
 
 const SceneTarget& real_of(const Scene& scene, const SceneTarget& virtual_target) {
@@ -86,37 +85,28 @@ std::string text(const Scene& scene, const Options& options) {
   return page;
 }
 
-std::string json(const Scene& scene, const Options& options) {
-  nlohmann::ordered_json page{
-      {"simulation", true},
-      {"plate", {{"node", scene.plate.node_path}, {"radius_m", scene.plate.radius_m}}},
-      {"start_m", {scene.start_m.x, scene.start_m.y, scene.start_m.z}},
-      {"plate_bound_deg", options.plate_bound_deg},
-      {"targets", nlohmann::ordered_json::array()},
-      {"pairs", nlohmann::ordered_json::array()}};
-  if (scene.plate.max_speed_deg_s) page["plate"]["max_speed_deg_s"] = *scene.plate.max_speed_deg_s;
+// A row a pair and weight of touch.
+Results results(const Scene& scene, const Options& options) {
+  Results found{.about = {{"simulation", true},
+                          {"plate_node", scene.plate.node_path},
+                          {"plate_radius_m", scene.plate.radius_m},
+                          {"start_m", {scene.start_m.x, scene.start_m.y, scene.start_m.z}},
+                          {"plate_bound_deg", options.plate_bound_deg}},
+                .rows = {}};
   for (const SceneTarget& target : scene.targets) {
-    nlohmann::ordered_json entry{{"name", target.name},
-                                 {"kind", target.served_by ? "virtual" : "real"},
-                                 {"direction_deg", target.direction_deg},
-                                 {"distance_m", target.distance_m},
-                                 {"height_m", target.position_m.y},
-                                 {"node", target.node_path}};
-    if (target.radius_m) entry["radius_m"] = *target.radius_m;
-    page["targets"].push_back(std::move(entry));
     if (!target.served_by) continue;
     for (const double tactile_weight : options.tactile_weights) {
       const Authority authority = authority_over(scene, target, tactile_weight, options.plate_bound_deg);
-      page["pairs"].push_back({{"virtual", target.name},
-                               {"real", real_of(scene, target).name},
-                               {"tactile_weight", tactile_weight},
-                               {"gap_deg", authority.gap_deg},
-                               {"max_gap_deg", authority.max_gap_deg},
-                               {"reachable", authority.reachable},
-                               {"plate_orientation_deg", authority.plate_orientation_deg}});
+      found.rows.push_back({{"virtual", target.name},
+                            {"real", real_of(scene, target).name},
+                            {"tactile_weight", tactile_weight},
+                            {"gap_deg", authority.gap_deg},
+                            {"max_gap_deg", authority.max_gap_deg},
+                            {"reachable", authority.reachable},
+                            {"plate_orientation_deg", authority.plate_orientation_deg}});
     }
   }
-  return page.dump(2) + '\n';
+  return found;
 }
 
 }  // namespace
@@ -131,17 +121,16 @@ Examples:
   hrt-study scene samples/scenes/desk.gltf
   hrt-study scene desk.glb --tactile-weight 0.05:0.25:5 --format json --out desk.json)",
                   [options] {
-                    const Output output("--out", options->out);
-                    const Scene scene = load_scene(options->file);
-                    output.write(options->format == "json" ? json(scene, *options) : text(scene, *options));
+                    options->writing.write([options] { return load_scene(options->file); },
+                                           [options](const Scene& scene) { return results(scene, *options); },
+                                           [options](const Scene& scene) { return text(scene, *options); });
                   });
   require(add_path(command, "FILE", &options->file, "a glTF file, .gltf or .glb", "The scene."));
   add_numbers(command, "--tactile-weight", &options->tactile_weights, tactile_weight_range,
               "Shares of touch in the felt direction (w_T).");
   add_number(command, "--plate-bound", &options->plate_bound_deg, plate_bound_range,
              "How far the plate turns from the virtual direction, deg.");
-  add_choice(command, "--format", &options->format, {"text", "json"}, "What to write.");
-  add_out(command, &options->out);
+  options->writing.add_options(command);
 }
 
 }  // namespace hrt::study

@@ -1,4 +1,4 @@
-// hrt-study sweep: every combination of lists of values, as CSV, in parts and resumable.
+// hrt-study sweep: every combination of lists of values, as CSV, in parts.
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -9,7 +9,6 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/commands/commands.h"
 #include "samples/study/paper/grid.h"
-#include "samples/study/paper/sweep_file.h"
 
 namespace hrt::study {
 namespace {
@@ -61,24 +60,8 @@ std::string rows(const Options& options, std::uint64_t first, std::uint64_t last
                  .progress = [&](std::uint64_t done, std::uint64_t) { progress(done); }});
   std::string text;
   for (std::size_t i = 0; i < jobs.size(); ++i)
-    text += grid_row_start(first + i, jobs[i].condition, options.seed, options.trials) +
-            grid_row_end(jobs[i].condition, results[i]);
+    text += grid_row(first + i, jobs[i].condition, options.seed, results[i]);
   return text;
-}
-
-// Simulates points [first, last), a block at a time; `write` gets the rows of each.
-void simulate(const Options& options, std::uint64_t first, std::uint64_t last,
-              const std::function<void(const std::string&)>& write) {
-  // Blocks of about this many trials: little is lost when a run is stopped, and all threads have work.
-  constexpr std::uint64_t block_trials = 50'000;
-  const std::uint64_t block = std::max<std::uint64_t>(1, block_trials / options.trials);
-  Progress progress;
-  for (std::uint64_t begin = first; begin < last; begin += block) {
-    const std::uint64_t end = std::min(begin + block, last);
-    write(rows(options, begin, end, [&](std::uint64_t done) {
-      progress.update((begin - first) * options.trials + done, (last - first) * options.trials);
-    }));
-  }
 }
 
 void check_gaps(const Grid& grid) {
@@ -92,28 +75,20 @@ void check_gaps(const Grid& grid) {
 
 void run(const Options& options) {
   check_gaps(options.grid);
+  const Output output("--out", options.out);
   const std::uint64_t points = options.grid.size();
   const std::uint64_t first = options.part.begin(points);
   const std::uint64_t last = options.part.end(points);
-  const std::string header = options.part.number == 1 ? grid_header() : "";
-  if (options.out.empty()) {
-    const Output output("--out", "");
-    output.write(header);
-    simulate(options, first, last, [&](const std::string& text) { output.write(text); });
-    return;
-  }
-  const std::string all_columns = grid_header();
-  SweepFile file("--out", options.out,
-                 {.header = header,
-                  .rows = last - first,
-                  .commas = std::count(all_columns.begin(), all_columns.end(), ','),
-                  .row_start = [&](std::uint64_t row) {
-                    return grid_row_start(first + row, options.grid.at(first + row), options.seed,
-                                          options.trials);
-                  }});
-  if (file.is_complete()) return;
-  simulate(options, first + file.rows(), last, [&](const std::string& text) { file.append(text); });
-  file.finish();
+  // Blocks of about this many trials, so that all threads have work.
+  constexpr std::uint64_t block_trials = 50'000;
+  const std::uint64_t block = std::max<std::uint64_t>(1, block_trials / options.trials);
+  std::string text = options.part.number == 1 ? grid_header() : "";
+  Progress progress;
+  for (std::uint64_t begin = first; begin < last; begin += block)
+    text += rows(options, begin, std::min(begin + block, last), [&](std::uint64_t done) {
+      progress.update((begin - first) * options.trials + done, (last - first) * options.trials);
+    });
+  output.write(text);
 }
 
 }  // namespace
@@ -121,14 +96,13 @@ void run(const Options& options) {
 void add_sweep(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
-      app, "sweep", "Every combination of lists of values, as CSV; in parts, and resumable.",
+      app, "sweep", "Every combination of lists of values, as CSV; in parts.",
       R"(The grid has every combination of the listed values. A row of the CSV is one point: its parameters,
 then the results of its trials. Point i takes the random numbers of condition i, so the rows do not
 depend on threads or parts.
 
-With the same arguments a stopped sweep continues: rows are collected in FILE.partial, which becomes
-FILE when it is complete. If FILE exists, nothing is done. Part 1 alone has the header: 'cat' of all
-parts in order is the whole.
+Part 1 alone has the header: 'cat' of all parts in order is the whole. A part that was stopped leaves no
+file: do it again.
 
 Examples:
   hrt-study sweep --gap 2:20:10 --tactile-weight 0.05:0.45:9 --out gaps.csv
@@ -151,8 +125,7 @@ Examples:
               if (part) options->part = *part;
               return part.has_value();
             });
-  add_path(command, "--out", &options->out, "a file in a folder that can be written",
-           "Write there instead of to standard output; needed to resume.");
+  add_out(command, &options->out);
 }
 
 }  // namespace hrt::study

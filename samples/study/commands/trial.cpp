@@ -65,7 +65,7 @@ void run_trace(const Options& options) {
   const Trace trace = trace_reach(condition, static_cast<int>(options.reach), options.seed, index);
   workshop.write("trace.csv", trace_csv(trace));
   workshop.write("reach.svg", moving_picture(trace));
-  workshop.draw(trace_figure(trace), "svg");
+  workshop.draw(trace_figure(trace));
   workshop.publish();
 }
 

@@ -67,20 +67,6 @@ std::string fit_text(const Calibration& calibration) {
   return text;
 }
 
-constexpr const char* law_name[steering_laws] = {"delayed", "predicted", "place"};
-
-// The value with its interval, or why it has none.
-std::string quantity_row(const Quantity& quantity, const std::string& why_not) {
-  const Interval& interval = quantity.interval;
-  return interval.known
-             ? row(quantity.words, fixed(interval.value, quantity.decimals), interval_text(quantity))
-             : row(quantity.words, "not determined", why_not);
-}
-
-std::string best_fit(const Quantity& quantity) {
-  return "best fit " + fixed(quantity.interval.value, quantity.decimals);
-}
-
 }  // namespace
 
 std::vector<Quantity> quantities(const Calibration& calibration) {
@@ -96,24 +82,17 @@ std::vector<Quantity> quantities(const Calibration& calibration) {
           {"noise_correlation_s", "its correlation time, s", calibration.noise.correlation_s, 3}};
 }
 
-std::vector<Quantity> steering_quantities(const SteeringFit& steering) {
-  return {{"steering_rate_per_s", "steering, rate k, 1/s", steering.rate_per_s, 1},
-          {"steering_delay_ms", "steering, delay, ms", in_thousandths(steering.delay_s), 0}};
-}
-
 std::string calibration_text(const CalibrationReport& report) {
   const Calibration& calibration = report.calibration;
   std::string text = "Calibration of " + report.name + ": " +
                      std::to_string(calibration.count(SlideVerdict::used)) + " of " +
                      std::to_string(report.trials) + " trials have a slide that can be used\n\n";
   text += row("", "estimate", "95 % interval");
-  for (const Quantity& quantity : quantities(calibration)) text += quantity_row(quantity, best_fit(quantity));
-  const SteeringFit& steering = calibration.steering;
-  if (steering.slides > 0)
-    for (const Quantity& quantity : steering_quantities(steering))
-      text +=
-          quantity_row(quantity, steering.slides < min_turning_slides ? "too few slides over a turning plate"
-                                                                      : best_fit(quantity));
+  for (const Quantity& quantity : quantities(calibration)) {
+    const std::string value = fixed(quantity.interval.value, quantity.decimals);
+    text += quantity.interval.known ? row(quantity.words, value, interval_text(quantity))
+                                    : row(quantity.words, "not determined", "best fit " + value);
+  }
   text += "  illusion: " + family_text(calibration) + '\n' + fit_text(calibration);
   return text + "\nThe method has been tried on simulated people only; there was no human trial.\n";
 }
@@ -131,15 +110,7 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
     page[quantity.name] = {{"value", quantity.interval.value},
                            {"interval", {quantity.interval.lower, quantity.interval.upper}},
                            {"known", quantity.interval.known}};
-  const SteeringFit& steering = calibration.steering;
-  page["turning_slides"] = steering.slides;
-  page["steering_p"] = steering.law_p;
-  for (const Quantity& quantity : steering_quantities(steering))
-    page[quantity.name] = {{"value", quantity.interval.value},
-                           {"interval", {quantity.interval.lower, quantity.interval.upper}},
-                           {"known", quantity.interval.known}};
-  for (std::size_t law = 0; law < steering.probability.size(); ++law)
-    page["steering_laws"][law_name[law]] = steering.probability[law];
+  page["slides_turned"] = calibration.slides_turned;
   page["fits"] = calibration.fits();
   page["lack_of_fit"] = {{"angle_p", calibration.lack_of_fit.angle_p},
                          {"order_p", calibration.lack_of_fit.order_p},
@@ -163,7 +134,7 @@ nlohmann::ordered_json calibration_json(const CalibrationReport& report) {
   return page;
 }
 
-std::string calibration_profile(const Calibration& calibration, const MeasuredWith& conditions) {
+std::string calibration_profile(const Calibration& calibration) {
   nlohmann::ordered_json profile{{"format", "haptic retargeting profile"}, {"version", 1}};
   const Interval& weight = calibration.tactile_weight;
   if (weight.known) {
@@ -179,10 +150,6 @@ std::string calibration_profile(const Calibration& calibration, const MeasuredWi
       profile["tracker_correlation_s"] = noise->correlation_s;
     }
   }
-  const SteeringFit& steering = calibration.steering;
-  if (steering.rate_per_s.known) profile["steering_rate_per_s"] = steering.rate_per_s.value;
-  if (steering.delay_s.known)
-    profile["steering_delay_s"] = std::max(steering.delay_s.value, min_known_delay_s);
   if (calibration.slope.known && calibration.curve.known && calibration.bias_deg.known &&
       calibration.habit_deg.known) {
     const PersonBelief belief =
@@ -196,9 +163,6 @@ std::string calibration_profile(const Calibration& calibration, const MeasuredWi
       for (int j = 0; j <= i; ++j) profile["person_covariance"].push_back(belief.covariance(i, j));
     }
   }
-  if (conditions.time_s > 0) profile["measured_at_s"] = conditions.time_s;
-  if (!conditions.plate.empty()) profile["plate"] = conditions.plate;
-  if (!conditions.tracker.empty()) profile["tracker"] = conditions.tracker;
   return profile.dump(2) + '\n';
 }
 

@@ -1,7 +1,6 @@
 // The result of a calibration as text, JSON, a profile for the plugin, and a picture.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
@@ -26,20 +25,12 @@ struct Quantity {
 };
 
 std::vector<Quantity> quantities(const Calibration& calibration);
-std::vector<Quantity> steering_quantities(const SteeringFit& steering);
 
 std::string calibration_text(const CalibrationReport& report);
 nlohmann::ordered_json calibration_json(const CalibrationReport& report);
 
-/// What a calibration was measured with, as a profile keeps it; 0 and empty: unknown.
-struct MeasuredWith {
-  std::int64_t time_s = 0;  ///< since 1970, UTC
-  std::string plate;
-  std::string tracker;
-};
-
 /// JSON for hrt_profile_load(), without fields that the data cannot determine.
-std::string calibration_profile(const Calibration& calibration, const MeasuredWith& conditions);
+std::string calibration_profile(const Calibration& calibration);
 
 /// Directions against the plate's orientation with the fit, and the residuals.
 Figure calibration_figure(const CalibrationReport& report);

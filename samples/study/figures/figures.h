@@ -16,13 +16,6 @@ struct Figure {
   int width_px;
   int height_px;
   std::string script;  ///< without terminal and output
-  std::string svg;     ///< gnuplot's file, once it is drawn
-};
-
-struct FigureOptions {
-  std::uint64_t trials;  ///< of each point of the frontier
-  std::uint64_t seed;
-  std::uint64_t threads;
 };
 
 /// Figs. 4 to 8 of the paper: true paths, perceived paths, plate orientation of one trial.
@@ -34,13 +27,10 @@ Figure table1_figure(const Table1& table);
 /// The gaps that can be held over the tactile weight, with the paper's conditions.
 Figure authority_figure(const Table1& table);
 
-/// Perceived against actual error as the weights of the cost vary, and the theoretical limit.
-Figure frontier_figure(const FigureOptions& options);
-
 /// Of a label: numbers with minus signs for hyphens.
 std::string with_minus_signs(std::string text);
 
-/// The whole script, for the file format `ending`, "svg" or "png".
-std::string drawing(const Figure& figure, const std::string& ending);
+/// The whole script, which writes NAME.svg.
+std::string drawing(const Figure& figure);
 
 }  // namespace hrt::study

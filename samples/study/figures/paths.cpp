@@ -7,12 +7,11 @@
 #include "samples/study/cli/output.h"
 #include "samples/study/cli/parameters.h"
 #include "samples/study/figures/figures.h"
+#include "samples/study/figures/path.h"
 #include "samples/study/paper/paper.h"
 
 namespace hrt::study {
 namespace {
-
-constexpr double path_length_mm = 100.0;
 
 struct PaperFigure {
   int number;
@@ -31,54 +30,6 @@ constexpr PaperFigure paper_figures[] = {
     {7, 0, 12, 2.0, 0.15, false, "60 %"},
     {8, 5, -5, 0.1, 0.15, true, "no correction towards the real target"},
 };
-
-struct Point {
-  double right_mm;
-  double forward_mm;
-};
-
-using Path = std::vector<Point>;
-
-Point ahead(Point from, double direction_deg, double distance_mm) {
-  return {from.right_mm - distance_mm * sin_deg(direction_deg),
-          from.forward_mm + distance_mm * cos_deg(direction_deg)};
-}
-
-// Equal distances along the direction of each step.
-Path path(const std::vector<TrialStep>& steps, double TrialStep::* direction_deg) {
-  Path path{{0.0, 0.0}};
-  for (const TrialStep& step : steps)
-    path.push_back(
-        ahead(path.back(), step.*direction_deg, path_length_mm / static_cast<double>(steps.size())));
-  return path;
-}
-
-Path median_path(const std::vector<Path>& paths) {
-  Path result;
-  for (std::size_t k = 0; k < paths.front().size(); ++k) {
-    std::vector<double> right_mm;
-    std::vector<double> forward_mm;
-    for (const Path& path : paths) {
-      right_mm.push_back(path[k].right_mm);
-      forward_mm.push_back(path[k].forward_mm);
-    }
-    result.push_back({median(right_mm), median(forward_mm)});
-  }
-  return result;
-}
-
-std::string data(const Path& path) {
-  std::string lines;
-  for (const Point& point : path) lines += number(point.right_mm) + ' ' + number(point.forward_mm) + '\n';
-  return lines;
-}
-
-// A blank line between paths breaks the curve.
-std::string block(const std::string& name, const std::vector<Path>& paths) {
-  std::string text = '$' + name + " << EOD\n";
-  for (const Path& path : paths) text += data(path) + '\n';
-  return text + "EOD\n";
-}
 
 // The direction after each step of each trial, and the median over the trials.
 std::string directions_block(const std::vector<std::vector<double>>& directions_deg) {
@@ -106,7 +57,7 @@ struct LateralRange {
 LateralRange lateral_range(const std::vector<Path>& paths) {
   LateralRange range;
   for (const Path& path : paths)
-    for (const Point& point : path) {
+    for (const PathPoint& point : path) {
       range.first_mm = std::min(range.first_mm, point.right_mm);
       range.last_mm = std::max(range.last_mm, point.right_mm);
     }
@@ -158,8 +109,8 @@ PaperTrials simulate(const PaperFigure& paper, const Condition& condition, std::
         condition, {.seed = seed, .condition = static_cast<std::uint32_t>(paper.number), .trial = trial},
         &steps);
     trials.hits += outcome.hit ? 1 : 0;
-    trials.true_paths.push_back(path(steps, &TrialStep::finger_direction_deg));
-    trials.perceived_paths.push_back(path(steps, &TrialStep::perceived_direction_deg));
+    trials.true_paths.push_back(path_of(steps, &TrialStep::finger_direction_deg));
+    trials.perceived_paths.push_back(path_of(steps, &TrialStep::perceived_direction_deg));
     std::vector<double>& directions_deg = trials.directions_deg.emplace_back();
     for (const TrialStep& step : steps) directions_deg.push_back(step.finger_direction_deg);
     directions_deg.push_back(outcome.final_direction_deg);
@@ -237,8 +188,8 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
   if (paper.is_plate_fixed) condition.controller.mode = ControlMode::fixed_plate;
   const PaperTrials trials = simulate(paper, condition, seed);
 
-  const Point real = ahead({0.0, 0.0}, paper.real_direction_deg, path_length_mm);
-  const Point seen = ahead({0.0, 0.0}, paper.virtual_direction_deg, path_length_mm);
+  const PathPoint real = ahead({0.0, 0.0}, paper.real_direction_deg, path_length_mm);
+  const PathPoint seen = ahead({0.0, 0.0}, paper.virtual_direction_deg, path_length_mm);
   std::vector<Path> all_paths{{real, seen}};
   all_paths.insert(all_paths.end(), trials.true_paths.begin(), trials.true_paths.end());
   all_paths.insert(all_paths.end(), trials.perceived_paths.begin(), trials.perceived_paths.end());
@@ -247,10 +198,10 @@ Figure path_figure(const PaperFigure& paper, std::uint64_t seed) {
 
   Figure figure = described(paper, trials.hits);
   figure.script =
-      block("true", trials.true_paths) + block("true_median", {median_path(trials.true_paths)}) +
-      block("perceived", trials.perceived_paths) +
-      block("perceived_median", {median_path(trials.perceived_paths)}) + block("real", {{real}}) +
-      block("virtual", {{seen}}) + trials.plate + directions_block(trials.directions_deg) +
+      path_block("true", trials.true_paths) + path_block("true_median", {median_path(trials.true_paths)}) +
+      path_block("perceived", trials.perceived_paths) +
+      path_block("perceived_median", {median_path(trials.perceived_paths)}) + path_block("real", {{real}}) +
+      path_block("virtual", {{seen}}) + trials.plate + directions_block(trials.directions_deg) +
       "set multiplot layout 4,1 title \"" + figure.title +
       " (simulation)\" font ',12'\n"
       "set grid back lt 1 lw 0.6 lc rgb '#dddddd'\nset xrange [" +

@@ -1,4 +1,4 @@
-// Test and retest of a person: two calibrations compared, as text, JSON and a picture.
+// Test and retest of a person: two calibrations compared, as text and JSON.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -25,8 +25,5 @@ RetestReport compare_calibrations(CalibrationReport first, CalibrationReport sec
 
 std::string retest_text(const RetestReport& report);
 nlohmann::ordered_json retest_json(const RetestReport& report);
-
-/// Both curves, and each difference over half its interval.
-Figure retest_figure(const RetestReport& report);
 
 }  // namespace hrt::study

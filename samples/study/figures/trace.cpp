@@ -113,8 +113,7 @@ Figure trace_figure(const Trace& trace) {
       .caption = "Every state over the time of a simulated reach, with two deviations to both sides.",
       .width_px = 1200,
       .height_px = 900,
-      .script = "$trace << EOD\n",
-      .svg = ""};
+      .script = "$trace << EOD\n"};
   for (const TracedSample& sample : trace.samples) {
     figure.script += number(sample.time_s);
     for (std::size_t i = 0; i < sample.mean.size(); ++i)

@@ -29,19 +29,17 @@ Workshop::~Workshop() {
   if (was_made_) fs::remove(out_, ignored);  // only if it is empty
 }
 
-std::string Workshop::draw(const Figure& figure, const std::string& ending) {
-  run_gnuplot(drawing(figure, ending), folder_);
-  return drawn(figure.name + '.' + ending);
+std::string Workshop::draw(const Figure& figure) {
+  run_gnuplot(drawing(figure), folder_);
+  const std::string name = figure.name + ".svg";
+  std::string content = read_file(folder_ / name);
+  if (content.empty()) throw std::runtime_error("gnuplot did not write " + name);
+  files_.push_back(name);
+  return content;
 }
 
-void Workshop::draw(std::vector<Figure>& figures) {
-  std::string script;
-  for (const Figure& figure : figures) script += drawing(figure, "svg") + drawing(figure, "png");
-  run_gnuplot(script, folder_);
-  for (Figure& figure : figures) {
-    figure.svg = drawn(figure.name + ".svg");
-    drawn(figure.name + ".png");
-  }
+std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure) {
+  return Workshop(argument, fs::absolute(path).parent_path().string()).draw(figure);
 }
 
 void Workshop::write(const std::string& name, std::string_view content) {
@@ -51,13 +49,6 @@ void Workshop::write(const std::string& name, std::string_view content) {
 
 void Workshop::publish() const {
   for (const std::string& name : files_) fs::rename(folder_ / name, out_ / name);
-}
-
-std::string Workshop::drawn(const std::string& name) {
-  std::string content = read_file(folder_ / name);
-  if (content.empty()) throw std::runtime_error("gnuplot did not write " + name);
-  files_.push_back(name);
-  return content;
 }
 
 }  // namespace hrt::study

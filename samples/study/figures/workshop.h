@@ -20,11 +20,8 @@ class Workshop {
   Workshop(const Workshop&) = delete;
   Workshop& operator=(const Workshop&) = delete;
 
-  /// Draws the figure; returns the content of its file, which ends with `ending`, "svg" or "png".
-  std::string draw(const Figure& figure, const std::string& ending);
-
-  /// Draws all as .svg, which they keep, and as .png.
-  void draw(std::vector<Figure>& figures);
+  /// Draws the figure; returns the content of its file, NAME.svg.
+  std::string draw(const Figure& figure);
 
   void write(const std::string& name, std::string_view content);
 
@@ -32,12 +29,13 @@ class Workshop {
   void publish() const;
 
  private:
-  std::string drawn(const std::string& name);
-
   std::filesystem::path out_;
   std::filesystem::path folder_;  // removed by the destructor
   std::vector<std::string> files_;
   bool was_made_;
 };
+
+/// The picture for a file at `path`, drawn in its folder. Throws as Workshop.
+std::string draw_beside(const std::string& argument, const std::string& path, const Figure& figure);
 
 }  // namespace hrt::study

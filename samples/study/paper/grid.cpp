@@ -46,20 +46,16 @@ std::string grid_header() {
          "rms_perceived_error_deg,saturated_share,max_gap_deg,reachable\n";
 }
 
-std::string grid_row_start(std::uint64_t index, const Condition& condition, std::uint64_t seed,
-                           std::uint64_t trials) {
-  std::string row = std::to_string(index) + ',' + number(condition.real_direction_deg) + ',' +
-                    number(condition.virtual_direction_deg) + ',';
-  for (const double value : values_of(condition)) row += number(value) + ',';
-  return row + std::to_string(seed) + ',' + std::to_string(trials) + ',';
-}
-
-std::string grid_row_end(const Condition& condition, const BatchResult& result) {
+std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed,
+                     const BatchResult& result) {
   const PercentInterval interval = wilson_interval(result.hit_percent(), static_cast<double>(result.trials));
   const Authority authority =
       steering_authority(condition.real_direction_deg, condition.virtual_direction_deg,
                          condition.participant.tactile_weight, condition.controller.mpc.plate_bound_deg);
-  std::string row = std::to_string(result.hits);
+  std::string row = std::to_string(index) + ',' + number(condition.real_direction_deg) + ',' +
+                    number(condition.virtual_direction_deg) + ',';
+  for (const double value : values_of(condition)) row += number(value) + ',';
+  row += std::to_string(seed) + ',' + std::to_string(result.trials) + ',' + std::to_string(result.hits);
   for (const double value :
        {result.hit_percent(), interval.low, interval.high, result.mean_miss_deg(), result.rms_miss_deg(),
         result.rms_felt_error_deg(), result.saturated_share(), authority.max_gap_deg})

@@ -30,11 +30,8 @@ class Grid {
 /// The header of the CSV, with its line end.
 std::string grid_header();
 
-/// The row's fields that are known before the point is simulated, with a comma after the last.
-std::string grid_row_start(std::uint64_t index, const Condition& condition, std::uint64_t seed,
-                           std::uint64_t trials);
-
-/// The fields that result, with the line end.
-std::string grid_row_end(const Condition& condition, const BatchResult& result);
+/// A row, with its line end.
+std::string grid_row(std::uint64_t index, const Condition& condition, std::uint64_t seed,
+                     const BatchResult& result);
 
 }  // namespace hrt::study

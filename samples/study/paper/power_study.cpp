@@ -1,6 +1,6 @@
 #include "samples/study/paper/power_study.h"
 
-#include <nlohmann/json.hpp>
+#include <utility>
 
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
@@ -40,10 +40,18 @@ std::string with_interval(const Quantile& quantile, int decimals) {
          ")";
 }
 
+// "12 (10-15)"; more than max_people: "> 1000".
+std::string people_text(const PeopleNeeded& needed) {
+  const auto count = [](std::uint64_t people) {
+    return people > max_people ? "> " + std::to_string(max_people) : std::to_string(people);
+  };
+  return count(needed.people) + " (" + count(needed.low) + "-" + count(needed.high) + ")";
+}
+
 std::string power_line(const PowerRow& row, const std::string& effect, bool needed) {
   std::string line = right(effect, 11) + right(std::to_string(row.reaches), 9) +
-                     right(needed ? people_text(row.for_80, "-") : "", 17) +
-                     right(needed ? people_text(row.for_90, "-") : "", 17) + "  ";
+                     right(needed ? people_text(row.for_80) : "", 17) +
+                     right(needed ? people_text(row.for_90) : "", 17) + "  ";
   for (const PowerPoint& point : row.points) line += right(fixed(point.found.percent(), 0), 5);
   return line + '\n';
 }
@@ -56,6 +64,31 @@ double widest_interval(const PowerStudy& study) {
       widest = std::max(widest, 0.5 * (interval.high - interval.low));
     }
   return widest;
+}
+
+// What the numbers take for granted, a sentence each.
+std::vector<std::string> power_assumptions(const PowerOptions& options) {
+  const std::string outcome =
+      "Outcome: a person's mean size of the error of the real target's bearing, of the fingertip's "
+      "true end. Test: paired t, two-sided, 5 %, found if the controller's error is the smaller one.";
+  const std::string effect =
+      "Effect: the differences are shifted to the mean that the row states, so that people differ from each "
+      "other as the simulated ones do, whatever the effect. The mean that the simulation itself gives is no "
+      "forecast.";
+  return {
+      "Design: within subject. Each person makes the stated number of reaches under each of two conditions: "
+      "our controller, which starts without knowledge of the person and carries what it learns, and " +
+          std::string(against_words(options.pool.against)) +
+          ". Order, learning and fatigue of the person have no effect.",
+      outcome,
+      "People: " + std::to_string(options.pool.people) + " of each of " +
+          std::to_string(options.families.size()) +
+          " simulated families in equal parts, at a pace of 1 to 2 s, gap 10 deg over 100 mm; nobody is "
+          "screened out, also not who cannot hold the gap. Real people may differ more.",
+      effect,
+      "Scatter from reach to reach is that of the simulation, plus " + number(options.pool.scatter_deg) +
+          " deg (--scatter). Nobody drops out.",
+  };
 }
 
 }  // namespace
@@ -82,37 +115,6 @@ PowerStudy simulate_power(const PowerOptions& options) {
     }
   }
   return study;
-}
-
-std::vector<std::string> power_assumptions(const PowerOptions& options) {
-  const std::string outcome =
-      "Outcome: a person's mean size of the error of the real target's bearing, of the fingertip's "
-      "true end. Test: paired t, two-sided, 5 %, found if the controller's error is the smaller one.";
-  const std::string effect =
-      "Effect: the differences are shifted to the mean that the row states, so that people differ from each "
-      "other as the simulated ones do, whatever the effect. The mean that the simulation itself gives is no "
-      "forecast.";
-  return {
-      "Design: within subject. Each person makes the stated number of reaches under each of two conditions: "
-      "our controller, which starts without knowledge of the person and carries what it learns, and " +
-          std::string(against_words(options.pool.against)) +
-          ". Order, learning and fatigue of the person have no effect.",
-      outcome,
-      "People: " + std::to_string(options.pool.people) + " of each of " +
-          std::to_string(options.families.size()) +
-          " simulated families in equal parts, at a pace of 1 to 2 s, gap 10 deg over 100 mm; nobody is "
-          "screened out, also not who cannot hold the gap. Real people may differ more.",
-      effect,
-      "Scatter from reach to reach is that of the simulation, plus " + number(options.pool.scatter_deg) +
-          " deg (--scatter). Nobody drops out.",
-  };
-}
-
-std::string people_text(const PeopleNeeded& needed, const std::string& dash) {
-  const auto count = [](std::uint64_t people) {
-    return people > max_people ? "> " + std::to_string(max_people) : std::to_string(people);
-  };
-  return count(needed.people) + " (" + count(needed.low) + dash + count(needed.high) + ")";
 }
 
 std::string power_text(const PowerStudy& study) {
@@ -143,68 +145,43 @@ std::string power_text(const PowerStudy& study) {
   return page;
 }
 
-std::string power_csv(const PowerStudy& study) {
-  std::string page =
-      "against,effect_deg,reaches,people,power_percent,power_low_percent,power_high_percent,"
-      "people_for_80,people_for_80_low,people_for_80_high,people_for_90,people_for_90_low,people_for_90_"
-      "high\n";
-  const auto add = [&](const PowerRow& row, bool needed) {
+Results power_results(const PowerStudy& study) {
+  const bool paper = study.options.pool.against == Against::paper;
+  Results found{.about = {{"simulation", true},
+                          {"trials", study.options.trials},
+                          {"seed", study.options.pool.seed},
+                          {"assumptions", power_assumptions(study.options)}},
+                .rows = {}};
+  for (const PoolSpread& pool : study.pool) {
+    Row row{{"reaches", pool.reaches}};
+    put(row, "difference_mean", "_deg", pool.difference_deg.mean);
+    put(row, "difference_sd", "_deg", pool.difference_deg.sd);
+    put(row, "with_median", "_deg", pool.with_deg);
+    put(row, "without_median", "_deg", pool.without_deg);
+    found.about["pool"].push_back(std::move(row));
+  }
+  const auto add = [&](const PowerRow& of, bool needed) {
     const auto count = [&](std::uint64_t people) {
-      return ',' + (!needed || people > max_people ? "" : std::to_string(people));
+      return needed && people <= max_people ? Row(people) : Row();
     };
-    for (const PowerPoint& point : row.points) {
-      const PercentInterval interval = point.found.interval();
-      page += std::string(study.options.pool.against == Against::paper ? "paper," : "none,") +
-              number(row.effect_deg) + ',' + std::to_string(row.reaches) + ',' +
-              std::to_string(point.people) + ',' + number(point.found.percent()) + ',' +
-              number(interval.low) + ',' + number(interval.high);
-      for (const PeopleNeeded* people : {&row.for_80, &row.for_90})
-        page += count(people->people) + count(people->low) + count(people->high);
-      page += '\n';
+    for (const PowerPoint& point : of.points) {
+      Row row{{"against", paper ? "paper" : "none"},
+              {"effect_deg", of.effect_deg},
+              {"reaches", of.reaches},
+              {"people", point.people}};
+      put(row, "power", point.found);
+      for (const auto& [name, people] :
+           {std::pair("people_for_80", of.for_80), {"people_for_90", of.for_90}}) {
+        row[name] = count(people.people);
+        row[std::string(name) + "_low"] = count(people.low);
+        row[std::string(name) + "_high"] = count(people.high);
+      }
+      found.rows.push_back(std::move(row));
     }
   };
   for (const PowerRow& row : study.no_effect) add(row, false);
   for (const PowerRow& row : study.rows) add(row, true);
-  return page;
-}
-
-std::string power_json(const PowerStudy& study) {
-  using Json = nlohmann::ordered_json;
-  const auto quantile = [](const Quantile& value) {
-    return Json{{"value", value.value}, {"interval", {value.low, value.high}}};
-  };
-  Json page{{"simulation", true},
-            {"against", study.options.pool.against == Against::paper ? "paper" : "none"},
-            {"trials", study.options.trials},
-            {"seed", study.options.pool.seed},
-            {"assumptions", power_assumptions(study.options)}};
-  for (const PoolSpread& pool : study.pool)
-    page["pool"].push_back({{"reaches", pool.reaches},
-                            {"difference_mean_deg", quantile(pool.difference_deg.mean)},
-                            {"difference_sd_deg", quantile(pool.difference_deg.sd)},
-                            {"with_median_deg", quantile(pool.with_deg)},
-                            {"without_median_deg", quantile(pool.without_deg)}});
-  const auto add = [&](const PowerRow& row, bool needed) {
-    Json entry{{"effect_deg", row.effect_deg}, {"reaches", row.reaches}};
-    for (const PowerPoint& point : row.points) {
-      const PercentInterval interval = point.found.interval();
-      entry["power"].push_back({{"people", point.people},
-                                {"percent", point.found.percent()},
-                                {"interval_percent", {interval.low, interval.high}}});
-    }
-    if (needed) {
-      const auto people = [](const PeopleNeeded& found) {
-        const auto count = [](std::uint64_t n) { return n > max_people ? Json() : Json(n); };
-        return Json{{"value", count(found.people)}, {"interval", {count(found.low), count(found.high)}}};
-      };
-      entry["people_for_80"] = people(row.for_80);
-      entry["people_for_90"] = people(row.for_90);
-    }
-    page["rows"].push_back(entry);
-  };
-  for (const PowerRow& row : study.no_effect) add(row, false);
-  for (const PowerRow& row : study.rows) add(row, true);
-  return page.dump(2) + '\n';
+  return found;
 }
 
 }  // namespace hrt::study

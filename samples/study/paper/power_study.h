@@ -1,9 +1,10 @@
-// The power study as text, CSV and JSON.
+// The power study as text, and as rows of numbers.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "samples/study/numbers/results.h"
 #include "samples/study/paper/power.h"
 
 namespace hrt::study {
@@ -50,14 +51,8 @@ struct PowerStudy {
 /// Simulates pool and trials, with a progress bar.
 PowerStudy simulate_power(const PowerOptions& options);
 
-/// What the numbers take for granted, a sentence each.
-std::vector<std::string> power_assumptions(const PowerOptions& options);
-
-/// "12 (10-15)"; more than max_people: "> 1000".
-std::string people_text(const PeopleNeeded& needed, const std::string& dash);
-
 std::string power_text(const PowerStudy& study);
-std::string power_csv(const PowerStudy& study);
-std::string power_json(const PowerStudy& study);
+/// A row an effect, number of reaches and number of people.
+Results power_results(const PowerStudy& study);
 
 }  // namespace hrt::study

@@ -16,10 +16,6 @@ namespace {
 // Two proportions that differ by chance alone exceed this in one case of twenty.
 constexpr double significant = 3.841458820694124;
 
-// Section III-A: 10 deg "was chosen because is the one that gives an higher percentage". Of these all can be
-// held.
-constexpr double amplitudes_deg[] = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0};
-
 Condition condition(double motor_variance_deg2, double tactile_weight, double real_direction_deg,
                     double virtual_direction_deg, std::uint64_t horizon) {
   Condition condition =
@@ -47,6 +43,7 @@ CellGroup paper_condition(std::size_t index, std::uint64_t horizon) {
                               paper.motor_variance_deg2, paper.tactile_weight, horizon);
   for (std::size_t i = 0; i < paper.cells.size(); ++i) group.cells[i].paper_percent = paper.cells[i].percent;
   group.paper_percent = paper.mean_percent;
+  group.paper_sd = paper.sd_percent;
   return group;
 }
 
@@ -65,9 +62,16 @@ std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
                     .title = "Gap 12 deg, motor variance 2 deg^2",
                     .cells = {wide},
                     .paper_percent = paper_wide_gap_percent});
+  Cell deviation = wide;
+  deviation.condition.participant.motor_variance_deg2 = 4.0;
+  deviation.condition.controller.participant.motor_variance_deg2 = 4.0;
+  claims.push_back({.name = "gap_12_deviation_2",
+                    .title = "The same, standard deviation 2 deg",
+                    .cells = {deviation},
+                    .paper_percent = paper_wide_gap_percent});
   wide.condition.tolerance_deg = 5.0;
   claims.push_back({.name = "gap_12_within_5",
-                    .title = "The same, counted within 5 deg",
+                    .title = "Variance 2, counted within 5 deg",
                     .cells = {wide},
                     .paper_percent = paper_wide_gap_percent});
 
@@ -80,16 +84,24 @@ std::vector<CellGroup> paper_claims(std::uint64_t horizon) {
         six_pairs("horizon_" + std::to_string(steps), "Horizon " + std::to_string(steps), 0.5, 0.15, steps));
   claims[claims.size() - 3].paper_percent = paper_table1[0].mean_percent;
 
-  for (const double gap_deg : amplitudes_deg) {
-    claims.push_back(six_pairs("amplitude_" + number(gap_deg), "Six pairs " + number(gap_deg) + " deg apart",
-                               0.5, 0.15, horizon));
-    for (Cell& cell : claims.back().cells) {
-      cell.condition.real_direction_deg *= gap_deg / 10.0;
-      cell.condition.virtual_direction_deg *= gap_deg / 10.0;
-    }
-    if (gap_deg == 10.0) claims.back().paper_percent = paper_table1[0].mean_percent;
-  }
   return claims;
+}
+
+// The six pairs of each condition, as wide as each amplitude.
+std::vector<CellGroup> amplitude_groups(std::uint64_t horizon) {
+  std::vector<CellGroup> groups;
+  for (std::size_t i = 0; i < paper_table1.size(); ++i)
+    for (const double gap_deg : amplitudes_deg) {
+      CellGroup group =
+          six_pairs("amplitude_" + number(gap_deg) + "_condition_" + std::to_string(i + 1), "",
+                    paper_table1[i].motor_variance_deg2, paper_table1[i].tactile_weight, horizon);
+      for (Cell& cell : group.cells) {
+        cell.condition.real_direction_deg *= gap_deg / 10.0;
+        cell.condition.virtual_direction_deg *= gap_deg / 10.0;
+      }
+      groups.push_back(std::move(group));
+    }
+  return groups;
 }
 
 // Fills in whether the group's mean lies within the paper's interval, and `reason` if it does not.
@@ -108,69 +120,8 @@ std::string compared_words(const CellGroup& group, const CellGroup& other) {
          fixed(std::abs(gain_percent), 1) + " percentage points " + (gain_percent < 0.0 ? "below" : "above");
 }
 
-// The paper's 10 deg is the best amplitude if every other one is worse by more than chance.
-void judge_amplitudes(const std::vector<CellGroup*>& amplitudes) {
-  const CellGroup& ten = **std::find_if(amplitudes.begin(), amplitudes.end(), [](const CellGroup* group) {
-    return group->paper_percent.has_value();
-  });
-  const auto trials = static_cast<double>(ten.cells.size() * ten.cells.front().result.trials);
-  for (CellGroup* group : amplitudes) {
-    if (group == &ten) {
-      judge(*group);
-      continue;
-    }
-    const double gain_percent = group->mean_percent() - ten.mean_percent();
-    const bool by_chance =
-        squared_difference(group->mean_percent(), trials, ten.mean_percent(), trials) < significant;
-    group->reproduced = gain_percent < 0.0 && !by_chance;
-    group->verdict = compared_words(*group, ten) + " 10 deg" + (by_chance ? ", within chance" : "") +
-                     "; the paper calls 10 deg the best";
-  }
-}
-
-void judge_claims(std::vector<CellGroup>& claims) {
-  std::vector<CellGroup*> horizons;
-  std::vector<CellGroup*> amplitudes;
-  for (CellGroup& claim : claims) {
-    const Condition& first = claim.cells.front().condition;
-    if (claim.name == "tactile_weight_0.05") {
-      const auto limit = [&](double bound_deg) {
-        return fixed(max_gap_deg(first.participant.tactile_weight, bound_deg), 1);
-      };
-      const double bound_deg = first.controller.mpc.plate_bound_deg;
-      judge(claim,
-            "NOT reproducible: by the paper's own equations a gap of 10 deg cannot be held with this weight; "
-            "with the plate within " +
-                number(bound_deg) + " deg of the virtual direction it can be " + limit(bound_deg) +
-                " deg, within 90 deg " + limit(90.0) + " deg");
-    } else if (claim.name == "gap_12") {
-      judge(claim);
-      claim.verdict +=
-          "; the paper's text calls 2 the standard deviation, the caption of its Fig. 7 the variance, which "
-          "is what is simulated";
-    } else if (claim.name == "gap_12_within_5") {
-      judge(claim,
-            "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "
-            "within 5 deg; the model agrees with the text");
-    } else if (claim.name == "no_controller") {
-      const BatchResult& result = claim.cells.front().result;
-      const double final_deg = first.real_direction_deg + result.mean_miss_deg();
-      claim.reproduced = result.hit_percent() < 5.0 && std::abs(final_deg - first.virtual_direction_deg) <
-                                                           std::abs(final_deg - first.real_direction_deg);
-      claim.verdict = std::string(claim.reproduced ? "reproduced" : "NOT reproduced") +
-                      ": the finger ends at " + fixed(final_deg, 1) + " deg on average, the real target at " +
-                      number(first.real_direction_deg) + ", the virtual one at " +
-                      number(first.virtual_direction_deg);
-    } else if (claim.name.starts_with("horizon_")) {
-      horizons.push_back(&claim);
-    } else if (claim.name.starts_with("amplitude_")) {
-      amplitudes.push_back(&claim);
-    } else {
-      judge(claim);
-    }
-  }
-  judge_amplitudes(amplitudes);
-
+// A window of three steps is the shortest that does as well as any.
+void judge_horizons(const std::vector<CellGroup*>& horizons) {
   const CellGroup& three = *horizons[2];
   const auto trials = static_cast<double>(three.cells.size() * three.cells.front().result.trials);
   for (CellGroup* group : horizons) {
@@ -188,6 +139,53 @@ void judge_claims(std::vector<CellGroup>& claims) {
   }
 }
 
+void judge_uncontrolled(CellGroup& claim) {
+  const Condition& first = claim.cells.front().condition;
+  const BatchResult& result = claim.cells.front().result;
+  const double final_deg = first.real_direction_deg + result.mean_miss_deg();
+  claim.reproduced = result.hit_percent() < 5.0 && std::abs(final_deg - first.virtual_direction_deg) <
+                                                       std::abs(final_deg - first.real_direction_deg);
+  claim.verdict = std::string(claim.reproduced ? "reproduced" : "NOT reproduced") + ": the finger ends at " +
+                  fixed(final_deg, 1) + " deg on average, the real target at " +
+                  number(first.real_direction_deg) + ", the virtual one at " +
+                  number(first.virtual_direction_deg);
+}
+
+void judge_claims(std::vector<CellGroup>& claims) {
+  std::vector<CellGroup*> horizons;
+  for (CellGroup& claim : claims) {
+    const Condition& first = claim.cells.front().condition;
+    if (claim.name == "tactile_weight_0.05") {
+      const auto limit = [&](double bound_deg) {
+        return fixed(max_gap_deg(first.participant.tactile_weight, bound_deg), 1);
+      };
+      const double bound_deg = first.controller.mpc.plate_bound_deg;
+      judge(claim,
+            "NOT reproducible: by the paper's own equations a gap of 10 deg cannot be held with this weight; "
+            "with the plate within " +
+                number(bound_deg) + " deg of the virtual direction it can be " + limit(bound_deg) +
+                " deg, within 90 deg " + limit(90.0) + " deg");
+    } else if (claim.name == "gap_12") {
+      judge(claim);
+      claim.verdict += "; the caption of the paper's Fig. 7 calls 2 the variance";
+    } else if (claim.name == "gap_12_deviation_2") {
+      judge(claim);
+      claim.verdict += "; the paper's text calls 2 the standard deviation";
+    } else if (claim.name == "gap_12_within_5") {
+      judge(claim,
+            "NOT reproduced: the paper's text counts the 60 % within 1.5 deg, the caption of its Fig. 7 "
+            "within 5 deg; the model agrees with the text");
+    } else if (claim.name == "no_controller") {
+      judge_uncontrolled(claim);
+    } else if (claim.name.starts_with("horizon_")) {
+      horizons.push_back(&claim);
+    } else {
+      judge(claim);
+    }
+  }
+  judge_horizons(horizons);
+}
+
 }  // namespace
 
 std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, std::uint64_t seed,
@@ -203,6 +201,18 @@ double CellGroup::mean_percent() const {
   double sum = 0.0;
   for (const Cell& cell : cells) sum += cell.result.hit_percent();
   return sum / static_cast<double>(cells.size());
+}
+
+double CellGroup::sd_percent() const {
+  const double mean = mean_percent();
+  double between = 0.0;
+  double within = 0.0;
+  for (const Cell& cell : cells) {
+    const double percent = cell.result.hit_percent();
+    between += (percent - mean) * (percent - mean) / static_cast<double>(cells.size() - 1);
+    within += percent * (100.0 - percent) / paper_trials / static_cast<double>(cells.size());
+  }
+  return std::sqrt(between + within);
 }
 
 std::optional<PercentInterval> CellGroup::paper_interval() const {
@@ -223,9 +233,10 @@ Table1 simulate_table1(const Table1Options& options) {
   for (std::size_t i = 0; i < paper_table1.size(); ++i)
     table.conditions.push_back(paper_condition(i, options.horizon));
   table.claims = paper_claims(options.horizon);
+  table.amplitudes = amplitude_groups(options.horizon);
 
   std::vector<Cell*> cells;
-  for (auto* groups : {&table.conditions, &table.claims})
+  for (auto* groups : {&table.conditions, &table.claims, &table.amplitudes})
     for (CellGroup& group : *groups)
       for (Cell& cell : group.cells) cells.push_back(&cell);
   std::vector<BatchJob> jobs;
@@ -248,6 +259,21 @@ Table1 simulate_table1(const Table1Options& options) {
   table.p_value = chi_squared_tail(table.chi_squared, table.degrees_of_freedom);
   judge_claims(table.claims);
   return table;
+}
+
+BestAmplitude best_amplitude(const Table1& table, std::size_t condition) {
+  constexpr std::size_t count = std::size(amplitudes_deg);
+  const auto first = table.amplitudes.begin() + static_cast<std::ptrdiff_t>(condition * count);
+  const auto best = std::max_element(first, first + count, [](const CellGroup& a, const CellGroup& b) {
+    return a.mean_percent() < b.mean_percent();
+  });
+  const CellGroup& ten = first[paper_amplitude];
+  const auto trials = static_cast<double>(ten.cells.size() * ten.cells.front().result.trials);
+  return {.gap_deg = amplitudes_deg[best - first],
+          .percent = best->mean_percent(),
+          .paper_amplitude_percent = ten.mean_percent(),
+          .by_chance =
+              squared_difference(best->mean_percent(), trials, ten.mean_percent(), trials) < significant};
 }
 
 double limit_percent(const Condition& condition) {

@@ -30,10 +30,13 @@ struct CellGroup {
   std::string title;
   std::vector<Cell> cells;
   std::optional<double> paper_percent;  ///< the paper's mean over the cells
+  std::optional<double> paper_sd;       ///< and their standard deviation
   bool reproduced = false;              ///< ours agrees with the paper's
   std::string verdict;                  ///< the same in words, and why
 
   double mean_percent() const;
+  /// The standard deviation that the cells' percentages have if each is of the paper's 50 trials.
+  double sd_percent() const;
   /// The 95 % interval of the paper's mean, each cell having had the paper's 50 trials.
   std::optional<PercentInterval> paper_interval() const;
 };
@@ -43,10 +46,15 @@ PercentInterval paper_interval(const Cell& cell);
 /// Our percentage lies within it.
 bool agrees(const Cell& cell);
 
+/// Section III-A: 10 deg "was chosen because is the one that gives an higher percentage".
+inline constexpr double amplitudes_deg[] = {2.0, 4.0, 6.0, 8.0, 10.0, 12.0, 14.0};
+inline constexpr std::size_t paper_amplitude = 4;  // its place
+
 struct Table1 {
   Table1Options options;
   std::vector<CellGroup> conditions;  ///< the four of Table I
   std::vector<CellGroup> claims;      ///< the paper's other claims
+  std::vector<CellGroup> amplitudes;  ///< of every condition of Table I, one of each of amplitudes_deg
   double chi_squared;                 ///< over all cells of `conditions`
   int degrees_of_freedom;
   double p_value;
@@ -60,6 +68,15 @@ std::vector<BatchResult> run_with_progress(const std::vector<BatchJob>& jobs, st
 inline constexpr const char* in_sample_words =
     "In-sample: the sensory variance (0.1 deg²), the bound on the plate (84.5 deg) and the number of steps "
     "(30) are not in the paper and were chosen to match these same cells, so p is too high.";
+
+/// The amplitude that does best under a condition, and whether the paper's 10 deg does as well within chance.
+struct BestAmplitude {
+  double gap_deg;
+  double percent;
+  double paper_amplitude_percent;
+  bool by_chance;
+};
+BestAmplitude best_amplitude(const Table1& table, std::size_t condition);
 
 /// Simulates all of it, with a progress bar.
 Table1 simulate_table1(const Table1Options& options);

@@ -36,7 +36,7 @@ struct CoverageSession {
 std::vector<double> coverage_angles();
 
 enum Quantity { weight, bias, habit, max_gap, quantities };
-inline constexpr const char* quantity_name[quantities] = {"w_T", "bias", "habit", "largest gap"};
+inline constexpr const char* quantity_name[quantities] = {"weight", "bias", "habit", "max_gap"};
 
 /// One person: truth and interval of each quantity.
 struct CoveragePerson {

@@ -11,7 +11,6 @@ namespace {
 
 // Draws of the order of trials, apart from those of their steps and of the tracker.
 constexpr std::uint32_t order_draw = 1U << 31;
-constexpr double turning_angle_deg = 35.0;
 
 // Balanced, randomised order of plate angles.
 std::vector<double> angles_in_order(const Session& session) {
@@ -41,17 +40,11 @@ std::string comment(const std::string& name, double value) {
 
 std::vector<CalibrationTrial> simulate_session(const Session& session) {
   std::vector<CalibrationTrial> trials;
-  const auto simulate = [&](double angle_deg, bool turns) {
+  for (const double angle_deg : angles_in_order(session))
     trials.push_back(simulate_calibration_trial(session.condition, angle_deg,
                                                 {.seed = session.seed,
                                                  .condition = session.person,
-                                                 .trial = static_cast<std::uint32_t>(trials.size())},
-                                                turns));
-  };
-  for (const double angle_deg : angles_in_order(session)) simulate(angle_deg, false);
-  for (std::uint64_t i = 0; i < session.turning_trials; ++i)
-    simulate(session.condition.goal_direction_deg + (i % 2 == 0 ? turning_angle_deg : -turning_angle_deg),
-             true);
+                                                 .trial = static_cast<std::uint32_t>(trials.size())}));
   return trials;
 }
 
@@ -72,8 +65,7 @@ std::string session_csv(const Session& session) {
     for (std::size_t k = 0; k < trial.samples.size(); ++k)
       csv += std::to_string(i + 1) + ',' + fixed(static_cast<double>(trial.samples[k].time_ns) * 1e-9, 9) +
              ',' + number(trial.samples[k].position.right_m) + ',' +
-             number(trial.samples[k].position.away_m) + ',' +
-             number(trial.plate_deg.empty() ? trial.plate_orientation_deg : trial.plate_deg[k]) + '\n';
+             number(trial.samples[k].position.away_m) + ',' + number(trial.plate_orientation_deg) + '\n';
   }
   return csv;
 }

@@ -15,13 +15,11 @@ namespace hrt::study {
 /// The columns of calibration data, in the order in which they are written.
 inline constexpr const char* calibration_header = "trial,time_s,right_m,away_m,plate_orientation_deg";
 
-/// A simulated person's session: `trials_per_angle` slides at each plate angle, in random order, then
-/// `turning_trials` within which the plate turns by 70 degrees and back.
+/// A simulated person's session: `trials_per_angle` slides at each plate angle, in random order.
 struct Session {
   CalibrationCondition condition;
   std::vector<double> plate_angles_deg{-75.0, -60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0, 75.0};
   std::uint64_t trials_per_angle = 5;
-  std::uint64_t turning_trials = 0;
   std::uint64_t seed = 1;
   std::uint32_t person = 0;  ///< people of one seed differ by this
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <set>
 #include <span>
 
@@ -107,111 +106,53 @@ std::string all_names() {
   return text;
 }
 
-// Collects parameters; `where` is file and line in errors.
-class Taker {
- public:
-  void take(const std::string& where, std::string_view parameter, std::string_view value) {
-    if (!seen_.insert(std::string(parameter)).second)
-      throw UsageError(not_allowed(where, shown(parameter), "a parameter that no line before has"));
-    for (const WordParameter& known : word_parameters)
-      if (parameter == known.name) return take_word(where, known, value);
-    for (const NumberParameter& known : number_parameters)
-      if (parameter == known.name) return take_number(where, known, value);
-    throw UsageError(not_allowed(where, shown(parameter), all_names()));
+// `where` is the file and the parameter.
+void take(const std::string& where, std::string_view parameter, const nlohmann::json& value,
+          PersonFile* file) {
+  for (const WordParameter& known : word_parameters) {
+    if (parameter != known.name) continue;
+    const auto word = value.is_string() ? value.get<std::string>() : value.dump();
+    const auto found = std::find(known.words.begin(), known.words.end(), word);
+    if (found == known.words.end())
+      throw UsageError(not_allowed(where, shown(word), "one of " + joined(known.words)));
+    return known.set(file->condition, static_cast<std::size_t>(found - known.words.begin()));
   }
-
-  PersonFile finish(const std::string& name) const {
-    const C& c = file_.condition;
-    if (seen_.empty()) throw UsageError(name + ": there is no parameter; it must have " + all_names());
-    if (c.virtual_direction_deg == c.real_direction_deg)
-      throw UsageError(not_allowed(name + ", real_direction_deg", number(c.real_direction_deg),
-                                   "another direction than virtual_direction_deg"));
-    return file_;
+  for (const NumberParameter& known : number_parameters) {
+    if (parameter != known.name) continue;
+    if (!value.is_number() || !known.range.contains(value.get<double>()))
+      throw UsageError(not_allowed(where, shown(value.dump()), known.range.text()));
+    if (parameter == "duration_s") file->has_duration = true;
+    return known.set(file->condition, value.get<double>());
   }
-
- private:
-  void take_word(const std::string& where, const WordParameter& parameter, std::string_view value) {
-    const auto found = std::find(parameter.words.begin(), parameter.words.end(), value);
-    if (found == parameter.words.end())
-      throw UsageError(
-          not_allowed(where + ", " + parameter.name, shown(value), "one of " + joined(parameter.words)));
-    parameter.set(file_.condition, static_cast<std::size_t>(found - parameter.words.begin()));
-  }
-
-  void take_number(const std::string& where, const NumberParameter& parameter, std::string_view text) {
-    const std::optional<double> value = parameter.range.parse(text);
-    if (!value)
-      throw UsageError(not_allowed(where + ", " + parameter.name, shown(text), parameter.range.text()));
-    parameter.set(file_.condition, *value);
-    if (std::string_view(parameter.name) == "duration_s") file_.has_duration = true;
-  }
-
-  PersonFile file_;
-  std::set<std::string> seen_;
-};
-
-PersonFile parse_csv(const std::string& name, std::string_view text) {
-  Taker taker;
-  bool has_header = false;
-  for (CsvReader csv(name, text); csv.next();) {
-    if (csv.line().starts_with('#')) continue;
-    const auto& fields = csv.fields();
-    if (has_header) {
-      if (fields.size() != 2)
-        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "a name, a comma and a value"));
-      taker.take(csv.where(), fields[0], fields[1]);
-    } else {
-      has_header = fields.size() == 2 && fields[0] == "name" && fields[1] == "value";
-      if (!has_header)
-        throw UsageError(not_allowed(csv.where(), shown(csv.line()), "the header name,value, or JSON"));
-    }
-  }
-  return taker.finish(name);
-}
-
-std::size_t line_of(std::string_view text, std::size_t byte) {
-  const std::string_view before = text.substr(0, byte);
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-}
-
-PersonFile parse_json(const std::string& name, std::string_view text) {
-  using nlohmann::json;
-  Taker taker;
-  std::string key;
-  std::size_t from = 0;  // of the text: keys come in its order
-  const auto where = [&] { return line_of_file(name, line_of(text, from)); };
-  const auto take = [&](int depth, json::parse_event_t event, json& value) {
-    if (event == json::parse_event_t::key) {
-      key = value.get<std::string>();
-      const std::size_t at = text.find(json(key).dump(), from);
-      from = at == std::string_view::npos ? from : at + 1;
-    } else if (depth >= 1 && (event != json::parse_event_t::value || depth > 1)) {
-      throw UsageError(not_allowed(where(), shown(key), "a number or a word"));
-    } else if (depth == 1) {
-      const bool is_word = value.is_string();
-      if (!is_word && !value.is_number())
-        throw UsageError(not_allowed(where() + ", " + shown(key), shown(value.dump()), "a number or a word"));
-      taker.take(where(), key, is_word ? value.get<std::string>() : value.dump());
-    }
-    return true;
-  };
-  try {
-    [[maybe_unused]] const json page = json::parse(text, take);
-  } catch (const json::parse_error& error) {
-    throw UsageError(line_of_file(name, line_of(text, error.byte == 0 ? 0 : error.byte - 1)) +
-                     ": this is not JSON; it must be an object of names and values");
-  } catch (const json::exception&) {
-    throw UsageError(where() + ": a number is too large or a text is not UTF-8; see the allowed values");
-  }
-  return taker.finish(name);
+  throw UsageError(not_allowed(where, shown(parameter), all_names()));
 }
 
 }  // namespace
 
 PersonFile parse_person(const std::string& name, std::string_view text) {
-  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
-  const std::size_t first = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  return first < text.size() && text[first] == '{' ? parse_json(name, text) : parse_csv(name, text);
+  using nlohmann::json;
+  std::set<std::string> seen;
+  const auto once = [&](int, json::parse_event_t event, json& key) {
+    if (event == json::parse_event_t::key && !seen.insert(key.get<std::string>()).second)
+      throw UsageError(name + ": '" + shown(key.get<std::string>()) + "' is there twice");
+    return true;
+  };
+  json page;
+  try {
+    page = json::parse(text, once);
+  } catch (const json::exception& error) {
+    throw UsageError(name + ": this is not JSON: " + error.what());
+  }
+  if (!page.is_object() || page.empty())
+    throw UsageError(name + ": there is no parameter; it must be a JSON object of " + all_names());
+  PersonFile file;
+  for (const auto& [parameter, value] : page.items())
+    take(name + ", " + shown(parameter), parameter, value, &file);
+  const C& c = file.condition;
+  if (c.virtual_direction_deg == c.real_direction_deg)
+    throw UsageError(not_allowed(name + ", real_direction_deg", number(c.real_direction_deg),
+                                 "another direction than virtual_direction_deg"));
+  return file;
 }
 
 PersonFile read_person(const std::string& argument, const std::string& path) {

@@ -13,9 +13,8 @@ struct PersonFile {
   bool has_duration = false;  ///< the file gives condition.person.duration_s
 };
 
-/// Reads JSON, {"tactile_weight": 0.18, "illusion": "sine"}, or CSV with the header name,value. What the file
-/// does not name keeps its default. Comments (#), empty lines and CRLF are ignored in CSV. Throws UsageError
-/// naming file, line, parameter and the allowed values. `name` is the file's name in errors.
+/// Reads JSON, {"tactile_weight": 0.18, "illusion": "sine"}. What the file does not name keeps its default.
+/// Throws UsageError naming file, parameter and the allowed values. `name` is the file's name in errors.
 PersonFile parse_person(const std::string& name, std::string_view text);
 
 /// Reads the file at `path`, of at most 1 MiB; throws UsageError naming `argument` if that fails.

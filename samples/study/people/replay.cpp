@@ -5,8 +5,6 @@
 #include <filesystem>
 #include <limits>
 
-#include <nlohmann/json.hpp>
-
 #include "core/learning.h"
 #include "core/math/trigonometry.h"
 #include "core/retargeter.h"
@@ -110,7 +108,7 @@ std::vector<ReplayedPath> replay(const RecordedPaths& recorded) {
   return replayed;
 }
 
-std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, const std::string& folder) {
+Replayed replay_folder(const std::string& argument, const std::string& folder) {
   namespace fs = std::filesystem;
   const auto refuse = [&](const std::string& why) {
     return UsageError(
@@ -123,13 +121,17 @@ std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, con
   if (error) throw refuse(error.message());
   if (files.empty()) throw refuse("it has no file of that ending");
   std::sort(files.begin(), files.end());
-  std::vector<RecordedPaths> recorded;
-  for (const fs::path& file : files)
-    recorded.push_back(parse_recorded_paths(file.string(), read_input(argument, file.string(), max_bytes)));
-  return recorded;
+  Replayed all;
+  for (const fs::path& file : files) {
+    const RecordedPaths recorded =
+        parse_recorded_paths(file.string(), read_input(argument, file.string(), max_bytes));
+    for (ReplayedPath& path : replay(recorded)) all.paths.push_back(std::move(path));
+    all.left_out.insert(all.left_out.end(), recorded.left_out.begin(), recorded.left_out.end());
+  }
+  return all;
 }
 
-std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out) {
+std::string replay_text(const Replayed& all) {
   std::string page =
       wrapped(
           std::string(open_loop_words) +
@@ -144,7 +146,7 @@ std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vecto
   const auto with_sd = [](double value, double sd, int decimals) {
     return fixed(value, decimals) + " +- " + fixed(sd, decimals);
   };
-  for (const ReplayedPath& replayed : paths) {
+  for (const ReplayedPath& replayed : all.paths) {
     const ReachSummary& summary = replayed.summary;
     const auto& person = summary.person;
     page += left(cut_to(file_name(replayed), 19), 20) + right(std::to_string(replayed.path.number), 6) +
@@ -156,43 +158,25 @@ std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vecto
             right(fixed(replayed.command_change_deg.value, 1), 11) + "  " +
             left(source_name(replayed.path.plate_source), 11) + flag_words(summary) + '\n';
   }
-  if (!left_out.empty()) page += '\n';
-  for (const std::string& sentence : left_out) page += sentence + '\n';
+  if (!all.left_out.empty()) page += '\n';
+  for (const std::string& sentence : all.left_out) page += sentence + '\n';
   return page;
 }
 
-std::string replay_csv(const std::vector<ReplayedPath>& paths) {
-  std::string page = "# " + std::string(open_loop_words) + "\nfile,reach,plate,learnt";
-  if (!paths.empty())
-    for (const auto& [name, value] : numbers(paths.front())) page += std::string(",") + name;
-  page += ",unreachable,misfit,off_target\n";
-  for (const ReplayedPath& replayed : paths) {
-    std::string file = file_name(replayed);
-    std::replace_if(file.begin(), file.end(), [](char c) { return c == ',' || c == '"' || c == '\n'; }, '_');
-    page += file + ',' + std::to_string(replayed.path.number) + ',' +
-            source_name(replayed.path.plate_source) + (replayed.learnt ? ",1" : ",0");
-    for (const auto& [name, value] : numbers(replayed))
-      page += ',' + (std::isnan(value) ? "" : number(value));
-    for (const bool flag :
-         {replayed.summary.unreachable, replayed.summary.misfit, replayed.summary.off_target})
-      page += flag ? ",1" : ",0";
-    page += '\n';
+Results replay_results(const Replayed& replayed) {
+  Results found{.about = {{"open_loop", open_loop_words}, {"left_out", replayed.left_out}}, .rows = {}};
+  for (const ReplayedPath& path : replayed.paths) {
+    Row row{{"file", file_name(path)},
+            {"reach", path.path.number},
+            {"plate", source_name(path.path.plate_source)},
+            {"learnt", path.learnt}};
+    for (const auto& [name, value] : numbers(path)) row[name] = value;
+    row["unreachable"] = path.summary.unreachable;
+    row["misfit"] = path.summary.misfit;
+    row["off_target"] = path.summary.off_target;
+    found.rows.push_back(std::move(row));
   }
-  return page;
-}
-
-std::string replay_json(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out) {
-  nlohmann::ordered_json page{{"open_loop", open_loop_words}, {"left_out", left_out}};
-  for (const ReplayedPath& replayed : paths) {
-    nlohmann::ordered_json entry{{"file", file_name(replayed)},
-                                 {"reach", replayed.path.number},
-                                 {"plate", source_name(replayed.path.plate_source)},
-                                 {"learnt", replayed.learnt}};
-    for (const auto& [name, value] : numbers(replayed)) entry[name] = value;
-    entry["flags"] = flag_words(replayed.summary);
-    page["paths"].push_back(entry);
-  }
-  return page.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
+  return found;
 }
 
 }  // namespace hrt::study

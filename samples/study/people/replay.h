@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "samples/study/numbers/statistics.h"
+#include "samples/study/numbers/results.h"
 #include "samples/study/people/recorded_paths.h"
 
 namespace hrt::study {
@@ -24,12 +24,16 @@ struct ReplayedPath {
 /// Each path of a file under our controller, one after another, as reaches of one person.
 std::vector<ReplayedPath> replay(const RecordedPaths& recorded);
 
-/// Reads all .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if
-/// there is none, or one cannot be read.
-std::vector<RecordedPaths> read_recorded_folder(const std::string& argument, const std::string& folder);
+struct Replayed {
+  std::vector<ReplayedPath> paths;
+  std::vector<std::string> left_out;  ///< a sentence each
+};
 
-std::string replay_text(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out);
-std::string replay_csv(const std::vector<ReplayedPath>& paths);
-std::string replay_json(const std::vector<ReplayedPath>& paths, const std::vector<std::string>& left_out);
+/// All .csv files of a folder, in the order of their names. Throws UsageError naming `argument` if there is
+/// none, or one cannot be read.
+Replayed replay_folder(const std::string& argument, const std::string& folder);
+
+std::string replay_text(const Replayed& replayed);
+Results replay_results(const Replayed& replayed);
 
 }  // namespace hrt::study

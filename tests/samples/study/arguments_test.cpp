@@ -76,13 +76,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadArgument{{"table1", "--format", "xml"}, "--format", "one of text, csv, json"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    Authority, StudyBadArgument,
-    testing::Values(
-        BadArgument{{"authority", "--tactile-weight", "0.1,0.6"}, "--tactile-weight", tactile_weight},
-        BadArgument{{"authority", "--tactile-weight", "0.1,"}, "--tactile-weight", "a list a,b,c"},
-        BadArgument{{"authority", "--gap", "1:2:1"}, "--gap", "first:last:count"},
-        BadArgument{{"authority", "--gap", "1:nan:3"}, "--gap", "first:last:count"},
-        BadArgument{{"authority", "--gap", "0:90:10"}, "--gap", "a number in (-90, 90)"}));
+    Lists, StudyBadArgument,
+    testing::Values(BadArgument{{"sweep", "--tactile-weight", "0.1,0.6"}, "--tactile-weight", tactile_weight},
+                    BadArgument{{"sweep", "--tactile-weight", "0.1,"}, "--tactile-weight", "a list a,b,c"},
+                    BadArgument{{"sweep", "--gap", "1:2:1"}, "--gap", "first:last:count"},
+                    BadArgument{{"sweep", "--gap", "1:nan:3"}, "--gap", "first:last:count"},
+                    BadArgument{{"sweep", "--gap", "0:90:10"}, "--gap", "a number in (-90, 90)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Robustness, StudyBadArgument,
@@ -129,13 +128,13 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         BadArgument{{"trial", "--out", "/nowhere/trial.csv"}, "--out", "a folder that can be written"},
         BadArgument{{"table1", "--out", "/proc/table.csv"}, "--out", "a folder that can be written"},
-        BadArgument{{"authority", "--out", "/"}, "--out", "not a regular file"},
+        BadArgument{{"ridges", "--out", "/"}, "--out", "not a regular file"},
         BadArgument{{"trial", "--out", "/dev/null"}, "--out", "not a regular file"},
         BadArgument{{"trial", "--out", ""}, "--out", "a folder that can be written"}));
 
 INSTANTIATE_TEST_SUITE_P(Subcommand, StudyBadArgument,
-                         testing::Values(BadArgument{{}, "SUBCOMMAND", "one of table1, trial"},
-                                         BadArgument{{"tabel1\n"}, "SUBCOMMAND", "one of table1, trial"}));
+                         testing::Values(BadArgument{{}, "SUBCOMMAND", "one of table1, ridges"},
+                                         BadArgument{{"tabel1\n"}, "SUBCOMMAND", "one of table1, ridges"}));
 
 TEST(StudyArguments, AnUnknownOptionIsNamed) {
   const StudyRun run = run_study({"trial", "--tactile", "0.1"});
@@ -145,7 +144,7 @@ TEST(StudyArguments, AnUnknownOptionIsNamed) {
 }
 
 TEST(StudyArguments, HelpStatesRangesAndDefaultsOfEverySubcommand) {
-  for (const std::string subcommand : {"table1", "trial", "sweep", "authority", "report", "robustness"}) {
+  for (const std::string subcommand : {"table1", "ridges", "trial", "sweep", "report", "robustness"}) {
     const StudyRun run = run_study({subcommand, "--help"});
     EXPECT_EQ(run.exit_code, 0);
     EXPECT_EQ(run.err, "");

@@ -1,6 +1,10 @@
 // What the output of every command has.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+
 #include "samples/study/people/robustness.h"
 #include "samples/text.h"
 #include "tests/samples/study/process.h"
@@ -41,14 +45,40 @@ TEST(StudyOutput, TextSaysThatItIsSimulationInLinesThatFit) {
   }
 }
 
+// The rows of both are the same numbers; a field without one is empty, or null.
+TEST(StudyOutput, CsvAndJsonHaveTheSameRows) {
+  for (const Arguments& arguments :
+       {Arguments{"table1", "--trials", "20"}, Arguments{"ridges"},
+        Arguments{"scene", HRT_SCENES "/desk.gltf"},
+        Arguments{"coverage", "--kind", "steps", "--people", "1"},
+        Arguments{"power", "--pool", "2", "--trials", "100", "--reaches", "1", "--family", "linear"},
+        Arguments{"robustness", "--people", "1", "--family", "linear", "--durations", "1"}}) {
+    const auto page = nlohmann::json::parse(run_study(arguments + Arguments{"--format", "json"}).out);
+    const auto rows = lines(run_study(arguments + Arguments{"--format", "csv"}).out);
+    EXPECT_TRUE(page["simulation"].get<bool>()) << arguments[0];
+    ASSERT_EQ(rows.size(), page["rows"].size() + 1) << arguments[0];
+    const auto names = fields(rows[0]);
+    const auto values = fields(rows[1]);
+    for (std::size_t i = 0; i < std::min(names.size(), values.size()); ++i) {
+      const auto& value = page["rows"][0][names[i]];
+      if (value.is_null()) {
+        EXPECT_EQ(values[i], "") << names[i];
+      } else if (value.is_number()) {
+        EXPECT_EQ(std::strtod(values[i].c_str(), nullptr), value.get<double>()) << names[i];
+      } else if (value.is_boolean()) {
+        EXPECT_EQ(values[i], value.get<bool>() ? "1" : "0") << names[i];
+      }
+    }
+  }
+}
+
 // One line, and nothing left.
 TEST(StudyOutput, WithoutGnuplotNothingIsWritten) {
   const TemporaryFolder data, folder;
   ASSERT_EQ(run_study({"participants", "--trials", "2", "--out", data / "me.csv"}).exit_code, 0);
   for (const Arguments& arguments :
        {Arguments{"calibrate", data / "me.csv", "--plot", folder / "p.svg", "--out", folder / "p.txt"},
-        Arguments{"robustness", "--people", "1", "--out", folder / "study"},
-        Arguments{"report", "--out", folder / "report"}}) {
+        Arguments{"ridges", "--plot", folder / "r.svg"}, Arguments{"report", "--out", folder / "report"}}) {
     const StudyRun run = run_study(arguments, "/nowhere");
     EXPECT_EQ(run.exit_code, 1);
     EXPECT_EQ(

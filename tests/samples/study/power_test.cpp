@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 
 #include <nlohmann/json.hpp>
 
@@ -104,42 +103,23 @@ TEST(StudyPower, TheSimulatedEffectIsAboutTheGap) {
   EXPECT_LT(found.mean.value, 13.0);
 }
 
-TEST(StudyPower, TextCsvAndJsonAgree) {
-  const std::vector<std::string> arguments{"power",     "--pool",   "3",           "--trials", "200",
-                                           "--reaches", "2,1",      "--effect",    "1,3",      "--people",
-                                           "4,8",       "--family", "linear,place"};
-  const auto run = [&](const std::string& format) {
-    auto all = arguments;
-    all.insert(all.end(), {"--format", format});
-    const StudyRun done = run_study(all);
-    EXPECT_EQ(done.exit_code, 0) << done.err;
-    return done.out;
-  };
-  const std::string text = run("text");
-  EXPECT_TRUE(has(text, "nobody is screened out"));
-  const auto rows = lines(run("csv"));
-  const json page = json::parse(run("json"));
-  EXPECT_EQ(page["simulation"], true);
-  ASSERT_EQ(rows.size(), 1U + 2U * 3U * 2U);
-  ASSERT_EQ(page["rows"].size(), 6U);
-  const auto first = fields(rows[1 + 4]);  // after the rows without an effect
-  EXPECT_EQ(first[0], "none");
-  EXPECT_EQ(std::stod(first[1]), page["rows"][2]["effect_deg"]);
-  EXPECT_EQ(std::stod(first[4]), page["rows"][2]["power"][0]["percent"]);
-}
-
-TEST(StudyPower, AFolderOfNumbersPicturesAndAPage) {
-  const TemporaryFolder folder;
-  const StudyRun run = run_study({"power", "--pool", "2", "--trials", "100", "--reaches", "1,3", "--family",
-                                  "linear", "--out", folder / "study"});
+// Two numbers of reaches with no effect and two effects, for two numbers of people.
+TEST(StudyPower, ARowAnEffectAndNumberOfPeople) {
+  const StudyRun run = run_study({"power", "--pool", "3", "--trials", "200", "--reaches", "2,1", "--effect",
+                                  "1,3", "--people", "4,8", "--family", "linear,place", "--format", "json"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_EQ(entries(folder / "study"),
-            (std::vector<std::string>{"power.csv", "power.html", "power.json", "power_1.png", "power_1.svg",
-                                      "power_3.png", "power_3.svg"}));
-  const std::string page = read_file(folder.path / "study" / "power.html");
-  EXPECT_TRUE(has(page, "There was no human trial"));
-  EXPECT_TRUE(has(page, "two-sided"));
-  EXPECT_FALSE(has(page, " src="));
+  const json page = json::parse(run.out);
+  EXPECT_TRUE(has(page["assumptions"].dump(), "nobody is screened out"));
+  ASSERT_EQ(page["rows"].size(), 2U * 3U * 2U);
+  EXPECT_EQ(page["pool"].size(), 2U);
+  EXPECT_EQ(page["rows"][0]["effect_deg"], 0.0);
+  EXPECT_TRUE(page["rows"][0]["people_for_80"].is_null());
+  const json& last = page["rows"].back();
+  EXPECT_EQ(last["against"], "none");
+  EXPECT_EQ(last["effect_deg"], 3.0);
+  EXPECT_EQ(last["reaches"], 2);
+  EXPECT_EQ(last["people"], 8);
+  EXPECT_LE(last["power_low_percent"], last["power_percent"]);
 }
 
 }  // namespace

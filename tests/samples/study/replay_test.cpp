@@ -133,20 +133,17 @@ TEST(StudyReplay, CalibrationSlidesShowThePerson) {
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto page = nlohmann::json::parse(run.out);
   EXPECT_TRUE(has(page["open_loop"].get<std::string>(), "the finger could not answer"));
-  ASSERT_EQ(page["paths"].size(), 55U);
-  const auto& last = page["paths"].back();
+  ASSERT_EQ(page["rows"].size(), 55U);
+  const auto& last = page["rows"].back();
   EXPECT_EQ(last["plate"], "resting");
   EXPECT_EQ(last["file"], "me.csv");
   EXPECT_NEAR(last["tactile_weight"].get<double>(), 0.15, 3.0 * last["tactile_weight_sd"].get<double>());
   EXPECT_LT(last["tactile_weight_sd"], 0.05);
-  EXPECT_GT(page["paths"][0]["command_change_median_deg"], 1.0);
+  EXPECT_GT(page["rows"][0]["command_change_median_deg"], 1.0);
 
   const StudyRun text = run_study({"robustness", "--replay", folder.path.string()});
   EXPECT_TRUE(has(text.out, "the finger could not answer"));
   for (const std::string& line : lines(text.out)) EXPECT_LE(line.size(), 140U) << line;
-  const auto rows = lines(run_study({"robustness", "--replay", folder.path.string(), "--format", "csv"}).out);
-  ASSERT_EQ(rows.size(), 57U);
-  EXPECT_EQ(fields(rows[1]).size(), fields(rows[2]).size());
 }
 
 TEST(StudyReplay, FoldersThatCannotBeReadAreRefused) {

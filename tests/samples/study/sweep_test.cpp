@@ -1,10 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
-#include <csignal>
 #include <cstdlib>
-#include <fstream>
-#include <thread>
 
 #include "core/paper/authority.h"
 #include "core/paper_simulation/batch.h"
@@ -22,10 +18,6 @@ Arguments operator+(Arguments a, const Arguments& b) {
 
 const Arguments small_grid{"sweep", "--gap",    "4,10", "--tactile-weight", "0.1:0.2:3", "--horizon",
                            "2,3",   "--trials", "50",   "--motor-variance", "0.5"};
-
-void write_file(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
 
 std::string column(const std::string& csv, std::size_t row, const std::string& name) {
   const auto rows = lines(csv);
@@ -94,81 +86,6 @@ TEST(StudySweep, PartsConcatenateToTheWhole) {
     }
     EXPECT_EQ(joined, whole) << parts << " parts";
   }
-}
-
-TEST(StudySweep, GoesOnAfterTheWholeRowsOfAStoppedRun) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "sweep.csv";
-  const auto rows = lines(run_study(small_grid).out);
-  // A result that no simulation gives shows that the row was kept; the row after it was cut short.
-  std::string marked = rows[1];
-  marked.replace(marked.find(",50,") + 4, 2, "99");
-  write_file(out + ".partial", rows[0] + '\n' + marked + '\n' + rows[2].substr(0, rows[2].size() / 2));
-  const StudyRun run = run_study(small_grid + Arguments{"--out", out});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  const auto written = lines(read_file(out));
-  ASSERT_EQ(written.size(), rows.size());
-  EXPECT_EQ(written[1], marked);
-  for (std::size_t i = 2; i < rows.size(); ++i) EXPECT_EQ(written[i], rows[i]);
-  EXPECT_EQ(entries(folder.path), Arguments{"sweep.csv"});
-}
-
-TEST(StudySweep, AStoppedRunResumesToTheSameBytes) {
-  const TemporaryFolder folder;
-  const Arguments grid{"sweep", "--gap", "-20:20:200", "--trials", "2000", "--threads", "1"};
-  const std::string whole = run_study(grid).out;
-  const std::string out = folder / "sweep.csv";
-  const Process program = start_study(grid + Arguments{"--out", out});
-  for (int i = 0; i < 5000 && lines(read_file(out + ".partial")).size() < 14; ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  program.send_signal(SIGKILL);
-  ASSERT_EQ(program.wait().exit_code, -SIGKILL) << "it was done before it could be stopped";
-  EXPECT_EQ(entries(folder.path), Arguments{"sweep.csv.partial"});
-
-  ASSERT_EQ(run_study(grid + Arguments{"--out", out}).exit_code, 0);
-  EXPECT_EQ(read_file(out), whole);
-  EXPECT_EQ(entries(folder.path), Arguments{"sweep.csv"});
-}
-
-TEST(StudySweep, ACompleteFileIsLeftAlone) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "sweep.csv";
-  ASSERT_EQ(run_study(small_grid + Arguments{"--out", out}).exit_code, 0);
-  const auto written = std::filesystem::last_write_time(out);
-  ASSERT_EQ(run_study(small_grid + Arguments{"--out", out}).exit_code, 0);
-  EXPECT_EQ(std::filesystem::last_write_time(out), written);
-}
-
-TEST(StudySweep, AFileOfAnotherSweepIsRefusedAndKept) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "sweep.csv";
-  const std::string whole = run_study(small_grid).out;
-  for (const std::string& name : {out, out + ".partial"}) {
-    for (const std::string& text : {whole, std::string("my thesis\n"), whole + "12,\n"}) {
-      write_file(name, text);
-      const StudyRun run = run_study(small_grid + Arguments{"--seed", "2", "--out", out});
-      EXPECT_EQ(run.exit_code, 2);
-      EXPECT_EQ(lines(run.err).size(), 1U);
-      EXPECT_TRUE(run.err.starts_with("hrt-study: --out: ")) << run.err;
-      EXPECT_EQ(read_file(name), text);
-      EXPECT_EQ(entries(folder.path).size(), 1U);
-    }
-    std::filesystem::remove(name);
-  }
-}
-
-TEST(StudySweep, TwoProcessesDoNotShareAFile) {
-  const TemporaryFolder folder;
-  const std::string out = folder / "sweep.csv";
-  const Arguments grid{"sweep", "--gap", "-20:20:2000", "--trials", "20000", "--out", out};
-  const Process first = start_study(grid);
-  for (int i = 0; i < 5000 && read_file(out + ".partial").empty(); ++i)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  const StudyRun second = run_study(grid);
-  first.send_signal(SIGKILL);
-  first.wait();
-  EXPECT_EQ(second.exit_code, 2);
-  EXPECT_TRUE(has(second.err, "being written by another hrt-study"));
 }
 
 }  // namespace

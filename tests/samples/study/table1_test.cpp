@@ -27,11 +27,18 @@ json claim(const json& table, const std::string& name) {
   return {};
 }
 
+std::vector<json> cells_of(const json& table, const std::string& group) {
+  std::vector<json> cells;
+  for (const json& row : table["rows"])
+    if (row["group"] == group) cells.push_back(row);
+  return cells;
+}
+
 // Twenty-four cells in the paper's order, with the paper's numbers.
 void expect_the_papers_cells(const json& table) {
-  ASSERT_EQ(table["cells"].size(), 24U);
+  ASSERT_GT(table["rows"].size(), 24U);
   for (std::size_t i = 0; i < 24; ++i) {
-    const json& cell = table["cells"][i];
+    const json& cell = table["rows"][i];
     const PaperCondition& condition = paper_table1[i / 6];
     EXPECT_EQ(cell["motor_variance_deg2"], condition.motor_variance_deg2);
     EXPECT_EQ(cell["tactile_weight"], condition.tactile_weight);
@@ -47,7 +54,7 @@ void expect_the_papers_cells(const json& table) {
 void expect_the_models_numbers(const json& table) {
   const double model_percent[] = {92.8, 86.6, 81.1, 77.2};
   for (std::size_t i = 0; i < 24; ++i)
-    EXPECT_NEAR(table["cells"][i]["percent"].get<double>(), model_percent[i / 6], 1.0) << i;
+    EXPECT_NEAR(table["rows"][i]["percent"].get<double>(), model_percent[i / 6], 1.0) << i;
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(table["conditions"][i]["mean_percent"].get<double>(), model_percent[i], 0.5) << i;
 }
@@ -80,25 +87,47 @@ void expect_claims(const json& table) {
     EXPECT_NEAR(claim(table, name)["mean_percent"].get<double>(), 92.8, 1.0) << name;
   EXPECT_NEAR(claim(table, "gap_12")["mean_percent"].get<double>(), 66.0, 1.5);
   EXPECT_EQ(claim(table, "gap_12")["reproduced"], true);
+  EXPECT_NEAR(claim(table, "gap_12_deviation_2")["mean_percent"].get<double>(), 50.0, 2.0);
   EXPECT_EQ(claim(table, "gap_12_within_5")["reproduced"], false);
   EXPECT_EQ(claim(table, "no_controller")["mean_percent"], 0.0);
-  EXPECT_NEAR(claim(table, "no_controller")["cells"][0]["mean_miss_deg"].get<double>(), -10.9, 0.1);
+  EXPECT_NEAR(cells_of(table, "no_controller")[0]["mean_miss_deg"].get<double>(), -10.9, 0.1);
   EXPECT_LT(claim(table, "horizon_1")["mean_percent"].get<double>(), 30.0);
   EXPECT_NEAR(claim(table, "horizon_2")["mean_percent"].get<double>(), 91.2, 0.5);
   for (const char* name : {"horizon_3", "horizon_4", "horizon_5"})
     EXPECT_NEAR(claim(table, name)["mean_percent"].get<double>(), 92.8, 0.5) << name;
-  // All amplitudes that can be held do alike: 10 deg is no better than the others.
-  for (const char* gap : {"2", "4", "6", "8", "10", "12", "14"}) {
-    const json amplitude = claim(table, std::string("amplitude_") + gap);
-    EXPECT_NEAR(amplitude["mean_percent"].get<double>(), 92.9, 0.4) << gap;
-    ASSERT_EQ(amplitude["cells"].size(), 6U);
-    for (const json& cell : amplitude["cells"])
+}
+
+// Amplitudes that can be held do alike under condition 1; with less weight of touch wide ones cannot be.
+void expect_amplitudes(const json& table) {
+  const auto mean = [&](const std::string& gap, const char* condition) {
+    const std::vector<json> cells = cells_of(table, "amplitude_" + gap + "_condition_" + condition);
+    EXPECT_EQ(cells.size(), 6U);
+    double sum = 0.0;
+    for (const json& cell : cells) {
       EXPECT_NEAR(
           std::abs(cell["real_direction_deg"].get<double>() - cell["virtual_direction_deg"].get<double>()),
           std::stod(gap), 1e-12);
+      sum += cell["percent"].get<double>() / 6.0;
+    }
+    return sum;
+  };
+  for (const char* gap : {"2", "4", "6", "8", "10", "12", "14"})
+    EXPECT_NEAR(mean(gap, "1"), 92.9, 0.4) << gap;
+  EXPECT_NEAR(mean("8", "2"), 92.8, 0.5);
+  EXPECT_NEAR(mean("10", "2"), 86.6, 1.0);
+  EXPECT_LT(mean("12", "4"), 20.0);
+  EXPECT_LT(mean("14", "4"), 1.0);
+  EXPECT_LT(table["conditions"][1]["best_amplitude_deg"], 10.0);
+}
+
+// Of six cells of 50 trials, binomial: sqrt(0.928 * 0.072 / 50) is 3.7 %.
+void expect_deviations(const json& table) {
+  const double sd_percent[] = {3.7, 4.8, 5.6, 6.0};
+  const double paper_percent[] = {3.3, 3.0, 3.0, 3.5};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(table["conditions"][i]["sd_percent"].get<double>(), sd_percent[i], 0.3) << i;
+    EXPECT_EQ(table["conditions"][i]["paper_sd_percent"], paper_percent[i]);
   }
-  EXPECT_EQ(claim(table, "amplitude_2")["reproduced"], false);
-  EXPECT_TRUE(has(claim(table, "amplitude_2")["verdict"].get<std::string>(), "calls 10 deg the best"));
 }
 
 TEST(StudyTable1, TwentyThousandTrials) {
@@ -108,33 +137,39 @@ TEST(StudyTable1, TwentyThousandTrials) {
   expect_consistency(table);
   expect_below_the_limit(table);
   expect_claims(table);
+  expect_amplitudes(table);
+  expect_deviations(table);
 }
 
 TEST(StudyTable1, SeedAndHorizonMatter) {
   const json base = table1({"--trials", "300"});
-  EXPECT_NE(table1({"--trials", "300", "--seed", "2"})["cells"], base["cells"]);
-  EXPECT_NE(table1({"--trials", "300", "--horizon", "2"})["cells"], base["cells"]);
-}
-
-TEST(StudyTable1, CsvHoldsTheSameNumbersAsJson) {
-  const json table = table1({"--trials", "50", "--seed", "9"});
-  const auto rows = lines(run_study({"table1", "--trials", "50", "--seed", "9", "--format", "csv"}).out);
-  const auto names = fields(rows[0]);
-  const auto column = [&](const std::string& name) {
-    return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  };
-  for (const auto& row : rows) EXPECT_EQ(fields(row).size(), names.size()) << row;
-  for (std::size_t i = 0; i < 24; ++i) {
-    const auto row = fields(rows[i + 1]);
-    EXPECT_EQ(std::stoul(row[column("hits")]), table["cells"][i]["hits"]);
-    EXPECT_EQ(std::stod(row[column("paper_percent")]), table["cells"][i]["paper_percent"]);
-    EXPECT_EQ(std::stod(row[column("paper_low_percent")]), table["cells"][i]["paper_interval_percent"][0]);
-  }
+  EXPECT_NE(table1({"--trials", "300", "--seed", "2"})["rows"], base["rows"]);
+  EXPECT_NE(table1({"--trials", "300", "--horizon", "2"})["rows"], base["rows"]);
 }
 
 TEST(StudyTable1, TextSaysWhatDoesNotReproduce) {
   const StudyRun run = run_study({"table1", "--trials", "200"});
   EXPECT_TRUE(has(run.out, "NOT reproducible: by the paper's own equations"));
+  EXPECT_TRUE(has(run.out, "the paper calls 10 deg the best"));
+}
+
+// Rest at -w T / (1 - w): 60 degrees bend the path by 0.15 * 60 / 0.85 = 10.6 to the other side.
+TEST(StudyRidges, PathsBendAwayFromTheRidges) {
+  const TemporaryFolder folder;
+  const StudyRun run =
+      run_study({"ridges", "--trials", "200", "--format", "json", "--plot", folder / "fig1c.svg"});
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const json page = json::parse(run.out);
+  const double plates_deg[] = {-60.0, -30.0, 0.0, 30.0, 60.0};
+  ASSERT_EQ(page["rows"].size(), 5U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    const json& row = page["rows"][i];
+    EXPECT_EQ(row["plate_deg"], plates_deg[i]);
+    EXPECT_NEAR(row["rest_deg"].get<double>(), -0.15 * plates_deg[i] / 0.85, 1e-9);
+    EXPECT_NEAR(row["mean_deg"].get<double>(), row["rest_deg"].get<double>(), 0.5);
+    EXPECT_NEAR(row["sd_deg"].get<double>(), 0.83, 0.2);  // the noise of the last step, and of what is felt
+  }
+  EXPECT_TRUE(has(read_file(folder / "fig1c.svg"), "plate at −60°"));
 }
 
 }  // namespace

@@ -1,9 +1,10 @@
-// The robustness study as text, CSV and JSON.
+// The robustness study as text, and as rows of numbers.
 #pragma once
 
 #include <string>
 #include <vector>
 
+#include "samples/study/numbers/results.h"
 #include "samples/study/people/robustness.h"
 
 namespace hrt::study {
@@ -17,11 +18,8 @@ struct RobustnessStudy {
 /// The name of the people, with the mark of their sort: * kept apart, + misplaced.
 std::string label(const SimulatedPeople& people);
 
-/// The condition common to all reaches.
-std::string condition_words(const RobustnessStudy& study);
-
 std::string robustness_text(const RobustnessStudy& study);
-std::string robustness_csv(const RobustnessStudy& study);
-std::string robustness_json(const RobustnessStudy& study);
+/// A row a family, duration and controller.
+Results robustness_results(const RobustnessStudy& study);
 
 }  // namespace hrt::study

@@ -1,10 +1,8 @@
-#include "samples/study/pages/robustness_text.h"
+#include "samples/study/people/robustness_text.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
-
-#include <nlohmann/json.hpp>
 
 #include "samples/study/cli/output.h"
 #include "samples/text.h"
@@ -143,33 +141,21 @@ std::string details_table(const SimulatedPeople& people, const Rows& rows) {
   return page;
 }
 
-// The numbers of a cell as CSV and JSON name them; NaN where there are none.
-std::vector<std::pair<std::string, double>> numbers(const RobustnessCell& cell, bool flags) {
-  std::vector<std::pair<std::string, double>> all{
-      {"can_hold", static_cast<double>(cell.can_hold.near.of)},
-      {"cannot_hold", static_cast<double>(cell.cannot_hold.near.of)}};
-  const auto put_share = [&](const std::string& name, const Share& share) {
-    const PercentInterval interval = share.interval();
-    all.insert(all.end(), {{name + "_percent", share.percent()},
-                           {name + "_low_percent", interval.low},
-                           {name + "_high_percent", interval.high}});
-  };
+// The numbers of a cell. Without a controller there are no flags.
+void put_numbers(Row& row, const RobustnessCell& cell, bool flags) {
   const auto put_flag = [&](const std::string& name, const Share& share) {
-    put_share(name, flags ? share : Share{});
+    put(row, name, flags ? share : Share{});
   };
-  const auto put_quantile = [&](const std::string& name, const std::string& unit, const Quantile& quantile) {
-    all.insert(all.end(), {{name + unit, quantile.value},
-                           {name + "_low" + unit, quantile.low},
-                           {name + "_high" + unit, quantile.high}});
-  };
+  row["can_hold"] = cell.can_hold.near.of;
+  row["cannot_hold"] = cell.cannot_hold.near.of;
   for (const bool can_hold : {true, false}) {
     const ReachGroup& group = cell.group(can_hold);
     const std::string whose = can_hold ? "" : "cannot_hold_";
-    put_share(whose + "near", group.near);
-    put_quantile(whose + "miss_median", "_mm", group.miss_median_mm);
-    put_quantile(whose + "miss_95", "_mm", group.miss_95_mm);
-    put_quantile(whose + "peak_felt_error_median", "_deg", group.peak_felt_error_median_deg);
-    put_quantile(whose + "peak_felt_error_95", "_deg", group.peak_felt_error_95_deg);
+    put(row, whose + "near", group.near);
+    put(row, whose + "miss_median", "_mm", group.miss_median_mm);
+    put(row, whose + "miss_95", "_mm", group.miss_95_mm);
+    put(row, whose + "peak_felt_error_median", "_deg", group.peak_felt_error_median_deg);
+    put(row, whose + "peak_felt_error_95", "_deg", group.peak_felt_error_95_deg);
     put_flag(whose + "silent_miss", group.silent);
     put_flag(whose + "false_alarm", group.false_alarm);
   }
@@ -178,21 +164,21 @@ std::vector<std::pair<std::string, double>> numbers(const RobustnessCell& cell, 
   put_flag("misfit", cell.misfit);
   put_flag("off_target", cell.off_target);
   put_flag("weight_covered", cell.weight_covered);
-  return all;
 }
 
-}  // namespace
-
-std::string label(const SimulatedPeople& people) {
-  return people.name + (people.misplaced ? " +" : people.tuned ? "" : " *");
-}
-
+// The condition common to all reaches.
 std::string condition_words(const RobustnessStudy& study) {
   const RobustnessOptions& options = study.options;
   return std::to_string(options.people) + " people of each family at each duration (seed " +
          std::to_string(options.seed) +
          "), except where a family says otherwise: 100 mm, a gap of 10°, w_T 0.12 to 0.30, 1.2 mm of tracker "
          "noise at 90 Hz, a servo of 400°/s after 30 ms; our controller does not know the duration.";
+}
+
+}  // namespace
+
+std::string label(const SimulatedPeople& people) {
+  return people.name + (people.misplaced ? " +" : people.tuned ? "" : " *");
 }
 
 std::string robustness_text(const RobustnessStudy& study) {
@@ -210,39 +196,26 @@ std::string robustness_text(const RobustnessStudy& study) {
   return page + '\n' + flags_table(study.rows);
 }
 
-std::string robustness_csv(const RobustnessStudy& study) {
-  std::string page = "family,tuned,misplaced,duration_s,controller,people,seed";
-  for (const auto& [name, value] : numbers(study.rows.front().cells.front(), true)) page += ',' + name;
-  page += ",description\n";
-  for (const RobustnessRow& row : study.rows)
+Results robustness_results(const RobustnessStudy& study) {
+  Results found{.about = {{"simulation", true},
+                          {"people", study.options.people},
+                          {"seed", study.options.seed},
+                          {"condition", condition_words(study)}},
+                .rows = {}};
+  for (const RobustnessRow& of : study.rows)
     for (const Leading leading : leadings) {
-      page += row.people.name + (row.people.tuned ? ",1," : ",0,") + (row.people.misplaced ? "1," : "0,") +
-              number(row.duration_s) + ',' + leading_name(leading) + ',' +
-              std::to_string(study.options.people) + ',' + std::to_string(study.options.seed);
-      for (const auto& [name, value] : numbers(row.cell(leading), leading != Leading::none))
-        page += ',' + (std::isnan(value) ? "" : number(value));
-      page += ",\"" + row.people.says + "\"\n";
+      Row row{{"family", of.people.name},
+              {"tuned", of.people.tuned},
+              {"misplaced", of.people.misplaced},
+              {"duration_s", of.duration_s},
+              {"controller", leading_name(leading)},
+              {"people", study.options.people},
+              {"seed", study.options.seed}};
+      put_numbers(row, of.cell(leading), leading != Leading::none);
+      row["description"] = of.people.says;
+      found.rows.push_back(std::move(row));
     }
-  return page;
-}
-
-std::string robustness_json(const RobustnessStudy& study) {
-  nlohmann::ordered_json page{{"simulation", true},
-                              {"people", study.options.people},
-                              {"seed", study.options.seed},
-                              {"condition", condition_words(study)}};
-  for (const RobustnessRow& row : study.rows) {
-    nlohmann::ordered_json entry{{"family", row.people.name},
-                                 {"description", row.people.says},
-                                 {"tuned", row.people.tuned},
-                                 {"misplaced", row.people.misplaced},
-                                 {"duration_s", row.duration_s}};
-    for (const Leading leading : leadings)
-      for (const auto& [name, value] : numbers(row.cell(leading), leading != Leading::none))
-        entry["controllers"][leading_name(leading)][name] = value;
-    page["rows"].push_back(entry);
-  }
-  return page.dump(2) + '\n';
+  return found;
 }
 
 }  // namespace hrt::study

@@ -1,0 +1,185 @@
+#include "samples/study/paper/table1_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "samples/study/cli/output.h"
+#include "samples/text.h"
+
+namespace hrt::study {
+namespace {
+
+// "     93.0    89.5 - 95.4     92.8"
+std::string columns(std::optional<double> paper_percent, std::optional<PercentInterval> interval,
+                    double percent) {
+  return right(paper_percent ? fixed(*paper_percent, 1) : "", 9) +
+         right(interval ? between(interval->low, interval->high, 1, " - ") : "", 15) +
+         right(fixed(percent, 1), 9);
+}
+
+std::string yes_or_no(bool yes) {
+  return yes ? "     yes" : "      NO";
+}
+
+// Of a sample of six from a normal distribution, the ends of 95 % of its standard deviation over the true
+// one.
+constexpr double low_sd_of_six = 0.408;
+constexpr double high_sd_of_six = 1.602;
+
+std::string condition_text(const CellGroup& group) {
+  std::string page = group.title + "\n   real  virtual    paper  95 % interval    model  agrees\n";
+  for (const Cell& cell : group.cells)
+    page += right(number(cell.condition.real_direction_deg), 7) +
+            right(number(cell.condition.virtual_direction_deg), 9) +
+            columns(cell.paper_percent, paper_interval(cell), cell.result.hit_percent()) +
+            yes_or_no(agrees(cell)) + '\n';
+  const double sd = group.sd_percent();
+  const PercentInterval six{low_sd_of_six * sd, high_sd_of_six * sd};
+  return page + left("    mean", 16) +
+         columns(group.paper_percent, group.paper_interval(), group.mean_percent()) +
+         yes_or_no(group.reproduced) + '\n' + left("    SD", 16) + columns(group.paper_sd, six, sd) +
+         yes_or_no(six.contains(*group.paper_sd)) + "\n    no controller does better than " +
+         fixed(limit_percent(group.cells.front().condition), 1) +
+         ": the noise of the last step comes after the plate has acted\n\n";
+}
+
+std::string fit_text(const Table1& table) {
+  int outside = 0;
+  for (const CellGroup& group : table.conditions)
+    for (const Cell& cell : group.cells) outside += agrees(cell) ? 0 : 1;
+  std::string page = "chi-squared " + fixed(table.chi_squared, 1) + " over " +
+                     std::to_string(table.degrees_of_freedom) + " cells, p = " + fixed(table.p_value, 2) +
+                     ": " + (table.p_value >= 0.05 ? "consistent" : "NOT consistent") +
+                     " with the sampling noise of the paper's 50 trials a cell.\n" + std::to_string(outside) +
+                     " of the " + std::to_string(table.degrees_of_freedom) +
+                     " cells lie outside their 95 % interval; one in twenty does by chance.\n" +
+                     wrapped(in_sample_words) +
+                     wrapped(
+                         "SD: over the six pairs; the model's is that of cells of 50 trials, with 95 % of "
+                         "its samples of six.");
+  for (const CellGroup& group : table.conditions)
+    if (!group.reproduced)
+      page += "The mean of " + group.name.substr(0, 9) + ' ' + group.name.substr(10) +
+              " lies outside its interval by " +
+              fixed(std::max(group.paper_interval()->low - group.mean_percent(),
+                             group.mean_percent() - group.paper_interval()->high),
+                    2) +
+              " percentage points.\n";
+  return page + "79 % of 50 trials is no whole number; it is taken as the paper prints it.\n\n";
+}
+
+std::string claims_text(const Table1& table) {
+  std::string page =
+      left("What else the paper says", 34) + "    paper  95 % interval    model  lowest and highest\n";
+  for (const CellGroup& claim : table.claims) {
+    page +=
+        left(claim.title, 34) + columns(claim.paper_percent, claim.paper_interval(), claim.mean_percent());
+    if (claim.cells.size() > 1) {
+      const auto less = [](const Cell& a, const Cell& b) { return a.result.hits < b.result.hits; };
+      const auto [lowest, highest] = std::minmax_element(claim.cells.begin(), claim.cells.end(), less);
+      page += right(fixed(lowest->result.hit_percent(), 1), 8) + " - " +
+              fixed(highest->result.hit_percent(), 1) + " of the six pairs";
+    }
+    page += '\n' + wrapped(claim.verdict, 100, "    ", "    ");
+  }
+  return page;
+}
+
+std::string best_words(const BestAmplitude& best) {
+  if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "10 deg is the best";
+  return number(best.gap_deg) + " deg is the best, " + fixed(best.percent - best.paper_amplitude_percent, 1) +
+         " points above 10 deg" + (best.by_chance ? ", within chance" : "");
+}
+
+std::string amplitudes_text(const Table1& table) {
+  std::string page = "\nThe six pairs as wide as here, deg; the paper calls 10 deg the best\n" + left("", 12);
+  for (const double gap_deg : amplitudes_deg) page += right(number(gap_deg), 7);
+  page += '\n';
+  for (std::size_t i = 0; i < table.conditions.size(); ++i) {
+    page += "condition " + std::to_string(i + 1) + ' ';
+    for (std::size_t k = 0; k < std::size(amplitudes_deg); ++k)
+      page += right(fixed(table.amplitudes[i * std::size(amplitudes_deg) + k].mean_percent(), 1), 7);
+    page += "  " + best_words(best_amplitude(table, i)) + '\n';
+  }
+  return page;
+}
+
+Row row_of(const CellGroup& group, const Cell& cell) {
+  const Condition& condition = cell.condition;
+  Row row{{"group", group.name},
+          {"motor_variance_deg2", condition.participant.motor_variance_deg2},
+          {"tactile_weight", condition.participant.tactile_weight},
+          {"real_direction_deg", condition.real_direction_deg},
+          {"virtual_direction_deg", condition.virtual_direction_deg},
+          {"horizon", condition.controller.mpc.horizon},
+          {"tolerance_deg", condition.tolerance_deg},
+          {"controller", condition.controller.mode == ControlMode::mpc ? "mpc" : "none"},
+          {"trials", cell.result.trials},
+          {"hits", cell.result.hits},
+          {"percent", cell.result.hit_percent()},
+          {"mean_miss_deg", cell.result.mean_miss_deg()},
+          {"rms_miss_deg", cell.result.rms_miss_deg()},
+          {"rms_felt_error_deg", cell.result.rms_felt_error_deg()},
+          {"paper_percent", nullptr},
+          {"paper_low_percent", nullptr},
+          {"paper_high_percent", nullptr},
+          {"agrees", nullptr}};
+  if (cell.paper_percent) {
+    row["paper_percent"] = *cell.paper_percent;
+    row["paper_low_percent"] = paper_interval(cell).low;
+    row["paper_high_percent"] = paper_interval(cell).high;
+    row["agrees"] = agrees(cell);
+  }
+  return row;
+}
+
+Row group_row(const CellGroup& group) {
+  Row row{{"name", group.name}, {"title", group.title}, {"mean_percent", group.mean_percent()}};
+  if (group.paper_percent) {
+    row["paper_mean_percent"] = *group.paper_percent;
+    row["paper_interval_percent"] = {group.paper_interval()->low, group.paper_interval()->high};
+  }
+  row["reproduced"] = group.reproduced;
+  row["verdict"] = group.verdict;
+  return row;
+}
+
+}  // namespace
+
+std::string table1_text(const Table1& table) {
+  std::string page =
+      "Trials that end within 1.5 deg of the real target, in percent: paper (50 trials a cell) and model\n(" +
+      std::to_string(table.options.trials) + " trials a cell, seed " + std::to_string(table.options.seed) +
+      ", horizon " + std::to_string(table.options.horizon) +
+      "). Both are simulation; there was no human trial. Directions in deg.\n\n";
+  for (const CellGroup& group : table.conditions) page += condition_text(group);
+  return page + fit_text(table) + claims_text(table) + amplitudes_text(table);
+}
+
+Results table1_results(const Table1& table) {
+  Results found{.about = {{"simulation", true},
+                          {"note", "Paper and model are both simulation; there was no human trial."},
+                          {"trials_per_cell", table.options.trials},
+                          {"seed", table.options.seed},
+                          {"horizon", table.options.horizon},
+                          {"chi_squared", table.chi_squared},
+                          {"degrees_of_freedom", table.degrees_of_freedom},
+                          {"p_value", table.p_value}},
+                .rows = {}};
+  for (std::size_t i = 0; i < table.conditions.size(); ++i) {
+    const CellGroup& group = table.conditions[i];
+    Row condition = group_row(group);
+    condition["sd_percent"] = group.sd_percent();
+    condition["paper_sd_percent"] = *group.paper_sd;
+    condition["limit_percent"] = limit_percent(group.cells.front().condition);
+    condition["best_amplitude_deg"] = best_amplitude(table, i).gap_deg;
+    found.about["conditions"].push_back(condition);
+  }
+  for (const CellGroup& group : table.claims) found.about["claims"].push_back(group_row(group));
+  for (const auto* groups : {&table.conditions, &table.claims, &table.amplitudes})
+    for (const CellGroup& group : *groups)
+      for (const Cell& cell : group.cells) found.rows.push_back(row_of(group, cell));
+  return found;
+}
+
+}  // namespace hrt::study
