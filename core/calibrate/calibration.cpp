@@ -116,17 +116,6 @@ std::vector<TimedPoint> rest_of(const CalibrationTrial& trial, const SlideTrack&
           })};
 }
 
-SteeringFit steering_of(const std::vector<TurningSlide>& turning, const CurveFit& person,
-                        const Calibration& calibration) {
-  SteeringFit steering;
-  steering.slides = static_cast<int>(turning.size());
-  if (steering.slides < min_turning_slides) return steering;
-  steering = fit_steering(turning, person, calibration.noise);
-  for (Interval* interval : {&steering.rate_per_s, &steering.delay_s})
-    interval->known = interval->known && calibration.fits() && steering.law_p >= min_fit_p;
-  return steering;
-}
-
 Calibration described(const PersonFit& person) {
   Calibration calibration;
   calibration.lack_of_fit = person.lack_of_fit;
@@ -174,6 +163,7 @@ std::size_t Calibration::count(SlideVerdict verdict) const {
 }
 
 std::vector<std::string> Calibration::advice() const {
+  static_assert(min_curve_angles == 7);
   std::vector<std::string> sentences;
   if (lack_of_fit.angle_p < min_fit_p)
     sentences.emplace_back(
@@ -188,22 +178,15 @@ std::vector<std::string> Calibration::advice() const {
         "the paths bend in a way that neither a habit nor the steering law explains: ask for "
         "one even motion, slower and longer, and repeat the calibration");
   if (families.size() == 1)
-    sentences.emplace_back("the illusion was taken for linear: a curve takes slides at " +
-                           std::to_string(min_curve_angles) + " plate angles or more");
+    sentences.emplace_back(
+        "the illusion was taken for linear: a curve takes slides at 7 plate angles or more");
   else if (fits() && !max_gap_deg.known)
     sentences.emplace_back(
         "the largest gap is extrapolated: add slides with the plate farther from the goal, on "
         "both sides");
-  if (steering.slides > 0 && steering.slides < min_turning_slides)
-    sentences.emplace_back("the steering takes " + std::to_string(min_turning_slides) +
-                           " slides within which the plate turns");
-  else if (steering.law_p < min_fit_p)
+  if (slides_turned > 0)
     sentences.emplace_back(
-        "the paths over a turning plate are unlike every law of steering that is known here: let the person "
-        "practise, and repeat these slides");
-  else if (fits() && steering.slides > 0 && !(steering.rate_per_s.known && steering.delay_s.known))
-    sentences.emplace_back(
-        "the steering is not determined: add slides within which the plate turns farther, to and fro");
+        "the plate turned within slides, which were left out: let it rest while the person slides");
   if (5 * count(SlideVerdict::outlying) > slides.size())
     sentences.emplace_back("more than a fifth of the slides are outliers: check the tracker and repeat");
   return sentences;
@@ -214,8 +197,8 @@ CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double 
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const auto track = track_slide(trials[i], goal_direction_deg);
     if (!track) continue;
-    if (auto turning = turning_slide(trials[i], *track, goal_direction_deg)) {
-      slides.turning.push_back(std::move(*turning));
+    if (plate_turned(trials[i], *track)) {
+      ++slides.turned;
       continue;
     }
     slides.resting.push_back(*track);
@@ -257,7 +240,7 @@ std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<Calibr
     calibration.max_plate_deg = std::max(calibration.max_plate_deg, std::abs(track.plate_deg));
   }
   calibration.noise = fit_rest_noise(rests);
-  calibration.steering = steering_of(slides.turning, person.best(), calibration);
+  calibration.slides_turned = slides.turned;
   return calibration;
 }
 

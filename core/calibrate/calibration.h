@@ -1,7 +1,6 @@
 // Who is this participant? The curve of the illusion, bias, habit and the tracker's noise from slides over a
 // plate that stands still (paper section V, "calibration"; the method is ours, derived in
-// core/calibrate/README.md), and whether that account fits the slides at all. Slides within which the plate
-// turns show the steering.
+// core/calibrate/README.md), and whether that account fits the slides at all.
 //
 // Off-line work: it allocates and takes as long as it needs. Any thread.
 #pragma once
@@ -12,7 +11,6 @@
 
 #include "core/calibrate/person_fit.h"
 #include "core/calibrate/slide_track.h"
-#include "core/calibrate/steering_fit.h"
 #include "core/tracker/tracker_noise.h"
 
 namespace hrt {
@@ -51,13 +49,12 @@ struct Calibration {
   double slope_curve_correlation = 0.0;
   RestNoise noise;  ///< of the tracker, from the finger at rest before each slide
 
-  SteeringFit steering;  ///< known with slides over a turning plate only
-
   IllusionCurve illusion;             ///< of the likeliest family
   std::vector<FamilyScore> families;  ///< compared, the likeliest first; linear alone with few angles
   std::vector<CurvePoint> band;       ///< from -75 to 75 degrees
   LackOfFit lack_of_fit;
   std::vector<CalibratedSlide> slides;  ///< every trial with a slide over a plate at rest
+  std::size_t slides_turned = 0;        ///< left out: the plate turned within them
   double max_plate_deg = 0.0;           ///< of the slides used; published human data cover 60
 
   /// No pattern is left in the residuals.
@@ -67,11 +64,11 @@ struct Calibration {
   std::vector<std::string> advice() const;
 };
 
-/// The slides of trials: over a plate at rest, with the trials' places in the data, and over a turning one.
+/// The slides of trials over a plate at rest, with the trials' places in the data.
 struct CalibrationSlides {
   std::vector<SlideTrack> resting;
   std::vector<double> order;
-  std::vector<TurningSlide> turning;
+  std::size_t turned = 0;  ///< slides that are left out: the plate turned within them
 };
 CalibrationSlides slides_of(const std::vector<CalibrationTrial>& trials, double goal_direction_deg);
 
@@ -84,9 +81,8 @@ struct CalibrationRefusal {
 ///
 /// Needs at least `min_trials` slides of at least 30 mm that count, at three plate angles or more that span
 /// 40 degrees: one angle alone cannot separate w_T from a bias. A curve takes `min_curve_angles`; with
-/// fewer the illusion is taken for linear. The steering takes `min_turning_slides` slides more, within
-/// which the plate turns; they count for nothing else. Refuses a w_T whose interval is not within the usable
-/// range (0.02, 0.48).
+/// fewer the illusion is taken for linear. Refuses a w_T whose interval is not within the usable range
+/// (0.02, 0.48).
 std::variant<Calibration, CalibrationRefusal> calibrate(const std::vector<CalibrationTrial>& trials,
                                                         double goal_direction_deg = 0.0);
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/calibrate/person_fit.h"
-#include "core/calibrate/steering_fit.h"
 #include "core/math/exponential.h"
 #include "core/math/linear_algebra.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/math/median.h"
 #include "core/math/time.h"
@@ -29,6 +30,8 @@ constexpr double min_made_up_m = 0.001;
 constexpr std::size_t min_places = 6;
 // A line through fewer places is not smooth.
 constexpr std::size_t min_line_places = 4;
+// The finger rests at the ends of the path, and a turn of the plate there is not felt.
+constexpr double end_share = 0.02;
 // A part that is shorter, as a share of the path, has no direction.
 constexpr double min_part_share = 0.02;
 
@@ -138,8 +141,6 @@ bool set_directions(const std::vector<Place>& places, double length_m, SlideTrac
     const auto i = static_cast<std::size_t>(place.time_s / track->step_s);
     if (i >= track->steps.size()) continue;
     SlideTrack::Step& step = track->steps[i];
-    step.seen += 1.0;
-    step.left_m += (place.left_m - step.left_m) / step.seen;
     if (step.window < 0) continue;
     step.samples += 1.0;
     track->window_samples(step.window) += 1.0;
@@ -178,6 +179,21 @@ std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal
   const double length_m = set_pace(places, &track);
   if (!(length_m >= min_slide_m) || !set_directions(places, length_m, &track)) return std::nullopt;
   return track;
+}
+
+bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track) {
+  double min_deg = std::numeric_limits<double>::infinity();
+  double max_deg = -min_deg;
+  for (std::size_t i = 0; i < trial.plate_deg.size(); ++i) {
+    if (trial.samples[i].time_ns < track.onset_ns) continue;
+    const double step = elapsed_s(track.onset_ns, trial.samples[i].time_ns) / track.step_s;
+    if (!(step < static_cast<double>(track.steps.size()))) break;
+    const double share = track.steps[static_cast<std::size_t>(step)].share;
+    if (share < end_share || share > 1.0 - end_share) continue;
+    min_deg = std::min(min_deg, trial.plate_deg[i]);
+    max_deg = std::max(max_deg, trial.plate_deg[i]);
+  }
+  return max_deg - min_deg > max_turn_deg;
 }
 
 }  // namespace hrt

@@ -16,7 +16,7 @@ namespace hrt {
 struct CalibrationTrial {
   double plate_orientation_deg = 0.0;  ///< finite
   std::vector<TimedPoint> samples;     ///< times increase; positions finite
-  /// Of a plate that turns: where it stood when each sample was made, finite, continuous. Empty: it rested.
+  /// Where the plate stood when each sample was made, finite, continuous. Empty: it rested.
   std::vector<double> plate_deg;
 };
 
@@ -35,8 +35,6 @@ struct SlideTrack {
     double share;          ///< of the path, at the step's middle
     int window = -1;       ///< in which the step lies, -1: none
     double samples = 0.0;  ///< positions that were seen in it and count to the window
-    double seen = 0.0;     ///< positions that were seen in it
-    double left_m = 0.0;   ///< their mean, to the left of the line from the start to the goal
   };
   std::int64_t onset_ns = 0;  ///< the finger rested until then
   double step_s = 0.01;
@@ -55,5 +53,9 @@ inline constexpr double min_slide_m = 0.03;
 /// None without a motion of `min_slide_m` towards the goal that was seen in all of its parts. Positions
 /// that the tracker made up are left out.
 std::optional<SlideTrack> track_slide(const CalibrationTrial& trial, double goal_direction_deg);
+
+/// Whether the trial's plate turned by more than `max_turn_deg` while the finger moved along `track`.
+bool plate_turned(const CalibrationTrial& trial, const SlideTrack& track);
+inline constexpr double max_turn_deg = 5.0;
 
 }  // namespace hrt

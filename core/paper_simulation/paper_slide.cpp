@@ -9,16 +9,10 @@
 namespace hrt {
 
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id, bool turns) {
+                                            double plate_orientation_deg, const TrialId& id) {
   NormalDraws normal(id.seed, id.condition, id.trial);
   SimulatedParticipant participant(condition.participant, condition.goal_direction_deg);
   SlidingFinger finger({}, condition.distance_m, condition.duration_s);
-
-  const PlatePoint start = finger.place();
-  const auto plate_deg = [&] {
-    const bool across = turns && plate_is_across(distance_m(start, finger.place()) / condition.distance_m);
-    return across ? 2.0 * condition.goal_direction_deg - plate_orientation_deg : plate_orientation_deg;
-  };
 
   CalibrationTrial trial{.plate_orientation_deg = plate_orientation_deg, .samples = {}};
   std::uint32_t step = 0;
@@ -27,7 +21,7 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
     if (time_s > condition.duration_s) break;
     while ((step + 1) * condition.step_period_s <= time_s) {
       finger.slide(++step * condition.step_period_s, participant.finger_direction_deg());
-      participant.step(plate_deg(), normal(step));
+      participant.step(plate_orientation_deg, normal(step));
     }
     finger.slide(time_s, participant.finger_direction_deg());
     // The tracker's draws follow those of the steps.
@@ -35,7 +29,6 @@ CalibrationTrial simulate_calibration_trial(const CalibrationCondition& conditio
     trial.samples.push_back({std::llround(time_s * 1e9),
                              {finger.place().right_m + condition.tracker_noise_m * normal(draw),
                               finger.place().away_m + condition.tracker_noise_m * normal(draw + 1)}});
-    if (turns) trial.plate_deg.push_back(plate_deg());
   }
   return trial;
 }

@@ -1,5 +1,4 @@
-// Simulated slides of the paper's person over a plate that stands still, or turns within the slide, as a
-// calibration records them.
+// Simulated slides of the paper's person over a plate that stands still, as a calibration records them.
 #pragma once
 
 #include "core/calibrate/slide_track.h"
@@ -20,10 +19,8 @@ struct CalibrationCondition {
   double tracker_rate_hz = 90.0;    ///< > 0
 };
 
-/// One slide with the plate at `plate_orientation_deg`; with `turns`, at once on the goal's other side
-/// between a fifth and 55 % of the way, and the trial has its orientations. Any thread.
+/// One slide with the plate at `plate_orientation_deg`. Any thread.
 CalibrationTrial simulate_calibration_trial(const CalibrationCondition& condition,
-                                            double plate_orientation_deg, const TrialId& id,
-                                            bool turns = false);
+                                            double plate_orientation_deg, const TrialId& id);
 
 }  // namespace hrt

@@ -1,5 +1,4 @@
-// Simulated slides of people (people.h) over a plate that stands still, or turns within the slide, as a
-// calibration records them.
+// Simulated slides of people (people.h) over a plate that stands still, as a calibration records them.
 #pragma once
 
 #include "core/calibrate/slide_track.h"
@@ -12,10 +11,5 @@ namespace hrt {
 /// (standard deviation) of the person's start direction. Any thread.
 CalibrationTrial simulate_slide(const PersonCondition& condition, double plate_orientation_deg,
                                 std::uint64_t seed, std::uint32_t person, std::uint32_t slide);
-
-/// The same over a plate that begins at `plate_orientation_deg` and is commanded to the opposite side after
-/// a fifth of the way and back after 55 %; the condition's servo turns it. The trial has its orientations.
-CalibrationTrial simulate_turning_slide(const PersonCondition& condition, double plate_orientation_deg,
-                                        std::uint64_t seed, std::uint32_t person, std::uint32_t slide);
 
 }  // namespace hrt

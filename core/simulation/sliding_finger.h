@@ -10,11 +10,6 @@ enum class SpeedProfile {
   minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 of the path at the share s of the time
 };
 
-/// Whether a plate that turns within a slide is on its other side when the finger is at `share` of the way.
-constexpr bool plate_is_across(double share) {
-  return share > 0.2 && share <= 0.55;
-}
-
 class SlidingFinger {
  public:
   /// Rests at `start` until time 0, and again after `duration_s` > 0 and `distance_m` of path.

@@ -59,7 +59,7 @@ class CalibrationTest : public SessionTest {
     for (std::size_t i = 0; i < trial.samples.size(); ++i) {
       const TimedPoint& seen = trial.samples[i];
       hrt_sample sample = position_sample(seen.time_ns, seen.position.right_m, seen.position.away_m);
-      if (!trial.plate_deg.empty()) {
+      if (!trial.plate_deg.empty() && (i == 0 || trial.plate_deg[i] != trial.plate_deg[i - 1])) {
         sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
         sample.plate_orientation_deg = trial.plate_deg[i];
       }
@@ -328,86 +328,35 @@ TEST_F(CalibrationTest, CorrelatedNoiseGoesIntoTheSessionWithItsTime) {
   expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "correlated_noise_m");
 }
 
-// Of somebody with little noise: 22 slides over a plate at rest and six over a turning one.
-std::vector<CalibrationTrial> slides_that_show_the_steering() {
-  PersonCondition condition = draw_person(*people_family("linear"), 2.0, 1, 0);
-  condition.person.noise_deg2_per_s = 0.5;
-  condition.tracker.white_m = 0.0002;
-  std::vector<CalibrationTrial> trials;
-  std::uint32_t slide = 0;
-  for (int i = 0; i < 22; ++i)
-    trials.push_back(simulate_slide(condition, -75.0 + 15.0 * ((i * 7) % 11), 1, 0, slide++));
-  for (int i = 0; i < 6; ++i)
-    trials.push_back(simulate_turning_slide(condition, i % 2 == 0 ? 35.0 : -35.0, 1, 0, slide++));
-  return trials;
-}
-
-TEST_F(CalibrationTest, SamplesOfATurningPlateShowTheSteering) {
-  std::vector<CalibrationTrial> trials = slides_that_show_the_steering();
-  const auto whole = std::get<Calibration>(calibrate(trials));
-  ASSERT_TRUE(whole.steering.rate_per_s.known);
-  ASSERT_TRUE(whole.steering.delay_s.known);
-  // Ridges are the same after half a turn: a report that jumps by it is of the same plate.
-  for (std::size_t i = 100; i < trials[25].plate_deg.size(); ++i) trials[25].plate_deg[i] += 180.0;
-  stream(trials);
-  const hrt_calibration_result result = solve();
-  EXPECT_EQ(result.slides_turning, 6u);
-  EXPECT_EQ(result.trials_used, 22u);
-  expect_same(result.steering_rate_per_s, whole.steering.rate_per_s);
-  expect_same(result.steering_delay_s, whole.steering.delay_s);
-  EXPECT_NEAR(result.steering_p, whole.steering.law_p, 1e-9);
-}
-
-// A plate that is reported where it rests is at rest; a sample without a report has the last one.
-TEST_F(CalibrationTest, APlateIsWhereItWasLastReported) {
-  auto trials = slides_that_show_the_steering();
-  for (CalibrationTrial& trial : trials)
-    if (trial.plate_deg.empty()) trial.plate_deg.assign(trial.samples.size(), trial.plate_orientation_deg);
-  stream(trials);
-  const hrt_calibration_result every = solve();
-  EXPECT_EQ(every.slides_turning, 6u);
-  make(calibration_config());
-  for (CalibrationTrial& trial : trials) {
-    ASSERT_OK(hrt_calibration_begin_trial(calibration, trial.plate_orientation_deg));
-    double last_deg = trial.plate_orientation_deg;
-    for (std::size_t i = 0; i < trial.samples.size(); ++i) {
-      const TimedPoint& seen = trial.samples[i];
-      hrt_sample sample = position_sample(seen.time_ns, seen.position.right_m, seen.position.away_m);
-      if (trial.plate_deg[i] != last_deg) sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-      sample.plate_orientation_deg = last_deg = trial.plate_deg[i];
-      ASSERT_OK(add(sample));
-    }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
-  }
-  EXPECT_EQ(solve().steering_rate_per_s.value, every.steering_rate_per_s.value);
-}
-
-TEST_F(CalibrationTest, ACancelledTrialTakesItsOrientationsAlong) {
-  const auto trials = slides_that_show_the_steering();
+// A plate that is reported where it rests is at rest, half a turn is none, and a sample without a report has
+// the last one's.
+TEST_F(CalibrationTest, SlidesOverATurningPlateAreLeftOut) {
+  std::vector<CalibrationTrial> trials = simulate({}, 2);
+  CalibrationTrial turning = trials[3];
+  turning.plate_deg.assign(turning.samples.size(), turning.plate_orientation_deg);
+  std::fill(turning.plate_deg.begin() + 50, turning.plate_deg.end(), turning.plate_orientation_deg + 6.0);
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 45.0));
-  hrt_sample sample = position_sample(0, 0.0, 0.0);
-  sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-  sample.plate_orientation_deg = 60.0;
-  ASSERT_OK(add(sample));
+  for (const TimedPoint& seen : turning.samples) {
+    hrt_sample sample = position_sample(seen.time_ns, seen.position.right_m, seen.position.away_m);
+    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.plate_orientation_deg = 1e-6 * static_cast<double>(seen.time_ns);
+    ASSERT_OK(add(sample));
+  }
   ASSERT_OK(hrt_calibration_cancel_trial(calibration));
-  stream(trials);
-  const auto whole = std::get<Calibration>(calibrate(trials));
-  expect_same(solve().steering_rate_per_s, whole.steering.rate_per_s);
-}
-
-TEST_F(CalibrationTest, KnownSteeringGoesIntoTheSession) {
-  hrt_calibration_result result = all_known();
-  result.steering_rate_per_s = {8.0, 7.0, 9.5, 0, 0};
-  result.steering_delay_s = {0.0001, -0.01, 0.02, 0, 0};
-  ASSERT_OK(hrt_calibration_apply(session, &result));
-  EXPECT_EQ(config().steering_rate_per_s, 0.0);
-  EXPECT_EQ(config().steering_delay_s, 0.0);
-  result.steering_rate_per_s.known = result.steering_delay_s.known = 1;
-  ASSERT_OK(hrt_calibration_apply(session, &result));
-  EXPECT_EQ(config().steering_rate_per_s, 8.0);
-  EXPECT_EQ(config().steering_delay_s, 0.001);  // 0 would be "not known"
-  result.steering_rate_per_s = {60.0, 55.0, 65.0, 1, 0};
-  expect_error(hrt_calibration_apply(session, &result), HRT_ERROR_OUT_OF_RANGE, "steering_rate_per_s");
+  stream(trials[0]);
+  stream(turning);
+  for (std::size_t i = 1; i < trials.size(); ++i) {
+    CalibrationTrial reported = trials[i];
+    reported.plate_deg.assign(reported.samples.size(), reported.plate_orientation_deg + 20.0);
+    std::fill(reported.plate_deg.begin() + 50, reported.plate_deg.end(),
+              reported.plate_orientation_deg + 200.0);
+    stream(reported);
+  }
+  const hrt_calibration_result result = solve();
+  EXPECT_EQ(result.trials, 11u);
+  EXPECT_EQ(result.slides_turning, 1u);
+  EXPECT_EQ(result.trials_used, 10u);
+  expect_same(result.tactile_weight, std::get<Calibration>(calibrate(trials)).tactile_weight);
 }
 
 TEST_F(CalibrationTest, SlidesAreNamedAfterASolution) {
@@ -561,25 +510,8 @@ TEST(CalibrationComparison, NamesWhatDiffers) {
   EXPECT_NEAR(comparison.tactile_weight.upper, 0.05 + 0.01 * std::sqrt(2.0), 1e-12);
   EXPECT_EQ(comparison.max_gap_deg.value, 0.0);
   EXPECT_EQ(comparison.habit_deg.known, 0u) << "known to neither";
-  EXPECT_EQ(comparison.steering_rate_per_s.known, 0u);
   ASSERT_OK(hrt_calibration_compare(&first, &first, &comparison));
   EXPECT_EQ(comparison.differing, 0u);
-}
-
-TEST(CalibrationComparison, HasTheSteering) {
-  auto comparison = output<hrt_calibration_comparison>();
-  hrt_calibration_result first = result_of(0.2), second = first;
-  first.steering_rate_per_s = known(9.0, 2.0);
-  first.steering_delay_s = known(0.05, 0.02);
-  second.steering_rate_per_s = known(5.0, 2.0);
-  second.steering_delay_s = known(0.09, 0.02);
-  ASSERT_OK(hrt_calibration_compare(&first, &second, &comparison));
-  EXPECT_EQ(comparison.differing, HRT_DIFFERS_STEERING_RATE | HRT_DIFFERS_STEERING_DELAY);
-  EXPECT_NEAR(comparison.steering_rate_per_s.value, -4.0, 1e-12);
-  EXPECT_NEAR(comparison.steering_delay_s.upper, 0.04 + 0.01 * std::sqrt(2.0), 1e-12);
-  second.steering_delay_s.lower = 0.1;
-  expect_error(hrt_calibration_compare(&first, &second, &comparison), HRT_ERROR_OUT_OF_RANGE,
-               "steering_delay_s");
 }
 
 TEST(CalibrationComparison, BadResultsAreRefusedByField) {

@@ -49,21 +49,13 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   EXPECT_EQ(back.horizon, 3u) << "a profile is the participant's, not the session's";
 }
 
-// In a profile only if they are known; and one without them is of a person of whom they are not.
-TEST_F(ProfileTest, KeepsTheSteeringIfItIsKnown) {
-  const std::string unknown = save(session);
-  hrt_session_config config = session_config();
-  config.steering_rate_per_s = 8.25;
-  config.steering_delay_s = 0.0625;
-  ASSERT_OK(hrt_session_set_config(session, &config));
-  const std::string text = save(session);
-  EXPECT_NE(text.find(R"("steering_rate_per_s":8.25,"steering_delay_s":0.0625)"), std::string::npos) << text;
-  ASSERT_OK(load(session, unknown));
-  EXPECT_EQ(config_of(session).steering_rate_per_s, 0.0);
-  EXPECT_EQ(config_of(session).steering_delay_s, 0.0);
+TEST_F(ProfileTest, TheSteeringOfVersion03IsDropped) {
+  std::string text = save(session);
+  text.insert(text.rfind('}'), R"(,"steering_rate_per_s":8.25,"steering_delay_s":0.0625)");
   ASSERT_OK(load(session, text));
-  EXPECT_EQ(config_of(session).steering_rate_per_s, 8.25);
-  EXPECT_EQ(config_of(session).steering_delay_s, 0.0625);
+  EXPECT_EQ(save(session).find("steering"), std::string::npos);
+  text.insert(text.rfind('}'), R"(,"steering_gain":1)");
+  expect_error(load(session, text), HRT_ERROR_BAD_FORMAT, "steering_gain");
 }
 
 TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {

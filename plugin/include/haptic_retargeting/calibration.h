@@ -5,8 +5,6 @@
  * The user slides to one target straight ahead, with the plate at a different orientation (base.h) each time:
  * hrt_calibration_next_angle() chooses the next one. Half a second at rest before each slide measures the
  * tracker's noise. The host turns the plate. Published human data cover plate orientations of -60 to 60.
- * Six slides or more within which the plate turns by tens of degrees, to and fro, show how fast and how late
- * the user steers: their samples have HRT_SAMPLE_PLATE_ORIENTATION.
  *
  *   create -> (next_angle -> begin_trial -> add_sample ... add_sample -> end_trial) for each slide
  *          -> solve -> apply
@@ -81,8 +79,8 @@ typedef struct hrt_interval {
 /** Parameters of the user; the fields are those of hrt_session_config. Set `struct_size` before the call. */
 typedef struct hrt_calibration_result {
   uint32_t struct_size;
-  /** Trials with a slide within which the plate turned by more than 5 degrees: they show the steering alone,
-   *  and are not among trials_used. */
+  /** Trials with a slide within which the plate turned by more than 5 degrees: left out, not among
+   *  trials_used. */
   uint32_t slides_turning;
   /** Ended trials, and those of them with a slide of at least 30 mm over a plate at rest. */
   uint32_t trials;
@@ -128,14 +126,6 @@ typedef struct hrt_calibration_result {
   double angle_p;
   double order_p;
   double path_p;
-  /** Rate at which the user corrects an error that they feel, 1/s, and the time from feeling to answer, with
-   *  the tracker's latency and the arm's lag. Known with 6 turning slides or more unless lack_of_fit is set,
-   *  steering_p is below 0.01, the rate's interval spans a factor above 2.5, or the delay's is wider than
-   *  0.1 s. */
-  hrt_interval steering_rate_per_s;
-  hrt_interval steering_delay_s;
-  /** As path_p, of the turning slides under the likeliest law of steering; 1 without such slides. */
-  double steering_p;
 } hrt_calibration_result;
 
 /** What became of a slide: hrt_calibration_slide::verdict. */
@@ -165,8 +155,6 @@ typedef struct hrt_calibration_slide {
 #define HRT_DIFFERS_BIAS UINT32_C(4)
 #define HRT_DIFFERS_HABIT UINT32_C(8)
 #define HRT_DIFFERS_TRACKER_NOISE UINT32_C(16)
-#define HRT_DIFFERS_STEERING_RATE UINT32_C(32)
-#define HRT_DIFFERS_STEERING_DELAY UINT32_C(64)
 
 /** Test and retest: two calibrations of a user, or of two users. Each field is the second value less the
  *  first, with the 95 % interval of the difference; known if both values are. Set `struct_size` before the
@@ -181,8 +169,6 @@ typedef struct hrt_calibration_comparison {
   hrt_interval bias_deg;
   hrt_interval habit_deg;
   hrt_interval tracker_noise_m;
-  hrt_interval steering_rate_per_s;
-  hrt_interval steering_delay_s;
 } hrt_calibration_comparison;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

@@ -201,13 +201,6 @@ typedef struct hrt_session_config {
   /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In
    *  profiles if tracker_correlated_noise_m is not 0. */
   double tracker_correlation_s;
-  /** Rate at which the person corrects an error that they feel. Found by calibration.h, kept in the profile;
-   *  the controller does not read it, as it gains nothing by it. 0 to 50 1/s; 0: not known. Default 0. In
-   * profiles if steering_rate_per_s is not 0. */
-  double steering_rate_per_s;
-  /** Time from what the person feels to their answer, kept likewise. 0 to 0.5 s; 0: not known. Default 0. In
-   * profiles if steering_delay_s is not 0. */
-  double steering_delay_s;
 } hrt_session_config;
 
 /** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */

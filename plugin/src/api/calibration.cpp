@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "core/calibrate/retest.h"
-#include "core/calibrate/steering_fit.h"
 #include "core/learning.h"
 #include "core/person/calibrated_person.h"
 #include "core/tracker/tracker_noise.h"
@@ -60,12 +59,6 @@ void write_noise(const hrt_calibration_result& result, hrt_session_config* confi
   if (noise->correlated_m > 0.0) config->tracker_correlation_s = noise->correlation_s;
 }
 
-void write_steering(const hrt_calibration_result& result, hrt_session_config* config) {
-  if (result.steering_rate_per_s.known) config->steering_rate_per_s = result.steering_rate_per_s.value;
-  if (result.steering_delay_s.known)
-    config->steering_delay_s = std::max(result.steering_delay_s.value, min_known_delay_s);
-}
-
 // What a checked result makes of a configuration.
 hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_result& result) {
   if (result.tactile_weight.known) {
@@ -74,7 +67,6 @@ hrt_session_config calibrated(hrt_session_config config, const hrt_calibration_r
   }
   if (result.bias_deg.known) config.bias_deg = result.bias_deg.value;
   write_noise(result, &config);
-  write_steering(result, &config);
   // What reaches have learnt would override the weight and the bias.
   if (result.tactile_weight.known || result.bias_deg.known) forget_person(&config);
   if (describes_person(result)) {
@@ -105,8 +97,6 @@ hrt_result check_calibration_result(const hrt_calibration_result& result) {
       {"person_weight", result.person_weight},
       {"person_curve", result.person_curve},
       {"habit_deg", result.habit_deg},
-      {"steering_rate_per_s", result.steering_rate_per_s},
-      {"steering_delay_s", result.steering_delay_s},
   };
   for (const auto& [name, interval] : intervals) HRT_RETURN_IF_FAILED(check_interval(name, interval));
   if (!describes_person(result)) return HRT_OK;
@@ -130,8 +120,6 @@ constexpr ComparedValue compared_values[] = {
     {"bias_deg", &R::bias_deg, &D::bias_deg, HRT_DIFFERS_BIAS},
     {"habit_deg", &R::habit_deg, &D::habit_deg, HRT_DIFFERS_HABIT},
     {"tracker_noise_m", &R::tracker_noise_m, &D::tracker_noise_m, HRT_DIFFERS_TRACKER_NOISE},
-    {"steering_rate_per_s", &R::steering_rate_per_s, &D::steering_rate_per_s, HRT_DIFFERS_STEERING_RATE},
-    {"steering_delay_s", &R::steering_delay_s, &D::steering_delay_s, HRT_DIFFERS_STEERING_DELAY},
 };
 
 // An unknown value may be anything.

@@ -69,6 +69,14 @@ bool is_calibration_call(std::string_view call) {
   return false;
 }
 
+std::string without_former_values(std::string_view row) {
+  std::string kept(row);
+  if (!row.starts_with(solve_call)) return kept;
+  for (std::size_t at; (at = kept.find(" steering_")) != std::string::npos;)
+    kept.erase(at, kept.find_first_of(" ,", at + 1) - at);
+  return kept;
+}
+
 hrt_result read_calibration_call(const Cells& cells, Record* out) {
   std::uint64_t number = 0;
   HRT_RETURN_IF_FAILED(read_cell(cells, column("calibration"), &number));

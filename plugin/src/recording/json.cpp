@@ -27,6 +27,11 @@ constexpr const char* profile_format = "haptic retargeting profile";
 constexpr std::size_t max_text = 65536;
 constexpr std::size_t max_fields = 64;
 
+// Fields of 0.3, which profiles and recordings may carry: read and dropped.
+bool is_of_the_past(std::string_view key) {
+  return key == "steering_rate_per_s" || key == "steering_delay_s";
+}
+
 // Each field's key and value.
 template <class Values>
 void visit_fields(Values& values, auto&& visit) {
@@ -163,6 +168,7 @@ hrt_result parse_fields(std::string_view text, std::vector<JsonField>* out) {
     if (std::count_if(reader.fields.begin(), reader.fields.end(), same) > 1)
       return fail(HRT_ERROR_BAD_FORMAT, "\"", Shown{field.key}, "\" is there twice");
   }
+  std::erase_if(reader.fields, [](const JsonField& field) { return is_of_the_past(field.key); });
   *out = std::move(reader.fields);
   return HRT_OK;
 }

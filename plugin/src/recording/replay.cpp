@@ -9,6 +9,7 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
+#include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/recording/replayed_calibrations.h"
@@ -168,7 +169,7 @@ class Replay {
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (report_.first_different_line == 0 && !columns_.is_same_row(line, row))
+    if (report_.first_different_line == 0 && !columns_.is_same_row(without_former_values(line), row))
       report_.first_different_line = line_number_;
     return HRT_OK;
   }

@@ -134,7 +134,7 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
   auto& calibration = std::get<Calibration>(found);
   *out = {
       .struct_size = sizeof *out,
-      .slides_turning = static_cast<std::uint32_t>(calibration.steering.slides),
+      .slides_turning = static_cast<std::uint32_t>(calibration.slides_turned),
       .trials = static_cast<std::uint32_t>(trials_.size()),
       .trials_used = static_cast<std::uint32_t>(calibration.slides.size()),
       .tactile_weight = to_abi(calibration.tactile_weight),
@@ -156,9 +156,6 @@ hrt_result StreamedCalibration::solve(hrt_calibration_result* out) {
       .angle_p = calibration.lack_of_fit.angle_p,
       .order_p = calibration.lack_of_fit.order_p,
       .path_p = calibration.lack_of_fit.path_p,
-      .steering_rate_per_s = to_abi(calibration.steering.rate_per_s),
-      .steering_delay_s = to_abi(calibration.steering.delay_s),
-      .steering_p = calibration.steering.law_p,
   };
   solved_ = std::move(calibration.slides);
   return HRT_OK;

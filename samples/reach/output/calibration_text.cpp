@@ -11,7 +11,6 @@ namespace hrt::reach {
 namespace {
 
 constexpr double normal_975 = 1.959964;
-constexpr double min_fit_p = 0.01;  // of calibration.h
 
 std::string illusion_text(const hrt_calibration_result& result) {
   constexpr const char* families[] = {"in proportion to the offset",
@@ -96,7 +95,6 @@ void print_calibration(std::ostream& out, const CalibrationOutcome& outcome) {
   const std::uint32_t left_out = result.slides_outlying + result.slides_along_ridges;
   out << format("\n%u slides, %u used", result.trials,
                 result.trials_used - std::min(left_out, result.trials_used));
-  if (result.slides_turning > 0) out << format(", and %u for the steering", result.slides_turning);
   out << "\n";
   out << format("%-34s %s\n", "illusion", illusion_text(result).c_str());
   print_curve(out, result);
@@ -110,13 +108,6 @@ void print_calibration(std::ostream& out, const CalibrationOutcome& outcome) {
   print_interval(out, "tracker noise, white", result.tracker_noise_m, 1e3, "mm");
   print_interval(out, "tracker noise, correlated", result.correlated_noise_m, 1e3, "mm");
   print_interval(out, "its correlation time", result.noise_correlation_s, 1e3, "ms");
-  if (result.slides_turning > 0) {
-    print_interval(out, "steering, rate", result.steering_rate_per_s, 1.0, "1/s");
-    print_interval(out, "steering, delay", result.steering_delay_s, 1e3, "ms");
-    if (result.steering_p < min_fit_p)
-      out << format("No law of steering fits the slides over a turning plate (p = %.4f).\n",
-                    result.steering_p);
-  }
   print_left_out(out, outcome);
   print_lack_of_fit(out, result);
   out << (outcome.enough ? "Enough: the share of touch is known as well as was asked.\n"

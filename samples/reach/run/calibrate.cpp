@@ -22,12 +22,7 @@ constexpr double margin_m = 0.01;  // left to the rim
 constexpr double plate_tolerance_deg = 1.0;
 constexpr XrDuration plate_limit_ns = 5'000'000'000;
 constexpr XrDuration unreported_turn_ns = 1'000'000'000;  // of a plate that does not report where it is
-constexpr std::uint32_t turning_slides = 12;
-// The plate begins on one side, and is on the other between these shares of the way.
-constexpr double turning_angle_deg = 35.0;
-constexpr double first_turn_share = 0.2;
-constexpr double second_turn_share = 0.55;
-constexpr int failures_allowed = 5;  // slides in a row that do not count
+constexpr int failures_allowed = 5;                       // slides in a row that do not count
 
 // Of the slide straight ahead that stays on the plate.
 double slide_distance_m(const TargetSet& targets) {
@@ -58,13 +53,12 @@ const char* advice(std::uint32_t failed) {
 }  // namespace
 
 GuidedCalibration::GuidedCalibration(const Plugin& plugin, const TargetSet& targets, XrDuration limit_ns,
-                                     bool steering, std::uint64_t seed)
+                                     std::uint64_t seed)
     : plugin_(plugin),
       targets_(targets),
       limit_ns_(limit_ns),
       seed_(seed),
-      distance_m_(slide_distance_m(targets)),
-      turning_left_(steering ? turning_slides : 0) {
+      distance_m_(slide_distance_m(targets)) {
   hrt_calibration_config config;
   plugin.check(plugin.hrt_calibration_config_default(&config, sizeof config));
   config.goal_direction_deg = goal_direction_deg;
@@ -104,18 +98,13 @@ CalibrationOutcome GuidedCalibration::solve(Stage& stage) {
   return outcome;
 }
 
-GuidedCalibration::Next GuidedCalibration::next_slide(Stage& stage) {
-  if (!enough_) {
-    Next next{.plate_orientation_deg = 0.0, .turns = false};
-    std::uint32_t enough = 0;
-    compute(stage, [&] {
-      return plugin_.hrt_calibration_next_angle(calibration_, &next.plate_orientation_deg, &enough);
-    });
-    enough_ = enough != 0;
-    if (!enough_) return next;
-  }
-  return {.plate_orientation_deg = turning_left_ % 2 == 0 ? turning_angle_deg : -turning_angle_deg,
-          .turns = true};
+double GuidedCalibration::next_angle_deg(Stage& stage) {
+  double plate_orientation_deg = 0.0;
+  std::uint32_t enough = 0;
+  compute(stage,
+          [&] { return plugin_.hrt_calibration_next_angle(calibration_, &plate_orientation_deg, &enough); });
+  enough_ = enough != 0;
+  return plate_orientation_deg;
 }
 
 void GuidedCalibration::turn_plate(Stage& stage, double orientation_deg) const {
@@ -130,7 +119,7 @@ void GuidedCalibration::turn_plate(Stage& stage, double orientation_deg) const {
 }
 
 // True if the slide counts.
-bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool turns) {
+bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
   Hand hand = stage.hands.front();
   if (stage.simulation == nullptr) {
     hand = await_finger_at_start(stage);
@@ -147,24 +136,15 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg, bool t
   }
   std::vector<Moment> moments;
   std::optional<XrTime> done_since;
-  double commanded_deg = plate_orientation_deg;
   for (XrTime time = began; time - began <= stage.time_limit_ns; time = next_frame(stage)) {
     const Fingertip tip = locate(stage, hand, time);
     const std::optional<double> measured_deg = stage.plate.orientation_deg(time);
-    if (!turns && measured_deg && !feels_the_same(*measured_deg, plate_orientation_deg)) {
+    if (measured_deg && !feels_the_same(*measured_deg, plate_orientation_deg)) {
       stage.tell_user("The plate has moved: this slide does not count.");
       return false;
     }
-    const hrt_sample sample =
-        sample_of(time, tip, turns ? std::optional(measured_deg.value_or(commanded_deg)) : std::nullopt);
+    const hrt_sample sample = sample_of(time, tip, std::nullopt);
     plugin_.check(plugin_.hrt_calibration_add_sample(calibration_, &sample));
-    const double share = (targets_.start_m[2] - tip.position_m[2]) / distance_m_;
-    if (turns && tip.tracked) {
-      const bool across = share > first_turn_share && share <= second_turn_share;
-      const double wanted_deg = across ? -plate_orientation_deg : plate_orientation_deg;
-      if (wanted_deg != commanded_deg) stage.plate.command(time, wanted_deg);
-      commanded_deg = wanted_deg;
-    }
     moments.push_back({.time = time, .tracked = tip.tracked, .position_m = tip.position_m});
     if (stage.simulation != nullptr && stage.simulation->truth(hand).done && !done_since) done_since = time;
     const bool arrived = stage.simulation != nullptr
@@ -191,10 +171,10 @@ CalibrationOutcome GuidedCalibration::run(Stage& stage, std::ostream& out) {
     stage.tell_user(
         format("You will slide one fingertip straight ahead, %.0f mm, again and again. Close your eyes, "
                "and slide towards what feels straight ahead. Rest for a second before each slide. It "
-               "takes some %s slides and ends by itself, after %.0f minutes at the latest; between "
+               "takes some 12 to 40 slides and ends by itself, after %.0f minutes at the latest; between "
                "slides you may rest your hand for up to %.0f s.",
-               1e3 * distance_m_, turning_left_ > 0 ? "24 to 52" : "12 to 40",
-               std::ceil(minutes_of(limit_ns_)), static_cast<double>(stage.time_limit_ns) * 1e-9));
+               1e3 * distance_m_, std::ceil(minutes_of(limit_ns_)),
+               static_cast<double>(stage.time_limit_ns) * 1e-9));
   }
   XrTime now = began;
   const AtEnd stop([&] {
@@ -206,23 +186,20 @@ CalibrationOutcome GuidedCalibration::run(Stage& stage, std::ostream& out) {
     }
   });
   for (;;) {
-    const Next next = next_slide(stage);
+    const double plate_orientation_deg = next_angle_deg(stage);
     now = next_frame(stage);
     const XrDuration spent_ns = spent_ns_ + (now - began);
-    if (!asks_for_more() || spent_ns > limit_ns_) return solve(stage);
-    turn_plate(stage, next.plate_orientation_deg);
+    if (enough_ || spent_ns > limit_ns_) return solve(stage);
+    turn_plate(stage, plate_orientation_deg);
     stage.tell_user(
         format("Slide %u, minute %.0f of at most %.0f: put your index finger to the start and let it rest.",
                slides_ + 1, std::floor(minutes_of(spent_ns)) + 1.0, std::ceil(minutes_of(limit_ns_))));
     if (stage.simulation != nullptr)
       stage.simulation->seed(seed_, slides_ + static_cast<std::uint32_t>(failed_));
-    if (slide(stage, next.plate_orientation_deg, next.turns)) {
+    if (slide(stage, plate_orientation_deg)) {
       ++slides_;
       failed_ = 0;
-      if (next.turns) --turning_left_;
-      out << format("slide %3u  plate %6.1f deg%s\n", slides_, next.plate_orientation_deg,
-                    next.turns ? ", turning to the other side and back" : "")
-          << std::flush;
+      out << format("slide %3u  plate %6.1f deg\n", slides_, plate_orientation_deg) << std::flush;
     } else if (++failed_ > failures_allowed) {
       throw Failure(ExitCode::no_hand, format("%d slides in a row did not count", failed_));
     } else {

@@ -20,10 +20,8 @@ struct CalibrationOutcome {
 class GuidedCalibration {
  public:
   /// `targets` gives the plate, the start and the plugin's session. `limit_ns`: the whole calibration ends
-  /// with the first slide after it. `steering`: slides follow within which the plate turns. `seed` draws a
-  /// simulated user's noise.
-  GuidedCalibration(const Plugin& plugin, const TargetSet& targets, XrDuration limit_ns, bool steering,
-                    std::uint64_t seed);
+  /// with the first slide after it. `seed` draws a simulated user's noise.
+  GuidedCalibration(const Plugin& plugin, const TargetSet& targets, XrDuration limit_ns, std::uint64_t seed);
   ~GuidedCalibration();
   GuidedCalibration(const GuidedCalibration&) = delete;
   GuidedCalibration& operator=(const GuidedCalibration&) = delete;
@@ -36,16 +34,11 @@ class GuidedCalibration {
   std::uint32_t slides() const { return slides_; }
 
  private:
-  struct Next {
-    double plate_orientation_deg;
-    bool turns;
-  };
   template <class Call>
   void compute(Stage& stage, Call&& call);
-  Next next_slide(Stage& stage);
-  bool asks_for_more() const { return !enough_ || turning_left_ > 0; }
+  double next_angle_deg(Stage& stage);
   void turn_plate(Stage& stage, double orientation_deg) const;
-  bool slide(Stage& stage, double plate_orientation_deg, bool turns);
+  bool slide(Stage& stage, double plate_orientation_deg);
   CalibrationOutcome solve(Stage& stage);
 
   const Plugin& plugin_;
@@ -55,10 +48,9 @@ class GuidedCalibration {
   double distance_m_;
   hrt_calibration calibration_{};
   std::uint32_t slides_ = 0;
-  bool enough_ = false;         // slides over a plate at rest
-  std::uint32_t turning_left_;  // slides over a turning plate
-  int failed_ = 0;              // slides in a row that did not count
-  XrDuration spent_ns_ = 0;     // in sessions that ended, less what the plugin took to compute
+  bool enough_ = false;
+  int failed_ = 0;           // slides in a row that did not count
+  XrDuration spent_ns_ = 0;  // in sessions that ended, less what the plugin took to compute
 };
 
 }  // namespace hrt::reach

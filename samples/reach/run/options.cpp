@@ -165,11 +165,6 @@ void add_files(CLI::App& app, Options& options) {
          "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
          "write their profile into this file")
       ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
-  app.add_flag(
-         "--steering", options.steering,
-         "Calibrate how fast and how late the user steers, too: 12 slides more, within which the plate\n"
-         "turns")
-      ->needs("--calibrate");
   app.add_option("--calibration-limit", options.calibration_limit_s, "Longest calibration, seconds [600]")
       ->check(between(1.0, 36000.0, "a number from 1 to 36000"));
 }

@@ -41,7 +41,6 @@ struct Options {
   std::filesystem::path profile;      ///< of the user; empty: an unknown user
   std::filesystem::path calibrate;    ///< into this profile, in place of reaches; empty: reaches
   double calibration_limit_s = 600.0;
-  bool steering = false;               ///< calibrating finds how fast and how late the user steers, too
   std::optional<double> eye_height_m;  ///< above the floor, where the runtime knows of none
   std::string speak_with;              ///< program and arguments; empty: nobody speaks
   bool person = false;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -115,6 +116,28 @@ TEST(Calibration, RefusesTooFewData) {
   EXPECT_NE(refused(resting).find("0 of 10"), std::string::npos);
 }
 
+// As long as the finger moves; before and after, the plate may turn.
+TEST(Calibration, ASlideWithinWhichThePlateTurnedIsLeftOut) {
+  std::vector<CalibrationTrial> trials = simulate({}, 3);
+  const Calibration at_rest = calibrated(trials);
+  const auto turned = [&](std::size_t first, std::size_t end, double turn_deg) {
+    CalibrationTrial trial = trials[0];
+    trial.plate_deg.assign(trial.samples.size(), trial.plate_orientation_deg);
+    for (std::size_t i = first; i < std::min(end, trial.samples.size()); ++i) trial.plate_deg[i] += turn_deg;
+    return trial;
+  };
+  trials.push_back(turned(100, 200, -5.1));
+  trials.push_back(turned(150, 400, 5.1));
+  const Calibration calibration = calibrated(trials);
+  EXPECT_EQ(calibration.slides_turned, 2U);
+  EXPECT_EQ(calibration.slides.size(), at_rest.slides.size());
+  EXPECT_EQ(calibration.tactile_weight.value, at_rest.tactile_weight.value);
+  ASSERT_EQ(calibration.advice().size(), at_rest.advice().size() + 1);
+  trials[0] = turned(0, 40, 90.0);
+  trials[1] = turned(150, 400, 4.9);
+  EXPECT_EQ(calibrated(trials).slides_turned, 2U);
+}
+
 TEST(Calibration, RefusesBrokenDataByName) {
   std::vector<CalibrationTrial> trials = simulate({}, 2);
   trials[3].samples[7].position.away_m = std::numeric_limits<double>::quiet_NaN();
@@ -124,6 +147,10 @@ TEST(Calibration, RefusesBrokenDataByName) {
   EXPECT_EQ(refused(trials), "trial 1, sample 6: time does not increase");
   trials[2].plate_orientation_deg = std::numeric_limits<double>::infinity();
   EXPECT_EQ(refused({trials[2]}), "trial 1: the plate orientation is not a finite number");
+  trials[4].plate_deg = {0.0};
+  EXPECT_EQ(refused({trials[4]}), "trial 1: not every sample has the plate's orientation");
+  trials[4].plate_deg.assign(trials[4].samples.size(), std::numeric_limits<double>::quiet_NaN());
+  EXPECT_EQ(refused({trials[4]}), "trial 1: a plate orientation is not finite");
   EXPECT_EQ(refused({}, std::numeric_limits<double>::infinity()),
             "the goal direction is not a finite number");
 }

@@ -108,6 +108,18 @@ TEST_F(CalibrationRecordingTest, ReplaysToTheSameBits) {
   }
 }
 
+// Its configuration and its solutions carry a rate and a delay of the steering.
+TEST_F(CalibrationRecordingTest, TheSteeringOfVersion03IsIgnored) {
+  std::string text = replaced(recording_of_a_calibration(), "# config {",
+                              "# config {\"steering_rate_per_s\":0,\"steering_delay_s\":0.05,");
+  text = replaced(text, " tactile_weight=", " steering_p=1 tactile_weight=");
+  const std::size_t solved = text.find("calibration_solve,0");
+  text.insert(text.find('\n', solved), " steering_rate_per_s=8:7:9.5:1 steering_delay_s=0.05:0:0.1:0");
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.first_different_line, 0u);
+  EXPECT_EQ(report.ending, HRT_ENDING_ALTERED);
+}
+
 // What went in and what came out, with another value in its place.
 TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
   const std::string text = recording_of_a_calibration();

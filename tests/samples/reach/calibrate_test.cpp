@@ -74,23 +74,6 @@ TEST(ReachCalibrate, FindsTheShareOfTouchAndWritesAProfile) {
   }
 }
 
-// The plate turns within 12 slides more, and the profile keeps what they show: how exactly, core says.
-TEST(ReachCalibrate, SlidesOverATurningPlateShowTheSteering) {
-  const std::string profile = scratch_folder() + "/profile.json";
-  const std::string recording = scratch_folder() + "/slides.csv";
-  const Outcome outcome = run_scripted("{" + person_of(0.2, 3000, 0.2) + "}",
-                                       {desk, "--calibrate", profile, "--steering", "--record", recording});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_TRUE(has(outcome.out, "turning to the other side and back"));
-  EXPECT_TRUE(has(outcome.out, ", and 12 for the steering\n"));
-  EXPECT_NEAR(value_of(outcome.out, "steering, rate"), 9.0, 2.5) << outcome.out;
-  EXPECT_NEAR(value_of(outcome.out, "steering, delay"), 50.0, 20.0) << outcome.out;
-  const std::string text = read_file(profile);
-  EXPECT_NEAR(value_of(text, "\"steering_rate_per_s\":"), 9.0, 2.5) << text;
-  EXPECT_NEAR(value_of(text, "\"steering_delay_s\":"), 0.05, 0.02) << text;
-  expect_replays(recording);
-}
-
 // Beyond 45 degrees this person feels no more: 9 degrees of shift at most.
 TEST(ReachCalibrate, ShowsAnIllusionThatSaturates) {
   const Outcome outcome = run_scripted(

@@ -154,7 +154,6 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk, "--seed", "-1"}, 2, "--seed"},
       {{desk, "--time-limit", "inf"}, 2, "--time-limit"},
       {{desk, "--bogus"}, 2, "--bogus"},
-      {{desk, "--steering"}, 2, "--calibrate"},
       {{desk, "--calibrate", "profile.json", "--target", "bottle"}, 2, ""},
       {{desk, "--register", "plate.txt", "--registered", "plate.txt"}, 2, ""},
       {{desk, "--marks", "plate.txt"}, 2, ""},
