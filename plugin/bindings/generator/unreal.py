@@ -16,11 +16,7 @@ import settings
 from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
-            "hrt_authority": "FHapticAuthority", "hrt_interval": "FHapticInterval",
-            "hrt_calibration_result": "FHapticCalibration", "hrt_calibration_slide": "FHapticSlide",
-            "hrt_calibration_comparison": "FHapticCalibrationComparison", "hrt_registration": "FHapticRegistration",
-            "hrt_touch_check": "FHapticTouchCheck", "hrt_fingertip": "FHapticFingertip",
-            "hrt_scene_target": "FHapticSceneTarget"}
+            "hrt_authority": "FHapticAuthority", "hrt_scene_target": "FHapticSceneTarget"}
 # The component's transform has the first; the plugin keeps the others.
 _NOT_SHOWN = ("struct_size", "reserved", "plate_rotation", "covariance", "sd_m")
 # Arguments of the component.
@@ -125,9 +121,6 @@ class _Renderer:
             raise HeaderError(f"{field.name}: an array, which generator/unreal.py does not show")
         if kind == "hrt_target":
             return "FHapticTarget", "ToTarget({})", "FromTarget({})"
-        if kind == "hrt_interval":
-            scale = "CentimetresPerMetre" if field.unit == "m" else "1.0"
-            return "FHapticInterval", "", "FromMirrored({})" if yaw else f"FromInterval({{}}, {scale})"
         if field.boolean:
             return "bool", "{} ? 1u : 0u", "{} != 0"
         if field.unit == "ns":
@@ -150,7 +143,7 @@ class _Renderer:
         if type_ == "FVector":
             x, y, z = (given or (Decimal(0),) * 3) if len(given or ()) in (0, 3) else (Decimal(0),) * 3
             return f"FVector({_literal(-z * 100)}, {_literal(x * 100)}, {_literal(y * 100)})"
-        if type_ in ("FHapticTarget", "FHapticInterval", "FString"):
+        if type_ in ("FHapticTarget", "FString"):
             return ""
         number = _shown(field, given[0]) if given else Decimal(0)
         return {"bool": "false", "double": _literal(-number if yaw and number else number)}.get(type_, f"{number:f}")
@@ -297,18 +290,17 @@ def render_types(abi: Abi, notice: str) -> str:
     r = _Renderer(abi)
     target = ("/** Names a target of one component. */\nUSTRUCT(BlueprintType)\nstruct FHapticTarget\n{\n\tGENERATED_BODY()\n\n"
               '\tUPROPERTY(BlueprintReadOnly, Category = "Haptic Retargeting")\n\tint64 Id = 0;\n};\n')
-    order = sorted(_STRUCTS, key=lambda name: name != "hrt_interval")  # which the others contain
     return (f"// {notice}\n//\n"
             "// What Blueprints see of the plugin. Everything is in Unreal's terms: centimetres, seconds, and yaw, which is\n"
             "// positive to the right (clockwise seen from above); the C interface has metres, nanoseconds, and directions\n"
             "// that are positive to the left. Directions are measured from the plate's mid-line, its X axis, straight away\n"
             "// from the user.\n#pragma once\n\n"
             '#include "CoreMinimal.h"\n#include "HapticRetargetingTypes.generated.h"\n\n'
-            + "\n".join([r.enum(e) for e in r.shown] + [target] + [r.struct(name) for name in order]))
+            + "\n".join([r.enum(e) for e in r.shown] + [target] + [r.struct(name) for name in _STRUCTS]))
 
 
 def render_header(abi: Abi, notice: str) -> str:
-    outputs = [name for name in _STRUCTS if name not in (settings.STRUCT, "hrt_interval")]
+    outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#pragma once\n\n"
             '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/haptic_retargeting.h"\n\n'
             "namespace HapticConversions\n{\n"
@@ -323,7 +315,7 @@ def render_header(abi: Abi, notice: str) -> str:
 
 def render_conversions(abi: Abi, notice: str) -> str:
     r = _Renderer(abi)
-    outputs = [name for name in _STRUCTS if name not in (settings.STRUCT, "hrt_interval")]
+    outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#include \"HapticStructs.h\"\n\n#include <cstring>\n\n#include \"HapticConversions.h\"\n\n"
             "namespace HapticConversions\n{\n"
             + "\n".join([r.to_config(), r.from_(settings.STRUCT, "static "), r.take_changes()]

@@ -41,10 +41,11 @@ def render_frames(abi: Abi, notice: str) -> str:
             parts = ", ".join(f"{f}: [...this.{f}]" for f in arrays)
             text += f"  toJSON() {{ return {{ ...this, {parts} }}; }}\n"
         text += "}\n"
-        text += (f"\nexport function write{title}(view, at, {{ {', '.join(places)} }}) {{\n"
-                 + "".join(f"  {_write(f, place)}\n" for f, place in places.items()) + "}\n" if title == "Sample" else
-                 f"\nexport function read{title}(view, at, into) {{\n"
-                 + "".join(f"  into.{f} = {_read(place)};\n" for f, place in places.items()) + "}\n")
+        if title == "Sample":
+            text += (f"\nexport function write{title}(view, at, {{ {', '.join(places)} }}) {{\n"
+                     + "".join(f"  {_write(f, place)}\n" for f, place in places.items()) + "}\n")
+        text += (f"\nexport function read{title}(view, at, into) {{\n"
+                 + "".join(f"  {line}\n" for f, place in places.items() for line in _reads(f, place)) + "}\n")
     return text
 
 
@@ -73,6 +74,13 @@ def _write(field: str, place: dict[str, object]) -> str:
     if place["type"] == "f64":
         return f"view.setFloat64({at}, {field}, true);"
     return f'write{str(place["type"]).upper()}(view, {at}, "{field}", {field});'
+
+
+def _reads(field: str, place: dict[str, object]) -> list[str]:
+    offset = int(str(place["offset"]))
+    if "length" not in place:
+        return [f"into.{field} = {_read(place)};"]
+    return [f"into.{field}[{i}] = {_read({**place, 'offset': offset + 8 * i})};" for i in range(int(str(place["length"])))]
 
 
 def _read(place: dict[str, object]) -> str:

@@ -20,11 +20,13 @@ _SOURCES = {
 # Structs that a host's own code fills, field by field; the others are generated there.
 _FILLED = {
     "godot": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
-    "unreal": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
+    "unreal": ("hrt_target_config", "hrt_reach_config", "hrt_sample"),
     "python": ("hrt_reach_config", "hrt_sample"),
 }
 # In C++ a field's constants have the headers' names.
 _CPP = ("godot", "unreal")
+# What is generated and uses the interface.
+_USES = ("Calls.cs",)
 # Names of this project that the headers do not have.
 _OWN = {"hrt_result", "hrt_godot", "hrt_web_open", "HRT_LIBRARY", "HRT_PLATE_LIBRARY", "HRT_ERROR_"}
 _COMMENTS = re.compile(r'//[^\n]*|/\*.*?\*/|"""(?:[^"]|"(?!""))*"""|(?m:^\s*#[^\n]*)', re.S)
@@ -33,6 +35,7 @@ _ALL = "godot python unity unreal web"
 _PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error"
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
+    ("godot", "hrt_person_create hrt_person_destroy hrt_person_begin hrt_person_move hrt_person_get_state", "not yet in a node"),
     (_ALL, "hrt_session_is_valid", "an object of the host knows whether it is open"),
     (_ALL, "hrt_result_string", "an error has the text of hrt_last_error()"),
     (_ALL, "hrt_set_allocator", "called on any thread, which only C and C++ allow"),
@@ -46,12 +49,19 @@ _LEFT_OUT = (
     ("python", "hrt_replay_text", "recordings are files"),
     ("godot unreal", "hrt_replay_file hrt_replay_text", "recordings are replayed in Python"),
     ("unreal", "hrt_target_list hrt_target_find", "a Blueprint has the ids"),
-    ("godot unreal", "hrt_authority_query_all", "a script asks for the pairs that it has"),
-    ("godot unreal", "hrt_registration_check", "a touch of a mark before a reach confirms the registration"),
-    ("godot unreal", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
-    ("godot unreal", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
+    ("godot", "hrt_authority_query_all", "a script asks for the pairs that it has"),
+    ("unreal", "hrt_authority_query_all hrt_registration_check hrt_latency_fit hrt_session_get_state hrt_target_assign "
+     "hrt_profile_get_conditions hrt_profile_set_conditions hrt_calibration_create hrt_calibration_destroy "
+     "hrt_calibration_begin_trial hrt_calibration_add_sample hrt_calibration_end_trial hrt_calibration_cancel_trial "
+     "hrt_calibration_next_angle hrt_calibration_solve hrt_calibration_get_residual hrt_calibration_apply "
+     "hrt_calibration_compare hrt_registration_fit hrt_registration_advice hrt_registration_apply hrt_registration_confirm "
+     "hrt_fingertip_fit hrt_fingertip_place hrt_person_get_state",
+     "C++ calls the C interface with GetSession()"),
+    ("godot", "hrt_registration_check", "a touch of a mark before a reach confirms the registration"),
+    ("godot", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
+    ("godot", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
      "the defaults hold several times the slides that a calibration needs"),
-    ("godot unreal", "hrt_session_get_state", "the node or component knows whether a reach runs"),
+    ("godot", "hrt_session_get_state", "the node or component knows whether a reach runs"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
     ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
     ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
@@ -72,8 +82,10 @@ def missing(abi: Abi, plate: Abi, bindings: Path, notice: str) -> Iterator[str]:
     known = _OWN | {x.name for model in (abi, plate) for x in (*model.functions, *model.constants, *model.structs)}
     known |= {f"{struct.name}_init" for struct in abi.structs}
     for host, patterns in _SOURCES.items():
-        texts = [path.read_text(encoding="utf-8") for pattern in patterns for path in bindings.glob(pattern)]
+        paths = [path for pattern in patterns for path in bindings.glob(pattern)]
+        texts = [path.read_text(encoding="utf-8") for path in paths if path.name not in _USES]
         text = "\n".join(t for t in texts if notice not in t.partition("\n")[0])  # what is generated uses nothing
+        text += "".join(path.read_text(encoding="utf-8") for path in paths if path.name in _USES)
         wanted = functions | {c.name for c in abi.constants if host == "godot" and c.name.startswith("HRT_ERROR_")}
         words = set(re.findall(r"\b\w+", _COMMENTS.sub(" ", text)))
         fields = {f"{struct}::{f.name}": f.name for struct in _FILLED.get(host, ()) for f in abi.struct(struct).fields

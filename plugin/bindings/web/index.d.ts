@@ -1,7 +1,8 @@
 // Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
   hrt_authority, hrt_calibration_comparison, hrt_calibration_config, hrt_calibration_result, hrt_calibration_slide,
-  hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_reach_summary,
+  hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_person_config,
+  hrt_person_state, hrt_reach_summary,
   hrt_recording_status, hrt_registration, hrt_registration_config, hrt_replay_report, hrt_sample, hrt_scene_info,
   hrt_scene_target, hrt_session_config, hrt_target_config, hrt_touch_check,
 } from "./abi.js";
@@ -48,6 +49,8 @@ export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | 
 export interface Library {
   readonly version: { readonly major: number; readonly minor: number; readonly patch: number };
   createSession(config?: Input<hrt_session_config>): Session;
+  /** A simulated person, who feels the plate and is bent by it: a model, the same on every host for the same seed. */
+  createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** A .gltf or .glb file's bytes; `name` stands for it in error texts. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
   /** The plate's pose from touches of its marks: registration.h. A verdict other than HRT_REGISTRATION_HOLDS is no error. */
@@ -124,7 +127,7 @@ export interface Session {
    *  Library.fitFingertip(). Of one hand; null: a pose is that of the skin again. */
   setFingertip(fingertip: Output<hrt_fingertip> | null): void;
   /** Writes the fingertip's place in the world to `sample`, or a dropout, in place of other flags. `time_ms`: the frame's
-   *  time, as the callback of requestAnimationFrame() has it. */
+   *  time, as the callback of requestAnimationFrame() has it; finite. */
   setFinger(pose: FingerPose, time_ms: number): void;
   /** Reads `sample` and writes `command`. Once a frame. */
   update(): void;
@@ -170,6 +173,18 @@ export interface Calibration {
   solve(): Output<hrt_calibration_result>;
   /** A slide of the last solve(), from 0 to trials_used - 1: seen, fitted, and whether it was left out (HRT_SLIDE_*). */
   residual(slide: number): Output<hrt_calibration_slide>;
+}
+
+/** A finger for first programs and tests. No measurement of people. */
+export interface Person {
+  /** At rest at the session's start, for 0.6 s; then they slide to the virtual target. */
+  begin(session: Session, virtualTarget: TargetId): void;
+  /** Commands the plate's servo, lets time pass until `time_ns`, and writes what tracker and servo report to `sample`, which
+   *  is Session.sample. */
+  move(sample: Session["sample"], time_ns: number, plateOrientationDeg: number): void;
+  /** Where the finger is, and where it is felt. */
+  readonly state: Output<hrt_person_state>;
+  destroy(): void;
 }
 
 /** Plate, start and targets of a glTF file. */

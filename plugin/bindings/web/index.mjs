@@ -1,7 +1,7 @@
 // The plugin for browsers and bundlers: loads the WebAssembly module and wraps its C functions. node begins at node.mjs.
 // Types and documentation: index.d.ts; fields of structs: abi.d.ts.
 import * as abi from "./abi.js";
-import { Command, readCommand, Sample, writeSample } from "./frame.mjs";
+import { Command, readCommand, readSample, Sample, writeSample } from "./frame.mjs";
 import { HapticRetargetingError, Host, Memory, readText } from "./memory.mjs";
 import { checked } from "./numbers.mjs";
 import { fingertipOf, plateOf, rotationOf } from "./pose.mjs";
@@ -47,6 +47,7 @@ class Library {
   }
 
   createSession(config = {}) { return new Session(this.#memory, config); }
+  createPerson(seed = 0, config = {}) { return new Person(this.#memory, seed, config); }
   loadScene(bytes, name = "scene") { return new Scene(this.#memory, bytes, name); }
 
   fitRegistration(touches, config = {}) {
@@ -56,8 +57,7 @@ class Library {
         touches.forEach((touch, i) => {
           for (const name of ["mark_m", "touched_m"]) memory.write("hrt_mark_touch", marks + size * i, name, touch[name]);
         });
-        const registration = memory.output("hrt_registration", (out) =>
-          memory.call("hrt_registration_fit", settings, marks, BigInt(length), BigInt(length), residuals, out));
+        const registration = memory.get("hrt_registration", "hrt_registration_fit", settings, marks, BigInt(length), BigInt(length), residuals);
         const residuals_m = Array.from(touches, (_, i) => memory.view.getFloat64(residuals + 8 * i, true));
         return { ...registration, residuals_m, advice: readText(memory.view.buffer, memory.entry("hrt_registration_advice")(registration.verdict)) };
       })));
@@ -65,30 +65,27 @@ class Library {
   checkRegistration({ residuals_m, advice, ...registration }, touch) {
     const memory = this.#memory;
     return memory.withStruct("hrt_registration", registration, (at) => memory.withStruct("hrt_mark_touch", touch, (mark) =>
-      memory.output("hrt_touch_check", (out) => memory.call("hrt_registration_check", at, mark, out))));
+      memory.get("hrt_touch_check", "hrt_registration_check", at, mark)));
   }
 
   fitFingertip(touches, config = {}) {
     const memory = this.#memory;
     return memory.withStruct("hrt_registration_config", config, (settings) =>
-      memory.withStructs("hrt_joint_touch", touches, (at) => memory.output("hrt_fingertip", (out) =>
-        memory.call("hrt_fingertip_fit", settings, at, BigInt(touches.length), out))));
+      memory.withStructs("hrt_joint_touch", touches, (at) => memory.get("hrt_fingertip", "hrt_fingertip_fit", settings, at, BigInt(touches.length))));
   }
   fitLatency(samples) {
     const memory = this.#memory;
-    return memory.withStructs("hrt_sample", samples, (at) => memory.output("hrt_latency", (out) =>
-      memory.call("hrt_latency_fit", at, BigInt(samples.length), out)));
+    return memory.withStructs("hrt_sample", samples, (at) => memory.get("hrt_latency", "hrt_latency_fit", at, BigInt(samples.length)));
   }
   compareCalibrations(first, second) {
     const memory = this.#memory;
     return memory.withStructs("hrt_calibration_result", [first, second], (at) =>
-      memory.output("hrt_calibration_comparison", (out) =>
-        memory.call("hrt_calibration_compare", at, at + abi.structs.hrt_calibration_result.size, out)));
+      memory.get("hrt_calibration_comparison", "hrt_calibration_compare", at, at + abi.structs.hrt_calibration_result.size));
   }
 
   replay(text) {
     return this.#memory.withText(text, (at, length) =>
-      this.#memory.output("hrt_replay_report", (out) => this.#memory.call("hrt_replay_text", at, length, out)));
+      this.#memory.get("hrt_replay_report", "hrt_replay_text", at, length));
   }
 }
 
@@ -163,12 +160,10 @@ class Session {
   }
 
   get config() {
-    return this.#memory.output("hrt_session_config", (at) =>
-      this.#memory.call("hrt_session_get_config", this.#handle, at));
+    return this.#memory.get("hrt_session_config", "hrt_session_get_config", this.#handle);
   }
   configure(changes) {
-    this.#memory.withStruct("hrt_session_config", { ...this.config, ...changes }, (at) =>
-      this.#memory.call("hrt_session_set_config", this.#handle, at));
+    this.#memory.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set_config", this.#handle);
   }
 
   setPlate(matrix) {
@@ -181,12 +176,10 @@ class Session {
       created(this.#memory, (out) => this.#memory.call("hrt_target_add", this.#handle, at, out)));
   }
   target(id) {
-    return this.#memory.output("hrt_target_config", (at) =>
-      this.#memory.call("hrt_target_get", this.#handle, id, at));
+    return this.#memory.get("hrt_target_config", "hrt_target_get", this.#handle, id);
   }
   setTarget(id, changes) {
-    this.#memory.withStruct("hrt_target_config", { ...this.target(id), ...changes }, (at) =>
-      this.#memory.call("hrt_target_set", this.#handle, id, at));
+    this.#memory.put("hrt_target_config", { ...this.target(id), ...changes }, "hrt_target_set", this.#handle, id);
   }
   removeTarget(id) { this.#memory.call("hrt_target_remove", this.#handle, id); }
   findTarget(name) {
@@ -206,12 +199,10 @@ class Session {
   }
 
   authority(realTarget, virtualTarget) {
-    return this.#memory.output("hrt_authority", (at) =>
-      this.#memory.call("hrt_authority_query", this.#handle, realTarget, virtualTarget, at));
+    return this.#memory.get("hrt_authority", "hrt_authority_query", this.#handle, realTarget, virtualTarget);
   }
   bestAuthority(virtualTarget) {
-    return this.#memory.output("hrt_authority", (at) =>
-      this.#memory.call("hrt_authority_query_best", this.#handle, virtualTarget, at));
+    return this.#memory.get("hrt_authority", "hrt_authority_query_best", this.#handle, virtualTarget);
   }
 
   authorities() {
@@ -249,9 +240,8 @@ class Session {
   beginReach(realTarget, virtualTarget, plateOrientationDeg, startAtFinger = false) {
     const flags = (plateOrientationDeg === undefined ? 0 : abi.HRT_REACH_PLATE_ORIENTATION) |
                   (startAtFinger ? abi.HRT_REACH_START_AT_FINGER : 0);
-    this.#memory.withStruct("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
-                                                  plate_orientation_deg: plateOrientationDeg },
-      (at) => this.#memory.call("hrt_reach_begin", this.#handle, at));
+    this.#memory.put("hrt_reach_config", { real_target: realTarget, virtual_target: virtualTarget, flags,
+                                           plate_orientation_deg: plateOrientationDeg }, "hrt_reach_begin", this.#handle);
   }
   retargetReach(realTarget, virtualTarget) {
     this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
@@ -269,6 +259,9 @@ class Session {
     this.#fingertip = made;
   }
   setFinger(pose, time_ms) {
+    if (!Number.isFinite(time_ms)) {
+      throw new RangeError(`time_ms is ${String(time_ms)}; a finite number is needed, such as the time that the frame's callback is given`);
+    }
     const { sample } = this, at = fingertipOf(pose);
     sample.time_ns = time_ms * 1e6;
     sample.flags = at ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
@@ -303,8 +296,7 @@ class Session {
     readCommand(memory.view, output, this.command);
   }
   endReach() {
-    return this.#memory.output("hrt_reach_summary", (at) =>
-      this.#memory.call("hrt_reach_end", this.#handle, at));
+    return this.#memory.get("hrt_reach_summary", "hrt_reach_end", this.#handle);
   }
 
   get profile() {
@@ -328,12 +320,10 @@ class Session {
   }
 
   get conditions() {
-    return this.#memory.output("hrt_conditions", (at) =>
-      this.#memory.call("hrt_profile_get_conditions", this.#handle, at));
+    return this.#memory.get("hrt_conditions", "hrt_profile_get_conditions", this.#handle);
   }
   setConditions(conditions) {
-    this.#memory.withStruct("hrt_conditions", conditions, (at) =>
-      this.#memory.call("hrt_profile_set_conditions", this.#handle, at));
+    this.#memory.put("hrt_conditions", conditions, "hrt_profile_set_conditions", this.#handle);
   }
 
   confirmRegistration({ residuals_m, advice, ...registration }, touch, timeNs) {
@@ -345,20 +335,17 @@ class Session {
 
   createCalibration(config = {}) { return new Calibration(this.#memory, this.#handle, config); }
   applyCalibration(result) {
-    this.#memory.withStruct("hrt_calibration_result", result, (at) =>
-      this.#memory.call("hrt_calibration_apply", this.#handle, at));
+    this.#memory.put("hrt_calibration_result", result, "hrt_calibration_apply", this.#handle);
   }
 
   startRecording() {
     this.#memory.withText(this.#path, (at) => this.#memory.call("hrt_recording_start", this.#handle, at));
   }
   get recordingStatus() {
-    return this.#memory.output("hrt_recording_status", (at) =>
-      this.#memory.call("hrt_recording_get_status", this.#handle, at));
+    return this.#memory.get("hrt_recording_status", "hrt_recording_get_status", this.#handle);
   }
   stopRecording() {
-    this.#memory.output("hrt_recording_status", (at) =>
-      this.#memory.call("hrt_recording_stop", this.#handle, at));
+    this.#memory.get("hrt_recording_status", "hrt_recording_stop", this.#handle);
     return this.#memory.takeFile(this.#path);
   }
 }
@@ -400,12 +387,39 @@ class Calibration {
     });
   }
   residual(slide) {
-    return this.#memory.output("hrt_calibration_slide", (at) =>
-      this.#memory.call("hrt_calibration_get_residual", this.#handle, checked("slide", "u32", slide), at));
+    return this.#memory.get("hrt_calibration_slide", "hrt_calibration_get_residual", this.#handle, checked("slide", "u32", slide));
   }
   solve() {
-    return this.#memory.output("hrt_calibration_result", (at) =>
-      this.#memory.call("hrt_calibration_solve", this.#handle, at));
+    return this.#memory.get("hrt_calibration_result", "hrt_calibration_solve", this.#handle);
+  }
+}
+
+class Person {
+  #memory;
+  #handle;
+  #output;
+
+  constructor(memory, seed, config) {
+    this.#memory = memory;
+    this.#handle = memory.withStruct("hrt_person_config", config, (at) =>
+      created(memory, (out) => memory.call("hrt_person_create", at, checked("seed", "u64", seed), out)));
+    this.#output = new Frame(memory, "hrt_sample", "person");
+  }
+
+  destroy() {
+    this.#memory.call("hrt_person_destroy", this.#handle);
+    this.#output.free();
+  }
+
+  begin(session, virtualTarget) { this.#memory.call("hrt_person_begin", this.#handle, session.handle, virtualTarget); }
+  move(sample, time_ns, plateOrientationDeg) {
+    const memory = this.#memory, out = this.#output.at;
+    memory.call("hrt_person_move", this.#handle, checked("time_ns", "i64", Math.round(time_ns)),
+      checked("plateOrientationDeg", "f64", plateOrientationDeg), out);
+    readSample(memory.view, out, sample);
+  }
+  get state() {
+    return this.#memory.get("hrt_person_state", "hrt_person_get_state", this.#handle);
   }
 }
 
@@ -422,12 +436,11 @@ class Scene {
   destroy() { this.#memory.call("hrt_scene_destroy", this.#handle); }
 
   get info() {
-    return this.#memory.output("hrt_scene_info", (at) => this.#memory.call("hrt_scene_get_info", this.#handle, at));
+    return this.#memory.get("hrt_scene_info", "hrt_scene_get_info", this.#handle);
   }
   get targets() {
     return Array.from({ length: this.info.target_count }, (_, i) =>
-      this.#memory.output("hrt_scene_target", (at) =>
-        this.#memory.call("hrt_scene_get_target", this.#handle, i, at)));
+      this.#memory.get("hrt_scene_target", "hrt_scene_get_target", this.#handle, i));
   }
   register(session) {
     const memory = this.#memory, count = this.info.target_count;

@@ -109,6 +109,11 @@ export class Memory {
     });
   }
 
+  /** What a function writes to a struct, which is its last argument. */
+  get(type, name, ...values) { return this.output(type, (at) => this.call(name, ...values, at)); }
+  /** Calls a function with a struct as its last argument. */
+  put(type, fields, name, ...values) { this.withStruct(type, fields, (at) => this.call(name, ...values, at)); }
+
   write(type, at, name, value) {
     const field = Object.hasOwn(abi.structs[type].fields, name) ? abi.structs[type].fields[name] : undefined;
     if (!field || name === "struct_size") {

@@ -28,13 +28,16 @@ export class HapticPlate extends Group {
 
 /** What updateFromHand() needs of an XRFrame, so that no types of WebXR are. */
 export interface HandFrame<Joint, Space> {
-  readonly predictedDisplayTime: number;
   /** Missing in a browser without hands: none is tracked. */
   readonly getJointPose?: ((joint: Joint, space: Space) => HandPose | null | undefined) | undefined;
 }
 export interface HandPose {
   readonly transform: { readonly position: Point; readonly orientation?: Rotation };
 }
+
+/** The first hand that an XRFrame's session tracks. Makes no objects. */
+export function trackedHand<Hand>(frame: { readonly session: { readonly inputSources: Sources<Hand> } }): Hand | undefined;
+export interface Sources<Hand> { readonly length: number; readonly [index: number]: { readonly hand?: Hand | undefined } }
 
 /** A reach of a hand that WebXR tracks. The session's reach is begun and ended by its own calls. */
 export class HandReach {
@@ -46,9 +49,10 @@ export class HandReach {
   /** Set before each update, if the host knows that the finger does not touch the plate: the model waits. A fingertip above
    *  the session's lift_height_m counts as lifted anyway. Default false. */
   lifted: boolean;
-  /** Once in each frame of an XRSession, while a reach is under way: `hand` is inputSource.hand, `referenceSpace` the space
+  /** Once in each frame of an XRSession, while a reach is under way: `time_ms` is the time that the frame's callback is given,
+   *  which every browser has; `hand` is inputSource.hand, `referenceSpace` the space
    *  in which the scene is drawn, null before there is one. Updates the session with the index fingertip, or with a dropout, and shows the plate's
    *  command. After Session.setFingertip() the joint's rotation places the skin. Makes no objects of its own. Errors are those of Session.update(). */
-  updateFromHand<Joint, Space>(frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
+  updateFromHand<Joint, Space>(time_ms: number, frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
                                referenceSpace: Space | null): Session["command"];
 }

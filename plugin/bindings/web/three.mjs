@@ -37,6 +37,12 @@ export class HapticPlate extends Group {
   }
 }
 
+export function trackedHand(frame) {
+  const sources = frame.session.inputSources;
+  for (let i = 0; i < sources.length; ++i) if (sources[i].hand) return sources[i].hand;
+  return undefined;
+}
+
 export class HandReach {
   lost = true;
   measuredPlate_deg = NaN;
@@ -50,12 +56,12 @@ export class HandReach {
     this.#plate = plate;
   }
 
-  updateFromHand(frame, hand, referenceSpace) {
+  updateFromHand(time_ms, frame, hand, referenceSpace) {
     const { sample, command } = this.#session;
     const joint = hand?.get("index-finger-tip");
     const pose = joint && referenceSpace !== null ? frame.getJointPose?.(joint, referenceSpace) : undefined;
     this.lost = !pose || !isFinite3(pose.transform.position);
-    this.#session.setFinger(this.lost ? null : pose, frame.predictedDisplayTime);
+    this.#session.setFinger(this.lost ? null : pose, time_ms);
     if (!this.lost) this.#moveToPlate();
     if (this.lifted) sample.flags |= HRT_SAMPLE_LIFTED;
     if (Number.isFinite(this.measuredPlate_deg)) {

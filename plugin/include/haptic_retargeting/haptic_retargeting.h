@@ -16,6 +16,7 @@
 #include "registration.h"
 #include "scene.h"
 #include "session.h"
+#include "study.h"
 #include "target.h"
 
 #endif

@@ -30,6 +30,8 @@ def test_pose_goes_into_the_session() -> None:
         config = session.config
         assert config.plate_position_m[:] == found.plate_position_m[:] and config.registration_time_ns == 7
         assert config.plate_covariance[0] > 0
+        assert session.confirm_registration(found, MARKS[1], touches(sd_m=0.0)[1], 8).holds == 1
+    assert hrt.check_touch(found, MARKS[1], touches(sd_m=0.0)[1] + (0.04, 0, 0)).holds == 0
 
 
 def test_bad_touches_are_named() -> None:
@@ -45,13 +47,6 @@ def test_bad_touches_are_named() -> None:
         hrt.register(MARKS, touched)
     with pytest.raises(ValueError, match="n x 3"):
         hrt.register(MARKS, touched[:, :2])
-
-
-def test_a_later_touch_is_checked() -> None:
-    found, _ = hrt.register(MARKS, touches())
-    good = hrt.check_touch(found, MARKS[1], touches(sd_m=0.0)[1])
-    assert good.holds == 1 and good.distance_m < good.allowed_m
-    assert hrt.check_touch(found, MARKS[1], touches(sd_m=0.0)[1] + (0.04, 0, 0)).holds == 0
 
 
 def test_offset_of_the_fingertip() -> None:

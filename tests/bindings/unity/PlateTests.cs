@@ -1,7 +1,4 @@
 using System;
-using System.Linq;
-using System.Reflection;
-using System.Runtime.InteropServices;
 using System.Threading;
 using NUnit.Framework;
 
@@ -24,23 +21,6 @@ namespace Hrt.HostTests
             for (int i = 0; i < 3000 && !wanted(report); ++i, report = plate.Get()) Thread.Sleep(10);
             Assert.IsTrue(wanted(report), $"{report.state} at {report.orientationDeg} deg, {report.message}");
             return report;
-        }
-
-        [Test]
-        public void StructsHaveTheCompilersSizes()
-        {
-            Assert.AreEqual(16, Marshal.SizeOf(typeof(PlateOptions)));
-            Assert.AreEqual(472, Marshal.SizeOf(typeof(PlateReport)));
-            Assert.AreEqual(88, (int)Marshal.OffsetOf(typeof(PlateReport), "description"));
-        }
-
-        [Test]
-        public void FunctionsAreThere()
-        {
-            Type native = typeof(HapticRetargetingPlate).Assembly.GetType("Hrt.PlateNative");
-            MethodInfo[] functions = native.GetMethods(BindingFlags.Static | BindingFlags.NonPublic);
-            Assert.GreaterOrEqual(functions.Count(f => f.Name.StartsWith("hrt_plate_")), 7);
-            foreach (MethodInfo function in functions) Marshal.Prelink(function);
         }
 
         [Test]
@@ -85,24 +65,12 @@ namespace Hrt.HostTests
             {
                 var failed = Assert.Throws<InvalidOperationException>(() => plate.WaitUntilReady());
                 Assert.AreEqual("the plate at /nonexistent cannot be opened: No such file or directory", failed.Message);
-                Assert.AreEqual(PlateFault.Line, plate.Get().fault);
                 var refused = Assert.Throws<HapticRetargetingException>(() => plate.Set(0));
                 Assert.AreEqual(Result.WrongState, refused.Result);
-                StringAssert.StartsWith("hrt_plate_set: the plate at /nonexistent", refused.Message);
             }
             var wrong = Assert.Throws<HapticRetargetingException>(() => new HapticRetargetingPlate("usb:0"));
             Assert.AreEqual(Result.OutOfRange, wrong.Result);
             Assert.AreEqual("hrt_plate_open: device is of kind \"usb\"; allowed: serial:..., dynamixel:...", wrong.Message);
-        }
-
-        [Test]
-        public void AClosedPlateIsRefused()
-        {
-            var plate = new HapticRetargetingPlate("serial:/nonexistent");
-            plate.Dispose();
-            plate.Dispose();
-            Assert.IsTrue(plate.IsDisposed);
-            Assert.Throws<ObjectDisposedException>(() => plate.Get());
         }
     }
 }

@@ -95,7 +95,8 @@ namespace Hrt.HostTests
                     touches.Add(new MarkTouch { markM = Place("mark"), touchedM = Place("at") });
                     return null;
                 case "register":
-                    Registration found = HapticRetargetingRegistration.Fit(touches.ToArray());
+                    Registration found =
+                        HapticRetargetingLibrary.FitRegistration(RegistrationConfig.Default, touches.ToArray(), out _);
                     return new Dictionary<string, double>
                     {
                         { "verdict", (double)found.verdict }, { "x", found.platePositionM.x },

@@ -3,26 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cinttypes>
-#include <cstddef>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <map>
-#include <memory>
 #include <numbers>
-#include <random>
 #include <sstream>
 
-#include "HAL/PlatformProcess.h"
 #include "HapticConversions.h"
 #include "HapticRetargetingComponent.h"
-#include "Modules/ModuleManager.h"
-
-IModuleInterface* MakeModule();
 
 namespace {
 
@@ -103,61 +95,27 @@ TEST(UnrealSettings, AreTheLibrarysDefaults) {
   EXPECT_EQ(std::memcmp(&config, &defaults, sizeof config), 0);
 }
 
-// Each set to something else, each must show: a field that the component does not know would keep its
-// default.
-TEST(UnrealSettings, ReachEveryFieldOfTheConfiguration) {
+// In the plugin's units, and with the ends of a range exchanged where it is mirrored.
+TEST(UnrealSettings, AreConverted) {
   FHapticSettings s;
   s.Control = EHapticControl::FixedPlate;
-  s.Guidance = EHapticGuidance::FixedDirection;
-  s.Adaptation = EHapticAdaptation::Reach;
   s.bPlateWaits = true;
-  s.MaxFeltError = 4;
-  s.MotionBound = 60;
-  s.TrackerLatency = 0.02;
-  s.Horizon = 4;
   s.StepPeriod = 0.05;
-  s.PerceivedWeight = s.ActualWeight = 2;
-  s.PlateBound = 80;
-  s.PlateMaxSpeed = 300;
-  s.PlateMaxAcceleration = 5000;
-  s.PlateLatency = 0.01;
   s.PlateLowerStopYaw = -100;
   s.PlateUpperStopYaw = 110;
   s.FixedPlateYaw = 12;
-  s.PlateRadius = 8;
-  s.LiftHeight = 2;
   s.StartPosition = FVector(-4, 1, 0.5);
-  s.TactileWeight = 0.25;
-  s.TactileWeightSd = 0.04;
-  s.BiasYaw = 3;
-  s.MotorVariance = 0.6;
-  s.MotorVarianceSd = 0.4;
-  s.SensoryVariance = 0.2;
-  s.InitialVariance = 0.3;
   s.TrackerNoise = 0.1;
   const hrt_session_config config = HapticConversions::ToConfig(s, somewhere(), hrt_session_config_init());
-  hrt_session session;
-  ASSERT_EQ(hrt_session_create(&config, &session), HRT_OK) << hrt_last_error();
-  hrt_session_destroy(session);
+  EXPECT_EQ(config.control, static_cast<uint32_t>(HRT_CONTROL_FIXED_PLATE));
+  EXPECT_EQ(config.flags, HRT_SESSION_PLATE_WAITS);
   EXPECT_EQ(config.step_period_ns, 50'000'000);
   EXPECT_EQ(config.plate_lower_stop_deg, -110);
   EXPECT_EQ(config.plate_upper_stop_deg, 100);
   EXPECT_EQ(config.fixed_plate_orientation_deg, -12);
   EXPECT_DOUBLE_EQ(config.start_position_m[2], 0.04);
-
-  const hrt_session_config defaults = hrt_session_config_init();
-  const auto same = [&](size_t offset, size_t size) {
-    return std::memcmp(reinterpret_cast<const char*>(&config) + offset,
-                       reinterpret_cast<const char*>(&defaults) + offset, size) == 0;
-  };
-  for (size_t offset = 0; offset < sizeof config; offset += 4) {
-    const bool number = offset >= offsetof(hrt_session_config, perceived_weight) ||
-                        offset == offsetof(hrt_session_config, step_period_ns);
-    if (offset == offsetof(hrt_session_config, struct_size)) continue;
-    if (offset == offsetof(hrt_session_config, person_mean)) break;  // of profiles, not of settings
-    EXPECT_FALSE(same(offset, number ? 8 : 4)) << "the word at " << offset << " is as by default";
-    if (number) offset += 4;
-  }
+  EXPECT_DOUBLE_EQ(config.tracker_noise_m, 0.001);
+  EXPECT_DOUBLE_EQ(config.plate_position_m[2], -1.2);
 }
 
 TEST_F(Component, HasNoStepBeforeTheFirstCommand) {
@@ -172,15 +130,9 @@ TEST_F(Component, CallsRightPositive) {
   ASSERT_TRUE(component_.GetAuthority(right, ahead, authority));
   EXPECT_NEAR(authority.GapYaw, -90, 1e-9);
   EXPECT_FALSE(authority.bReachable);
-  ASSERT_TRUE(component_.RemoveTarget(right));
-  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("near"), 3, 10, right));
-  ASSERT_TRUE(component_.GetBestAuthority(ahead, authority));
-  EXPECT_EQ(authority.RealTarget.Id, right.Id);
-  EXPECT_NEAR(authority.GapYaw, -3, 1e-9);
-  EXPECT_TRUE(authority.bReachable);
   ASSERT_TRUE(component_.MoveTarget(ahead, FVector(5, 1, 0)));
   ASSERT_TRUE(component_.GetAuthority(right, ahead, authority));
-  EXPECT_NEAR(authority.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 3, 1e-9);
+  EXPECT_NEAR(authority.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
 }
 
 // The same samples through the component's own terms and through the C interface's.
@@ -329,96 +281,8 @@ TEST_F(Component, KeepsWhatIsKnownOfTheUser) {
   EXPECT_NE(component_.Settings.TactileWeight, 0.2);
 }
 
-/** A slide of a user whose share of touch is 0.2 and whose bias is 2 degrees to the right, over a plate at
- * rest. At rest what they feel, 0.2 T + 0.8 P, is where they go; `noise` is what keeps any two slides apart.
- */
-void slide(UHapticRetargetingComponent& component, double plate_yaw, std::mt19937& random) {
-  std::normal_distribution<double> noise;
-  const double bias = 2;
-  double yaw = (bias - 0.2 * plate_yaw) / 0.8;
-  FVector finger(-5, 0, 0.2);
-  ASSERT_TRUE(component.BeginTrial(plate_yaw)) << last_log();
-  for (int frame = 0; frame < 315; ++frame) {
-    if (frame > 45) {
-      if (frame % 9 == 0) yaw = (bias - 0.2 * plate_yaw) / 0.8 + 0.7 * noise(random);
-      const double radians = yaw * std::numbers::pi / 180;
-      finger = finger + FVector(std::cos(radians), std::sin(radians), 0) * (10 / 270.0);
-    }
-    const FVector seen = finger + FVector(noise(random), noise(random), 0) * 0.03;
-    ASSERT_TRUE(component.AddTrialSample(seen, frame / 90.0)) << last_log();
-  }
-  ASSERT_TRUE(component.EndTrial());
-}
-
-TEST_F(Component, CalibratesAUser) {
-  EXPECT_FALSE(component_.BeginTrial(0));
-  ASSERT_TRUE(component_.BeginCalibration(0));
-  FHapticCalibration user;
-  EXPECT_FALSE(component_.SolveCalibration(user));
-  EXPECT_FALSE(component_.ApplyCalibration());
-  EXPECT_NE(last_log().find("no calibration is solved"), std::string::npos) << last_log();
-  std::mt19937 random(1);
-  for (int round = 0; round < 4; ++round)
-    for (const double plate_yaw : {-60, -30, 0, 30, 60}) slide(component_, plate_yaw, random);
-  ASSERT_TRUE(component_.BeginTrial(30));
-  for (int frame = 0; frame < 180; ++frame)  // over a plate that turns from 30 degrees to -30
-    ASSERT_TRUE(component_.AddTrialSampleAndPlate(FVector(-5 + 0.1 * std::max(frame - 60, 0), 0.01 * (frame % 3), 0.2),
-                                                  std::clamp(120.0 - frame, -30.0, 30.0), frame / 90.0))
-        << last_log();
-  ASSERT_TRUE(component_.EndTrial());
-  ASSERT_TRUE(component_.BeginTrial(0));
-  ASSERT_TRUE(component_.CancelTrial());
-  ASSERT_TRUE(component_.SolveCalibration(user)) << last_log();
-  EXPECT_EQ(user.TrialsUsed, 20);
-  EXPECT_EQ(user.SlidesTurning, 1);
-  EXPECT_TRUE(user.TactileWeight.bKnown);
-  EXPECT_NEAR(user.TactileWeight.Value, 0.2, 0.02);
-  EXPECT_NEAR(user.BiasYaw.Value, 2, 0.5);
-  EXPECT_LT(user.BiasYaw.Lower, user.BiasYaw.Value);
-  EXPECT_GT(user.BiasYaw.Upper, user.BiasYaw.Value);
-  EXPECT_NEAR(user.TrackerNoise.Value, 0.03, 0.01);
-  double yaw = 100;
-  bool enough = true;
-  ASSERT_TRUE(component_.GetNextAngle(yaw, enough)) << last_log();
-  EXPECT_LE(std::abs(yaw), 75);
-  FHapticSlide slide;
-  ASSERT_TRUE(component_.GetSlide(0, slide)) << last_log();
-  EXPECT_EQ(slide.Trial, 0);
-  EXPECT_NEAR(slide.PlateYaw, -60, 1e-9);
-  EXPECT_NEAR(slide.Yaw - slide.FittedYaw, slide.ResidualYaw, 1e-9);
-  EXPECT_FALSE(component_.GetSlide(20, slide));
-  EXPECT_NE(last_log().find("slide is 20"), std::string::npos) << last_log();
-  ASSERT_TRUE(component_.SetConditions(TEXT("desk 1"), TEXT("Ultraleap"), 1767225600)) << last_log();
-  ASSERT_TRUE(component_.ApplyCalibration()) << last_log();
-  EXPECT_EQ(component_.Settings.TactileWeight, user.TactileWeight.Value);
-  EXPECT_EQ(component_.Settings.BiasYaw, user.BiasYaw.Value);
-  ASSERT_TRUE(component_.SetConditions(TEXT("desk 2"), TEXT("Ultraleap"), 0)) << last_log();
-  FString plate, tracker;
-  int64 time = 0;
-  bool plate_differs = false, tracker_differs = true;
-  ASSERT_TRUE(component_.GetConditions(plate, tracker, time, plate_differs, tracker_differs)) << last_log();
-  EXPECT_EQ(Stub::ToUtf8(*plate), "desk 1");
-  EXPECT_EQ(time, 1767225600);
-  EXPECT_TRUE(plate_differs);
-  EXPECT_FALSE(tracker_differs);
-  FHapticCalibrationComparison change;
-  EXPECT_FALSE(component_.CompareCalibrations(change));
-  EXPECT_NE(last_log().find("needs two calibrations"), std::string::npos) << last_log();
-  ASSERT_TRUE(component_.BeginCalibration(0));
-  for (int round = 0; round < 4; ++round)
-    for (const double plate_yaw : {-60, -30, 0, 30, 60}) ::slide(component_, plate_yaw, random);
-  FHapticCalibration again;
-  ASSERT_TRUE(component_.SolveCalibration(again)) << last_log();
-  ASSERT_TRUE(component_.CompareCalibrations(change)) << last_log();
-  EXPECT_NEAR(change.TactileWeight.Value, again.TactileWeight.Value - user.TactileWeight.Value, 1e-12);
-  EXPECT_NEAR(change.BiasYaw.Value, again.BiasYaw.Value - user.BiasYaw.Value, 1e-12);
-  EXPECT_LT(change.BiasYaw.Lower, change.BiasYaw.Upper);
-  EXPECT_TRUE(component_.EndCalibration());
-  EXPECT_FALSE(component_.EndCalibration());
-}
-
 // The apparatus of the desk stands at (0.12, 0.75, -0.32) m, turned by 20 degrees to the left.
-TEST_F(Component, LoadsASceneAndAssignsItsTargets) {
+TEST_F(Component, LoadsAScene) {
   TArray<FHapticTarget> ids;
   TArray<FHapticSceneTarget> targets;
   ASSERT_TRUE(component_.LoadScene(Stub::ToUtf16(HRT_DESK).c_str(), ids, targets)) << last_log();
@@ -435,14 +299,6 @@ TEST_F(Component, LoadsASceneAndAssignsItsTargets) {
   EXPECT_NEAR(targets[1].Distance, 10, 1e-6);
   EXPECT_TRUE(plate.TransformPosition(targets[1].Position).Equals(targets[1].WorldPosition, 1e-6));
 
-  TArray<FHapticAuthority> served;
-  ASSERT_TRUE(component_.AssignTargets({ids[1], ids[2], ids[3]}, {ids[0]}, false, served)) << last_log();
-  ASSERT_EQ(served.Num(), 3);
-  EXPECT_EQ(served[0].RealTarget.Id, ids[0].Id);
-  ASSERT_TRUE(component_.AssignTargets({ids[1], ids[2], ids[3]}, {ids[0]}, true, served)) << last_log();
-  EXPECT_EQ(served[0].bReachable + served[1].bReachable + served[2].bReachable, 1);
-  EXPECT_FALSE(component_.AssignTargets({}, {ids[0]}, true, served));
-  EXPECT_EQ(served.Num(), 3);
   ASSERT_TRUE(component_.BeginReach(ids[0], ids[1])) << last_log();
   ASSERT_TRUE(component_.CancelReach());
   EXPECT_FALSE(component_.LoadScene(Stub::ToUtf16(HRT_DESK).c_str(), ids, targets));  // the names are taken
@@ -450,66 +306,51 @@ TEST_F(Component, LoadsASceneAndAssignsItsTargets) {
   EXPECT_EQ(ids.Num(), 4);
 }
 
-TEST_F(Component, IsRegisteredByTouchesOfMarks) {
-  EXPECT_FALSE(component_.ApplyRegistration(0));
-  EXPECT_NE(last_log().find("call FitRegistration first"), std::string::npos) << last_log();
-  const FTransform plate(FQuat(FVector(0, 0, 1), 0.7), FVector(120, -45, 80));
-  const FVector start(-5, 0, 0);
-  TArray<FHapticMarkTouch> touches;
-  FHapticRegistration found;
-  FString advice;
-  ASSERT_TRUE(component_.FitRegistration(touches, found, advice)) << last_log();
-  EXPECT_EQ(found.Verdict, EHapticRegistrationVerdict::TooFew);
-  EXPECT_GT(Stub::ToUtf8(*advice).size(), 10u);
-  for (const FVector& mark : {start, FVector(-4.4, 7.6, 0), FVector(4.4, 7.6, 0), FVector(4.4, -7.6, 0), FVector(-4.4, -7.6, 0)})
-    touches.Add({mark, plate.TransformPosition(mark)});
-  ASSERT_TRUE(component_.FitRegistration(touches, found, advice)) << last_log();
-  ASSERT_EQ(found.Verdict, EHapticRegistrationVerdict::Holds);
-  EXPECT_EQ(found.LeftOut, -1);
-  EXPECT_TRUE(found.PlatePosition.Equals(plate.GetLocation(), 1e-6));
-
-  ASSERT_TRUE(component_.ApplyRegistration(5)) << last_log();
-  EXPECT_TRUE(component_.GetComponentTransform().Equals(plate, 1e-6));
+// What C++ does beyond the component's own calls: here a registration, which moves the component.
+TEST_F(Component, TakesWhatCallsOfCHaveChanged) {
+  const hrt_session session = component_.GetSession();
+  ASSERT_NE(session.value, 0u) << last_log();
+  hrt_registration found = hrt_registration_init();
+  const double marks[5][3] = {{0, 0, 0.05}, {0.076, 0, 0.044}, {0.076, 0, -0.044}, {-0.076, 0, -0.044}, {-0.076, 0, 0.044}};
+  hrt_mark_touch touches[5]{};
+  for (int i = 0; i < 5; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      touches[i].mark_m[axis] = marks[i][axis];
+      touches[i].touched_m[axis] = marks[i][axis] + (axis == 1 ? 0.8 : 0.0);
+    }
+  ASSERT_EQ(hrt_registration_fit(nullptr, touches, 5, 0, nullptr, &found), HRT_OK) << hrt_last_error();
+  ASSERT_EQ(hrt_registration_apply(session, &found, 5'000'000'000), HRT_OK) << hrt_last_error();
+  component_.TakeFromSession();
+  EXPECT_TRUE(component_.GetComponentTransform().Equals(FTransform(FQuat(), FVector(0, 0, 80)), 1e-6));
   EXPECT_TRUE(component_.Settings.bRegistered);
-  FHapticTouchCheck check;
-  ASSERT_TRUE(component_.ConfirmRegistration({start, plate.TransformPosition(start)}, 6, check)) << last_log();
-  EXPECT_TRUE(check.bHolds);
-  EXPECT_LT(check.Distance, 1e-6);
-  EXPECT_EQ(component_.Settings.RegistrationTime, 6);
-  ASSERT_TRUE(component_.ConfirmRegistration({start, FVector(0, 0, 0)}, 7, check)) << last_log();
-  EXPECT_FALSE(check.bHolds);
-  EXPECT_FALSE(component_.Settings.bRegistered);
-
-  ASSERT_TRUE(component_.ApplyRegistration(8)) << last_log();
+  EXPECT_EQ(component_.Settings.RegistrationTime, 5);
+  hrt_touch_check check = hrt_touch_check_init();
+  EXPECT_EQ(hrt_registration_confirm(component_.GetSession(), &found, &touches[0], 6'000'000'000, &check), HRT_OK) << hrt_last_error();
+  EXPECT_EQ(check.holds, 1u) << "the session keeps the pose to the last bit";
   component_.SetWorldTransform(somewhere());
-  EXPECT_FALSE(component_.ConfirmRegistration({start, plate.TransformPosition(start)}, 9, check));
-  EXPECT_NE(last_log().find("registration is not that of the session"), std::string::npos) << last_log();
-  EXPECT_FALSE(component_.Settings.bRegistered);
+  EXPECT_NE(component_.GetSession().value, 0u);
+  EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";
 }
 
-// A joint 0.8 cm above the skin and 0.5 cm behind it, which touches one mark in several ways.
-TEST_F(Component, PlacesTheSkinByItsOffsetFromTheJoint) {
-  FVector skin;
-  EXPECT_FALSE(component_.PlaceFingertip(FTransform(), skin));
-  EXPECT_NE(last_log().find("call FitFingertip first"), std::string::npos) << last_log();
-  const FVector mark(40, 30, 75), offset(0.5, 0, -0.8);
-  TArray<FTransform> joints;
-  for (const FQuat& turn : {FQuat(), FQuat(FVector(1, 0, 0), 0.7), FQuat(FVector(1, 0, 0), -0.6), FQuat(FVector(0, 1, 0), 0.8),
-                            FQuat(FVector(0, 0, 1), 0.6), FQuat(FVector(0, 1, 0), -0.7)})
-    joints.Add(FTransform(turn, mark + turn.RotateVector(offset) * -1.0));
-  FHapticFingertip fingertip;
-  ASSERT_TRUE(component_.FitFingertip(joints, fingertip)) << last_log();
-  EXPECT_TRUE(fingertip.bKnown);
-  EXPECT_TRUE(fingertip.Offset.Equals(offset, 1e-6));
-  for (const FTransform& joint : joints) {
-    ASSERT_TRUE(component_.PlaceFingertip(joint, skin)) << last_log();
-    EXPECT_TRUE(skin.Equals(mark, 1e-6));
-  }
+TEST_F(Component, IsLedThroughByASimulatedFinger) {
+  FVector place;
+  EXPECT_FALSE(component_.UpdateSimulatedFinger(0, place));
+  EXPECT_NE(last_log().find("person 0 does not exist"), std::string::npos) << last_log();
+  component_.SetWorldTransform(somewhere());
+  FHapticTarget real, felt;
+  ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real));
+  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt));
+  EXPECT_FALSE(component_.BeginSimulatedFinger(real, 7));
+  ASSERT_TRUE(component_.BeginReach(real, felt));
+  ASSERT_TRUE(component_.BeginSimulatedFinger(felt, 7)) << last_log();
+  for (int frame = 0; frame < 220; ++frame)
+    ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
+  const double yaw = 5 * std::numbers::pi / 180;
+  EXPECT_TRUE(place.Equals(somewhere().TransformPosition(FVector(-5 + 10 * std::cos(yaw), 10 * std::sin(yaw), 0)), 0.6));
 }
 
 TEST_F(Component, Records) {
-  // Two programs of this file may run at a time.
-  const std::string path = testing::TempDir() + "/unreal_recording_" + std::to_string(PLATFORM_WINDOWS) + ".csv";
+  const std::string path = testing::TempDir() + "/unreal_recording.csv";
   ASSERT_TRUE(component_.StartRecording(Stub::ToUtf16(path).c_str()));
   begin();
   int64 written = -1, lost = -1;
@@ -526,73 +367,20 @@ TEST_F(Component, Records) {
   EXPECT_FALSE(component_.StartRecording(TEXT("/nowhere/recording.csv")));
 }
 
-// Of sessions a process has 64, of calibrations 16.
+// Of sessions and of simulated people a process has 64.
 TEST(UnrealComponents, EndTheirSessions) {
   for (int i = 0; i < 200; ++i) {
     UHapticRetargetingComponent component;
     FHapticTarget target;
     ASSERT_TRUE(component.AddTarget(kReal, TEXT("real"), 0, 10, target)) << last_log();
-    ASSERT_TRUE(component.BeginCalibration(0)) << last_log();
+    ASSERT_TRUE(component.AddTarget(kVirtual, TEXT("felt"), 0, 10, target)) << last_log();
+    ASSERT_TRUE(component.BeginSimulatedFinger(target, 1)) << last_log();
     if (i % 2)
       component.OnComponentDestroyed(false);
     else
       component.BeginDestroy();
   }
 }
-
-#if PLATFORM_WINDOWS
-TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
-  const std::unique_ptr<IModuleInterface> module(MakeModule());
-  module->StartupModule();
-  ASSERT_EQ(FPlatformProcess::Opened.size(), 1u);
-  EXPECT_EQ(
-      FPlatformProcess::Opened[0],
-      "plugins/HapticRetargeting/Source/ThirdParty/HapticRetargetingLibrary/Win64/haptic_retargeting.dll");
-  module->ShutdownModule();
-  FPlatformProcess::Missing = true;
-  module->StartupModule();
-  EXPECT_NE(last_log().find("Error: haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
-
-  UHapticRetargetingComponent component;
-  const FHapticTarget none;
-  FHapticTarget target;
-  FHapticSummary summary;
-  const size_t logged = FLogCategory::Lines.size();
-  EXPECT_FALSE(component.AddTarget(EHapticTargetRole::Real, TEXT("cylinder"), 5.0, 10.0, target));
-  EXPECT_FALSE(component.BeginReach(none, none));
-  EXPECT_FALSE(component.BeginCalibration(0.0));
-  EXPECT_FALSE(component.BeginCalibrationWithin(0.0, 60.0, 0.1));
-  double yaw = 0;
-  bool enough = false;
-  EXPECT_FALSE(component.GetNextAngle(yaw, enough));
-  FHapticSlide slide;
-  EXPECT_FALSE(component.GetSlide(0, slide));
-  int64 written = 0, lost = 0;
-  EXPECT_FALSE(component.GetRecordingStatus(written, lost));
-  TArray<FHapticTarget> targets;
-  TArray<FHapticSceneTarget> descriptions;
-  EXPECT_FALSE(component.LoadScene(TEXT("desk.gltf"), targets, descriptions));
-  FHapticRegistration registration;
-  FString advice;
-  EXPECT_FALSE(component.FitRegistration({}, registration, advice));
-  FHapticFingertip fingertip;
-  EXPECT_FALSE(component.FitFingertip({}, fingertip));
-  for (int frame = 0; frame < 90; ++frame) EXPECT_FALSE(component.UpdateFinger({}, frame / 90.0));
-  EXPECT_FALSE(component.EndReach(summary));
-  EXPECT_EQ(FLogCategory::Lines.size(), logged + 1);
-  EXPECT_NE(last_log().find("the plugin's library is missing"), std::string::npos);
-  component.BeginDestroy();
-  FPlatformProcess::Missing = false;
-  module->StartupModule();  // what the other tests need
-}
-#else
-TEST(UnrealModule, LeavesLoadingToTheLinker) {
-  const std::unique_ptr<IModuleInterface> module(MakeModule());
-  module->StartupModule();
-  EXPECT_TRUE(FPlatformProcess::Opened.empty());
-  module->ShutdownModule();
-}
-#endif
 
 uint64_t hash_word(uint64_t hash, uint64_t word) {
   for (int byte = 0; byte < 8; ++byte) hash = (hash ^ (word >> (8 * byte) & 0xff)) * 0x100000001b3u;

@@ -1,4 +1,4 @@
-// The package in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node,
+// The package without a bundler and in the bundles of esbuild, Vite and webpack, each set up as its README says: no warning, nothing of node,
 // and the reach of all hosts in headless Chromium. Vite's development server too.
 //   usage: node bundle_test.mjs FOLDER_OF_THE_PACKAGE FOLDER_OF_THE_EXAMPLE reach.csv reach.hash FOLDER_TO_WORK_IN
 import assert from "node:assert/strict";
@@ -13,7 +13,7 @@ import { shownBy } from "./browser.mjs";
 
 const [packageFolder, exampleFolder, recording, hashFile, work] = process.argv.slice(2).map((path) => resolve(path));
 const expected = `hash ${(await readFile(hashFile, "utf8")).trim()}`;
-const types = { ".html": "text/html", ".js": "text/javascript", ".wasm": "application/wasm", ".csv": "text/csv" };
+const types = { ".html": "text/html", ".js": "text/javascript", ".mjs": "text/javascript", ".wasm": "application/wasm", ".csv": "text/csv" };
 
 // A project as a user has it, the package copied into its node_modules as npm does.
 const main = (load) => `import * as hrt from "haptic-retargeting";
@@ -65,6 +65,14 @@ async function esbuildBundle(name, load, options) {
   return out;
 }
 
+test("no bundler, the package's folder on the server", async () => {
+  const folder = await project("none");
+  await cp(join(folder, "public"), folder, { recursive: true });
+  await writeFile(join(folder, "main.js"), main("").replace('"haptic-retargeting"', '"./node_modules/haptic-retargeting/index.mjs"'));
+  await rm(join(folder, "node_modules/haptic-retargeting/node.mjs"));
+  await runs(folder);
+});
+
 test("esbuild, with the module copied beside the bundle", async () => {
   const out = await esbuildBundle("esbuild", "", { format: "esm" });
   await cp(join(packageFolder, "haptic_retargeting.wasm"), join(out, "haptic_retargeting.wasm"));
@@ -81,6 +89,10 @@ test("esbuild, with the module inside the bundle", async () => {
     { format: "esm", loader: { ".wasm": "binary" } }));
 });
 
+// Vite's configuration as the README has it.
+const config = /^```js\n\/\/ vite\.config\.js\n(.*?)^```/ms.exec(await readFile(join(exampleFolder, "../README.md"), "utf8"))[1];
+const { default: ofReadme } = await import(`data:text/javascript,${encodeURIComponent(config)}`);
+
 function viteConfig(folder, warnings) {
   const warn = (text) => warnings.push(text);
   return { root: folder, configFile: false, logLevel: "warn", cacheDir: join(folder, ".vite"),
@@ -89,7 +101,7 @@ function viteConfig(folder, warnings) {
 
 test("Vite, built", async () => {
   const folder = await project("vite"), warnings = [];
-  await vite.build({ ...viteConfig(folder, warnings), build: { target: "es2022" } });
+  await vite.build({ ...viteConfig(folder, warnings), ...ofReadme });
   assert.deepEqual(warnings, []);
   await runs(join(folder, "dist"));
 });
@@ -97,7 +109,7 @@ test("Vite, built", async () => {
 test("Vite, served while developing", async () => {
   const folder = await project("vite_served"), warnings = [];
   const server = await vite.createServer({ ...viteConfig(folder, warnings), server: { host: "127.0.0.1", port: 0, hmr: false, ws: false },
-    optimizeDeps: { exclude: ["haptic-retargeting"] } });
+    ...ofReadme });
   await server.listen();
   const shown = await shownBy(`http://127.0.0.1:${server.httpServer.address().port}/`);
   await server.close();

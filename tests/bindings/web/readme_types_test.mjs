@@ -8,7 +8,7 @@ import { join } from "node:path";
 
 const [npm, readme, modules, folder] = process.argv.slice(2);
 const examples = [...readFileSync(readme, "utf8").matchAll(/^```js\n(.*?)^```/gms)].map((found) => found[1]);
-assert.equal(examples.length, 2, "examples of the README");
+assert.equal(examples.length, 3, "examples of the README");
 
 rmSync(folder, { recursive: true, force: true });
 mkdirSync(join(folder, "node_modules/@types"), { recursive: true });
@@ -19,7 +19,7 @@ writeFileSync(join(folder, "reach.ts"), examples[0]);
 writeFileSync(join(folder, "hand.ts"), `import type { Session, TargetId } from "haptic-retargeting";
 import type { Camera, Scene, WebGLRenderer } from "three";
 declare const session: Session, cylinder: TargetId, cup: TargetId, scene: Scene, camera: Camera, renderer: WebGLRenderer;
-${examples[1]}`);
+${examples[2]}`);
 for (const [module, resolution] of [["es2022", "bundler"], ["node16", "node16"]]) {
   const { status, stdout } = spawnSync(process.execPath, [join(modules, "typescript/lib/tsc.js"), "--noEmit", "--strict",
     "--preserveSymlinks", "--target", "es2022", "--lib", "es2022,dom,dom.iterable", "--module", module, "--moduleResolution", resolution,

@@ -1,8 +1,11 @@
 // What a host writes in TypeScript; compiled, never run. @ts-expect-error: the next line must not compile.
 import * as hrt from "haptic-retargeting";
+import wasm from "haptic-retargeting/haptic_retargeting.wasm";
 
 async function host(bytes: ArrayBuffer): Promise<number> {
   const library = await hrt.load(new URL("https://localhost/haptic_retargeting.wasm"));
+  const bundled: hrt.Library = await hrt.load(wasm);
+  const person: hrt.Person = bundled.createPerson(7n, { tactile_weight: 0.2 });
   const session: hrt.Session = library.createSession({ horizon: 20, plate_latency_ns: 30_000_000 });
   const real: hrt.TargetId = session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });
   const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
@@ -23,6 +26,9 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.setPlate(new Float32Array(16));
   session.setPlate({ elements: [1] });
   session.update();
+  person.begin(session, virtual);
+  person.move(session.sample, 1, 30);
+  const felt: number[] = person.state.felt_position_m;
   const plate: number = session.command.plate_orientation_deg + session.command.step;
   const samples: bigint = session.endReach().samples;
   const report = library.replay(session.stopRecording());
@@ -59,7 +65,7 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   } catch (error) {
     if (error instanceof hrt.HapticRetargetingError) return error.code + error.codeName.length;
   }
-  return plate + known + names.length + (same ? 1 : 0);
+  return plate + known + felt.length + names.length + (same ? 1 : 0);
 }
 
 export default host;

@@ -26,15 +26,16 @@ const hits = (results) => results.filter((result) => Math.abs(result.bearingErro
 // The first of all: code that has met the other tests' doubles of hands and frames boxes more numbers.
 test("a frame of a hand makes no objects", (t) => {
   const plate = new models.HapticPlate(), position = { x: 0, y: 0.002, z: 0.05 }, pose = { transform: { position } };
-  const hand = new Map([["index-finger-tip", 1]]), frame = { predictedDisplayTime: 0, getJointPose: () => pose };
+  const hand = new Map([["index-finger-tip", 1]]), frame = { getJointPose: () => pose };
+  let time_ms = 0;
   const { hrt } = models, session = library.createSession();
   session.beginReach(session.addTarget({ role: hrt.HRT_TARGET_REAL, direction_deg: -5 }),
                      session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 }));
   const reach = new models.HandReach(session, plate);
   const run = (count) => {
     for (let i = 0; i < count; ++i) {
-      frame.predictedDisplayTime += 11;
-      reach.updateFromHand(frame, hand, 0);
+      time_ms += 11;
+      reach.updateFromHand(time_ms, frame, hand, 0);
     }
   };
   // What the engine itself makes until it has compiled the frame's code is in the first measurements only.
@@ -207,11 +208,11 @@ test("a hand that is tracked in the world makes the same reach as positions on t
   const tracked = slide((session) => {
     const reach = new models.HandReach(session, plate), hand = new Map([["index-finger-tip", "tip"]]);
     return (time_ms, place) => {
-      const frame = { predictedDisplayTime: time_ms, getJointPose: (joint, space) => {
+      const frame = { getJointPose: (joint, space) => {
         assert.deepEqual([joint, space], ["tip", "local"]);
         return { transform: { position: plate.localToWorld(place) } };
       } };
-      const command = reach.updateFromHand(frame, hand, "local");
+      const command = reach.updateFromHand(time_ms, frame, hand, "local");
       assert.equal(reach.lost, false);
       assert.equal(plate.orientation_deg, command.plate_orientation_deg);
     };
@@ -237,7 +238,7 @@ test("a hand makes the reach of all hosts, to the golden hash", async () => {
                reach.measuredPlate_deg = given.flags & models.hrt.HRT_SAMPLE_PLATE_ORIENTATION ? given.plate_orientation_deg : NaN;
                reach.lifted = (given.flags & models.hrt.HRT_SAMPLE_LIFTED) !== 0;
                const seen = given.flags & models.hrt.HRT_SAMPLE_PLATE_POSITION ? { transform: { position: { x, y, z } } } : null;
-               reach.updateFromHand({ predictedDisplayTime: given.time_ns / 1e6, getJointPose: () => seen }, hand, 0);
+               reach.updateFromHand(given.time_ns / 1e6, { getJointPose: () => seen }, hand, 0);
              } };
   } };
   assert.equal(runReach(models.hrt, tracked, await readFile(reachCsv, "utf8")).hash, (await readFile(reachHash, "utf8")).trim());
@@ -253,7 +254,7 @@ test("a hand that is lost is a dropout, and comes back", () => {
       const lost = i >= 90 && i < 100, noHand = i === 95 ? [null, undefined, new Map()][i % 3] : hand;
       // A browser without hands has no getJointPose, a session that begins no reference space.
       const getJointPose = i === 96 ? undefined : () => (lost && i !== 97 ? pose : { transform: { position } });
-      reach.updateFromHand({ predictedDisplayTime: time_ms, getJointPose }, noHand, i === 97 ? null : 0);
+      reach.updateFromHand(time_ms, { getJointPose }, noHand, i === 97 ? null : 0);
       assert.equal(reach.lost, lost);
       if (lost) assert.equal(plate.orientation_deg, before_deg, "the plate is held");
     };

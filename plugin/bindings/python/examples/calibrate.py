@@ -1,48 +1,36 @@
-"""Finds a person's parameters from slides over a plate at rest. The person is simulated, by the paper's equations
-(section II-A); nothing here was measured on people.
+"""Finds a person's parameters from slides over a plate at rest. The person is simulated; nothing here was measured on people.
 
     usage: python3 calibrate.py
 """
 
-import math
 from typing import Any
 
 import numpy as np
 
 import haptic_retargeting as hrt
 
-TRUTH = {"tactile_weight": 0.11, "bias_deg": 2.0, "tracker_noise_m": 0.0003}
-MOTOR_VARIANCE_DEG2, SENSORY_VARIANCE_DEG2 = 0.5, 0.1
-RATE_HZ, REST_S, SLIDE_S, SPEED_M_S, STEP_S = 90, 0.5, 3.0, 0.1 / 3, 0.1
+TRUTH = {"tactile_weight": 0.2, "bias_deg": 2.0, "tracker_noise_m": 0.0005}
+FRAMES = 220  # of 90 Hz: half a second at rest, then the slide
 
 
-def slide(plate_deg: float, random: np.random.Generator) -> "np.ndarray[Any, np.dtype[np.void]]":
-    """Half a second at rest, then ten centimetres towards a target straight ahead."""
-    directions, finger_deg, variance = [], 0.0, 0.0
-    for _ in range(round(SLIDE_S / STEP_S)):
-        directions.append(finger_deg)
-        prior = variance + MOTOR_VARIANCE_DEG2
-        gain = prior / (prior + SENSORY_VARIANCE_DEG2)
-        variance = (1 - gain) * prior
-        felt_deg = TRUTH["tactile_weight"] * plate_deg + (1 - TRUTH["tactile_weight"]) * finger_deg
-        noise = math.sqrt(MOTOR_VARIANCE_DEG2 + variance) * random.standard_normal()
-        finger_deg += -gain * (felt_deg - TRUTH["bias_deg"]) + noise
+def simulated() -> hrt.Person:
+    return hrt.Person(1, tactile_weight=TRUTH["tactile_weight"], bias_deg=TRUTH["bias_deg"],
+                      tracker_noise_m=TRUTH["tracker_noise_m"])
 
-    angles = np.radians(directions)
-    corners = STEP_S * SPEED_M_S * np.cumsum([[0, 0], *np.column_stack((-np.sin(angles), np.cos(angles)))], axis=0)
-    time_s = np.arange(round((REST_S + SLIDE_S) * RATE_HZ)) / RATE_HZ
-    steps = np.clip(time_s - REST_S, 0, SLIDE_S) / STEP_S
-    right, away = (np.interp(steps, np.arange(len(corners)), column) for column in corners.T)
-    position = np.column_stack((right, np.zeros_like(right), 0.05 - away))
-    position[:, [0, 2]] += TRUTH["tracker_noise_m"] * random.standard_normal((len(position), 2))
-    return hrt.samples(np.round(time_s * 1e9).astype(np.int64), position_m=position)
+
+def slide(session: hrt.Session, person: hrt.Person, plate_deg: float) -> "np.ndarray[Any, np.dtype[np.void]]":
+    """Ten centimetres towards a target straight ahead."""
+    person.begin(session, session.target("ahead"))
+    seen = [person.move(frame * 11_111_111, plate_deg) for frame in range(FRAMES)]
+    return hrt.samples([sample.time_ns for sample in seen], position_m=[sample.finger_position_m[:] for sample in seen])
 
 
 def main() -> None:
     random = np.random.default_rng(1)
-    with hrt.Session() as session, hrt.Calibration(session) as calibration:
-        for plate_deg in random.permutation([-60, -30, 0, 30, 60] * 8):
-            calibration.add_trial(float(plate_deg), slide(float(plate_deg), random))
+    with hrt.Session() as session, hrt.Calibration(session) as calibration, simulated() as person:
+        session.add_virtual("ahead", direction_deg=0)
+        for plate_deg in random.permutation([-60.0, -30.0, 0.0, 30.0, 60.0] * 8):
+            calibration.add_trial(plate_deg, slide(session, person, plate_deg))
         result = calibration.solve()
         session.apply_calibration(result)
         profile = session.profile

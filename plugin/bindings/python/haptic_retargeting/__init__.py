@@ -14,11 +14,17 @@ from the user, counter-clockwise positive seen from above. Plate coordinates: x 
 The calls are those of the C library, which is found by the system's loader, or where HRT_LIBRARY says.
 """
 
+try:
+    import numpy as _numpy  # noqa: F401
+except ImportError as error:
+    raise ImportError("haptic_retargeting needs numpy, 1.20 or later: pip install numpy, or python3-numpy of Debian") from error
+
 from . import _abi
 from ._abi import *
 from ._library import Error, library_version
 from .arrays import COMMAND, SAMPLE, commands, samples
 from .calibration import Calibration, compare_calibrations
+from .person import Person
 from .reach import Reach
 from .record import ReachRecord, RunRecord, target_place, world_to_plate
 from .recording import Recording, RecordingError, read_recording, replay
@@ -32,8 +38,7 @@ __version__ = ".".join(str(number) for number in _abi.VERSION)
 
 __all__ = [
     "Calibration", "check_touch", "COMMAND", "commands", "compare_calibrations", "Error", "fit_fingertip", "fit_latency",
-    "place_fingertip",
-    "library_version", "Reach", "ReachRecord", "read_recording", "Recording", "RecordingError", "register",
+    "library_version", "Person", "place_fingertip", "Reach", "ReachRecord", "read_recording", "Recording", "RecordingError", "register",
     "registration_advice", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "Target",
     "target_place", "world_to_plate",
 ]

@@ -8,7 +8,6 @@ import functools
 import operator
 from collections.abc import Sequence
 from enum import IntEnum, IntFlag
-from html import escape
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Optional, TypeVar, Union, get_type_hints
 
 import numpy as np
@@ -93,11 +92,6 @@ class Struct(_Base):
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({', '.join(f'{k}={short(v)}' for k, v in self.as_dict().items())})"
-
-    def _repr_html_(self) -> str:
-        """What a notebook shows."""
-        rows = "".join(f"<tr><td>{k}</td><td>{escape(short(v))}</td></tr>" for k, v in self.as_dict().items())
-        return f"<table>{rows}</table>"
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, type(self)):

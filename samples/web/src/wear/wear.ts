@@ -202,7 +202,7 @@ export class Wear {
   #slide(frame: WearFrame, hand: XRHand | undefined, space: XRReferenceSpace, elapsed_ms: number): void {
     const reach = this.#reach, { sample } = this.#controller.session;
     reach.measuredPlate_deg = this.plateConnected_deg;
-    this.#world.command(reach.updateFromHand(frame, hand, space).plate_orientation_deg);
+    this.#world.command(reach.updateFromHand(this.#time_ms, frame, hand, space).plate_orientation_deg);
     this.#plate.orientation_deg = this.#world.plate_deg();
     this.lost = reach.lost;
     if (reach.lost) {

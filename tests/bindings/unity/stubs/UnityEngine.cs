@@ -86,7 +86,6 @@ namespace UnityEngine
         public static Vector3 operator +(Vector3 a, Vector3 b) => new Vector3(a.x + b.x, a.y + b.y, a.z + b.z);
         public static Vector3 operator -(Vector3 a, Vector3 b) => new Vector3(a.x - b.x, a.y - b.y, a.z - b.z);
         public static Vector3 operator *(Vector3 a, float b) => new Vector3(a.x * b, a.y * b, a.z * b);
-        public static float Dot(Vector3 a, Vector3 b) => a.x * b.x + a.y * b.y + a.z * b.z;
         public static Vector3 Cross(Vector3 a, Vector3 b) =>
             new Vector3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         public override string ToString() => $"({x}, {y}, {z})";
@@ -133,25 +132,6 @@ namespace UnityEngine
         }
 
         public override string ToString() => $"({x}, {y}, {z}, {w})";
-    }
-
-    public struct Color
-    {
-        public float r, g, b, a;
-
-        public Color(float r, float g, float b)
-        {
-            this.r = r;
-            this.g = g;
-            this.b = b;
-            a = 1;
-        }
-
-        public static Color grey => new Color(0.5f, 0.5f, 0.5f);
-        public static Color cyan => new Color(0, 1, 1);
-        public static Color green => new Color(0, 1, 0);
-        public static Color red => new Color(1, 0, 0);
-        public static Color white => new Color(1, 1, 1);
     }
 
     public class Object
@@ -314,99 +294,16 @@ namespace UnityEngine
         public static float Sqrt(float x) => (float)Math.Sqrt(x);
     }
 
-    public struct Ray
-    {
-        public Vector3 origin, direction;
-
-        public Ray(Vector3 origin, Vector3 direction)
-        {
-            this.origin = origin;
-            this.direction = direction;
-        }
-
-        public Vector3 GetPoint(float distance) => origin + direction * distance;
-    }
-
-    public struct Plane
-    {
-        readonly Vector3 normal, point;
-
-        public Plane(Vector3 normal, Vector3 point)
-        {
-            this.normal = normal;
-            this.point = point;
-        }
-
-        public bool Raycast(Ray ray, out float distance)
-        {
-            distance = Vector3.Dot(normal, point - ray.origin) / Vector3.Dot(normal, ray.direction);
-            return distance > 0;
-        }
-    }
-
     public class Camera : Behaviour
     {
         public static Camera main { get; } = new GameObject("camera").AddComponent<Camera>();
         public float nearClipPlane { get; set; }
 
-        /// <summary>Of the stub: a ray straight down, through x and z of the "screen" in metres.</summary>
-        public Ray ScreenPointToRay(Vector3 point) =>
-            new Ray(new Vector3(point.x, 10, point.y), new Vector3(0, -1, 0));
-    }
-
-    public enum KeyCode
-    {
-        None = 0,
-        Alpha1 = 49
-    }
-
-    public struct Vector2
-    {
-        public float x, y;
-
-        public Vector2(float x, float y)
-        {
-            this.x = x;
-            this.y = y;
-        }
-    }
-
-    public enum EventType
-    {
-        MouseDown = 0,
-        MouseUp = 1,
-        KeyDown = 4,
-        Repaint = 7
-    }
-
-    public sealed class Event
-    {
-        public static Event current { get; set; }
-        public EventType type { get; set; }
-        public KeyCode keyCode { get; set; }
-        public int button { get; set; }
-        public Vector2 mousePosition { get; set; }
-    }
-
-    public static class Screen
-    {
-        /// <summary>Of the stub: in metres, as its rays are.</summary>
-        public static int height => 1;
     }
 
     public static class Time
     {
         public static double unscaledTimeAsDouble { get; set; }
-    }
-
-    public static class Application
-    {
-        public static bool isPlaying { get; set; }
-
-        public static event Action onBeforeRender;
-
-        /// <summary>Of the stub: what the engine does before it draws.</summary>
-        public static void Render() => onBeforeRender?.Invoke();
     }
 
     public static class Debug
@@ -420,26 +317,6 @@ namespace UnityEngine
         public static void LogError(object message, Object context) => LogError(message);
     }
 
-    public static class Gizmos
-    {
-        public struct Line
-        {
-            public Vector3 from, to;
-            public Color colour;
-        }
-
-        /// <summary>Of the stub: what was drawn.</summary>
-        public static readonly List<Line> Lines = new List<Line>();
-
-        public static Color color { get; set; }
-
-        public static void DrawLine(Vector3 from, Vector3 to) =>
-            Lines.Add(new Line { from = from, to = to, colour = color });
-
-        public static void DrawWireSphere(Vector3 centre, float radius)
-        {
-        }
-    }
 }
 
 namespace UnityEngine.Events

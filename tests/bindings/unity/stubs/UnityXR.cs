@@ -1,4 +1,4 @@
-// Stubs of the types of Unity's XR module and of its package XR Hands that the samples use. They show that the samples are
+// Stubs of the types of Unity's package XR Hands that the samples use. They show that the samples are
 // right if the engine's types do what these do.
 using System.Collections.Generic;
 
@@ -33,66 +33,6 @@ namespace UnityEngine
             subsystems.Clear();
             foreach (ISubsystem subsystem in All)
                 if (subsystem is T found) subsystems.Add(found);
-        }
-    }
-}
-
-namespace UnityEngine.XR
-{
-    public enum XRNode
-    {
-        CenterEye = 2
-    }
-
-    public struct InputFeatureUsage<T>
-    {
-    }
-
-    public static class CommonUsages
-    {
-        public static InputFeatureUsage<Vector3> centerEyePosition;
-        public static InputFeatureUsage<Quaternion> centerEyeRotation;
-    }
-
-    public struct InputDevice
-    {
-        internal Pose? Head;
-
-        public bool TryGetFeatureValue(InputFeatureUsage<Vector3> usage, out Vector3 value)
-        {
-            value = Head.GetValueOrDefault().position;
-            return Head.HasValue;
-        }
-
-        public bool TryGetFeatureValue(InputFeatureUsage<Quaternion> usage, out Quaternion value)
-        {
-            value = Head.GetValueOrDefault().rotation;
-            return Head.HasValue;
-        }
-    }
-
-    public static class InputDevices
-    {
-        /// <summary>Of the stub: where the headset is; null: there is none.</summary>
-        public static Pose? Head { get; set; }
-
-        public static InputDevice GetDeviceAtXRNode(XRNode node) => new InputDevice { Head = Head };
-    }
-
-    public enum TrackingOriginModeFlags
-    {
-        Floor = 2
-    }
-
-    public sealed class XRInputSubsystem : ISubsystem
-    {
-        public bool running => true;
-        public TrackingOriginModeFlags Mode { get; private set; }
-
-        public bool TrySetTrackingOriginMode(TrackingOriginModeFlags mode)
-        {
-            Mode = mode;
-            return true;
         }
     }
 }

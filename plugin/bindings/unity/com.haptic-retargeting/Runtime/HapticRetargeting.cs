@@ -22,11 +22,6 @@ namespace Hrt
         {
         }
 
-        [Serializable]
-        public sealed class FlagsEvent : UnityEvent<CommandFlags>
-        {
-        }
-
         [Header("Scene")]
         [Tooltip("The plate's mount: at the plate's centre, y out of the ridged face, z straight away from the " +
                  "user. It does not turn with the ridges.")]
@@ -51,9 +46,6 @@ namespace Hrt
         [Tooltip("Where to turn the plate, in degrees counter-clockwise seen from above, when it changes.")]
         public OrientationEvent onPlateOrientation = new OrientationEvent();
 
-        [Tooltip("What the controller says of its command, when it changes. Held is left out.")]
-        public FlagsEvent onFlags = new FlagsEvent();
-
         /// <summary>Each command, once a frame during a reach.</summary>
         public event Action<Command> Commanded;
 
@@ -62,14 +54,6 @@ namespace Hrt
         public event Action<CommandFlags> FlagsChanged;
 
         public event Action<ReachSummary> ReachEnded;
-
-        /// <summary>A virtual target, and what can be held with the real one that serves it best.</summary>
-        public struct Pairing
-        {
-            public Transform virtualTarget;
-            public Transform realTarget;
-            public Authority authority;
-        }
 
         // Of the session's targets. One Transform may be both: a cylinder that also stands for itself.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
@@ -100,7 +84,7 @@ namespace Hrt
         public void BeginReach(Transform virtualTarget)
         {
             PrepareReach();
-            Authority best = Session.QueryBestAuthority(IdOf(virtualTarget, virtualIds, nameof(virtualTarget)));
+            Authority best = Session.QueryBestAuthority(IdOf(virtualTarget));
             BeginReach(best.realTarget, best.virtualTarget);
         }
 
@@ -157,35 +141,6 @@ namespace Hrt
             return sample;
         }
 
-        /// <summary>For each virtual target what can be held now, as the Transforms stand; also in the editor,
-        /// while nothing runs. Throws what the library refuses, such as a target at the start.</summary>
-        public List<Pairing> Preview()
-        {
-            var pairings = new List<Pairing>();
-            SessionConfig config = Placed(Session == null ? Configuration() : Session.Config);
-            using (var session = new HapticRetargetingSession(config))
-            {
-                var ids = new Dictionary<Transform, TargetId>();
-                var reals = new Dictionary<ulong, Transform>();
-                SetTargets(session, realTargets, TargetRole.Real, ids);
-                foreach (KeyValuePair<Transform, TargetId> real in ids) reals[real.Value.value] = real.Key;
-                ids.Clear();
-                SetTargets(session, virtualTargets, TargetRole.Virtual, ids);
-                if (reals.Count == 0) return pairings;
-                foreach (KeyValuePair<Transform, TargetId> target in ids)
-                {
-                    Authority authority = session.QueryBestAuthority(target.Value);
-                    pairings.Add(new Pairing
-                    {
-                        virtualTarget = target.Key,
-                        realTarget = reals[authority.realTarget.value],
-                        authority = authority
-                    });
-                }
-            }
-            return pairings;
-        }
-
         void OnEnable()
         {
             Session = new HapticRetargetingSession(Configuration());
@@ -229,9 +184,7 @@ namespace Hrt
             if (first || command.plateOrientationDeg != last.plateOrientationDeg)
                 onPlateOrientation.Invoke((float)command.plateOrientationDeg);
             CommandFlags flags = command.flags & ~CommandFlags.Held;
-            if (!first && flags == (last.flags & ~CommandFlags.Held)) return;
-            FlagsChanged?.Invoke(flags);
-            onFlags.Invoke(flags);
+            if (first || flags != (last.flags & ~CommandFlags.Held)) FlagsChanged?.Invoke(flags);
         }
 
         void PrepareReach()
@@ -262,6 +215,9 @@ namespace Hrt
             if (Session == null) throw new InvalidOperationException($"{name}: the component is not enabled");
             return Session;
         }
+
+        /// <summary>The session's id of a virtual target, from the first reach on.</summary>
+        public TargetId IdOf(Transform virtualTarget) => IdOf(virtualTarget, virtualIds, nameof(virtualTarget));
 
         TargetId IdOf(Transform target, Dictionary<Transform, TargetId> ids, string argument)
         {

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Text;
 using AOT;
 
 namespace Hrt
@@ -38,24 +37,11 @@ namespace Hrt
             }
         }
 
-        /// <summary>Runs the calls of a recording again and compares what comes out.</summary>
-        public static ReplayReport ReplayFile(string path)
+        /// <summary>What to do about a verdict of <see cref="FitRegistration"/>, in one line for the user.</summary>
+        public static string RegistrationAdvice(RegistrationVerdict verdict)
         {
             Load();
-            var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
-            Check(Native.hrt_replay_file(Utf8.ZeroEnded(path, nameof(path)), ref report));
-            return report;
-        }
-
-        /// <summary>The same of a recording's text.</summary>
-        public static ReplayReport ReplayText(string text)
-        {
-            if (text == null) throw new ArgumentNullException(nameof(text));
-            Load();
-            byte[] bytes = Encoding.UTF8.GetBytes(text);
-            var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
-            Check(Native.hrt_replay_text(bytes, (ulong)bytes.Length, ref report));
-            return report;
+            return Utf8.Read(Native.hrt_registration_advice((uint)verdict));
         }
 
         /// <summary>Comes before the first call into the library: refuses one that is missing or of another

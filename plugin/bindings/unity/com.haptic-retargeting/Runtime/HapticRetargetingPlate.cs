@@ -11,7 +11,7 @@ namespace Hrt
     ///
     /// <see cref="Set"/>, <see cref="Stop"/> and <see cref="Get"/> make no garbage.
     /// </summary>
-    public sealed class HapticRetargetingPlate : NativeObject
+    public sealed partial class HapticRetargetingPlate : NativeObject
     {
         /// <summary>Starts to open a plate: "serial:/dev/ttyACM0", "serial:COM3",
         /// "dynamixel:/dev/ttyUSB0?id=1".</summary>
@@ -29,22 +29,6 @@ namespace Hrt
             Own(handle.value);
         }
 
-        /// <summary>Turns the plate there, or to an orientation that feels the same:
-        /// <see cref="Command.plateOrientationDeg"/>. <see cref="Result.WrongState"/> while it is being opened, and with
-        /// the reason when it has failed.</summary>
-        public void Set(double orientationDeg) => Check(PlateNative.hrt_plate_set(Handle, orientationDeg));
-
-        /// <summary>Stops it where it is.</summary>
-        public void Stop() => Check(PlateNative.hrt_plate_stop(Handle));
-
-        /// <summary>What is known of it: call it in every frame.</summary>
-        public PlateReport Get()
-        {
-            var report = new PlateReport { structSize = SizeOf<PlateReport>.Value };
-            Check(PlateNative.hrt_plate_get(Handle, ref report));
-            return report;
-        }
-
         /// <summary>Waits while it is being opened, up to 6 s. <see cref="InvalidOperationException"/> with the reason
         /// if it has failed. A frame loop looks at <see cref="Get"/> instead.</summary>
         public PlateReport WaitUntilReady()
@@ -57,7 +41,7 @@ namespace Hrt
 
         internal override string LastError => PlateLibrary.LastError;
 
-        PlateHandle Handle => new PlateHandle { value = Value };
+        internal PlateHandle Handle => new PlateHandle { value = Value };
     }
 
     /// <summary>The native library of the plate, a second one.</summary>

@@ -117,9 +117,16 @@ namespace Hrt
         /// refused.</summary>
         internal static byte[] ZeroEnded(string text, string argument)
         {
+            byte[] bytes = Bytes(text, argument);
+            if (Array.IndexOf(bytes, (byte)0) >= 0) throw new ArgumentException("The text has a zero in it", argument);
+            Array.Resize(ref bytes, bytes.Length + 1);
+            return bytes;
+        }
+
+        internal static byte[] Bytes(string text, string argument)
+        {
             if (text == null) throw new ArgumentNullException(argument);
-            if (text.IndexOf('\0') >= 0) throw new ArgumentException("The text has a zero in it", argument);
-            return Encoding.UTF8.GetBytes(text + '\0');
+            return Encoding.UTF8.GetBytes(text);
         }
 
         /// <summary>A text in words of eight bytes, the first byte lowest, up to its first zero.</summary>

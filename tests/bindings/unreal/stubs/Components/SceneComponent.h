@@ -11,6 +11,7 @@ public:
 	void SetupAttachment(USceneComponent*) {}
 	void SetRelativeRotation(const FRotator& Rotation) { RelativeRotation = Rotation; }
 	FRotator GetRelativeRotation() const { return RelativeRotation; }
+	void SetWorldLocation(const FVector& Location) { Transform = FTransform(Transform.GetRotation(), Location); }
 	void SetWorldTransform(const FTransform& NewTransform) { Transform = NewTransform; }
 	virtual void OnComponentDestroyed(bool) {}
 	virtual void BeginDestroy() {}

@@ -10,6 +10,7 @@ public:
 	virtual ~AActor() = default;
 	virtual void BeginPlay() {}
 	virtual void Tick(float) {}
+	USceneComponent* GetRootComponent() const { return RootComponent; }
 
 	struct
 	{
@@ -17,6 +18,8 @@ public:
 	} PrimaryActorTick;
 
 protected:
+	USceneComponent* RootComponent = nullptr;
+
 	template <typename Component>
 	Component* CreateDefaultSubobject(const TCHAR*)
 	{

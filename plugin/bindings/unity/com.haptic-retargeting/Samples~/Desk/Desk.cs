@@ -5,7 +5,7 @@ namespace HrtSamples
 {
     /// <summary>
     /// A plate, a real cylinder and three virtual objects, made from code around the object that has this: the middle of
-    /// the plate is where the object stands. MouseReach or HandReach leads a finger over it.
+    /// the plate is where the object stands. SimulatedReach leads a finger over it, or TrackedFinger a hand.
     /// </summary>
     public sealed class Desk : MonoBehaviour
     {

@@ -13,31 +13,30 @@ namespace HrtSamples
     /// </summary>
     public sealed class TrackedFinger : MonoBehaviour
     {
-        public enum Side
-        {
-            Right,
-            Left
-        }
-
         [Tooltip("What this finger is given to.")]
         public HapticRetargeting retargeting;
 
-        public Side side = Side.Right;
+        public bool left;
 
         [Tooltip("Tracking space, such as the Camera Offset of an XR Origin. None: it is the world.")]
         public Transform origin;
 
-        /// <summary>The offset from the tracked joint to the skin, of
-        /// HapticRetargetingRegistration.FitFingertip; null: the skin is at the joint.</summary>
+        /// <summary>The offset from the tracked joint to the skin, of HapticRetargetingLibrary.FitFingertip; null: the
+        /// skin is at the joint.</summary>
         public Fingertip? Skin { get; set; }
+
+#if HRT_XR_HANDS
+        readonly List<XRHandSubsystem> subsystems = new List<XRHandSubsystem>();
 
         void Update()
         {
-            bool tracked = TryGetTip(out Pose tip);
-            retargeting.FingerTracked = tracked;
-            if (!tracked) return;
-            if (origin != null)
-                tip = new Pose(origin.TransformPoint(tip.position), origin.rotation * tip.rotation);
+            SubsystemManager.GetSubsystems(subsystems);
+            XRHandSubsystem hands = subsystems.Find(one => one.running);
+            Pose tip = Pose.identity;
+            XRHand hand = hands == null ? default(XRHand) : left ? hands.leftHand : hands.rightHand;
+            retargeting.FingerTracked = hand.isTracked && hand.GetJoint(XRHandJointID.IndexTip).TryGetPose(out tip);
+            if (!retargeting.FingerTracked) return;
+            if (origin != null) tip = new Pose(origin.TransformPoint(tip.position), origin.rotation * tip.rotation);
             transform.rotation = tip.rotation;
             transform.position = Skin.HasValue ? SkinOf(tip, Skin.Value) : tip.position;
         }
@@ -48,38 +47,13 @@ namespace HrtSamples
             {
                 positionM = Axes.FromUnity(tip.position), rotation = Axes.FromUnity(tip.rotation)
             };
-            var sample = new Sample();
-            HapticRetargetingRegistration.Place(fingertip, joint, ref sample);
-            return Axes.ToUnity(sample.fingerPositionM);
-        }
-
-#if HRT_XR_HANDS
-        readonly List<XRHandSubsystem> subsystems = new List<XRHandSubsystem>();
-        XRHandSubsystem hands;
-
-        bool TryGetTip(out Pose tip)
-        {
-            tip = Pose.identity;
-            if (hands == null || !hands.running)
-            {
-                SubsystemManager.GetSubsystems(subsystems);
-                hands = subsystems.Find(one => one.running);
-                if (hands == null) return false;
-            }
-            XRHand hand = side == Side.Right ? hands.rightHand : hands.leftHand;
-            return hand.isTracked && hand.GetJoint(XRHandJointID.IndexTip).TryGetPose(out tip);
+            return Axes.ToUnity(HapticRetargetingLibrary.PlaceFingertip(fingertip, joint).fingerPositionM);
         }
 #else
         void Start()
         {
             Debug.LogError("Install the package XR Hands (com.unity.xr.hands, 1.1 or later): without it there is no hand",
                            this);
-        }
-
-        static bool TryGetTip(out Pose tip)
-        {
-            tip = Pose.identity;
-            return false;
         }
 #endif
     }

@@ -30,22 +30,6 @@ namespace HapticConversions
 		return FQuat(Rotation[2], 0.0 - Rotation[0], 0.0 - Rotation[1], Rotation[3]);
 	}
 
-	hrt_mark_touch ToMarkTouch(const FHapticMarkTouch& Touch)
-	{
-		hrt_mark_touch Result{};
-		ToMetres(Touch.Mark, Result.mark_m);
-		ToMetres(Touch.Touched, Result.touched_m);
-		return Result;
-	}
-
-	hrt_joint_touch ToJointTouch(const FTransform& Joint)
-	{
-		hrt_joint_touch Result{};
-		ToMetres(Joint.GetLocation(), Result.position_m);
-		ToQuaternion(Joint.GetRotation(), Result.rotation);
-		return Result;
-	}
-
 	int64_t ToNanoseconds(double Seconds)
 	{
 		// Beyond this, and for what is not a number, the plugin's own refusal is provoked: llround is undefined there.
@@ -71,26 +55,6 @@ namespace HapticConversions
 	{
 		FHapticTarget Result;
 		Result.Id = static_cast<int64>(Target.value);
-		return Result;
-	}
-
-	FHapticInterval FromInterval(const hrt_interval& Interval, double Scale)
-	{
-		FHapticInterval Result;
-		Result.Value = Interval.value * Scale;
-		Result.Lower = Interval.lower * Scale;
-		Result.Upper = Interval.upper * Scale;
-		Result.bKnown = Interval.known != 0;
-		return Result;
-	}
-
-	FHapticInterval FromMirrored(const hrt_interval& Interval)
-	{
-		FHapticInterval Result;
-		Result.Value = Turned(Interval.value);
-		Result.Lower = Turned(Interval.upper);
-		Result.Upper = Turned(Interval.lower);
-		Result.bKnown = Interval.known != 0;
 		return Result;
 	}
 }

@@ -16,8 +16,6 @@ namespace HapticConversions
 	FVector FromMetres(const double (&Metres)[3]);
 	void ToQuaternion(const FQuat& Rotation, double (&OutRotation)[4]);
 	FQuat FromQuaternion(const double (&Rotation)[4]);
-	hrt_mark_touch ToMarkTouch(const FHapticMarkTouch& Touch);
-	hrt_joint_touch ToJointTouch(const FTransform& Joint);
 	int64_t ToNanoseconds(double Seconds);
 	/** A yaw as a direction, and the other way round; never -0. */
 	inline double Turned(double Degrees) { return 0.0 - Degrees; }
@@ -27,7 +25,4 @@ namespace HapticConversions
 	hrt_target_config ToTarget(EHapticTargetRole Role, const FString& Name);
 	inline hrt_target ToTarget(const FHapticTarget& Target) { return {static_cast<uint64_t>(Target.Id)}; }
 	FHapticTarget FromTarget(hrt_target Target);
-	FHapticInterval FromInterval(const hrt_interval& Interval, double Scale);
-	/** Of a direction, whose ends change places. */
-	FHapticInterval FromMirrored(const hrt_interval& Interval);
 }

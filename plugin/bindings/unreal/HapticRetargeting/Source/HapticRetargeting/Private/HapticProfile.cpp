@@ -35,32 +35,6 @@ bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
 	return true;
 }
 
-bool UHapticRetargetingComponent::SetConditions(const FString& Plate, const FString& Tracker, int64 Time)
-{
-	hrt_conditions Now = hrt_conditions_init();
-	Now.time_s = Time;
-	// A name that is too long fills its field without a zero, which the plugin refuses.
-	const std::string PlateName = TCHAR_TO_UTF8(*Plate), TrackerName = TCHAR_TO_UTF8(*Tracker);
-	PlateName.copy(Now.plate, sizeof Now.plate);
-	TrackerName.copy(Now.tracker, sizeof Now.tracker);
-	return Configure() && HAPTIC_CALL(hrt_profile_set_conditions(Session, &Now));
-}
-
-bool UHapticRetargetingComponent::GetConditions(FString& OutPlate, FString& OutTracker, int64& OutTime, bool& bOutPlateDiffers, bool& bOutTrackerDiffers)
-{
-	hrt_conditions Measured = hrt_conditions_init();
-	if (!Configure() || !HAPTIC_CALL(hrt_profile_get_conditions(Session, &Measured)))
-	{
-		return false;
-	}
-	OutPlate = UTF8_TO_TCHAR(Measured.plate);
-	OutTracker = UTF8_TO_TCHAR(Measured.tracker);
-	OutTime = Measured.time_s;
-	bOutPlateDiffers = (Measured.differing & HRT_CONDITION_PLATE) != 0;
-	bOutTrackerDiffers = (Measured.differing & HRT_CONDITION_TRACKER) != 0;
-	return true;
-}
-
 bool UHapticRetargetingComponent::StartRecording(const FString& Path)
 {
 	return Configure() && HAPTIC_CALL(hrt_recording_start(Session, TCHAR_TO_UTF8(*Path)));

@@ -45,14 +45,6 @@ bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
 	return true;
 }
 
-hrt_sample UHapticRetargetingComponent::FingerAndPlateSample(const FVector& Location, double PlateYaw, double Time) const
-{
-	hrt_sample Sample = FingerSample(Location, Time);
-	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-	Sample.plate_orientation_deg = Turned(PlateYaw);
-	return Sample;
-}
-
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
 	hrt_sample Sample = hrt_sample_init();
@@ -70,7 +62,10 @@ bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double T
 
 bool UHapticRetargetingComponent::UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time)
 {
-	return UpdateSample(FingerAndPlateSample(Location, PlateYaw, Time));
+	hrt_sample Sample = FingerSample(Location, Time);
+	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+	Sample.plate_orientation_deg = Turned(PlateYaw);
+	return UpdateSample(Sample);
 }
 
 bool UHapticRetargetingComponent::UpdateLost(double Time)
@@ -139,4 +134,35 @@ FHapticCommand UHapticRetargetingComponent::GetCommand() const
 	FHapticCommand None;
 	None.Step = -1;
 	return Command.struct_size == 0 ? None : FromCommand(Command);
+}
+
+bool UHapticRetargetingComponent::BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed)
+{
+	hrt_person Created{};
+	if (!Configure() || !HAPTIC_CALL(hrt_person_create(nullptr, static_cast<uint64_t>(Seed), &Created)))
+	{
+		return false;
+	}
+	if (!HAPTIC_CALL(hrt_person_begin(Created, Session, ToTarget(Virtual))))
+	{
+		hrt_person_destroy(Created);
+		return false;
+	}
+	if (Person.value != 0)
+	{
+		hrt_person_destroy(Person);
+	}
+	Person = Created;
+	return true;
+}
+
+bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& OutLocation)
+{
+	hrt_sample Sample = hrt_sample_init();
+	if (!HAPTIC_CALL(hrt_person_move(Person, ToNanoseconds(Time), Command.plate_orientation_deg, &Sample)) || !UpdateSample(Sample))
+	{
+		return false;
+	}
+	OutLocation = GetComponentTransform().TransformPosition(FromMetres(Sample.finger_position_m));
+	return true;
 }

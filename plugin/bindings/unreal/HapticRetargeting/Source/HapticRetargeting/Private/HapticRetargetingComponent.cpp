@@ -78,17 +78,6 @@ bool UHapticRetargetingComponent::Configure()
 	return true;
 }
 
-/** Whether there is a result of an earlier call; otherwise the log has the message. */
-bool UHapticRetargetingComponent::HasResult(uint32_t StructSize, const TCHAR* Message) const
-{
-	if (StructSize == 0)
-	{
-		UE_LOG(LogHapticRetargeting, Error, TEXT("%s"), Message);
-		return false;
-	}
-	return true;
-}
-
 bool UHapticRetargetingComponent::IsAtPlate() const
 {
 	return bPlacedByPlugin && GetComponentTransform().Equals(PlatePlace, 0.0);
@@ -97,7 +86,6 @@ bool UHapticRetargetingComponent::IsAtPlate() const
 /** Puts the component where the session has the plate. */
 void UHapticRetargetingComponent::MoveToPlate()
 {
-	TakeFromSession();
 	SetWorldTransform(FTransform(FromQuaternion(Configured.plate_rotation), FromMetres(Configured.plate_position_m)));
 	PlatePlace = GetComponentTransform();
 	bPlacedByPlugin = true;
@@ -117,22 +105,32 @@ void UHapticRetargetingComponent::PlatePose(double (&OutPosition)[3], double (&O
 	ToQuaternion(Plate.GetRotation(), OutRotation);
 }
 
-/** Takes what the plugin has learnt of the user into the settings. */
+hrt_session UHapticRetargetingComponent::GetSession()
+{
+	return Configure() ? Session : hrt_session{};
+}
+
 void UHapticRetargetingComponent::TakeFromSession()
 {
 	const hrt_session_config Before = Configured;
-	if (HAPTIC_CALL(hrt_session_get_config(Session, &Configured)))
+	if (!HAPTIC_CALL(hrt_session_get_config(Session, &Configured)))
 	{
-		TakeChanges(Before, Configured, Settings);
+		return;
+	}
+	TakeChanges(Before, Configured, Settings);
+	if (std::memcmp(Before.plate_position_m, Configured.plate_position_m, sizeof Before.plate_position_m) != 0 ||
+		std::memcmp(Before.plate_rotation, Configured.plate_rotation, sizeof Before.plate_rotation) != 0)
+	{
+		MoveToPlate();
 	}
 }
 
 void UHapticRetargetingComponent::CloseSession()
 {
-	if (Calibration.value != 0)
+	if (Person.value != 0)
 	{
-		hrt_calibration_destroy(Calibration);
-		Calibration = {};
+		hrt_person_destroy(Person);
+		Person = {};
 	}
 	if (Session.value != 0)
 	{

@@ -85,34 +85,6 @@ bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual,
 	return true;
 }
 
-bool UHapticRetargetingComponent::AssignTargets(const TArray<FHapticTarget>& Virtual, const TArray<FHapticTarget>& Real,
-	bool bExclusive, TArray<FHapticAuthority>& OutAuthorities)
-{
-	std::vector<hrt_target> VirtualIds, RealIds;
-	for (const FHapticTarget& Target : Virtual)
-	{
-		VirtualIds.push_back(ToTarget(Target));
-	}
-	for (const FHapticTarget& Target : Real)
-	{
-		RealIds.push_back(ToTarget(Target));
-	}
-	// One more than is filled, because the plugin reads the first one's size.
-	std::vector<hrt_authority> Authorities(VirtualIds.size() + 1, hrt_authority_init());
-	const uint32_t Flags = bExclusive ? HRT_ASSIGN_EXCLUSIVE : 0u;
-	if (!Configure() || !HAPTIC_CALL(hrt_target_assign(Session, VirtualIds.data(), VirtualIds.size(), RealIds.data(), RealIds.size(), Flags,
-							VirtualIds.size(), Authorities.data())))
-	{
-		return false;
-	}
-	OutAuthorities.Reset();
-	for (size_t i = 0; i < VirtualIds.size(); ++i)
-	{
-		OutAuthorities.Add(FromAuthority(Authorities[i]));
-	}
-	return true;
-}
-
 bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets,
 	TArray<FHapticSceneTarget>& OutDescriptions)
 {
@@ -142,6 +114,6 @@ bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticT
 		OutTargets.Add(FromTarget(Ids[i]));
 		OutDescriptions.Add(FromSceneTarget(Targets[i]));
 	}
-	MoveToPlate();
+	TakeFromSession();
 	return true;
 }

@@ -1,0 +1,48 @@
+// A simulated person at a plate with a servo, seen by a tracker, in the time of a host that calls at any
+// rate.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/plate/plate_model.h"
+#include "core/simulation/people.h"
+
+namespace hrt {
+
+class SimulatedHand {
+ public:
+  /// A person of the first family, drawn for a motion of `duration_s`.
+  SimulatedHand(double duration_s, std::uint64_t seed);
+
+  /// Person, tracker and plate as drawn, to be changed before begin().
+  PersonCondition& condition() { return condition_; }
+
+  /// At rest at `start`; will go `distance_m` to the virtual target.
+  void begin(const PlatePoint& start, double virtual_direction_deg, double distance_m);
+  bool has_begun() const { return finger_.has_value(); }
+  /// True if `time_ns` is before the last move() of this reach.
+  bool is_past(std::int64_t time_ns) const { return moved_ && time_ns < now_ns_; }
+
+  /// Commands the plate, which is where the first call of a reach says, and lets time pass. Returns where the
+  /// tracker sees the finger. Requires has_begun().
+  PlatePoint move(std::int64_t time_ns, double plate_orientation_deg);
+
+  const SlidingPerson& finger() const { return *finger_; }
+  double plate_orientation_deg() const { return plate_.orientation_deg(); }
+
+ private:
+  PersonCondition condition_;
+  double start_share_;  // of the virtual direction, in which they set out
+  std::uint64_t seed_;
+  std::uint32_t reach_ = 0;
+  std::optional<SlidingPerson> finger_;
+  std::optional<Draws> tracking_;
+  PlateModel plate_{PlateDynamics{}, 0.0};
+  std::int64_t began_ns_ = 0;
+  std::int64_t now_ns_ = 0;
+  std::int64_t ticks_ = 0;  // of a millisecond, of this reach
+  bool moved_ = false;
+};
+
+}  // namespace hrt

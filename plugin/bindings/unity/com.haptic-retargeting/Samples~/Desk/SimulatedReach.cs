@@ -1,0 +1,68 @@
+using Hrt;
+using UnityEngine;
+
+namespace HrtSamples
+{
+    /// <summary>
+    /// Put this on an empty object of a scene with a camera, and press play: a simulated person slides to one virtual object
+    /// after the other, feels the ridges, and is bent to the cylinder.
+    /// </summary>
+    [RequireComponent(typeof(Desk))]
+    public sealed class SimulatedReach : MonoBehaviour
+    {
+        const double RestS = 0.3; // after the motion
+
+        public int seed = 7;
+
+        HapticRetargeting retargeting;
+        HapticRetargetingPerson person;
+        int chosen;
+        double endedS;
+
+        void Start()
+        {
+            retargeting = GetComponent<Desk>().Retargeting;
+            retargeting.ReachEnded += Report;
+            person = new HapticRetargetingPerson((ulong)seed);
+            Camera.main.transform.position = retargeting.plate.position + new Vector3(0, 0.4f, -0.1f);
+            Camera.main.transform.rotation = Quaternion.Euler(70, 0, 0);
+            Camera.main.nearClipPlane = 0.01f;
+            Begin();
+        }
+
+        void OnDestroy()
+        {
+            retargeting.ReachEnded -= Report;
+            person.Dispose();
+        }
+
+        void Begin()
+        {
+            Transform target = retargeting.virtualTargets[chosen];
+            retargeting.BeginReach(target);
+            person.Begin(retargeting.Session, retargeting.IdOf(target));
+            endedS = double.PositiveInfinity;
+        }
+
+        void Update()
+        {
+            double nowS = Time.unscaledTimeAsDouble;
+            Sample sample = person.Move((long)(nowS * 1e9), retargeting.LastCommand.plateOrientationDeg);
+            retargeting.finger.position = retargeting.plate.TransformPoint(Axes.ToUnity(sample.fingerPositionM));
+            retargeting.MeasuredPlateOrientationDeg = sample.plateOrientationDeg;
+            if (person.GetState().done == 0) return;
+            endedS = System.Math.Min(endedS, nowS);
+            if (nowS < endedS + RestS) return;
+            retargeting.EndReach();
+            chosen = (chosen + 1) % retargeting.virtualTargets.Count;
+            Begin();
+        }
+
+        void Report(ReachSummary summary)
+        {
+            Debug.Log($"To the {retargeting.virtualTargets[chosen].name}, simulated: the hand ended " +
+                      $"{summary.distanceToTargetM * 1000:0} mm from the cylinder; felt, as the model has it, " +
+                      $"{summary.perceivedErrorDeg:0.0} degrees beside the virtual one", this);
+        }
+    }
+}

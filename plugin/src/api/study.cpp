@@ -1,0 +1,126 @@
+#include "haptic_retargeting/study.h"
+
+#include "core/simulation/simulated_hand.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/api/sessions.h"
+
+namespace hrt::plugin {
+namespace {
+
+using People = HandleTable<SimulatedHand, HRT_PEOPLE_MAX, 0x9e>;
+constinit People people;
+
+constexpr double default_duration_s = 1.5;
+
+hrt_result check_person_config(const hrt_person_config& config) {
+  HRT_RETURN_IF_FAILED(check_zero("reserved", config.reserved));
+  if (config.tactile_weight != 0.0)
+    HRT_RETURN_IF_FAILED(check_range("tactile_weight", config.tactile_weight, 0.01, 0.49));
+  HRT_RETURN_IF_FAILED(check_range("bias_deg", config.bias_deg, -45.0, 45.0));
+  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.3, 20.0));
+  HRT_RETURN_IF_FAILED(check_range("tracker_noise_m", config.tracker_noise_m, 0.0, 0.1));
+  HRT_RETURN_IF_FAILED(check_range("plate_max_speed_deg_s", config.plate_max_speed_deg_s, 0.0, 1e6));
+  return check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0, 1'000'000'000);
+}
+
+std::unique_ptr<SimulatedHand> made(const hrt_person_config& config, std::uint64_t seed) {
+  auto hand = std::make_unique<SimulatedHand>(
+      config.duration_s != 0.0 ? config.duration_s : default_duration_s, seed);
+  PersonCondition& condition = hand->condition();
+  if (config.tactile_weight != 0.0) condition.person.illusion.tactile_weight = config.tactile_weight;
+  condition.person.bias_deg = config.bias_deg;
+  if (config.tracker_noise_m != 0.0) condition.tracker.white_m = config.tracker_noise_m;
+  if (config.plate_max_speed_deg_s != 0.0) condition.plate.max_speed_deg_s = config.plate_max_speed_deg_s;
+  if (config.plate_latency_ns != 0) condition.plate.latency_ns = config.plate_latency_ns;
+  return hand;
+}
+
+template <class Body>
+hrt_result with_person(const char* call, hrt_person handle, Body&& body) noexcept {
+  return with_lease(call, "person", people, handle.value, body);
+}
+
+hrt_result check_begun(const SimulatedHand& hand) {
+  if (hand.has_begun()) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE, "the person has begun no reach: call hrt_person_begin() first");
+}
+
+void write_point(const PlatePoint& point, double (&out)[3]) {
+  out[0] = point.right_m;
+  out[1] = 0.0;
+  out[2] = -point.away_m;
+}
+
+}  // namespace
+}  // namespace hrt::plugin
+
+using hrt::Bearing;
+using hrt::SimulatedHand;
+using namespace hrt::plugin;
+
+hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
+                             hrt_person* out_person) noexcept {
+  return guarded("hrt_person_create", [&]() -> hrt_result {
+    if (!out_person) return fail(HRT_ERROR_NULL_ARGUMENT, "out_person is null");
+    hrt_person_config known{};
+    if (config) HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
+    HRT_RETURN_IF_FAILED(check_person_config(known));
+    const std::uint64_t handle = people.insert(made(known, seed));
+    if (handle == 0)
+      return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX, " people; destroy one first");
+    out_person->value = handle;
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_person_destroy(hrt_person person) noexcept {
+  return destroy("hrt_person_destroy", "person", people, person.value);
+}
+
+hrt_result hrt_person_begin(hrt_person person, hrt_session session, hrt_target virtual_target) noexcept {
+  return with_person("hrt_person_begin", person, [&](SimulatedHand& hand) -> hrt_result {
+    return with_session("hrt_person_begin", session, [&](RecordedSession& s) -> hrt_result {
+      const hrt_session_config& config = s.session().config();
+      const hrt_target_config* target = nullptr;
+      HRT_RETURN_IF_FAILED(
+          find_target(s.session().targets, "virtual_target", virtual_target, HRT_TARGET_VIRTUAL, &target));
+      const Bearing seen = view(config, *target);
+      const double(&start_m)[3] = config.start_position_m;
+      hand.begin({start_m[0], -start_m[2]}, seen.direction_deg, seen.distance_m);
+      return HRT_OK;
+    });
+  });
+}
+
+hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orientation_deg,
+                           hrt_sample* out_sample) noexcept {
+  return with_person("hrt_person_move", person, [&](SimulatedHand& hand) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_sample", out_sample));
+    HRT_RETURN_IF_FAILED(check_begun(hand));
+    HRT_RETURN_IF_FAILED(check_plate_orientation(plate_orientation_deg));
+    if (hand.is_past(time_ns))
+      return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
+    hrt_sample sample{};
+    sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.time_ns = time_ns;
+    write_point(hand.move(time_ns, plate_orientation_deg), sample.finger_position_m);
+    sample.plate_orientation_deg = hand.plate_orientation_deg();
+    write_struct(sample, out_sample);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_person_get_state(hrt_person person, hrt_person_state* out_state) noexcept {
+  return with_person("hrt_person_get_state", person, [&](SimulatedHand& hand) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_state", out_state));
+    HRT_RETURN_IF_FAILED(check_begun(hand));
+    hrt_person_state state{};
+    state.done = hand.finger().done() ? 1 : 0;
+    write_point(hand.finger().position(), state.position_m);
+    write_point(hand.finger().felt_position(), state.felt_position_m);
+    state.plate_orientation_deg = hand.plate_orientation_deg();
+    state.felt_error_deg = hand.finger().felt_error_deg();
+    write_struct(state, out_state);
+    return HRT_OK;
+  });
+}

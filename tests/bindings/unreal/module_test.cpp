@@ -1,0 +1,59 @@
+// The module that loads the plugin's library, as on Linux and as on Windows.
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "HAL/PlatformProcess.h"
+#include "HapticRetargetingComponent.h"
+#include "Modules/ModuleManager.h"
+
+IModuleInterface* MakeModule();
+
+namespace {
+
+#if PLATFORM_WINDOWS
+TEST(UnrealModule, LoadsTheLibraryFromThePluginsFolder) {
+  const std::unique_ptr<IModuleInterface> module(MakeModule());
+  module->StartupModule();
+  ASSERT_EQ(FPlatformProcess::Opened.size(), 1u);
+  EXPECT_EQ(
+      FPlatformProcess::Opened[0],
+      "plugins/HapticRetargeting/Source/ThirdParty/HapticRetargetingLibrary/Win64/haptic_retargeting.dll");
+  module->ShutdownModule();
+  FPlatformProcess::Missing = true;
+  module->StartupModule();
+  EXPECT_NE(FLogCategory::Lines.back().find("Error: haptic_retargeting.dll is not in plugins/HapticRetargeting"), std::string::npos);
+
+  UHapticRetargetingComponent component;
+  const FHapticTarget none;
+  FHapticTarget target;
+  FHapticSummary summary;
+  const size_t logged = FLogCategory::Lines.size();
+  EXPECT_FALSE(component.AddTarget(EHapticTargetRole::Real, TEXT("cylinder"), 5.0, 10.0, target));
+  EXPECT_FALSE(component.BeginReach(none, none));
+  EXPECT_FALSE(component.BeginSimulatedFinger(none, 1));
+  EXPECT_EQ(component.GetSession().value, 0u);
+  int64 written = 0, lost = 0;
+  EXPECT_FALSE(component.GetRecordingStatus(written, lost));
+  TArray<FHapticTarget> targets;
+  TArray<FHapticSceneTarget> descriptions;
+  EXPECT_FALSE(component.LoadScene(TEXT("desk.gltf"), targets, descriptions));
+  for (int frame = 0; frame < 90; ++frame) EXPECT_FALSE(component.UpdateFinger({}, frame / 90.0));
+  EXPECT_FALSE(component.EndReach(summary));
+  EXPECT_EQ(FLogCategory::Lines.size(), logged + 1);
+  EXPECT_NE(FLogCategory::Lines.back().find("the plugin's library is missing"), std::string::npos);
+  component.BeginDestroy();
+  FPlatformProcess::Missing = false;
+  module->StartupModule();  // what the other tests need
+}
+#else
+TEST(UnrealModule, LeavesLoadingToTheLinker) {
+  const std::unique_ptr<IModuleInterface> module(MakeModule());
+  module->StartupModule();
+  EXPECT_TRUE(FPlatformProcess::Opened.empty());
+  module->ShutdownModule();
+}
+#endif
+
+}  // namespace

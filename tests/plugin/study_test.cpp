@@ -1,0 +1,146 @@
+// The simulated person: who they are follows from the seed, and the plate bends their hand.
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr int frames = 220;  // of 90 Hz: 0.6 s at rest, 1.5 s of motion, a rest
+
+class SimulatedPersonTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    real = add(HRT_TARGET_REAL, -5.0);
+    seen = add(HRT_TARGET_VIRTUAL, 5.0);
+  }
+
+  hrt_person person_of(std::uint64_t seed, const hrt_person_config* config = nullptr) {
+    hrt_person person{};
+    EXPECT_OK(hrt_person_create(config, seed, &person));
+    return person;
+  }
+
+  struct Slide {
+    hrt_person_state end;
+    std::vector<double> seen_right_m;
+  };
+
+  /// One reach; without `led` the plate stays at 0.
+  Slide slide(hrt_person person, bool led = true) {
+    if (led) EXPECT_OK(begin(real, seen));
+    EXPECT_OK(hrt_person_begin(person, session, seen));
+    auto command = output<hrt_command>();
+    Slide slide{.end = output<hrt_person_state>(), .seen_right_m = {}};
+    for (int frame = 0; frame < frames; ++frame) {
+      auto sample = output<hrt_sample>();
+      EXPECT_OK(hrt_person_move(person, frame * 11'111'111LL, command.plate_orientation_deg, &sample));
+      slide.seen_right_m.push_back(sample.finger_position_m[0]);
+      if (led) EXPECT_OK(hrt_reach_update(session, &sample, &command));
+    }
+    EXPECT_OK(hrt_person_get_state(person, &slide.end));
+    if (led) EXPECT_OK(hrt_reach_cancel(session));
+    return slide;
+  }
+
+  // From the start, 5 cm towards the user.
+  static double bearing_deg(const double (&position_m)[3]) {
+    return std::atan2(-position_m[0], 0.05 - position_m[2]) * 180.0 / std::numbers::pi;
+  }
+
+  hrt_target real{}, seen{};
+};
+
+TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
+  int on_target = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const hrt_person person = person_of(seed);
+    const Slide led = slide(person);
+    EXPECT_EQ(led.end.done, 1u);
+    on_target += std::abs(bearing_deg(led.end.position_m) + 5.0) < 1.5;
+    EXPECT_NEAR(bearing_deg(led.end.felt_position_m), 5.0, 4.0) << seed;
+    EXPECT_OK(hrt_person_destroy(person));
+  }
+  EXPECT_GE(on_target, 33);  // 92 % of first reaches: at most 33 in one of 100 runs
+}
+
+TEST_F(SimulatedPersonTest, GoesToTheVirtualTargetOverAPlateThatStands) {
+  const hrt_person person = person_of(3);
+  EXPECT_NEAR(bearing_deg(slide(person, false).end.felt_position_m), 5.0, 1.5);
+  EXPECT_OK(hrt_person_destroy(person));
+}
+
+TEST_F(SimulatedPersonTest, FollowsFromTheSeed) {
+  const hrt_person one = person_of(7), same = person_of(7), other = person_of(8);
+  const Slide first = slide(one, false);
+  EXPECT_EQ(first.seen_right_m, slide(same, false).seen_right_m);
+  EXPECT_NE(first.seen_right_m, slide(other, false).seen_right_m);
+  EXPECT_NE(first.seen_right_m, slide(one, false).seen_right_m);  // a further reach
+  for (const hrt_person person : {one, same, other}) EXPECT_OK(hrt_person_destroy(person));
+}
+
+TEST_F(SimulatedPersonTest, SeesABiasAndMovesForAsLongAsConfigured) {
+  auto config = output<hrt_person_config>();
+  config.bias_deg = 6.0;
+  config.duration_s = 1.0;
+  config.tracker_noise_m = 1e-9;
+  const hrt_person person = person_of(3, &config);
+  const Slide biased = slide(person, false);
+  EXPECT_NEAR(biased.end.felt_error_deg, 6.0, 2.0);
+  const double end_m = biased.end.position_m[0];
+  EXPECT_NE(std::abs(biased.seen_right_m[100] - end_m), 0.0);
+  EXPECT_NEAR(biased.seen_right_m[146], end_m, 1e-7);  // 1.6 s
+  EXPECT_OK(hrt_person_destroy(person));
+}
+
+TEST_F(SimulatedPersonTest, ThePlateTakesItsTime) {
+  auto config = output<hrt_person_config>();
+  config.plate_max_speed_deg_s = 100.0;
+  config.plate_latency_ns = 50'000'000;
+  const hrt_person person = person_of(1, &config);
+  ASSERT_OK(hrt_person_begin(person, session, seen));
+  auto sample = output<hrt_sample>();
+  ASSERT_OK(hrt_person_move(person, 1'000'000'000, 20.0, &sample));
+  EXPECT_EQ(sample.plate_orientation_deg, 20.0);  // where it stands
+  ASSERT_OK(hrt_person_move(person, 1'050'000'000, 60.0, &sample));
+  EXPECT_EQ(sample.plate_orientation_deg, 20.0);
+  ASSERT_OK(hrt_person_move(person, 1'150'000'000, 60.0, &sample));
+  EXPECT_NEAR(sample.plate_orientation_deg, 30.0, 1e-9);
+  EXPECT_OK(hrt_person_destroy(person));
+}
+
+TEST_F(SimulatedPersonTest, RefusesByName) {
+  const std::pair<double hrt_person_config::*, double> wrong[] = {
+      {&hrt_person_config::tactile_weight, 0.5},  {&hrt_person_config::bias_deg, 46.0},
+      {&hrt_person_config::duration_s, 0.2},      {&hrt_person_config::tracker_noise_m, -1.0},
+      {&hrt_person_config::tracker_noise_m, NAN}, {&hrt_person_config::plate_max_speed_deg_s, 2e6}};
+  hrt_person person{};
+  for (const auto& [field, value] : wrong) {
+    auto config = output<hrt_person_config>();
+    config.*field = value;
+    expect_error(hrt_person_create(&config, 1, &person), HRT_ERROR_OUT_OF_RANGE, "allowed");
+  }
+  auto config = output<hrt_person_config>();
+  config.plate_latency_ns = -1;
+  expect_error(hrt_person_create(&config, 1, &person), HRT_ERROR_OUT_OF_RANGE, "plate_latency_ns");
+  expect_error(hrt_person_create(nullptr, 1, nullptr), HRT_ERROR_NULL_ARGUMENT, "out_person");
+
+  person = person_of(1);
+  auto sample = output<hrt_sample>();
+  auto state = output<hrt_person_state>();
+  expect_error(hrt_person_move(person, 0, 0.0, &sample), HRT_ERROR_WRONG_STATE, "hrt_person_begin");
+  expect_error(hrt_person_get_state(person, &state), HRT_ERROR_WRONG_STATE, "hrt_person_begin");
+  expect_error(hrt_person_begin(person, session, real), HRT_ERROR_OUT_OF_RANGE, "virtual_target");
+  ASSERT_OK(hrt_person_begin(person, session, seen));
+  ASSERT_OK(hrt_person_move(person, 100, 0.0, &sample));
+  expect_error(hrt_person_move(person, 99, 0.0, &sample), HRT_ERROR_TIME_REVERSED, "99");
+  expect_error(hrt_person_move(person, 100, NAN, &sample), HRT_ERROR_OUT_OF_RANGE, "plate_orientation_deg");
+  EXPECT_OK(hrt_person_destroy(person));
+  expect_error(hrt_person_move(person, 100, 0.0, &sample), HRT_ERROR_INVALID_HANDLE, "person");
+}
+
+}  // namespace
+}  // namespace hrt::test
