@@ -1,25 +1,25 @@
 #include "core/simulation/random.h"
 
-#include <Random123/philox.h>
-
 #include <utility>
 
+#include "core/simulation/philox.h"
 #include "core/simulation/random_lanes.h"
 
 namespace hrt {
 
 namespace {
 
-using Block = r123::Philox4x32::ctr_type;
+using Block = std::array<std::uint32_t, 4>;
 
 Block block_of(std::uint64_t seed, const Block& counter) {
-  return r123::Philox4x32()(counter,
-                            {{static_cast<std::uint32_t>(seed), static_cast<std::uint32_t>(seed >> 32)}});
+  Block words;
+  hrt_philox(counter.data(), seed, words.data());
+  return words;
 }
 
 // The four words that serve the step of `counter`.
 Block block_of(const RandomCounter& counter) {
-  return block_of(counter.seed, Block{{counter.step / 4, counter.trial, counter.condition, 0}});
+  return block_of(counter.seed, {counter.step / 4, counter.trial, counter.condition, 0});
 }
 
 std::uint64_t half_of(const Block& words, std::size_t half) {
@@ -51,7 +51,7 @@ double NormalDraws::operator()(std::uint32_t step) {
 
 std::uint64_t Draws::bits() {
   if (std::exchange(has_late_half_, false)) return late_half_;
-  const Block words = block_of(seed_, Block{{block_[0], block_[1], block_[2], block_[3]}});
+  const Block words = block_of(seed_, {block_[0], block_[1], block_[2], block_[3]});
   ++block_[0];
   late_half_ = half_of(words, 1);
   has_late_half_ = true;

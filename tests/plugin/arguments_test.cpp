@@ -112,6 +112,7 @@ void refuses(const char* call, hrt_result (*function)(P...) noexcept, const std:
 class ArgumentsTest : public SessionTest {
  protected:
   void try_reaches();
+  void try_people();
   void try_set_up();
 };
 
@@ -181,6 +182,22 @@ void ArgumentsTest::try_reaches() {
   std::remove(path.c_str());
 }
 
+void ArgumentsTest::try_people() {
+  const hrt_target seen = add(HRT_TARGET_VIRTUAL, 10.0);
+  const auto config = output<hrt_person_config>();
+  hrt_person person{};
+  hrt_sample sample = position_sample(0, 0.0, 0.0);
+  auto state = output<hrt_person_state>();
+  REFUSES_BUT(({"config"}), hrt_person_create, &config, 1, &person);
+  ASSERT_OK(hrt_person_create(&config, 1, &person));
+  REFUSES(hrt_person_begin, person, session, seen);
+  ASSERT_OK(hrt_person_begin(person, session, seen));
+  REFUSES(hrt_person_move, person, 0, 0.0, &sample);
+  REFUSES(hrt_person_get_state, person, &state);
+  REFUSES(hrt_person_destroy, hrt_person{0});
+  ASSERT_OK(hrt_person_destroy(person));
+}
+
 void ArgumentsTest::try_set_up() {
   std::uint32_t number = 7;
   double angle_deg = 7.0;
@@ -243,6 +260,7 @@ void ArgumentsTest::try_set_up() {
 // A new call needs a line above.
 TEST_F(ArgumentsTest, OfEveryCallAreRefusedByName) {
   try_reaches();
+  try_people();
   try_set_up();
   tried.insert({"hrt_set_allocator", "hrt_set_log_callback"});  // in memory_test.cpp; takes any
   for (const plugin::Call& call : plugin::calls) EXPECT_TRUE(tried.contains(call.name)) << call.name;

@@ -113,6 +113,19 @@ TEST_F(SessionTest, RangesOfACalibration) {
             (Names{"lower_plate_deg", "upper_plate_deg"}));
 }
 
+TEST(Ranges, OfAPerson) {
+  const auto take = [](const hrt_person_config& config) {
+    hrt_person person{7};
+    const hrt_result result = hrt_person_create(&config, 1, &person);
+    if (result == HRT_OK) return hrt_person_destroy(person);
+    EXPECT_EQ(person.value, 7u);
+    return result;
+  };
+  EXPECT_EQ(
+      try_ranges<hrt_person_config>([](const std::string&) { return output<hrt_person_config>(); }, take),
+      Names{});
+}
+
 TEST_F(SessionTest, RangesOfATarget) {
   const auto prepare = [](const std::string& field) {
     hrt_target_config config = target_config(HRT_TARGET_REAL, 0.0);

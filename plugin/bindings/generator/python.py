@@ -77,7 +77,8 @@ def render_keywords(abi: Abi, notice: str) -> str:
                         for f in abi.struct(struct).fields if f.name not in ("struct_size", "reserved")]
             text += f"\n    def {method}(\n" + _wrapped([f"self, {before}*", *keywords], 12) + "\n    ) -> None:\n"
             text += f"        self.{to}({before.partition(':')[0] + ', ' if before else ''}_given(locals()))\n"
-            text += (f"\n    def {to}(self, {before}fields: dict[str, Any]) -> None:\n"
+            taken = before.replace(" = 0", "")
+            text += (f"\n    def {to}(self, {taken}fields: dict[str, Any]) -> None:\n"
                      "        raise NotImplementedError\n")
     return text
 

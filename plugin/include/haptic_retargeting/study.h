@@ -26,18 +26,21 @@ typedef struct hrt_person {
 typedef struct hrt_person_config {
   uint32_t struct_size;
   uint32_t reserved;
-  /** Share of touch in the direction that they feel. 0.01 to 0.49; 0: drawn from the seed, 0.12 to 0.3.
-   *  Default 0. */
+  /** Share of touch in the direction that they feel; drawn from the seed between 0.12 and 0.3. 0.01 to 0.49;
+   *  0: drawn. Default 0. */
   double tactile_weight;
   /** Direction in which they see a virtual target minus its own. -45 to 45. Default 0. */
   double bias_deg;
-  /** Duration of the motion. 0.3 to 20 s; 0: 1.5 s. Default 0. */
+  /** Duration of the motion, by default 1.5 s. 0.3 to 20 s; 0: the default. Default 0. */
   double duration_s;
-  /** Standard deviation of the tracker's white noise in each coordinate. 0 to 0.1; 0: 1.2 mm. Default 0. */
+  /** Standard deviation of the tracker's white noise in each coordinate, by default 1.2 mm. 0 to 0.1; 0: the
+   *  default. Default 0. */
   double tracker_noise_m;
-  /** Maximum speed of the plate's servo. 0 to 1e6 degrees a second; 0: 400. Default 0. */
+  /** Maximum speed of the plate's servo, by default 400. 0 to 1e6 degrees a second; 0: the default. Default
+   * 0. */
   double plate_max_speed_deg_s;
-  /** Time from a command to the servo's first motion. 0 to 1 s; 0: 30 ms. Default 0. */
+  /** Time from a command to the servo's first motion, by default 30 ms. 0 to 1 s; 0: the default. Default 0.
+   */
   int64_t plate_latency_ns;
 } hrt_person_config;
 

@@ -1,6 +1,7 @@
 #include "haptic_retargeting/study.h"
 
 #include "core/simulation/simulated_hand.h"
+#include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 
@@ -11,17 +12,6 @@ using People = HandleTable<SimulatedHand, HRT_PEOPLE_MAX, 0x9e>;
 constinit People people;
 
 constexpr double default_duration_s = 1.5;
-
-hrt_result check_person_config(const hrt_person_config& config) {
-  HRT_RETURN_IF_FAILED(check_zero("reserved", config.reserved));
-  if (config.tactile_weight != 0.0)
-    HRT_RETURN_IF_FAILED(check_range("tactile_weight", config.tactile_weight, 0.01, 0.49));
-  HRT_RETURN_IF_FAILED(check_range("bias_deg", config.bias_deg, -45.0, 45.0));
-  if (config.duration_s != 0.0) HRT_RETURN_IF_FAILED(check_range("duration_s", config.duration_s, 0.3, 20.0));
-  HRT_RETURN_IF_FAILED(check_range("tracker_noise_m", config.tracker_noise_m, 0.0, 0.1));
-  HRT_RETURN_IF_FAILED(check_range("plate_max_speed_deg_s", config.plate_max_speed_deg_s, 0.0, 1e6));
-  return check_range<std::int64_t>("plate_latency_ns", config.plate_latency_ns, 0, 1'000'000'000);
-}
 
 std::unique_ptr<SimulatedHand> made(const hrt_person_config& config, std::uint64_t seed) {
   auto hand = std::make_unique<SimulatedHand>(
@@ -64,7 +54,7 @@ hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
     if (!out_person) return fail(HRT_ERROR_NULL_ARGUMENT, "out_person is null");
     hrt_person_config known{};
     if (config) HRT_RETURN_IF_FAILED(read_struct("config", config, &known));
-    HRT_RETURN_IF_FAILED(check_person_config(known));
+    HRT_RETURN_IF_FAILED(check_fields(known));
     const std::uint64_t handle = people.insert(made(known, seed));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", HRT_PEOPLE_MAX, " people; destroy one first");
@@ -97,10 +87,11 @@ hrt_result hrt_person_move(hrt_person person, int64_t time_ns, double plate_orie
   return with_person("hrt_person_move", person, [&](SimulatedHand& hand) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_output("out_sample", out_sample));
     HRT_RETURN_IF_FAILED(check_begun(hand));
-    HRT_RETURN_IF_FAILED(check_plate_orientation(plate_orientation_deg));
+    hrt_sample sample{};
+    sample.plate_orientation_deg = plate_orientation_deg;
+    HRT_RETURN_IF_FAILED(check_field(sample, Fields<hrt_sample>::plate_orientation_deg));
     if (hand.is_past(time_ns))
       return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", time_ns, ", before the last call's");
-    hrt_sample sample{};
     sample.flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
     sample.time_ns = time_ns;
     write_point(hand.move(time_ns, plate_orientation_deg), sample.finger_position_m);

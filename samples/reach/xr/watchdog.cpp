@@ -51,7 +51,7 @@ class Watchdog {
     limit_ = limit;
     std::thread([this] { watch(); }).detach();
     std::thread([this] { limit_last_will(); }).detach();
-    std::atexit([] { the().program_exits(); });
+    look_out_for_exit();
     catch_crashes();
   }
 
@@ -62,6 +62,7 @@ class Watchdog {
   }
 
   void set_last_will(std::function<void()> put_in_order) {
+    if (put_in_order) look_out_for_exit();
     const std::lock_guard lock(mutex_);
     put_in_order_ = std::move(put_in_order);
   }
@@ -155,6 +156,11 @@ class Watchdog {
     std::unique_lock lock(mutex_);
     const std::string where = call_.empty() ? "" : " while the OpenXR runtime was in " + std::string(call_);
     end_program(lock, ExitCode::runtime_failed, "it crashed" + where);
+  }
+
+  // Libraries that were loaded since the last call are still there when the program exits.
+  static void look_out_for_exit() {
+    std::atexit([] { the().program_exits(); });
   }
 
   // The program's own exit is expected. Any other one is the runtime's, and no success.

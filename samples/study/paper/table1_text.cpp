@@ -86,9 +86,10 @@ std::string claims_text(const Table1& table) {
 }
 
 std::string best_words(const BestAmplitude& best) {
-  if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "10 deg is the best";
-  return number(best.gap_deg) + " deg is the best, " + fixed(best.percent - best.paper_amplitude_percent, 1) +
-         " points above 10 deg" + (best.by_chance ? ", within chance" : "");
+  if (best.gap_deg == amplitudes_deg[paper_amplitude]) return "best at 10 deg";
+  return "best at " + number(best.gap_deg) + " deg, by " +
+         fixed(best.percent - best.paper_amplitude_percent, 1) + " points" +
+         (best.by_chance ? ", within chance" : "");
 }
 
 std::string amplitudes_text(const Table1& table) {

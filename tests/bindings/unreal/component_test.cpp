@@ -340,9 +340,9 @@ TEST_F(Component, IsLedThroughByASimulatedFinger) {
   FHapticTarget real, felt;
   ASSERT_TRUE(component_.AddTarget(kReal, TEXT("cylinder"), 5, 10, real));
   ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("cup"), -5, 10, felt));
-  EXPECT_FALSE(component_.BeginSimulatedFinger(real, 7));
+  EXPECT_FALSE(component_.BeginSimulatedFinger(real, 1));
   ASSERT_TRUE(component_.BeginReach(real, felt));
-  ASSERT_TRUE(component_.BeginSimulatedFinger(felt, 7)) << last_log();
+  ASSERT_TRUE(component_.BeginSimulatedFinger(felt, 1)) << last_log();
   for (int frame = 0; frame < 220; ++frame)
     ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
   const double yaw = 5 * std::numbers::pi / 180;

@@ -49,7 +49,7 @@ TEST(StudyScene, GapIsTheShorterWayRound) {
     {"name":"Virtual","translation":[0.0087155743,0,0.1496194698],"extras":{"haptic_role":"virtual"}}]})";
   const StudyRun run = run_study({"scene", file, "--format", "json", "--tactile-weight", "0.15"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NEAR(nlohmann::json::parse(run.out)["pairs"][0]["gap_deg"].get<double>(), 10.0, 1e-6);
+  EXPECT_NEAR(nlohmann::json::parse(run.out)["rows"][0]["gap_deg"].get<double>(), 10.0, 1e-6);
 }
 
 TEST(StudyScene, ColumnsCountCharactersOfNames) {

@@ -18,7 +18,7 @@ class Person(PersonKeywords, Closing):
     """A finger for first programs and tests: a model, and no measurement of people. The same seed and keywords, which are
     the fields of PersonConfig, are the same person on every host.
 
-        with Person(seed=7) as person, session.reach(cylinder, cup) as reach:
+        with Person(seed=1) as person, session.reach(cylinder, cup) as reach:
             person.begin(session, cup)
             plate_deg = 0.0
             for frame in range(220):

@@ -116,7 +116,7 @@ namespace Hrt.Tests
         {
             TargetId seen = session.AddTarget(TargetRole.Virtual, 5);
             session.BeginReach(session.AddTarget(TargetRole.Real, -5), seen);
-            using (var person = new HapticRetargetingPerson(7))
+            using (var person = new HapticRetargetingPerson(1))
             {
                 person.Begin(session, seen);
                 Command command = default(Command);
@@ -143,7 +143,7 @@ namespace Hrt.Tests
             Assert.IsTrue(HapticRetargetingLibrary.RegistrationAdvice(RegistrationVerdict.TooFew).Length > 10);
 
             Sample[] samples = {StraightAhead(0), StraightAhead(1)};
-            Assert.Throws<HapticRetargetingException>(() => HapticRetargetingLibrary.FitLatency(samples));
+            Assert.AreEqual(0, HapticRetargetingLibrary.FitLatency(samples).known);
             Assert.AreEqual(0, samples[0].structSize);
         }
 
