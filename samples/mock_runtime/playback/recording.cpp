@@ -265,15 +265,15 @@ void keyed(Fields& fields, RecordedSession& in, const Recording& names) {
   stream.emplace_back(time, read(fields));
 }
 
-constexpr auto read_text = [](Fields& fields, auto&...) { return fields.text(); };
-constexpr auto read_hand = [](Fields& fields, const Recording&) { return fields.whole<int>(); };
-constexpr auto read_hand_and_space = [](Fields& fields, const Recording& names) {
+constexpr auto one_text = [](Fields& fields, auto&...) { return fields.text(); };
+constexpr auto hand_only = [](Fields& fields, const Recording&) { return fields.whole<int>(); };
+constexpr auto hand_and_space = [](Fields& fields, const Recording& names) {
   return std::pair{fields.whole<int>(), read_space(fields, names)};
 };
-constexpr auto read_two_spaces = [](Fields& fields, const Recording& names) {
+constexpr auto two_spaces = [](Fields& fields, const Recording& names) {
   return std::pair{read_space(fields, names), read_space(fields, names)};
 };
-constexpr auto read_two_texts = [](Fields& fields, const Recording&) {
+constexpr auto two_texts = [](Fields& fields, const Recording&) {
   return std::pair{fields.text(), fields.text()};
 };
 
@@ -312,12 +312,12 @@ constexpr std::pair<std::string_view, Reader> session_readers[] = {
      timed<&RecordedSession::clock_ns, [](Fields& fields) { return fields.whole<std::int64_t>(); }>},
     {"synced", timed<&RecordedSession::synced, [](Fields& fields) { return fields.boolean(); }>},
     {"plate", timed<&RecordedSession::plate_deg, [](Fields& fields) { return fields.real(); }>},
-    {"joints", keyed<&RecordedSession::joints, read_hand_and_space, read_joints>},
-    {"located", keyed<&RecordedSession::locations, read_two_spaces, read_location>},
+    {"joints", keyed<&RecordedSession::joints, hand_and_space, read_joints>},
+    {"located", keyed<&RecordedSession::locations, two_spaces, read_location>},
     {"views", keyed<&RecordedSession::views, read_space, read_views>},
-    {"action", keyed<&RecordedSession::states, read_two_texts, read_state>},
-    {"profile", keyed<&RecordedSession::profiles, read_text, read_text>},
-    {"truth", keyed<&RecordedSession::truths, read_hand, read_truth>}};
+    {"action", keyed<&RecordedSession::states, two_texts, read_state>},
+    {"profile", keyed<&RecordedSession::profiles, one_text, one_text>},
+    {"truth", keyed<&RecordedSession::truths, hand_only, read_truth>}};
 
 }  // namespace
 
