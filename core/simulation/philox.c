@@ -1,4 +1,5 @@
-// In C, since Random123's C++ has every library that includes it construct the standard streams when it loads.
+// In C, since Random123's C++ has every library that includes it construct the standard streams when it
+// loads.
 #include "core/simulation/philox.h"
 
 #include <Random123/philox.h>

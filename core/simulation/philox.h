@@ -4,7 +4,12 @@
 #include <stdint.h>
 
 #if defined(__cplusplus)
-extern "C"
+extern "C" {
 #endif
+
 /// Sets `words` to the block of `counter`; the seed is the generator's key.
 void hrt_philox(const uint32_t counter[4], uint64_t seed, uint32_t words[4]);
+
+#if defined(__cplusplus)
+}
+#endif
