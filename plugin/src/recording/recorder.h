@@ -79,7 +79,7 @@ class Recorder {
   std::atomic<std::uint64_t> lost_unnoted_{0};  // of lost_, those that no entry notes
   std::atomic<bool> overrun_{false};            // nothing is taken in until half of the ring is free
   std::uint64_t lost_unreported_ = 0;           // this and the next are the writing thread's
-  std::chrono::steady_clock::time_point reported_{};
+  std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;
   const SessionLog& log_;

@@ -33,7 +33,7 @@ class Row {
     put(column("call"), call);
     put(column("result"), result);
   }
-  ~Row() {
+  ~Row() {  // NOLINT(bugprone-exception-escape): a cell always has a value
     for (std::size_t i = 0; i < columns; ++i) {
       if (i > 0) out_ << ",";
       std::visit([&](const auto& cell) { out_ << cell; }, cells_[i]);
