@@ -29,7 +29,7 @@ void require(bool holds, const char* call) {
 template <class Work>
 auto counted(const Work& work) {
   CALLGRIND_TOGGLE_COLLECT;
-  const auto result = work();
+  auto result = work();
   CALLGRIND_TOGGLE_COLLECT;
   return result;
 }
