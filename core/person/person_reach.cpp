@@ -247,7 +247,9 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .tactile_weight = linear.weight,
       .tactile_weight_sd = linear.weight_sd,
       .distance_to_go_m = to_go_m,
-      .time_to_go_s = begun && !ends ? time_to_go_s(now_s) : 0.0,
+      .time_to_go_s = begun && x.phase >= last_phase ? 0.0
+                      : moving                       ? time_to_go_s(now_s)
+                                                     : -1.0,
       .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
       .predicted_miss_deg = miss_deg,
       .bearing_error_sd_deg = bearing_error_sd_deg(),

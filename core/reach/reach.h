@@ -40,8 +40,9 @@ struct PlateCommand {
   double tactile_weight = 0.0;     ///< w_T in use; of a person: the felt shift over the offset, at 60 degrees
   double tactile_weight_sd = 0.0;  ///< its standard deviation; 0 without adaptation
   double distance_to_go_m = 0.0;   ///< to the real target's place; the whole until a position is seen
-  double time_to_go_s = 0.0;       ///< until the motion ends; 0 before it, and under the paper's controller
-  double felt_error_deg = 0.0;     ///< felt less intended direction, now, as estimated
+  double time_to_go_s =
+      0.0;  ///< until the motion ends, then 0; -1 before it and in a pause; 0 under the paper's
+  double felt_error_deg = 0.0;      ///< felt less intended direction, now, as estimated
   double predicted_miss_deg = 0.0;  ///< bearing of the place of arrival less the real target's, as predicted
   /// Standard deviation of the finger's true place across the line to the real target, as a bearing from the
   /// start: by the filter and by the registration of the plate; 0 under the paper's controller.

@@ -47,8 +47,7 @@ void count_load(const char* path) {
 }
 
 hrt_session_config default_config() {
-  hrt_session_config config;
-  require(api.session_config_default(&config, sizeof config) == HRT_OK, "hrt_session_config_default");
+  hrt_session_config config = hrt_session_config_init();
   return config;
 }
 
@@ -56,11 +55,11 @@ hrt_session_config default_config() {
 class Frames {
  public:
   Frames(const hrt_session_config& config, double real_deg, double virtual_deg) {
-    require(api.session_create(&config, &session_) == HRT_OK, "hrt_session_create");
+    require(api.session_create(HRT_VERSION, &config, &session_) == HRT_OK, "hrt_session_create");
     hrt_reach_config reach;
     hrt_target_config target;
-    require(api.reach_config_default(&reach, sizeof reach) == HRT_OK, "hrt_reach_config_default");
-    require(api.target_config_default(&target, sizeof target) == HRT_OK, "hrt_target_config_default");
+    reach = hrt_reach_config_init();
+    target = hrt_target_config_init();
     target.direction_deg = real_deg;
     require(api.target_add(session_, &target, &reach.real_target) == HRT_OK, "hrt_target_add");
     target.role = HRT_TARGET_VIRTUAL;
@@ -89,7 +88,7 @@ void count_sessions() {
   for (int i = 0; i < sessions; ++i) {
     require(counted([&] {
               hrt_session session;
-              return api.session_create(&config, &session) == HRT_OK &&
+              return api.session_create(HRT_VERSION, &config, &session) == HRT_OK &&
                      api.session_destroy(session) == HRT_OK;
             }),
             "hrt_session_create");

@@ -13,6 +13,8 @@
 #include "core/plate/plate_model.h"
 #include "core/simulation/person.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -26,8 +28,7 @@ constexpr std::int64_t ms = 1'000'000;
 
 // What the samples of all hosts write out in their own words; see the table in plugin/bindings/README.md.
 hrt_session_config session_config() {
-  hrt_session_config config;
-  check(hrt_session_config_default(&config, sizeof config));
+  hrt_session_config config = hrt_session_config_init();
   config.horizon = 20;
   config.guidance = HRT_GUIDANCE_ARRIVAL;
   config.adaptation = HRT_ADAPTATION_REACH;
@@ -40,8 +41,7 @@ hrt_session_config session_config() {
 }
 
 hrt_target add(hrt_session session, std::uint32_t role, double direction_deg, const char* name) {
-  hrt_target_config config;
-  check(hrt_target_config_default(&config, sizeof config));
+  hrt_target_config config = hrt_target_config_init();
   config.role = role;
   config.direction_deg = direction_deg;
   std::snprintf(config.name, sizeof config.name, "%s", name);
@@ -108,8 +108,7 @@ class World {
 };
 
 void run_reach(hrt_session session, const hrt_session_config& config) {
-  hrt_reach_config reach;
-  check(hrt_reach_config_default(&reach, sizeof reach));
+  hrt_reach_config reach = hrt_reach_config_init();
   reach.real_target = add(session, HRT_TARGET_REAL, -5.0, "cylinder");
   reach.virtual_target = add(session, HRT_TARGET_VIRTUAL, 5.0, "cup");
   check(hrt_reach_begin(session, &reach));
@@ -149,14 +148,14 @@ int main(int argc, char** argv) {
   }
   const hrt_session_config config = session_config();
   hrt_session session;
-  check(hrt_session_create(&config, &session));
+  check(hrt_session_create(HRT_VERSION, &config, &session));
   check(hrt_recording_start(session, argv[1]));
   run_reach(session, config);
   check(hrt_session_destroy(session));
 
   hrt_replay_report report{};
   report.struct_size = sizeof report;
-  check(hrt_replay_file(argv[1], &report));
+  check(hrt_replay(argv[1], nullptr, 0, &report));
   std::ofstream hash(argv[2], std::ios::binary);
   hash << "0x" << std::hex;
   hash.width(16);

@@ -3,6 +3,8 @@
 
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/init.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -13,7 +15,7 @@ class Caller {
  public:
   Caller() {
     const hrt_session_config config = hrt_session_config_init();
-    EXPECT_EQ(hrt_session_create(&config, &session_), HRT_OK);
+    EXPECT_EQ(hrt_session_create(HRT_VERSION, &config, &session_), HRT_OK);
   }
   ~Caller() { hrt_session_destroy(session_); }
   Caller(const Caller&) = delete;
@@ -33,7 +35,7 @@ class Caller {
     if (call.name == "configure") return configure(call);
     if (call.name == "target") return add(call);
     if (call.name == "remove") return hrt_target_remove(session_, targets_[call.text("name")]);
-    if (call.name == "authority" || call.name == "best") return authority(call);
+    if (call.name == "gap") return gap(call);
     if (call.name == "begin" || call.name == "retarget") return reach(call);
     if (call.name == "cancel") return hrt_reach_cancel(session_);
     if (call.name == "end") return end();
@@ -53,9 +55,9 @@ class Caller {
 
   hrt_result configure(const Call& call) {
     hrt_session_config config = hrt_session_config_init();
-    if (hrt_session_get_config(session_, &config) != HRT_OK) return HRT_ERROR_INTERNAL;
+    if (hrt_session_get(session_, &config, nullptr) != HRT_OK) return HRT_ERROR_INTERNAL;
     config.tactile_weight = call.number("tactile_weight");
-    return hrt_session_set_config(session_, &config);
+    return hrt_session_set(session_, &config);
   }
 
   hrt_result add(const Call& call) {
@@ -70,16 +72,14 @@ class Caller {
     return result;
   }
 
-  hrt_result authority(const Call& call) {
-    hrt_authority authority = hrt_authority_init();
+  hrt_result gap(const Call& call) {
+    hrt_gap gap = hrt_gap_init();
     const hrt_result result =
-        call.name == "best" ? hrt_authority_query_best(session_, targets_[call.text("virtual")], &authority)
-                            : hrt_authority_query(session_, targets_[call.text("real")],
-                                                  targets_[call.text("virtual")], &authority);
-    values_ = {{"gap_deg", authority.gap_deg},
-               {"max_gap_deg", authority.max_gap_deg},
-               {"margin_deg", authority.margin_deg},
-               {"reachable", authority.reachable}};
+        hrt_gap_query(session_, targets_[call.text("real")], targets_[call.text("virtual")], &gap);
+    values_ = {{"gap_deg", gap.gap_deg},
+               {"max_gap_deg", gap.max_gap_deg},
+               {"margin_deg", gap.margin_deg},
+               {"reachable", gap.reachable}};
     return result;
   }
 

@@ -10,6 +10,8 @@
 #include <cstring>
 
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -64,7 +66,7 @@ class Caller {
       case 5:
         return list();
       case 6:
-        return authority();
+        return gap();
       case 7:
         return begin();
       case 8:
@@ -75,8 +77,7 @@ class Caller {
         return check(
             hrt_calibration_begin_trial(calibration(), bytes_.ConsumeFloatingPointInRange(-400.0, 400.0)));
       case 11:
-        return check(bytes_.ConsumeBool() ? hrt_calibration_end_trial(calibration())
-                                          : hrt_calibration_cancel_trial(calibration()));
+        return check(hrt_calibration_end_trial(calibration(), bytes_.ConsumeIntegralInRange(0u, 2u)));
       case 12:
         return solve();
       case 13:
@@ -134,11 +135,10 @@ class Caller {
   }
 
   void create() {
-    hrt_session_config config;
-    require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
+    hrt_session_config config = hrt_session_config_init();
     disturb(config);
     hrt_session created{};
-    const hrt_result result = hrt_session_create(&config, &created);
+    const hrt_result result = hrt_session_create(HRT_VERSION, &config, &created);
     check(result);
     require((result == HRT_OK) == (created.value != 0));
     if (result != HRT_OK) return;
@@ -148,15 +148,13 @@ class Caller {
   }
 
   void set_config() {
-    hrt_session_config config;
-    require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
+    hrt_session_config config = hrt_session_config_init();
     disturb(config);
-    check(hrt_session_set_config(session(), &config));
+    check(hrt_session_set(session(), &config));
   }
 
   void add_target() {
-    hrt_target_config config;
-    require(hrt_target_config_default(&config, sizeof config) == HRT_OK);
+    hrt_target_config config = hrt_target_config_init();
     config.role = bytes_.ConsumeIntegralInRange(0u, 3u);
     config.place = bytes_.ConsumeIntegralInRange(0u, 4u);
     config.direction_deg = bytes_.ConsumeFloatingPointInRange(-200.0, 200.0);
@@ -175,18 +173,16 @@ class Caller {
                           bytes_.ConsumeIntegralInRange(0u, 8u), out, &count));
   }
 
-  void authority() {
-    hrt_authority out{};
+  void gap() {
+    hrt_gap out{};
     out.struct_size = sizeof out;
-    const hrt_result result = bytes_.ConsumeBool() ? hrt_authority_query(session(), target(), target(), &out)
-                                                   : hrt_authority_query_best(session(), target(), &out);
+    const hrt_result result = hrt_gap_query(session(), target(), target(), &out);
     check(result);
-    if (result == HRT_OK) require_finite(out, offsetof(hrt_authority, gap_deg));
+    if (result == HRT_OK) require_finite(out, offsetof(hrt_gap, gap_deg));
   }
 
   void begin() {
-    hrt_reach_config config;
-    require(hrt_reach_config_default(&config, sizeof config) == HRT_OK);
+    hrt_reach_config config = hrt_reach_config_init();
     config.real_target = target();
     config.virtual_target = target();
     config.flags = bytes_.ConsumeIntegralInRange(0u, 4u);
@@ -197,7 +193,7 @@ class Caller {
   void assign() {
     hrt_target virtuals[3] = {target(), target(), target()}, reals[3] = {target(), target(), target()};
     const uint32_t count = bytes_.ConsumeIntegralInRange(0u, 3u);
-    hrt_authority out[3]{};
+    hrt_gap out[3]{};
     out[0].struct_size = sizeof out[0];
     const hrt_result result =
         hrt_target_assign(session(), virtuals, count, reals, bytes_.ConsumeIntegralInRange(0u, 3u),
@@ -206,7 +202,7 @@ class Caller {
     for (uint32_t i = 0; i < 3; ++i) {
       require(result == HRT_OK || out[i].virtual_target.value == 0);
       if (result != HRT_OK || i >= count) continue;
-      require_finite(out[i], offsetof(hrt_authority, gap_deg));
+      require_finite(out[i], offsetof(hrt_gap, gap_deg));
       require(out[i].virtual_target.value == virtuals[i].value);
       require((out[i].reachable == 1) == (out[i].real_target.value != 0));
     }
@@ -217,15 +213,13 @@ class Caller {
   void state() {
     const hrt_session asked = session();
     uint32_t state = 77;
-    const hrt_result result = hrt_session_get_state(asked, &state);
+    const hrt_result result = hrt_session_get(asked, nullptr, &state);
     check(result);
-    require((result == HRT_OK) == (hrt_session_is_valid(asked) == 1));
     require(result == HRT_OK ? state < 16 : state == 77);
   }
 
   void create_calibration() {
-    hrt_calibration_config config;
-    require(hrt_calibration_config_default(&config, sizeof config) == HRT_OK);
+    hrt_calibration_config config = hrt_calibration_config_init();
     config.max_samples = 1000;
     disturb(config);
     // What a few bytes ask for must not fill the memory.
@@ -258,7 +252,7 @@ class Caller {
       if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(sample);
       check(hrt_calibration_add_sample(calibration_, &sample));
     }
-    check(hrt_calibration_end_trial(calibration_));
+    check(hrt_calibration_end_trial(calibration_, 1));
   }
 
   void solve() {
@@ -331,9 +325,9 @@ class Caller {
     check(confirmed);
     require(confirmed == HRT_OK ? out.holds <= 1 : out.holds == 77);
     hrt_session_config config = hrt_session_config_init();
-    require(hrt_session_get_config(into, &config) == HRT_OK);
+    require(hrt_session_get(into, &config, nullptr) == HRT_OK);
     require_finite(config.plate_covariance, 0);
-    require(hrt_session_set_config(into, &config) == HRT_OK);
+    require(hrt_session_set(into, &config) == HRT_OK);
   }
 
   void fingertip() {
@@ -413,10 +407,10 @@ class Caller {
     // What was carried can be configured.
     hrt_session_config config{};
     config.struct_size = sizeof config;
-    require(hrt_session_get_config(ended, &config) == HRT_OK);
+    require(hrt_session_get(ended, &config, nullptr) == HRT_OK);
     require_finite(config.person_mean, 0);
     require_finite(config.person_covariance, 0);
-    require(hrt_session_set_config(ended, &config) == HRT_OK);
+    require(hrt_session_set(ended, &config) == HRT_OK);
   }
 
   FuzzedDataProvider& bytes_;

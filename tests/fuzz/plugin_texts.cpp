@@ -5,6 +5,8 @@
 #include <string>
 
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace {
 
@@ -15,8 +17,8 @@ void require(bool condition) {
 hrt_session new_session() {
   hrt_session_config config;
   hrt_session session{};
-  require(hrt_session_config_default(&config, sizeof config) == HRT_OK);
-  require(hrt_session_create(&config, &session) == HRT_OK);
+  config = hrt_session_config_init();
+  require(hrt_session_create(HRT_VERSION, &config, &session) == HRT_OK);
   return session;
 }
 
@@ -40,8 +42,8 @@ void try_profile(const char* text, std::size_t size) {
 void try_recording(const char* text, std::size_t size) {
   hrt_replay_report first{}, second{};
   first.struct_size = second.struct_size = sizeof first;
-  const hrt_result result = hrt_replay_text(text, size, &first);
-  require(hrt_replay_text(text, size, &second) == result);
+  const hrt_result result = hrt_replay(nullptr, text, size, &first);
+  require(hrt_replay(nullptr, text, size, &second) == result);
   require(first.hash == second.hash && first.rows == second.rows);
 }
 

@@ -65,7 +65,7 @@ class CalibrationTest : public SessionTest {
       }
       ASSERT_OK(add(sample));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   }
 
   void stream(const std::vector<CalibrationTrial>& trials) const {
@@ -158,10 +158,10 @@ TEST_F(CalibrationTest, SamplesWithoutAPositionAreLeftOut) {
       ASSERT_OK(add(seen));
       ASSERT_OK(add(position_sample(sample.time_ns, 1.0, 1.0)));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
     ASSERT_OK(hrt_calibration_begin_trial(calibration, 45.0));
     ASSERT_OK(add(position_sample(0, 0.0, 0.0)));
-    ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 0));
   }
   expect_same(solve(), trials, {});
 }
@@ -195,7 +195,7 @@ TEST_F(CalibrationTest, WorldPositionsAreTakenToThePlate) {
       }
       ASSERT_OK(add(world));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   }
   const auto whole = std::get<Calibration>(calibrate(trials));
   EXPECT_NEAR(solve().tactile_weight.value, whole.tactile_weight.value, 1e-6);
@@ -220,8 +220,8 @@ TEST_F(CalibrationTest, CallsOutOfOrderAreRefused) {
   auto result = output<hrt_calibration_result>();
   const hrt_sample sample = position_sample(0, 0.0, 0.0);
   expect_error(add(sample), HRT_ERROR_WRONG_STATE, "no trial");
-  expect_error(hrt_calibration_end_trial(calibration), HRT_ERROR_WRONG_STATE, "no trial");
-  expect_error(hrt_calibration_cancel_trial(calibration), HRT_ERROR_WRONG_STATE, "no trial");
+  expect_error(hrt_calibration_end_trial(calibration, 1), HRT_ERROR_WRONG_STATE, "no trial");
+  expect_error(hrt_calibration_end_trial(calibration, 0), HRT_ERROR_WRONG_STATE, "no trial");
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
   expect_error(hrt_calibration_begin_trial(calibration, 0.0), HRT_ERROR_WRONG_STATE, "under way");
   expect_error(hrt_calibration_solve(calibration, &result), HRT_ERROR_WRONG_STATE, "under way");
@@ -242,12 +242,12 @@ TEST_F(CalibrationTest, BadArgumentsAreRefused) {
   sample.flags = 1u << 31;
   expect_error(add(sample), HRT_ERROR_OUT_OF_RANGE, "flags");
   ASSERT_OK(add(position_sample(1001, 0.0, 0.0)));
-  ASSERT_OK(hrt_calibration_end_trial(calibration));
+  ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   // Another trial, another clock.
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
   ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::min(), 0.0, 0.0)));
   ASSERT_OK(add(position_sample(std::numeric_limits<int64_t>::max(), 0.0, 0.0)));
-  ASSERT_OK(hrt_calibration_end_trial(calibration));
+  ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
 }
 
 TEST_F(CalibrationTest, CreationIsChecked) {
@@ -266,11 +266,11 @@ TEST_F(CalibrationTest, LimitsAreKept) {
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
   for (int i = 0; i < 100; ++i) ASSERT_OK(add(position_sample(i, 0.0, 0.0)));
   expect_error(add(position_sample(100, 0.0, 0.0)), HRT_ERROR_LIMIT_REACHED, "max_samples samples, 100");
-  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  ASSERT_OK(hrt_calibration_end_trial(calibration, 0));
   for (int i = 0; i < 10; ++i) {
     ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
     for (int k = 0; k < 10; ++k) ASSERT_OK(add(position_sample(k, 0.0, 0.0)));
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   }
   expect_error(hrt_calibration_begin_trial(calibration, 0.0), HRT_ERROR_LIMIT_REACHED,
                "max_trials trials, 10");
@@ -342,7 +342,7 @@ TEST_F(CalibrationTest, SlidesOverATurningPlateAreLeftOut) {
     sample.plate_orientation_deg = 1e-6 * static_cast<double>(seen.time_ns);
     ASSERT_OK(add(sample));
   }
-  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  ASSERT_OK(hrt_calibration_end_trial(calibration, 0));
   stream(trials[0]);
   stream(turning);
   for (std::size_t i = 1; i < trials.size(); ++i) {
@@ -397,7 +397,7 @@ TEST_F(CalibrationTest, TheNextAngleIsWithinTheRange) {
   ASSERT_OK(hrt_calibration_begin_trial(calibration, 0.0));
   expect_error(hrt_calibration_next_angle(calibration, &angle_deg, &enough), HRT_ERROR_WRONG_STATE,
                "under way");
-  ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+  ASSERT_OK(hrt_calibration_end_trial(calibration, 0));
   EXPECT_EQ(angle_deg, 7.0);
   EXPECT_EQ(enough, 7u);
 }

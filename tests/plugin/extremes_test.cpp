@@ -128,9 +128,9 @@ class Extremes : public SessionTest {
     reach.flags = below(2) == 0 ? HRT_REACH_PLATE_ORIENTATION : 0u;
     reach.plate_orientation_deg = within(-3600.0, 3600.0);
     reach.duration_s = one_of({0.0, 0.1, 1.0, 20.0});
-    auto authority = output<hrt_authority>();
-    if (hrt_authority_query(session, reach.real_target, reach.virtual_target, &authority) == HRT_OK) {
-      EXPECT_EQ(first_not_finite(authority, offsetof(hrt_authority, gap_deg)), 0u);
+    auto gap = output<hrt_gap>();
+    if (hrt_gap_query(session, reach.real_target, reach.virtual_target, &gap) == HRT_OK) {
+      EXPECT_EQ(first_not_finite(gap, offsetof(hrt_gap, gap_deg)), 0u);
     }
     return hrt_reach_begin(session, &reach);
   }
@@ -169,7 +169,7 @@ class Extremes : public SessionTest {
     for (const Range& range : ranges) EXPECT_TRUE(std::isfinite(config.*range.member));
     EXPECT_EQ(first_not_finite(config.person_mean, 0), 0u);
     EXPECT_EQ(first_not_finite(config.person_covariance, 0), 0u);
-    EXPECT_OK(hrt_session_set_config(session, &config));
+    EXPECT_OK(hrt_session_set(session, &config));
     char profile[4096];
     std::uint64_t length = 0;
     ASSERT_OK(hrt_profile_save(session, sizeof profile, profile, &length));
@@ -206,7 +206,7 @@ class Extremes : public SessionTest {
                           away_m - 0.05 + noise_m * uniform(-1.0, 1.0));
       ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   }
 
   std::mt19937_64 bits_{1};
@@ -246,7 +246,7 @@ TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {
     SCOPED_TRACE("configuration " + std::to_string(i));
     const hrt_session_config config = configuration();
     hrt_session other{};
-    ASSERT_OK(hrt_session_create(&config, &other));
+    ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &other));
     ASSERT_OK(hrt_session_destroy(session));
     session = other;
     for (int n = 0; n < 3; ++n) {

@@ -31,9 +31,15 @@ class FaultTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
-    ASSERT_OK(hrt_session_set_log_callback(session, hear, this));
+    hrt_host host = hrt_host_init();
+    host.context = this;
+    host.log = hear;
+    ASSERT_OK(hrt_set_host(&host));
   }
-  void TearDown() override { SessionTest::TearDown(); }
+  void TearDown() override {
+    SessionTest::TearDown();
+    EXPECT_OK(hrt_set_host(nullptr));
+  }
 
   // A slide of a second; the controller fails in its second half if asked to.
   hrt_reach_summary reach(bool fails) {
@@ -72,7 +78,7 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
   EXPECT_GT(faults_, 10);
   EXPECT_EQ(config_of(session).person_covariance[0], before.person_covariance[0]) << "it taught something";
   EXPECT_EQ(log_, "") << "a call of a reach is real-time";
-  ASSERT_OK(hrt_session_set_config(session, &before));
+  ASSERT_OK(hrt_session_set(session, &before));
   EXPECT_EQ(log_,
             "session " + std::to_string(session.value) +
                 ": a defect of the library made a value of a command or summary not finite; the plate was "

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace hrt::test {
 
@@ -35,7 +37,7 @@ inline hrt_session_config session_config() {
 
 inline hrt_session_config config_of(hrt_session session) {
   auto config = output<hrt_session_config>();
-  EXPECT_OK(hrt_session_get_config(session, &config));
+  EXPECT_OK(hrt_session_get(session, &config, nullptr));
   return config;
 }
 
@@ -88,7 +90,7 @@ class SessionTest : public ::testing::Test {
       ASSERT_OK(hrt_session_destroy(session));
     }
     session.value = 0;
-    ASSERT_OK(hrt_session_create(&config, &session));
+    ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   }
 
   hrt_target add(std::uint32_t role, double direction_deg, const char* name = "") {

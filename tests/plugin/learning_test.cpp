@@ -34,7 +34,7 @@ class LearningTest : public SessionTest {
 
   hrt_session_config config() const {
     auto config = output<hrt_session_config>();
-    EXPECT_OK(hrt_session_get_config(session, &config));
+    EXPECT_OK(hrt_session_get(session, &config, nullptr));
     return config;
   }
 
@@ -194,6 +194,7 @@ TEST_F(LearningTest, OneReachCarriesLittle) {
   assumed.motor_variance_deg2 = 0.7;
   set(assumed);
   begin_reach();
+  update(hrt_sample_init());
   end();
   EXPECT_EQ(config().motor_variance_deg2, 0.7);
   EXPECT_EQ(config().motor_variance_sd_deg2, 0.5);
@@ -221,16 +222,16 @@ TEST_F(LearningTest, BiasMovesWhereTheUserGoes) {
     config.bias_deg = bias_deg;
     create(config);
     const hrt_target real = add(HRT_TARGET_REAL, -5.0), cup = add(HRT_TARGET_VIRTUAL, target_deg);
-    auto authority = output<hrt_authority>();
-    EXPECT_OK(hrt_authority_query(session, real, cup, &authority));
-    EXPECT_EQ(authority.gap_deg, 12.0);
+    auto gap = output<hrt_gap>();
+    EXPECT_OK(hrt_gap_query(session, real, cup, &gap));
+    EXPECT_EQ(gap.gap_deg, 12.0);
     EXPECT_OK(begin(real, cup));
     for (int step = 0; step < steps; ++step) update(direction_sample(step * step_ns, 3.0 - step / 3.0));
     return end();
   };
   hrt_reach_summary one = reach(5.0, 2.0);
   const hrt_reach_summary other = reach(7.0, 0.0);
-  EXPECT_EQ(one.final_miss_deg, other.final_miss_deg);
+  EXPECT_EQ(one.paper_miss_deg, other.paper_miss_deg);
   EXPECT_EQ(one.perceived_direction_deg, other.perceived_direction_deg);
   EXPECT_EQ(one.perceived_error_deg, other.perceived_error_deg);
 

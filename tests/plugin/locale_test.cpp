@@ -48,7 +48,7 @@ TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   create(session_config());
   ASSERT_OK(hrt_profile_load(session, profile.data(), profile.size()));
   auto loaded = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &loaded));
+  ASSERT_OK(hrt_session_get(session, &loaded, nullptr));
   EXPECT_EQ(std::memcmp(&loaded, &config, sizeof config), 0);
 }
 
@@ -62,13 +62,13 @@ TEST_F(LocaleTest, RecordingsReplay) {
   auto status = output<hrt_recording_status>();
   ASSERT_OK(hrt_recording_stop(session, &status));
   auto report = output<hrt_replay_report>();
-  EXPECT_OK(hrt_replay_file(path.c_str(), &report));
+  EXPECT_OK(hrt_replay(path.c_str(), nullptr, 0, &report));
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.rows, 52u);
   EXPECT_EQ(report.first_different_line, 0u);
   std::filesystem::remove(path);
 
-  ASSERT_OK(hrt_replay_file(HRT_GOLDEN_RECORDING, &report));
+  ASSERT_OK(hrt_replay(HRT_GOLDEN_RECORDING, nullptr, 0, &report));
   EXPECT_EQ(report.first_different_line, 0u);
   EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
 }
@@ -77,7 +77,7 @@ TEST_F(LocaleTest, ScenesHaveTheSamePlaces) {
   std::vector<hrt_scene_target> targets[2];
   for (std::vector<hrt_scene_target>& places : targets) {
     hrt_scene scene{};
-    ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+    ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
     auto info = output<hrt_scene_info>();
     ASSERT_OK(hrt_scene_get_info(scene, &info));
     for (uint32_t i = 0; i < info.target_count; ++i) {
@@ -97,12 +97,12 @@ TEST_F(LocaleTest, MessagesHavePoints) {
   hrt_session_config config = session_config();
   config.tactile_weight = 0.625;
   hrt_session other{};
-  expect_error(hrt_session_create(&config, &other), HRT_ERROR_OUT_OF_RANGE,
+  expect_error(hrt_session_create(HRT_VERSION, &config, &other), HRT_ERROR_OUT_OF_RANGE,
                "tactile_weight is 0.625; allowed: 0.001 to 0.499");
   const std::string scene = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[
     {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":-2.5}}}]})";
   hrt_scene loaded{};
-  expect_error(hrt_scene_load_memory(scene.data(), scene.size(), "scene.gltf", &loaded), HRT_ERROR_BAD_FORMAT,
+  expect_error(hrt_scene_load("scene.gltf", scene.data(), scene.size(), &loaded), HRT_ERROR_BAD_FORMAT,
                "-2.5");
 }
 

@@ -117,11 +117,14 @@ TEST_F(PersonTest, DefaultSessionLeadsAPersonToTheRealTarget) {
     create(session_config());
     const Led led = lead(condition);
     EXPECT_LT(std::abs(led.bearing_error_deg), 1.5);
-    EXPECT_NEAR(led.summary.bearing_error_deg, led.bearing_error_deg, 0.3);
+    EXPECT_NEAR(led.summary.miss_deg, led.bearing_error_deg, 0.3);
     EXPECT_EQ(led.summary.flags, 0u);
     EXPECT_NEAR(led.summary.duration_s, condition.person.duration_s, 0.3);
     EXPECT_GT(led.summary.peak_felt_error_deg, led.summary.rms_felt_error_deg);
     EXPECT_GT(led.summary.rms_felt_error_deg, 0.0);
+    EXPECT_EQ(led.commands.front().time_to_go_s, HRT_NOT_MOVING);
+    EXPECT_EQ(led.commands.back().time_to_go_s, HRT_ARRIVED);
+    EXPECT_GT(led.commands[led.commands.size() / 2].time_to_go_s, 0.1);
   }
 }
 
@@ -188,7 +191,7 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
     create(servo_config());
     const Led led = lead(condition, 0, duration_s);
     std::size_t i = 0;
-    while (i + 1 < led.commands.size() && led.commands[i].time_to_go_s == 0.0) ++i;
+    while (i + 1 < led.commands.size() && led.commands[i].time_to_go_s == HRT_NOT_MOVING) ++i;
     return led.commands[i].time_to_go_s + 0.011 * static_cast<double>(i) - 1e-9 * rest_ns;
   };
   EXPECT_NEAR(expected_s(3.0), 3.0, 0.3);
@@ -368,13 +371,13 @@ TEST_F(PersonTest, MotionThatIsNoReachIsAMisfitAndTeachesNothing) {
     const double right_m = moved > 0.0 ? 0.015 * std::sin(0.6 * i) : 0.0;
     const hrt_command command = update(position_sample(i * 11 * ms, right_m, start_forward_m + 0.1 * moved));
     flags |= command.flags;
-    innovation = std::max(innovation, command.normalised_innovation);
+    innovation = std::max(innovation, command.misfit);
   }
   const hrt_reach_summary summary = end();
   EXPECT_NE(flags & HRT_COMMAND_MISFIT, 0u);
   EXPECT_NE(summary.flags & HRT_COMMAND_MISFIT, 0u);
   EXPECT_GE(innovation, 4.5);
-  EXPECT_EQ(summary.normalised_innovation, innovation);
+  EXPECT_EQ(summary.misfit, innovation);
   const hrt_session_config after = config_of(session);
   EXPECT_EQ(std::memcmp(&after, &before, sizeof before), 0);
 }
@@ -404,7 +407,7 @@ TEST_F(PersonTest, BeliefsThatAreNoneAreRefused) {
   const auto refused = [&](const std::function<void(hrt_session_config&)>& change, const char* part) {
     hrt_session_config config = learnt;
     change(config);
-    expect_error(hrt_session_set_config(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
+    expect_error(hrt_session_set(session, &config), HRT_ERROR_OUT_OF_RANGE, part);
     EXPECT_TRUE(is_same_person(config_of(session), learnt));
   };
   const char* const no_belief = "person_covariance is not positive definite";
@@ -432,8 +435,8 @@ TEST_F(PersonTest, BeliefsThatAreNoneAreRefused) {
       "person_mean[0] is NaN");
   hrt_session_config config = learnt;
   std::fill(std::begin(config.person_covariance), std::end(config.person_covariance), 0.0);
-  EXPECT_OK(hrt_session_set_config(session, &config));
-  EXPECT_OK(hrt_session_set_config(session, &learnt));
+  EXPECT_OK(hrt_session_set(session, &config));
+  EXPECT_OK(hrt_session_set(session, &learnt));
 }
 
 // Without positions there is no arrival to steer to.
@@ -470,7 +473,7 @@ TEST_F(PersonTest, ReachWithoutSamplesLeavesThePlate) {
   config.plate_latency_ns = 0;
   create(config);
   begin_reach();
-  end();
+  ASSERT_OK(hrt_reach_cancel(session));
   begin_reach();
   // A tenth of a second at 100 degrees/s from 0.
   EXPECT_NEAR(update(direction_sample(0, 0.0)).plate_orientation_deg, 10.0, 1e-9);

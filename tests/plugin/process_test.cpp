@@ -32,7 +32,7 @@ std::string golden_recording() {
 void expect_golden_bits() {
   const std::string text = golden_recording();
   auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
+  ASSERT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
   EXPECT_EQ(report.complete, 1u);
   EXPECT_EQ(report.first_different_line, 0u);
   EXPECT_EQ(report.hash, HRT_GOLDEN_HASH);
@@ -79,23 +79,22 @@ constexpr std::size_t max_stack = 64'000;
 class ByteCounter {
  public:
   ByteCounter() {
-    hrt_allocator allocator{};
-    allocator.struct_size = sizeof allocator;
-    allocator.context = this;
-    allocator.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
+    hrt_host host = hrt_host_init();
+    host.context = this;
+    host.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
       auto* block = static_cast<std::size_t*>(std::malloc(size + 16));
       *block = size;
       static_cast<ByteCounter*>(context)->held += size;
       return block + 2;
     };
-    allocator.release = [](void* context, void* memory) {
+    host.release = [](void* context, void* memory) {
       auto* block = static_cast<std::size_t*>(memory) - 2;
       static_cast<ByteCounter*>(context)->held -= *block;
       std::free(block);
     };
-    EXPECT_OK(hrt_set_allocator(&allocator));
+    EXPECT_OK(hrt_set_host(&host));
   }
-  ~ByteCounter() { EXPECT_OK(hrt_set_allocator(nullptr)); }
+  ~ByteCounter() { EXPECT_OK(hrt_set_host(nullptr)); }
   ByteCounter(const ByteCounter&) = delete;
   ByteCounter& operator=(const ByteCounter&) = delete;
   ByteCounter(ByteCounter&&) = delete;
@@ -108,7 +107,7 @@ TEST(Process, MemoryIsAsDocumented) {
   ByteCounter memory;
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   RecordProperty("session", static_cast<int>(memory.held));
   EXPECT_LE(memory.held, max_of_session);
   const std::size_t before_target = memory.held;
@@ -197,9 +196,9 @@ TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
   const std::string path = testing::TempDir() + "hrt_stack.csv";
   const std::size_t max = used([&] {
     auto report = output<hrt_replay_report>();
-    (void)hrt_replay_text(text.data(), text.size(), &report);
+    (void)hrt_replay(nullptr, text.data(), text.size(), &report);
     hrt_scene scene{};
-    (void)hrt_scene_load_file(HRT_DESK_SCENE, &scene);
+    (void)hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene);
     hrt_target ids[8];
     (void)hrt_scene_register(scene, session, 8, ids);
     hrt_scene_destroy(scene);
@@ -210,7 +209,7 @@ TEST_F(Stack, OfAllOtherCallsIsAsDocumented) {
     (void)hrt_recording_start(session, path.c_str());
     auto status = output<hrt_recording_status>();
     (void)hrt_recording_stop(session, &status);
-    (void)hrt_replay_file(path.c_str(), &report);
+    (void)hrt_replay(path.c_str(), nullptr, 0, &report);
   });
   std::remove(path.c_str());
   RecordProperty("bytes", static_cast<int>(max));

@@ -38,12 +38,12 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   config.tactile_weight = 0.1 + 1e-17 + 0.02;
   config.motor_variance_deg2 = 1.0 / 3.0;
   config.horizon = 9;
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
   const std::string text = save(session);
   create(session_config());
   ASSERT_OK(load(session, text));
   auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &back));
+  ASSERT_OK(hrt_session_get(session, &back, nullptr));
   EXPECT_EQ(back.tactile_weight, config.tactile_weight);
   EXPECT_EQ(back.motor_variance_deg2, config.motor_variance_deg2);
   EXPECT_EQ(back.horizon, 3u) << "a profile is the participant's, not the session's";
@@ -63,13 +63,13 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
   config.bias_deg = 1.5;
   config.motor_variance_sd_deg2 = 0.25;
   config.tracker_noise_m = 0.001;
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_OK(load(
       session,
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
       R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
   auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &back));
+  ASSERT_OK(hrt_session_get(session, &back, nullptr));
   EXPECT_EQ(back.tactile_weight, 0.2);
   EXPECT_EQ(back.motor_variance_deg2, 0.6);
   EXPECT_EQ(back.bias_deg, 1.5);
@@ -123,12 +123,16 @@ class ConditionsTest : public ProfileTest {
  protected:
   void SetUp() override {
     ProfileTest::SetUp();
-    ASSERT_OK(hrt_session_set_log_callback(
-        session,
-        [](void* lines, std::uint32_t level, const char* text) {
-          *static_cast<std::string*>(lines) += std::to_string(level) + " " + text + "\n";
-        },
-        &log));
+    hrt_host host = hrt_host_init();
+    host.context = &log;
+    host.log = [](void* lines, std::uint32_t level, const char* text) {
+      *static_cast<std::string*>(lines) += std::to_string(level) + " " + text + "\n";
+    };
+    ASSERT_OK(hrt_set_host(&host));
+  }
+  void TearDown() override {
+    ProfileTest::TearDown();
+    EXPECT_OK(hrt_set_host(nullptr));
   }
 
   void set(const hrt_conditions& now) { ASSERT_OK(hrt_profile_set_conditions(session, &now)); }

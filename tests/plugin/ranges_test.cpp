@@ -89,7 +89,7 @@ TEST(Ranges, OfASession) {
   };
   const auto take = [](const hrt_session_config& config) {
     hrt_session session{7};
-    const hrt_result result = hrt_session_create(&config, &session);
+    const hrt_result result = hrt_session_create(HRT_VERSION, &config, &session);
     if (result == HRT_OK) return hrt_session_destroy(session);
     EXPECT_EQ(session.value, 7u);
     return result;
@@ -237,22 +237,19 @@ TEST(Ranges, OfAJoint) {
   }
 }
 
-/// Whether `hrt_NAME_default()` gives what the table has.
+/// Whether `hrt_NAME_init()` gives what the table has.
 template <class S>
-void expect_defaults(hrt_result (*call)(S*, std::uint32_t) noexcept) {
-  S given;
-  ASSERT_OK(call(&given, sizeof given));
+void expect_defaults(const S& given) {
   EXPECT_EQ(std::memcmp(&given, &plugin::defaults<S>, sizeof given), 0);
-  expect_error(call(nullptr, sizeof given), HRT_ERROR_NULL_ARGUMENT, "out_config is null");
-  expect_error(call(&given, 8), HRT_ERROR_STRUCT_SIZE, "out_config: struct_size is 8");
 }
 
 TEST(Defaults, AreThoseOfTheHeaders) {
-  expect_defaults(hrt_session_config_default);
-  expect_defaults(hrt_target_config_default);
-  expect_defaults(hrt_reach_config_default);
-  expect_defaults(hrt_calibration_config_default);
-  expect_defaults(hrt_registration_config_default);
+  expect_defaults(hrt_session_config_init());
+  expect_defaults(hrt_target_config_init());
+  expect_defaults(hrt_reach_config_init());
+  expect_defaults(hrt_calibration_config_init());
+  expect_defaults(hrt_registration_config_init());
+  expect_defaults(hrt_person_config_init());
 }
 
 }  // namespace

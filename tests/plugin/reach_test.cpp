@@ -55,8 +55,21 @@ TEST_F(ReachTest, LeadsTheModelParticipantToTheRealTarget) {
   EXPECT_EQ(summary.dropped_samples, 0);
   EXPECT_EQ(summary.steps, 30);
   EXPECT_NEAR(summary.final_direction_deg, -5.0, 0.05);
-  EXPECT_NEAR(summary.final_miss_deg, 0.0, 0.05);
+  EXPECT_NEAR(summary.paper_miss_deg, 0.0, 0.05);
   EXPECT_NEAR(summary.perceived_error_deg, 0.0, 0.05);
+}
+
+TEST_F(ReachTest, WithoutASampleHasNoSummary) {
+  begin_reach();
+  auto summary = output<hrt_reach_summary>();
+  expect_error(hrt_reach_end(session, &summary), HRT_ERROR_INSUFFICIENT_DATA,
+               "the reach has had no sample; hrt_reach_cancel() ends it");
+  const hrt_command command = update(direction_sample(0, 3.0));
+  EXPECT_EQ(command.time_to_go_s, HRT_NOT_MOVING) << "of this controller it is not known";
+  ASSERT_OK(hrt_reach_end(session, &summary));
+  EXPECT_EQ(summary.samples, 1);
+  EXPECT_EQ(summary.miss_deg, summary.paper_miss_deg);
+  EXPECT_NE(summary.miss_deg, 0.0);
 }
 
 TEST_F(ReachTest, PositionsGiveTheDirectionAndTheDistanceToGo) {
@@ -237,15 +250,16 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
   EXPECT_NEAR(first.tactile_weight, 0.22, 0.02);
   EXPECT_GT(first.tactile_weight_sd, 0.0);
   EXPECT_LT(first.tactile_weight_sd, 0.05);
-  EXPECT_NEAR(first.final_miss_deg, 0.0, 0.5);
+  EXPECT_NEAR(first.paper_miss_deg, 0.0, 0.5);
   auto learnt = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &learnt));
+  ASSERT_OK(hrt_session_get(session, &learnt, nullptr));
   EXPECT_EQ(learnt.tactile_weight, first.tactile_weight);
   EXPECT_EQ(learnt.tactile_weight_sd, std::max(first.tactile_weight_sd, 0.01));
 
   config.adaptation = HRT_ADAPTATION_OFF;
   create(config);
   begin_reach();
+  update(direction_sample(0, 0.0));
   EXPECT_EQ(end().tactile_weight, 0.15);
 }
 
@@ -288,8 +302,8 @@ TEST_F(ReachTest, CallsOutOfOrderAreRefused) {
   begin_reach();
   expect_error(begin({1}, {2}), HRT_ERROR_WRONG_STATE, "under way");
   const hrt_session_config config = paper_config();
-  expect_error(hrt_session_set_config(session, &config), HRT_ERROR_WRONG_STATE, "under way");
-  end();
+  expect_error(hrt_session_set(session, &config), HRT_ERROR_WRONG_STATE, "under way");
+  ASSERT_OK(hrt_reach_cancel(session));
   expect_error(hrt_reach_end(session, &summary), HRT_ERROR_WRONG_STATE, "no reach");
 }
 
@@ -391,7 +405,7 @@ TEST_F(ReachTest, TinyTrackerNoiseGivesFiniteCommands) {
     }
     ASSERT_TRUE(std::isfinite(end().tactile_weight)) << noise_m;
     auto carried = output<hrt_session_config>();
-    ASSERT_OK(hrt_session_get_config(session, &carried));
+    ASSERT_OK(hrt_session_get(session, &carried, nullptr));
     EXPECT_TRUE(std::isfinite(carried.tactile_weight)) << noise_m;
     EXPECT_EQ(carried.tracker_noise_m, noise_m);
   }

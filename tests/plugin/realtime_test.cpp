@@ -133,9 +133,10 @@ class RealTimeTest : public SessionTest {
     expect(hrt_fingertip_place(&fingertip, &joint, &placed), HRT_ERROR_OUT_OF_RANGE);
 
     std::uint32_t state = 0;
-    expect(hrt_session_get_state(session, &state), HRT_OK);
-    expect(hrt_session_get_state(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
-    wrong += hrt_session_is_valid(session) != 1 || hrt_session_is_valid({42}) != 0;
+    expect(hrt_session_get(session, nullptr, &state), HRT_OK);
+    auto configured = output<hrt_session_config>();
+    expect(hrt_session_get(session, &configured, nullptr), HRT_OK);
+    expect(hrt_session_get({42}, nullptr, nullptr), HRT_ERROR_INVALID_HANDLE);
     expect(hrt_reach_retarget(session, reach.real_target, reach.virtual_target), HRT_ERROR_WRONG_STATE);
     expect(hrt_reach_cancel(session), HRT_ERROR_WRONG_STATE);
     hrt_reach_config at_finger = reach;
@@ -161,8 +162,8 @@ class RealTimeTest : public SessionTest {
     const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
     const hrt_sample direction = direction_sample(0, 0.0), early = position_sample(-1, 0.0, 0.0);
     for (int trial = 0; trial < 10; ++trial) {
-      expect(hrt_calibration_end_trial(calibration), HRT_ERROR_WRONG_STATE);
-      expect(hrt_calibration_cancel_trial(calibration), HRT_ERROR_WRONG_STATE);
+      expect(hrt_calibration_end_trial(calibration, 1), HRT_ERROR_WRONG_STATE);
+      expect(hrt_calibration_end_trial(calibration, 2), HRT_ERROR_OUT_OF_RANGE);
       expect(hrt_calibration_add_sample(calibration, &early), HRT_ERROR_WRONG_STATE);
       expect(hrt_calibration_begin_trial(calibration, std::nan("")), HRT_ERROR_OUT_OF_RANGE);
       expect(hrt_calibration_begin_trial({42}, 0.0), HRT_ERROR_INVALID_HANDLE);
@@ -175,7 +176,7 @@ class RealTimeTest : public SessionTest {
       expect(hrt_calibration_add_sample(calibration, &early), HRT_ERROR_TIME_REVERSED);
       expect(hrt_calibration_add_sample(calibration, &direction), HRT_ERROR_OUT_OF_RANGE);
       expect(hrt_calibration_add_sample(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT);
-      expect(hrt_calibration_cancel_trial(calibration), HRT_OK);
+      expect(hrt_calibration_end_trial(calibration, 0), HRT_OK);
       expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_OK);
       for (int i = 0; i < 10; ++i) {
         const hrt_sample position = position_sample(i, 0.0, 0.001 * i);
@@ -183,7 +184,7 @@ class RealTimeTest : public SessionTest {
       }
       const hrt_sample one_more = position_sample(10, 0.0, 0.0);
       if (trial == 9) expect(hrt_calibration_add_sample(calibration, &one_more), HRT_ERROR_LIMIT_REACHED);
-      expect(hrt_calibration_end_trial(calibration), HRT_OK);
+      expect(hrt_calibration_end_trial(calibration, 1), HRT_OK);
     }
     expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_ERROR_LIMIT_REACHED);
     return wrong;

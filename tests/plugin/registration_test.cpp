@@ -167,9 +167,9 @@ TEST_F(RegistrationTest, TargetsInTheWorldFollowTheScale) {
   target.position_m[2] = 1.25 * 0.01;
   hrt_target id{};
   ASSERT_OK(hrt_target_add(session, &target, &id));
-  auto authority = output<hrt_authority>();
-  ASSERT_OK(hrt_authority_query(session, id, add(HRT_TARGET_VIRTUAL, -45.0), &authority));
-  EXPECT_NEAR(authority.gap_deg, 0.0, 1e-9);
+  auto gap = output<hrt_gap>();
+  ASSERT_OK(hrt_gap_query(session, id, add(HRT_TARGET_VIRTUAL, -45.0), &gap));
+  EXPECT_NEAR(gap.gap_deg, 0.0, 1e-9);
 }
 
 TEST_F(RegistrationTest, UncertaintyGoesIntoTheConfiguration) {
@@ -180,7 +180,7 @@ TEST_F(RegistrationTest, UncertaintyGoesIntoTheConfiguration) {
   EXPECT_EQ(config.plate_covariance[0], found.covariance[2]);  // of the turn about y
   EXPECT_GT(config.plate_covariance[2], 0.0);
   EXPECT_GT(config.plate_covariance[5], 0.0);
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
 }
 
 TEST_F(RegistrationTest, ApplyRefusesByNameAndChangesNothing) {
@@ -215,7 +215,7 @@ TEST_F(RegistrationTest, ASceneReplacesIt) {
   const hrt_registration found = fit(touches(0.002));
   ASSERT_OK(hrt_registration_apply(session, &found, 5));
   hrt_scene scene{};
-  ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+  ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
   ASSERT_OK(hrt_scene_register(scene, session, 0, nullptr));
   ASSERT_OK(hrt_scene_destroy(scene));
   const hrt_session_config config = config_of(session);
@@ -235,7 +235,7 @@ TEST_F(RegistrationTest, ATouchBeforeAReachRenewsItOrEndsIt) {
   ASSERT_OK(hrt_registration_apply(session, &found, 1000));
   hrt_session_config config = config_of(session);
   config.max_registration_age_ns = 500;
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
 
   const auto flags_at = [&](std::int64_t time_ns) {
     begin_reach();
@@ -290,14 +290,14 @@ class RegisteredReachTest : public SessionTest {
 };
 
 TEST_F(RegisteredReachTest, OneDegreeCostsOnePointSevenMillimetresAtTenCentimetres) {
-  const double sd_deg = command_at(0, turned_by(1.0)).bearing_error_sd_deg;
+  const double sd_deg = command_at(0, turned_by(1.0)).miss_sd_deg;
   EXPECT_NEAR(sd_deg, 1.0, 1e-9);
   EXPECT_NEAR(0.1 * sd_deg * one_degree, 0.001745, 1e-6);
-  EXPECT_EQ(end().bearing_error_sd_deg, sd_deg);
-  EXPECT_EQ(command_at(0, session_config()).bearing_error_sd_deg, 0.0);
+  EXPECT_EQ(end().miss_sd_deg, sd_deg);
+  EXPECT_EQ(command_at(0, session_config()).miss_sd_deg, 0.0);
   hrt_session_config paper = turned_by(1.0);
   paper.guidance = HRT_GUIDANCE_FIXED_DIRECTION;
-  EXPECT_EQ(command_at(0, paper).bearing_error_sd_deg, 0.0);
+  EXPECT_EQ(command_at(0, paper).miss_sd_deg, 0.0);
 }
 
 TEST_F(RegisteredReachTest, OldOnesAreFlagged) {
@@ -343,23 +343,24 @@ TEST_F(RegisteredReachTest, TheLogHasItOnceForAConfiguration) {
   hrt_session_config config = turned_by(1.0);
   config.max_registration_sd_deg = 0.5;
   create(config);
-  ASSERT_OK(hrt_session_set_log_callback(
-      session,
-      [](void* context, std::uint32_t level, const char* text) {
-        if (level == HRT_LOG_WARNING) static_cast<std::vector<std::string>*>(context)->emplace_back(text);
-      },
-      &lines));
+  hrt_host host = hrt_host_init();
+  host.context = &lines;
+  host.log = [](void* context, std::uint32_t level, const char* text) {
+    if (level == HRT_LOG_WARNING) static_cast<std::vector<std::string>*>(context)->emplace_back(text);
+  };
+  ASSERT_OK(hrt_set_host(&host));
   begin_reach();
   update(position_sample(0, 0.0, 0.0));
   end();
   EXPECT_TRUE(lines.empty());
   config.max_registration_sd_deg = 2.0;
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
   ASSERT_EQ(lines.size(), 1u);
   EXPECT_NE(lines[0].find("registration of the plate was older or worse than allowed"), std::string::npos);
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
   EXPECT_EQ(lines.size(), 1u);
+  EXPECT_OK(hrt_set_host(nullptr));
 }
 
 // 1 mm to the side is 0.6 degrees of a target 100 mm off, and 1.9 of one 30 mm off.
@@ -407,7 +408,7 @@ TEST_F(RegisteredReachTest, StartAtTheFingerIsCheckedThere) {
   EXPECT_EQ(update(output<hrt_sample>()).flags & HRT_COMMAND_REGISTRATION, 0u);
   const hrt_command command = update(position_sample(10, 0.0, 0.02));
   EXPECT_EQ(command.flags & HRT_COMMAND_REGISTRATION, HRT_COMMAND_REGISTRATION);
-  EXPECT_NEAR(command.bearing_error_sd_deg, 0.001 / 0.05 / one_degree, 0.001);
+  EXPECT_NEAR(command.miss_sd_deg, 0.001 / 0.05 / one_degree, 0.001);
 }
 
 TEST(RegistrationCheck, ALaterTouch) {
@@ -521,7 +522,7 @@ TEST_F(SessionTest, AReachOfAHandThatTurnsEndsWhereTheSkinDoes) {
       }
       update(sample);
     }
-    return end().bearing_error_deg;
+    return end().miss_deg;
   };
   // The real target is at -5 degrees: a skin that goes straight ahead ends 5 degrees off.
   EXPECT_NEAR(end_bearing_deg(true), 5.0, 0.05);

@@ -15,7 +15,7 @@ class SceneAbiTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
-    ASSERT_OK(hrt_scene_load_file(HRT_DESK_SCENE, &scene));
+    ASSERT_OK(hrt_scene_load(HRT_DESK_SCENE, nullptr, 0, &scene));
   }
   void TearDown() override {
     EXPECT_OK(hrt_scene_destroy(scene));
@@ -56,7 +56,7 @@ TEST_F(SceneAbiTest, ReturnsTheContentOfTheScene) {
 TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
   const std::vector<hrt_target> ids = register_all();
   auto config = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &config));
+  ASSERT_OK(hrt_session_get(session, &config, nullptr));
   auto info = output<hrt_scene_info>();
   ASSERT_OK(hrt_scene_get_info(scene, &info));
   EXPECT_EQ(std::memcmp(config.plate_rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
@@ -64,16 +64,15 @@ TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
   for (uint32_t i = 0; i < ids.size(); ++i) {
     auto target = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, i, &target));
-    hrt_target found{};
-    ASSERT_OK(hrt_target_find(session, target.name, &found));
-    EXPECT_EQ(found.value, ids[i].value);
+    auto registered = output<hrt_target_config>();
+    ASSERT_OK(hrt_target_get(session, ids[i], &registered));
+    EXPECT_STREQ(registered.name, target.name);
     if (target.role != HRT_TARGET_VIRTUAL) continue;
     auto real = output<hrt_scene_target>();
     ASSERT_OK(hrt_scene_get_target(scene, static_cast<uint32_t>(target.served_by), &real));
-    auto authority = output<hrt_authority>();
-    ASSERT_OK(
-        hrt_authority_query(session, ids[static_cast<std::size_t>(target.served_by)], ids[i], &authority));
-    EXPECT_NEAR(authority.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
+    auto gap = output<hrt_gap>();
+    ASSERT_OK(hrt_gap_query(session, ids[static_cast<std::size_t>(target.served_by)], ids[i], &gap));
+    EXPECT_NEAR(gap.gap_deg, target.direction_deg - real.direction_deg, 1e-9);
   }
 }
 
@@ -84,7 +83,7 @@ TEST_F(SceneAbiTest, RegistersAllOrNothing) {
   ASSERT_OK(hrt_scene_get_target(scene, info.target_count - 1, &last));
   add(HRT_TARGET_REAL, 0.0, last.name);
   auto before = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &before));
+  ASSERT_OK(hrt_session_get(session, &before, nullptr));
   expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_NAME_TAKEN, last.name);
   hrt_target small[1];
   expect_error(hrt_scene_register(scene, session, 1, small), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 1");
@@ -92,7 +91,7 @@ TEST_F(SceneAbiTest, RegistersAllOrNothing) {
   ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
   EXPECT_EQ(count, 1u);
   auto after = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &after));
+  ASSERT_OK(hrt_session_get(session, &after, nullptr));
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
@@ -102,17 +101,17 @@ TEST_F(SceneAbiTest, LoadsFromMemory) {
   bytes << file.rdbuf();
   const std::string text = bytes.str();
   hrt_scene loaded{};
-  ASSERT_OK(hrt_scene_load_memory(text.data(), text.size(), "desk", &loaded));
+  ASSERT_OK(hrt_scene_load("desk", text.data(), text.size(), &loaded));
   EXPECT_NE(loaded.value, scene.value);
   ASSERT_OK(hrt_scene_destroy(loaded));
   expect_error(hrt_scene_destroy(loaded), HRT_ERROR_INVALID_HANDLE, "does not exist");
-  expect_error(hrt_scene_load_memory(text.data(), text.size() / 2, "half a desk", &loaded),
-               HRT_ERROR_BAD_FORMAT, "half a desk");
+  expect_error(hrt_scene_load("half a desk", text.data(), text.size() / 2, &loaded), HRT_ERROR_BAD_FORMAT,
+               "half a desk");
 }
 
 TEST_F(SceneAbiTest, BadArgumentsAreRefused) {
   hrt_scene loaded{7};
-  expect_error(hrt_scene_load_file("/no/such/file.gltf", &loaded), HRT_ERROR_BAD_FORMAT,
+  expect_error(hrt_scene_load("/no/such/file.gltf", nullptr, 0, &loaded), HRT_ERROR_BAD_FORMAT,
                "/no/such/file.gltf");
   EXPECT_EQ(loaded.value, 7u);
   expect_error(hrt_scene_register(scene, {scene.value}, 0, nullptr), HRT_ERROR_INVALID_HANDLE, "session");

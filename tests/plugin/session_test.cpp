@@ -28,6 +28,16 @@ TEST(Results, VersionIsThatOfTheHeaders) {
   hrt_get_version(nullptr, nullptr, nullptr);
 }
 
+TEST(Results, HeadersOfAnotherMinorVersionAreRefused) {
+  hrt_session session{7};
+  for (const std::uint32_t other : {0u, HRT_VERSION - 100u, HRT_VERSION + 100u, HRT_VERSION + 10000u, ~0u})
+    expect_error(hrt_session_create(other, nullptr, &session), HRT_ERROR_OUT_OF_RANGE,
+                 "version is " + std::to_string(other) + ", of other headers; this library is 0.");
+  EXPECT_EQ(session.value, 7u);
+  ASSERT_OK(hrt_session_create(HRT_VERSION + 1, nullptr, &session)) << "a later patch";
+  EXPECT_OK(hrt_session_destroy(session));
+}
+
 #if !defined(__EMSCRIPTEN__)  // has one thread
 TEST(Results, LastErrorBelongsToTheThread) {
   EXPECT_EQ(hrt_session_destroy({0}), HRT_ERROR_INVALID_HANDLE);
@@ -67,12 +77,12 @@ TEST_F(SessionTest, NullMeansTheDefaults) {
   };
   hrt_session_config other = defaults;
   other.horizon = 7;
-  ASSERT_OK(hrt_session_set_config(session, &other));
+  ASSERT_OK(hrt_session_set(session, &other));
   EXPECT_FALSE(has_defaults());
-  ASSERT_OK(hrt_session_set_config(session, nullptr));
+  ASSERT_OK(hrt_session_set(session, nullptr));
   EXPECT_TRUE(has_defaults());
   ASSERT_OK(hrt_session_destroy(session));
-  ASSERT_OK(hrt_session_create(nullptr, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, nullptr, &session));
   EXPECT_TRUE(has_defaults());
   hrt_calibration calibration{};
   ASSERT_OK(hrt_calibration_create(session, nullptr, &calibration));
@@ -83,9 +93,9 @@ TEST_F(SessionTest, ConfigComesBackAsGiven) {
   hrt_session_config config = session_config();
   config.horizon = 7;
   config.tactile_weight = 0.2;
-  ASSERT_OK(hrt_session_set_config(session, &config));
+  ASSERT_OK(hrt_session_set(session, &config));
   auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get_config(session, &back));
+  ASSERT_OK(hrt_session_get(session, &back, nullptr));
   EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
 }
 
@@ -104,9 +114,10 @@ TEST_F(SessionTest, DestroyedHandleIsRefusedForEver) {
 TEST(Session, ManyFitAndOneMoreIsRefused) {
   const hrt_session_config config = session_config();
   std::vector<hrt_session> all(HRT_SESSIONS_MAX);
-  for (hrt_session& session : all) ASSERT_OK(hrt_session_create(&config, &session));
+  for (hrt_session& session : all) ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   hrt_session one_more{42};
-  expect_error(hrt_session_create(&config, &one_more), HRT_ERROR_LIMIT_REACHED, "there are 1024 sessions");
+  expect_error(hrt_session_create(HRT_VERSION, &config, &one_more), HRT_ERROR_LIMIT_REACHED,
+               "there are 1024 sessions");
   EXPECT_EQ(one_more.value, 42u);
   for (const hrt_session session : all) ASSERT_OK(hrt_session_destroy(session));
 }
@@ -117,7 +128,7 @@ TEST(SessionConfig, FieldsThatDependOnEachOtherAreChecked) {
     hrt_session_config config = session_config();
     change(config);
     hrt_session session{7};
-    expect_error(hrt_session_create(&config, &session), HRT_ERROR_OUT_OF_RANGE, field);
+    expect_error(hrt_session_create(HRT_VERSION, &config, &session), HRT_ERROR_OUT_OF_RANGE, field);
   };
   refused([](hrt_session_config& c) { c.horizon = 0; }, "horizon is 0; allowed: 1 to 50");
   refused([](hrt_session_config& c) { c.flags = 4; }, "flags is 4; allowed: the bits of 3");
@@ -140,15 +151,15 @@ TEST(SessionConfig, LargerStructPassesWithZerosBeyond) {
   } later{session_config(), 0.0};
   later.config.struct_size = sizeof later;
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&later.config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &later.config, &session));
   later.further = 3.0;
-  ASSERT_OK(hrt_session_get_config(session, &later.config));
+  ASSERT_OK(hrt_session_get(session, &later.config, nullptr));
   EXPECT_EQ(later.config.struct_size, sizeof later);
   EXPECT_EQ(later.further, 0.0);
   ASSERT_OK(hrt_session_destroy(session));
 
   later.further = 3.0;
-  expect_error(hrt_session_create(&later.config, &session), HRT_ERROR_STRUCT_SIZE, "not 0");
+  expect_error(hrt_session_create(HRT_VERSION, &later.config, &session), HRT_ERROR_STRUCT_SIZE, "not 0");
 }
 
 }  // namespace

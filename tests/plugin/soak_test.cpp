@@ -47,19 +47,18 @@ std::atomic<long> blocks_taken{0};
 class SoakTest : public SessionTest {
  protected:
   void SetUp() override {
-    hrt_allocator allocator{};
-    allocator.struct_size = sizeof allocator;
-    allocator.allocate = [](void*, std::size_t size, std::size_t) {
+    hrt_host host = hrt_host_init();
+    host.allocate = [](void*, std::size_t size, std::size_t) {
       ++blocks_taken;
       return std::malloc(size);
     };
-    allocator.release = [](void*, void* memory) { std::free(memory); };
-    ASSERT_OK(hrt_set_allocator(&allocator));
+    host.release = [](void*, void* memory) { std::free(memory); };
+    ASSERT_OK(hrt_set_host(&host));
     SessionTest::SetUp();
   }
   void TearDown() override {
     SessionTest::TearDown();
-    EXPECT_OK(hrt_set_allocator(nullptr));
+    EXPECT_OK(hrt_set_host(nullptr));
   }
 };
 
@@ -105,7 +104,7 @@ TEST_F(SoakTest, MemoryStaysFlatAndCommandsFinite) {
     if (in_reach == 299) {
       ASSERT_OK(hrt_reach_end(session, &summary));
       const hrt_session_config carried = config_of(session);
-      ASSERT_OK(hrt_session_set_config(session, &carried));
+      ASSERT_OK(hrt_session_set(session, &carried));
       time_ns = 0;
     }
   }

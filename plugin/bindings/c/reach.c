@@ -47,7 +47,7 @@ static void hash_command(const hrt_command* command) {
   hash_number(command->time_to_go_s);
   hash_number(command->felt_error_deg);
   hash_number(command->predicted_miss_deg);
-  hash_number(command->normalised_innovation);
+  hash_number(command->misfit);
 }
 
 /* The columns of the recording that are the samples', by name. */
@@ -98,7 +98,7 @@ static hrt_session create_session(void) {
   config.plate_latency_ns = 30000000;
   config.plate_lower_stop_deg = -360;
   config.plate_upper_stop_deg = 360;
-  check(hrt_session_create(&config, &session));
+  check(hrt_session_create(HRT_VERSION, &config, &session));
   return session;
 }
 
@@ -149,7 +149,7 @@ int main(int argc, char** argv) {
   printf("hash 0x%016" PRIx64 "\n", hash);
   printf("updates %ld, steps %d, of these predicted %d\n", updates,
          (int)(summary.steps + summary.predicted_steps), (int)summary.predicted_steps);
-  printf("ended %.2f deg beside the real target, felt error %.2f deg at most (simulated)\n",
-         summary.bearing_error_deg, summary.peak_felt_error_deg);
+  printf("ended %.2f deg beside the real target, felt error %.2f deg at most (simulated)\n", summary.miss_deg,
+         summary.peak_felt_error_deg);
   return 0;
 }

@@ -126,6 +126,12 @@ class Struct:
     name: str
     fields: tuple[Field, ...]
     doc: str
+    header: str
+
+    @property
+    def has_default(self) -> bool:
+        """Of what is configured, every field has one."""
+        return self.name.endswith(("_config", "_options"))
 
     @property
     def is_handle(self) -> bool:
@@ -171,9 +177,6 @@ class Abi:
         if not found:
             raise HeaderError(f"no struct {name}, which a host shows")
         return found[0]
-
-    def has_default(self, struct: Struct) -> bool:
-        return f"{struct.name}_default" in [f.name for f in self.functions]
 
     @property
     def enumerations(self) -> list[Enumeration]:

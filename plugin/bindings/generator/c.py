@@ -5,29 +5,35 @@ from __future__ import annotations
 
 import textwrap
 
+import fields
 from abi import Abi, Function, Struct
 
 _WIDTH = 110
+# The layers of headers, each with the file that has its structs by value.
+LAYERS = {"init.h": ("base.h", "reach.h", "session.h", "target.h"),
+          "setup_init.h": ("calibration.h", "profile.h", "registration.h", "scene.h"),
+          "study_init.h": ("study.h",)}
 
 
-def render_init(abi: Abi, notice: str) -> str:
-    functions = {f.name for f in abi.functions}
-    structs = [s for s in abi.structs if s.fields[0].name == "struct_size"]
+def render_init(abi: Abi, notice: str, name: str) -> str:
+    structs = [s for s in abi.structs if s.fields[0].name == "struct_size" and s.header in LAYERS[name]]
+    guard = f"HAPTIC_RETARGETING_{name.upper().replace('.', '_')}"
     return (f"/*\n * {notice}\n *\n"
             " * Each struct by value, ready for use: with its defaults, or zero with its size.\n"
             " *\n *   hrt_session_config config = hrt_session_config_init();\n */\n"
-            "/* clang-format off */\n#ifndef HAPTIC_RETARGETING_INIT_H\n#define HAPTIC_RETARGETING_INIT_H\n\n"
-            + "".join(f'#include "{name}"\n' for name in abi.headers)
+            f"/* clang-format off */\n#ifndef {guard}\n#define {guard}\n\n"
+            + "".join(f'#include "{header}"\n' for header in LAYERS[name])
             + "\n#if defined(__cplusplus)\n#define HRT_EMPTY {}\n#else\n#define HRT_EMPTY {0}\n#endif\n\n"
-            + "\n".join(_init(s, f"{s.name}_default" in functions) for s in structs)
+            + "\n".join(map(_init, structs))
             + "\n#undef HRT_EMPTY\n\n#endif\n")
 
 
-def _init(struct: Struct, has_default: bool) -> str:
+def _init(struct: Struct) -> str:
     name = struct.name
-    fill = (f"  if ({name}_default(&value, sizeof value) != HRT_OK) value.struct_size = 0;\n" if has_default
-            else "  value.struct_size = sizeof value;\n")
-    what = f"{name}_default() by value" if has_default else "All zero, with its size"
+    fill = "  value.struct_size = sizeof value;\n" + "".join(
+        f"  value.{f.name}{f'[{i}]' if f.length else ''} = {value};\n" for f in struct.fields
+        for i, value in enumerate(fields.default_of(f)) if struct.has_default and value.strip("0."))
+    what = "Every field with its default" if struct.has_default else "All zero, with its size"
     return (f"/** {what}. [any-thread] */\n"
             f"static inline {name} {name}_init(void) {{\n  {name} value = HRT_EMPTY;\n{fill}  return value;\n}}\n")
 
@@ -39,9 +45,9 @@ def render_functions(abi: Abi, notice: str) -> str:
             " *\n *   hrt_functions hrt;\n"
             ' *   void* library = dlopen("libhaptic_retargeting.so.0", RTLD_NOW | RTLD_LOCAL);\n'
             " *   const char* missing = hrt_functions_load(dlsym, library, &hrt);\n"
-            " *   if (!missing) hrt.session_create(&config, &session);\n */\n"
+            " *   if (!missing) hrt.session_create(HRT_VERSION, &config, &session);\n */\n"
             "/* clang-format off */\n#ifndef HAPTIC_RETARGETING_FUNCTIONS_H\n#define HAPTIC_RETARGETING_FUNCTIONS_H\n\n"
-            "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n\n"
+            "#include <string.h>\n\n#include \"haptic_retargeting.h\"\n#include \"setup.h\"\n#include \"study.h\"\n\n"
             + "".join(_typedef(f) for f in abi.functions)
             + "\n/** Every function, without hrt_. */\ntypedef struct hrt_functions {\n"
             + "".join(f"  PFN_{f.name} {member};\n" for f, member in members)

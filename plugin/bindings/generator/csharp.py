@@ -9,6 +9,7 @@ from __future__ import annotations
 import re
 import textwrap
 
+import fields
 from abi import Abi, Constant, Enumeration, Field, Function, Parameter, Struct, Type, pascal
 
 # Whose names in C# are not those of the headers.
@@ -27,7 +28,7 @@ def render(abi: Abi, notice: str) -> str:
 
 def render_plate(abi: Abi, plugin: Abi, notice: str) -> str:
     """Of libhrt_plate, whose comments refer to the plugin's structs."""
-    names, others = Renderer(abi, "hrt_plate", "PlateNative", "PlateLibrary"), Renderer(plugin)
+    names, others = Renderer(abi, "hrt_plate", "PlateNative"), Renderer(plugin)
     names.types, names.fields = others.types | names.types, others.fields | names.fields
     return names.render(notice)
 
@@ -38,10 +39,9 @@ def camel(name: str) -> str:
 
 
 class Renderer:
-    def __init__(self, abi: Abi, library: str = "haptic_retargeting", native: str = "Native",
-                 loader: str = "HapticRetargetingLibrary") -> None:
-        """`native` is the class of the declarations, `loader` the class that loads the library and checks results."""
-        self.abi, self.library, self.native, self.loader = abi, library, native, loader
+    def __init__(self, abi: Abi, library: str = "haptic_retargeting", native: str = "Native") -> None:
+        """`native` is the class of the declarations."""
+        self.abi, self.library, self.native = abi, library, native
         self.types = {s.name: _HANDLES.get(s.name) or pascal(s.name.removeprefix("hrt_")) + ("Handle" * s.is_handle)
                       for s in abi.structs}
         self.types |= {c.name: pascal(c.name.removeprefix("hrt_")) for c in abi.callbacks}
@@ -91,15 +91,20 @@ class Renderer:
         text += f"public partial struct {name}\n{{\n"
         for f in struct.fields:
             text += self.doc(f.doc, "    ") + f"    public {self.field_type(struct, f)} {camel(f.name)};\n"
-        if f"{struct.name}_default" in [f.name for f in self.abi.functions]:
-            text += (f"\n    /// <summary>Every field with its default.</summary>\n"
-                     f"    public static {name} Default\n    {{\n        get\n        {{\n"
-                     f"            {self.loader}.Load();\n"
-                     f"            var config = default({name});\n"
-                     f"            uint size = SizeOf<{name}>.Value;\n"
-                     f"            {self.loader}.Check({self.native}.{struct.name}_default(ref config, size));\n"
-                     "            return config;\n        }\n    }\n")
+        if struct.has_default:
+            values = "".join(f"        {camel(f.name)} = {value},\n" for f in struct.fields if (value := self.default(struct, f)))
+            text += (f"\n    /// <summary>Every field with its default.</summary>\n    public static {name} Default => new {name}\n"
+                     f"    {{\n        structSize = SizeOf<{name}>.Value,\n{values}    }};\n")
         return text + "}\n"
+
+    def default(self, struct: Struct, field: Field) -> str:
+        """Empty: zero."""
+        given = fields.default_of(field)
+        if not any(number.strip("0.") for number in given):
+            return ""
+        if given[0] in self.members:
+            return ".".join(self.members[given[0]])
+        return f"new {self.field_type(struct, field)}({', '.join(given)})" if field.length else given[0]
 
     def field_type(self, struct: Struct, field: Field) -> str:
         if field.length:

@@ -13,12 +13,11 @@ _CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_calibration": "Hapti
             "hrt_person": "HapticRetargetingPerson", "hrt_plate": "HapticRetargetingPlate"}
 _STATIC = "HapticRetargetingLibrary"
 # Whose names do not follow from those of the headers.
-_NAMES = {"hrt_authority_query_all": "QueryAllAuthorities", "hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets",
+_NAMES = {"hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets",
           "hrt_registration_check": "CheckTouch", "hrt_registration_confirm": "ConfirmRegistration",
-          "hrt_fingertip_place": "PlaceFingertip", "hrt_calibration_compare": "CompareCalibrations",
-          "hrt_replay_file": "ReplayFile", "hrt_replay_text": "ReplayText"}
+          "hrt_fingertip_place": "PlaceFingertip", "hrt_calibration_compare": "CompareCalibrations"}
 # What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
-BY_HAND = ("_default", "_create", "_destroy", "_open", "_close", "_is_valid", "hrt_reach_update", "hrt_set_allocator", "_log_callback")
+BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_set_host", "hrt_replay")
 
 
 def is_generated(function: Function) -> bool:
@@ -27,7 +26,7 @@ def is_generated(function: Function) -> bool:
 
 
 def render(abi: Abi, plate: Abi, notice: str) -> str:
-    names, plate_names = Renderer(abi), Renderer(plate, "hrt_plate", "PlateNative", "PlateLibrary")
+    names, plate_names = Renderer(abi), Renderer(plate, "hrt_plate", "PlateNative")
     plate_names.fields = names.fields | plate_names.fields
     methods: dict[str, list[str]] = {}
     for model, renderer in ((abi, names), (plate, plate_names)):

@@ -7,7 +7,7 @@ from abi import Abi, Field
 
 
 def render(abi: Abi) -> str:
-    lines = [f"constant {c.name} {c.value}{'u' * c.unsigned}" for c in abi.constants if "_VERSION_" not in c.name]
+    lines = [f"constant {c.name} {c.value}{'u' * c.unsigned}" for c in abi.constants if "_VERSION" not in c.name]
     for struct in abi.structs:
         places, size = abi.layout(struct, 8)
         lines.append(f"struct {struct.name} {size}")

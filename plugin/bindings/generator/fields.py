@@ -33,7 +33,7 @@ def render(abi: Abi, notice: str, others: str = '"plugin/src/abi/field.h"') -> s
             + "".join(f'#include "haptic_retargeting/{name}"\n' for name in abi.headers)
             + f"#include {others}" + "\n\nnamespace hrt::plugin {\n\n"
             + "\n".join(_fields(abi, s) for s in structs)
-            + "".join(_defaults(s) for s in structs if abi.has_default(s))
+            + "".join(_defaults(s) for s in structs if s.has_default)
             + (_columns(abi) + _calls(abi) if any(s.name == "hrt_command" for s in structs) else "") + "\n}  // namespace hrt::plugin\n")
 
 
@@ -98,14 +98,17 @@ def _defaults(struct: Struct) -> str:
             + "".join(f"    .{name} = {value},\n" for name, value in values.items()) + "};\n")
 
 
-def _default(f: Field) -> str:
+def default_of(f: Field) -> list[str]:
+    """Each number of its default, or a constant's name; empty: zero."""
     given = f.numbers.default
-    if given is None or f.length and not any(given):
+    return [given] if isinstance(given, str) else [_literal(f, number) for number in given or ()]
+
+
+def _default(f: Field) -> str:
+    given = default_of(f)
+    if not any(number.strip("0.") for number in given):
         return "{}"
-    if isinstance(given, str):
-        return given
-    numbers = [_literal(f, number) for number in given]
-    return "{" + ", ".join(numbers) + "}" if f.length else numbers[0]
+    return "{" + ", ".join(given) + "}" if f.length else given[0]
 
 
 def _literal(f: Field, number: Decimal | None) -> str:

@@ -6,7 +6,7 @@ import settings
 from abi import Abi, Enumeration, Field, HeaderError, pascal
 
 # What a script gets as a Dictionary, by its table in fields.h.
-_RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "authority": "hrt_authority",
+_RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "gap": "hrt_gap",
             "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
             "comparison": "hrt_calibration_comparison", "registration": "hrt_registration",
             "touch": "hrt_touch_check", "fingertip": "hrt_fingertip", "recording": "hrt_recording_status"}

@@ -3,16 +3,17 @@ functions. `generate --check` compares the model with what a compiler sees."""
 
 from __future__ import annotations
 
+import math
 import re
 from pathlib import Path
 
 from abi import SIZES, Abi, Constant, Field, Function, HeaderError, Parameter, Struct, Type, prefix_of
 
 # Headers that are written from the others.
-WRITTEN = ("init.h", "functions.h")
+WRITTEN = ("init.h", "setup_init.h", "study_init.h", "functions.h")
 
 _INSIDE = r"(?:[^*]|\*(?!/))*"
-_NUMBER = r"(?:UINT32_C\((?P<macro>\w+)\)|\(?(?P<plain>-?\d\w*)\)?)"
+_NUMBER = r"(?:UINT32_C\((?P<macro>\w+)\)|\(?(?P<plain>-?\d\w*)\)?|\((?P<sum>HRT_\w+(?:[ ][*+][ ]\w+)+)\))"
 _ITEM = re.compile(rf"""
     /\*\*(?!<)(?P<doc>{_INSIDE})\*/
   | /\*{_INSIDE}\*/
@@ -45,7 +46,7 @@ def read(include: Path, plate: bool = False) -> Abi:
         reader.read(name)
     for struct in reader.abi.structs:
         for f in struct.fields if reader.is_filled(struct) else ():
-            f.check(struct.name, reader.abi.has_default(struct))
+            f.check(struct.name, struct.has_default)
     _check_types(reader.abi)
     return reader.abi
 
@@ -67,7 +68,7 @@ class _Reader:
             if found["include"]:
                 self.read(found["include"])
             elif found["constant"]:
-                self.abi.constants.append(_constant(found, docs, prefixes))
+                self.abi.constants.append(self.constant(found, docs, prefixes))
             elif found["struct"]:
                 self.struct(found["struct"], found["fields"], docs[-1] if docs else "", name)
             elif found["result"] is not None:
@@ -96,7 +97,13 @@ class _Reader:
             fields.append(Field(found["name"] or found["callback"] or found["pointed"], kind, length, own,
                                 before.shared_doc if before else own, before.place + 1 if before else 0))
             docs = []
-        self.abi.structs.append(Struct(name, tuple(fields), doc))
+        self.abi.structs.append(Struct(name, tuple(fields), doc, header))
+
+    def constant(self, found: re.Match[str], docs: list[str], prefixes: set[str]) -> Constant:
+        if not found["sum"]:
+            return _constant(found, int((found["macro"] or found["plain"]).rstrip("u"), 0), docs, prefixes)
+        terms = [[self.number(factor) for factor in term.split(" * ")] for term in found["sum"].split(" + ")]
+        return _constant(found, sum(map(math.prod, terms)), docs, prefixes)
 
     def number(self, written: str | None) -> int:
         if not written or written.isdigit():
@@ -122,11 +129,10 @@ def _items(pattern: re.Pattern[str], text: str, where: str):
         at = found.end()
 
 
-def _constant(found: re.Match[str], docs: list[str], prefixes: set[str]) -> Constant:
+def _constant(found: re.Match[str], value: int, docs: list[str], prefixes: set[str]) -> Constant:
     """With what is said of it, and of the group that it begins."""
     name, prefix = found["constant"], prefix_of(found["constant"])
-    unsigned = found["macro"] is not None or found["plain"].endswith("u")
-    value = int((found["macro"] or found["plain"]).rstrip("u"), 0)
+    unsigned = found["macro"] is not None or (found["plain"] or "").endswith("u")
     doc, group = docs[-1] if docs else "", docs[-2] if len(docs) > 1 else ""
     if found["behind"] is not None:
         doc, group = _plain(found["behind"]), doc

@@ -7,6 +7,7 @@ import re
 import textwrap
 
 from abi import Abi, Enumeration, Field, Function, Struct, Type, pascal
+from fields import default_of
 
 _CTYPES = {"char": "c_char", "int32_t": "c_int32", "uint32_t": "c_uint32", "int64_t": "c_int64",
            "uint64_t": "c_uint64", "double": "c_double", "size_t": "c_size_t"}
@@ -29,6 +30,7 @@ def render(abi: Abi, notice: str) -> str:
     members = {m.name for e in abi.enumerations for m in e.members}
     constants = [c for c in abi.constants if c.name not in members]
     version = ", ".join(str(c.value) for c in constants if c.name.startswith("HRT_VERSION_"))
+    number = next((c.value for c in constants if c.name == "HRT_VERSION"), 0)
     parts = [
         f"# {notice}\n"
         '"""The C interface as ctypes sees it. Meanings, units and ranges are those of the C headers."""\n\n'
@@ -41,9 +43,9 @@ def render(abi: Abi, notice: str) -> str:
         "    Choice, Double, Flags, FunctionPointer, Int32, Int64, Pointer, Struct, UInt32, UInt64, laid_out,\n"
         ")\n\n"
         "if TYPE_CHECKING:\n    from numpy.typing import ArrayLike\n",
-        (f'VERSION = ({version})\n"""Of the headers that this was written from."""\n' if version else "")
+        (f'VERSION = ({version})\n"""Of the headers that this was written from."""\nVERSION_NUMBER = {number}\n' if version else "")
         + "".join(f"{c.name.removeprefix('HRT_')} = {c.value}\n" + _docstring(c.doc, "", names)
-                  for c in constants if not c.name.startswith("HRT_VERSION_")),
+                  for c in constants if not c.name.startswith("HRT_VERSION")),
     ]
     parts.extend(_enumeration(e, names) for e in abi.enumerations)
     parts.append("".join(_callback(f, names) for f in abi.callbacks))
@@ -90,6 +92,10 @@ class _Names:
         self.structs = {s.name: pascal(s.name.removeprefix("hrt_")) + "Handle" * s.is_handle for s in abi.structs}
         self.structs |= {f.name: pascal(f.name.removeprefix("hrt_")) for f in abi.callbacks}
         self.enums = abi.enumeration_names(_ENUMERATIONS, "Flag")
+        self.members = {m.name: f"{self.enums[e.prefix]}.{e.short(m)}" for e in abi.enumerations for m in e.members}
+
+    def constant(self, name: str) -> str:
+        return self.members.get(name, name)
 
 
 def _enumeration(enumeration: Enumeration, names: _Names) -> str:
@@ -130,9 +136,18 @@ def _struct(struct: Struct, names: _Names) -> str:
                 if f.name not in ("struct_size", "reserved")]
     doc = "\n    ".join(lines).rstrip().replace("\n    \n", "\n\n")
     doc = f'    """{doc}\n    """\n' if "\n" in doc else f'    """{doc}"""\n'
+    if struct.has_default:
+        fields += f"    _defaults_ = {{{_defaults(struct, names)}}}\n"
     return (f"@laid_out\nclass {names.structs[struct.name]}(Struct):\n{doc}\n{fields}\n"
             f"    if TYPE_CHECKING:\n        def __init__(\n{_wrapped(['self, *', *keywords], 12)}\n"
             "        ) -> None: ...\n")
+
+
+def _defaults(struct: Struct, names: _Names) -> str:
+    """What is not 0."""
+    given = {f.name: default_of(f) for f in struct.fields}
+    return ", ".join(f'"{f.name}": ' + (f"({_list(given[f.name])})" if f.length else names.constant(given[f.name][0]))
+                     for f in struct.fields if any(n.strip("0.") for n in given[f.name]))
 
 
 def _renamed(doc: str, names: _Names) -> str:
@@ -142,7 +157,7 @@ def _renamed(doc: str, names: _Names) -> str:
     doc = re.sub(r"\b(hrt_\w+)::", lambda found: names.structs.get(found[1], found[1]) + ".", doc)
     doc = re.sub(r"\bhrt_\w+\b(?!\()", lambda found: names.structs.get(found[0], found[0]), doc)
     doc = re.sub(r"\bHRT_(?=[A-Z])", "", doc)
-    return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_default\(\) fills every field)\.", "", doc)
+    return re.sub(r" ?(Set `struct_size` before the call|hrt_\w+_init\(\) fills every field)\.", "", doc)
 
 
 def _type(type_: Type, names: _Names) -> str:

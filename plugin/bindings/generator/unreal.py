@@ -16,7 +16,7 @@ import settings
 from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
-            "hrt_authority": "FHapticAuthority", "hrt_scene_target": "FHapticSceneTarget"}
+            "hrt_gap": "FHapticGap", "hrt_scene_target": "FHapticSceneTarget"}
 # The component's transform has the first; the plugin keeps the others.
 _NOT_SHOWN = ("struct_size", "reserved", "plate_rotation", "covariance", "sd_m")
 # Arguments of the component.
@@ -302,7 +302,7 @@ def render_types(abi: Abi, notice: str) -> str:
 def render_header(abi: Abi, notice: str) -> str:
     outputs = [name for name in _STRUCTS if name != settings.STRUCT]
     return (f"// {notice}\n#pragma once\n\n"
-            '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/haptic_retargeting.h"\n\n'
+            '#include "HapticRetargetingTypes.h"\n#include "haptic_retargeting/setup.h"\n\n'
             "namespace HapticConversions\n{\n"
             "\t/** What the settings do not show is as in `Before`. */\n"
             "\thrt_session_config ToConfig(const FHapticSettings& S, const FTransform& Plate, "

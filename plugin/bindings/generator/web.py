@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+import fields
 from abi import Abi, Field, Function, HeaderError, Struct, Type
 
 _POINTER_SIZE = 4
@@ -19,7 +20,7 @@ def render_script(abi: Abi, notice: str) -> str:
     for struct in abi.structs:
         text += f"  {struct.name}: {{ size: {abi.layout(struct, _POINTER_SIZE)[1]}, fields: {{\n"
         text += "".join(f"    {name}: {json.dumps(place)},\n" for name, place in _places(abi, struct).items())
-        text += "  } },\n"
+        text += "  }" + (f", defaults: {{ {_defaults(abi, struct)} }}" if struct.has_default else "") + " },\n"
     text += "});\n\n// Every function that the module exports, with its parameters; i64 and u64 are BigInt.\n"
     text += "export const functions = Object.freeze([\n"
     text += "".join(f'  "{f.name}",{_parameters(abi, f)}\n' for f in abi.functions)
@@ -47,6 +48,14 @@ def render_frames(abi: Abi, notice: str) -> str:
         text += (f"\nexport function read{title}(view, at, into) {{\n"
                  + "".join(f"  {line}\n" for f, place in places.items() for line in _reads(f, place)) + "}\n")
     return text
+
+
+def _defaults(abi: Abi, struct: Struct) -> str:
+    values = {c.name: str(c.value) for c in abi.constants}
+    given = {f.name: [values.get(n, n) + "n" * (f.unit == "ns") for n in fields.default_of(f)] for f in struct.fields}
+    shown = {f.name: f"[{', '.join(given[f.name])}]" if f.length else given[f.name][0] for f in struct.fields
+             if any(n.strip("0.n") for n in given[f.name])}
+    return ", ".join(f"{name}: {value}" for name, value in shown.items())
 
 
 def _parameters(abi: Abi, function: Function) -> str:
@@ -104,6 +113,8 @@ def render_types(abi: Abi, notice: str) -> str:
         "}\n\n"
         "export interface StructLayout<Field extends string> {\n"
         "  readonly size: number;\n"
+        "  /** What is not 0 by default. */\n"
+        "  readonly defaults?: Readonly<Partial<Record<Field, unknown>>>;\n"
         "  readonly fields: Readonly<Record<Field, FieldPlace>>;\n"
         "}\n\n"
         "export declare const structs: {\n")

@@ -36,23 +36,15 @@ _PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_cl
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
     ("godot", "hrt_person_create hrt_person_destroy hrt_person_begin hrt_person_move hrt_person_get_state", "not yet in a node"),
-    (_ALL, "hrt_session_is_valid", "an object of the host knows whether it is open"),
     (_ALL, "hrt_result_string", "an error has the text of hrt_last_error()"),
-    (_ALL, "hrt_set_allocator", "called on any thread, which only C and C++ allow"),
-    ("godot python unreal web", "hrt_set_log_callback", "what a recording has lost is reported when it stops"),
-    (_ALL, "hrt_session_set_log_callback", "lines of the process's log name the session"),
-    ("godot unreal", "hrt_scene_load_memory", "scenes are files"),
+    ("godot python unreal web", "hrt_set_host", "what a recording has lost is reported when it stops"),
     ("godot", "hrt_scene_get_info hrt_scene_get_target", "find_target() has the ids, the node itself moves to the plate"),
-    ("python unity", "hrt_scene_load_memory", "scenes are files"),
     ("unity", "hrt_scene_get_target", "a registered target is read from the session"),
-    ("web", "hrt_scene_load_file hrt_replay_file", "files are the page's: their contents are given"),
-    ("python", "hrt_replay_text", "recordings are files"),
-    ("godot unreal", "hrt_replay_file hrt_replay_text", "recordings are replayed in Python"),
-    ("unreal", "hrt_target_list hrt_target_find", "a Blueprint has the ids"),
-    ("godot", "hrt_authority_query_all", "a script asks for the pairs that it has"),
-    ("unreal", "hrt_authority_query_all hrt_registration_check hrt_latency_fit hrt_session_get_state hrt_target_assign "
+    ("godot unreal", "hrt_replay", "recordings are replayed in Python"),
+    ("unreal", "hrt_target_list", "a Blueprint has the ids"),
+    ("unreal", "hrt_registration_check hrt_latency_fit hrt_target_assign "
      "hrt_profile_get_conditions hrt_profile_set_conditions hrt_calibration_create hrt_calibration_destroy "
-     "hrt_calibration_begin_trial hrt_calibration_add_sample hrt_calibration_end_trial hrt_calibration_cancel_trial "
+     "hrt_calibration_begin_trial hrt_calibration_add_sample hrt_calibration_end_trial "
      "hrt_calibration_next_angle hrt_calibration_solve hrt_calibration_get_residual hrt_calibration_apply "
      "hrt_calibration_compare hrt_registration_fit hrt_registration_advice hrt_registration_apply hrt_registration_confirm "
      "hrt_fingertip_fit hrt_fingertip_place hrt_person_get_state",
@@ -61,7 +53,6 @@ _LEFT_OUT = (
     ("godot", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
     ("godot", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
      "the defaults hold several times the slides that a calibration needs"),
-    ("godot", "hrt_session_get_state", "the node or component knows whether a reach runs"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
     ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
     ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),
@@ -77,8 +68,7 @@ _LEFT_OUT = (
 
 def missing(abi: Abi, plate: Abi, bindings: Path, notice: str) -> Iterator[str]:
     """A line for each name and host."""
-    # Defaults are part of what is generated.
-    functions = {f.name for f in abi.functions + plate.functions if not f.name.endswith("_default")}
+    functions = {f.name for f in abi.functions + plate.functions}
     known = _OWN | {x.name for model in (abi, plate) for x in (*model.functions, *model.constants, *model.structs)}
     known |= {f"{struct.name}_init" for struct in abi.structs}
     for host, patterns in _SOURCES.items():

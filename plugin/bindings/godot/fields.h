@@ -3,6 +3,8 @@
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/setup.h>
+#include <haptic_retargeting/study.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +36,7 @@ Record to_record(const void* object, std::span<const Field> fields);
 extern const std::span<const Field> config_fields;
 extern const std::span<const Field> command_fields;
 extern const std::span<const Field> summary_fields;
-extern const std::span<const Field> authority_fields;
+extern const std::span<const Field> gap_fields;
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
 extern const std::span<const Field> calibration_fields;
 extern const std::span<const Field> slide_fields;

@@ -52,12 +52,12 @@ Value PlateNode::add_trial_sample(const Value* arguments) {
 }
 
 Value PlateNode::end_trial(const Value*) {
-  ok(hrt_calibration_end_trial(calibration_));
+  ok(hrt_calibration_end_trial(calibration_, 1));
   return to_godot_error(result_);
 }
 
 Value PlateNode::cancel_trial(const Value*) {
-  ok(hrt_calibration_cancel_trial(calibration_));
+  ok(hrt_calibration_end_trial(calibration_, 0));
   return to_godot_error(result_);
 }
 

@@ -39,9 +39,8 @@ int64_t to_godot_error(hrt_result result) {
       {HRT_ERROR_NULL_ARGUMENT, kErrInvalidParameter},
       {HRT_ERROR_NAME_TAKEN, 32},      // ERR_ALREADY_EXISTS
       {HRT_ERROR_INVALID_HANDLE, 33},  // ERR_DOES_NOT_EXIST
-      {HRT_ERROR_NOT_FOUND, 33},
-      {HRT_ERROR_BAD_FORMAT, 43},  // ERR_PARSE_ERROR
-      {HRT_ERROR_BUSY, 44},        // ERR_BUSY
+      {HRT_ERROR_BAD_FORMAT, 43},      // ERR_PARSE_ERROR
+      {HRT_ERROR_BUSY, 44},            // ERR_BUSY
   };
   for (const auto& [ours, godots] : errors)
     if (ours == result) return godots;
@@ -112,9 +111,9 @@ bool PlateNode::configure() {
     config_.flags &= ~HRT_SESSION_REGISTERED;
   }
   if (!session_.value) {
-    if (!ok(hrt_session_create(&config_, &session_))) return false;
+    if (!ok(hrt_session_create(HRT_VERSION, &config_, &session_))) return false;
   } else if (std::memcmp(&config_, &configured_, sizeof config_) != 0) {
-    if (!ok(hrt_session_set_config(session_, &config_))) return false;
+    if (!ok(hrt_session_set(session_, &config_))) return false;
   }
   configured_ = config_;
   return true;
@@ -154,7 +153,7 @@ void PlateNode::move_to_plate() {
  * into the properties; others may have been set and wait. */
 void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
-  if (!ok(hrt_session_get_config(session_, &configured_))) return;
+  if (!ok(hrt_session_get(session_, &configured_, nullptr))) return;
   for (const Field& field : config_fields)
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));

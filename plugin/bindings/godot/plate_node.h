@@ -3,6 +3,8 @@
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/setup.h>
+#include <haptic_retargeting/study.h>
 
 #include <bitset>
 #include <limits>
@@ -50,7 +52,7 @@ struct Signal {
 };
 inline constexpr Signal kPlateCommanded{"plate_commanded", {"orientation_deg", Type::kReal}};
 inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
-inline constexpr Signal kReachEnded{"reach_ended", {"final_miss_deg", Type::kReal}};
+inline constexpr Signal kReachEnded{"reach_ended", {"miss_deg", Type::kReal}};
 std::span<const Signal> signals();
 
 /** The engine, as the node needs it. */
@@ -106,8 +108,7 @@ class PlateNode {
   Value is_reaching(const Value* arguments);
   Value get_command(const Value* arguments);
   Value get_summary(const Value* arguments);
-  Value get_authority(const Value* arguments);
-  Value get_best_authority(const Value* arguments);
+  Value get_gap(const Value* arguments);
   Value assign_targets(const Value* arguments);
   Value get_assigned(const Value* arguments);
   Value load_scene(const Value* arguments);
@@ -170,7 +171,7 @@ class PlateNode {
   hrt_calibration calibration_{};
   hrt_calibration_result user_{};    ///< struct_size 0: no calibration is solved
   hrt_calibration_result before_{};  ///< of the calibration before; struct_size 0: none
-  std::vector<hrt_authority> assigned_;
+  std::vector<hrt_gap> assigned_;
   std::vector<hrt_mark_touch> mark_touches_;
   std::vector<hrt_joint_touch> joint_touches_;
   hrt_registration registration_{};  ///< struct_size 0: none is fitted

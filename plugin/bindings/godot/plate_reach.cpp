@@ -117,7 +117,7 @@ Value PlateNode::end(const Value*) {
   reaching_ = false;
   summary_ = summary;
   take_changes();  // under HRT_ADAPTATION_CARRIED there are some
-  engine_.emit(kReachEnded, summary.final_miss_deg);
+  engine_.emit(kReachEnded, summary.miss_deg);
   return int64_t{0};
 }
 

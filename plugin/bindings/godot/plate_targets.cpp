@@ -72,19 +72,11 @@ Value PlateNode::remove_target(const Value* arguments) {
   return to_godot_error(result_);
 }
 
-Value PlateNode::get_authority(const Value* arguments) {
-  hrt_authority authority = hrt_authority_init();
-  if (!configure() ||
-      !ok(hrt_authority_query(session_, to_target(arguments[0]), to_target(arguments[1]), &authority)))
+Value PlateNode::get_gap(const Value* arguments) {
+  hrt_gap gap = hrt_gap_init();
+  if (!configure() || !ok(hrt_gap_query(session_, to_target(arguments[0]), to_target(arguments[1]), &gap)))
     return Record{};
-  return to_record(&authority, authority_fields);
-}
-
-Value PlateNode::get_best_authority(const Value* arguments) {
-  hrt_authority authority = hrt_authority_init();
-  if (!configure() || !ok(hrt_authority_query_best(session_, to_target(arguments[0]), &authority)))
-    return Record{};
-  return to_record(&authority, authority_fields);
+  return to_record(&gap, gap_fields);
 }
 
 bool PlateNode::list_targets(uint32_t role, std::vector<hrt_target>& out_targets) {
@@ -99,7 +91,7 @@ Value PlateNode::assign_targets(const Value* arguments) {
   if (!configure() || !list_targets(HRT_TARGET_REAL, real) || !list_targets(HRT_TARGET_VIRTUAL, felt))
     return to_godot_error(result_);
   // One more than is filled, because the plugin reads the first one's size.
-  std::vector<hrt_authority> assigned(felt.size() + 1, hrt_authority_init());
+  std::vector<hrt_gap> assigned(felt.size() + 1, hrt_gap_init());
   const uint32_t flags = std::get<bool>(arguments[0]) ? HRT_ASSIGN_EXCLUSIVE : 0;
   if (ok(hrt_target_assign(session_, felt.data(), felt.size(), real.data(), real.size(), flags, felt.size(),
                            assigned.data()))) {
@@ -110,17 +102,17 @@ Value PlateNode::assign_targets(const Value* arguments) {
 }
 
 Value PlateNode::get_assigned(const Value* arguments) {
-  const auto found = std::find_if(assigned_.begin(), assigned_.end(), [&](const hrt_authority& one) {
+  const auto found = std::find_if(assigned_.begin(), assigned_.end(), [&](const hrt_gap& one) {
     return one.virtual_target.value == to_target(arguments[0]).value;
   });
-  if (found != assigned_.end()) return to_record(&*found, authority_fields);
+  if (found != assigned_.end()) return to_record(&*found, gap_fields);
   engine_.push_error("get_assigned: no assignment of this virtual target; call assign_targets() first");
   return Record{};
 }
 
 Value PlateNode::load_scene(const Value* arguments) {
   hrt_scene scene{};
-  if (!configure() || !ok(hrt_scene_load_file(to_text(arguments[0]).c_str(), &scene)))
+  if (!configure() || !ok(hrt_scene_load(to_text(arguments[0]).c_str(), nullptr, 0, &scene)))
     return to_godot_error(result_);
   const bool registered = ok(hrt_scene_register(scene, session_, 0, nullptr));
   const hrt_result result = result_;
@@ -130,10 +122,16 @@ Value PlateNode::load_scene(const Value* arguments) {
 }
 
 Value PlateNode::find_target(const Value* arguments) {
-  hrt_target target{};
-  if (!configure() || !ok(hrt_target_find(session_, to_text(arguments[0]).c_str(), &target)))
-    return kNoTarget;
-  return static_cast<int64_t>(target.value);
+  std::vector<hrt_target> targets;
+  if (!configure() || !list_targets(0, targets)) return kNoTarget;
+  const std::string name = to_text(arguments[0]);
+  for (const hrt_target target : targets) {
+    hrt_target_config config = hrt_target_config_init();
+    if (ok(hrt_target_get(session_, target, &config)) && name == config.name)
+      return static_cast<int64_t>(target.value);
+  }
+  engine_.push_error(("find_target: no target has the name \"" + name + '"').c_str());
+  return kNoTarget;
 }
 
 }  // namespace hrt_godot

@@ -1,6 +1,6 @@
 // Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
-  hrt_authority, hrt_calibration_comparison, hrt_calibration_config, hrt_calibration_result, hrt_calibration_slide,
+  hrt_gap, hrt_calibration_comparison, hrt_calibration_config, hrt_calibration_result, hrt_calibration_slide,
   hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_person_config,
   hrt_person_state, hrt_reach_summary,
   hrt_recording_status, hrt_registration, hrt_registration_config, hrt_replay_report, hrt_sample, hrt_scene_info,
@@ -94,21 +94,17 @@ export interface Session {
   target(id: TargetId): Output<hrt_target_config>;
   setTarget(id: TargetId, changes: Input<hrt_target_config>): void;
   removeTarget(id: TargetId): void;
+  /** RangeError if there is none. */
   findTarget(name: string): TargetId;
   /** In the order in which they were added; of one role, HRT_TARGET_*, or of both. */
   targets(role?: number): TargetId[];
 
-  /** The largest gap that the plate can sustain for a pair, computed before a reach. */
-  authority(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_authority>;
-  /** The same for the real target that serves a virtual one best. */
-  bestAuthority(virtualTarget: TargetId): Output<hrt_authority>;
+  /** The gap between two targets, and the largest that the plate can hold, computed before a reach. */
+  gap(realTarget: TargetId, virtualTarget: TargetId): Output<hrt_gap>;
 
-  /** Of every pair, by virtual target and then by real one, in the order in which they were added. */
-  authorities(): Output<hrt_authority>[];
-
-  /** The real target that serves each virtual one, so that the largest needed share of the authority is smallest; each
+  /** The real target that serves each virtual one, so that the largest needed share of what can be held is smallest; each
    *  real one serves one at most if `exclusive`. What cannot be served has `reachable` 0 and no real target. */
-  assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_authority>[];
+  assign(virtualTargets: TargetId[], realTargets: TargetId[], exclusive?: boolean): Output<hrt_gap>[];
 
   /** Input of the next update(). Fields that `flags` does not name are not read. */
   readonly sample: Frame<hrt_sample>;
@@ -167,8 +163,8 @@ export interface Calibration {
   /** Input of the next addSample(). */
   readonly sample: Frame<hrt_sample>;
   addSample(): void;
-  endTrial(): void;
-  cancelTrial(): void;
+  /** Discards the trial unless it is to be kept, for example after a slip. */
+  endTrial(keep?: boolean): void;
   /** Half a second of work for 20000 samples: not between two frames. */
   solve(): Output<hrt_calibration_result>;
   /** A slide of the last solve(), from 0 to trials_used - 1: seen, fitted, and whether it was left out (HRT_SLIDE_*). */

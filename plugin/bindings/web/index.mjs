@@ -85,7 +85,7 @@ class Library {
 
   replay(text) {
     return this.#memory.withText(text, (at, length) =>
-      this.#memory.get("hrt_replay_report", "hrt_replay_text", at, length));
+      this.#memory.get("hrt_replay_report", "hrt_replay", 0, at, length));
   }
 }
 
@@ -137,7 +137,7 @@ class Session {
   constructor(memory, config) {
     this.#memory = memory;
     this.#handle = memory.withStruct("hrt_session_config", config, (at) =>
-      created(memory, (out) => memory.call("hrt_session_create", at, out)));
+      created(memory, (out) => memory.call("hrt_session_create", abi.HRT_VERSION, at, out)));
     this.#update = memory.entry("hrt_reach_update");
     this.#path = `recording ${++Session.#count}`;
     this.#input = new Frame(memory, "hrt_sample", "session");
@@ -160,10 +160,10 @@ class Session {
   }
 
   get config() {
-    return this.#memory.get("hrt_session_config", "hrt_session_get_config", this.#handle);
+    return this.#memory.output("hrt_session_config", (at) => this.#memory.call("hrt_session_get", this.#handle, at, 0));
   }
   configure(changes) {
-    this.#memory.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set_config", this.#handle);
+    this.#memory.put("hrt_session_config", { ...this.config, ...changes }, "hrt_session_set", this.#handle);
   }
 
   setPlate(matrix) {
@@ -183,8 +183,9 @@ class Session {
   }
   removeTarget(id) { this.#memory.call("hrt_target_remove", this.#handle, id); }
   findTarget(name) {
-    return this.#memory.withText(name, (at) =>
-      created(this.#memory, (out) => this.#memory.call("hrt_target_find", this.#handle, at, out)));
+    const found = this.targets().find((id) => this.target(id).name === name);
+    if (found === undefined) throw new RangeError(`no target has the name "${name}"`);
+    return found;
   }
   targets(role = 0) {
     const memory = this.#memory;
@@ -198,41 +199,25 @@ class Session {
     });
   }
 
-  authority(realTarget, virtualTarget) {
-    return this.#memory.get("hrt_authority", "hrt_authority_query", this.#handle, realTarget, virtualTarget);
-  }
-  bestAuthority(virtualTarget) {
-    return this.#memory.get("hrt_authority", "hrt_authority_query_best", this.#handle, virtualTarget);
-  }
-
-  authorities() {
-    const memory = this.#memory, { size } = abi.structs.hrt_authority;
-    return memory.with(8, (count) => {
-      memory.call("hrt_authority_query_all", this.#handle, 0n, 0, count);
-      const capacity = memory.view.getBigUint64(count, true), length = Number(capacity);
-      return memory.with(size * length + 4, (out) => {
-        memory.view.setUint32(out, size, true);
-        memory.call("hrt_authority_query_all", this.#handle, capacity, out, count);
-        return Array.from({ length }, (_, i) => memory.read("hrt_authority", out + size * i));
-      });
-    });
+  gap(realTarget, virtualTarget) {
+    return this.#memory.get("hrt_gap", "hrt_gap_query", this.#handle, realTarget, virtualTarget);
   }
 
   assign(virtualTargets, realTargets, exclusive = false) {
-    const memory = this.#memory, count = virtualTargets.length, { size } = abi.structs.hrt_authority;
+    const memory = this.#memory, count = virtualTargets.length, { size } = abi.structs.hrt_gap;
     const ids = [...virtualTargets, ...realTargets];
     return memory.with(8 * ids.length + 1, (at) => memory.with(size * count + 4, (out) => {
       ids.forEach((id, i) => memory.view.setBigUint64(at + 8 * i, id, true));
       memory.view.setUint32(out, size, true);
       memory.call("hrt_target_assign", this.#handle, at, BigInt(count), at + 8 * count, BigInt(realTargets.length),
         exclusive ? abi.HRT_ASSIGN_EXCLUSIVE : 0, BigInt(count), out);
-      return Array.from({ length: count }, (_, i) => memory.read("hrt_authority", out + size * i));
+      return Array.from({ length: count }, (_, i) => memory.read("hrt_gap", out + size * i));
     }));
   }
 
   get state() {
     return this.#memory.with(4, (at) => {
-      this.#memory.call("hrt_session_get_state", this.#handle, at);
+      this.#memory.call("hrt_session_get", this.#handle, 0, at);
       return this.#memory.view.getUint32(at, true);
     });
   }
@@ -377,8 +362,7 @@ class Calibration {
     writeSample(this.#memory.view, this.#input.at, this.sample);
     this.#memory.call("hrt_calibration_add_sample", this.#handle, this.#input.at);
   }
-  endTrial() { this.#memory.call("hrt_calibration_end_trial", this.#handle); }
-  cancelTrial() { this.#memory.call("hrt_calibration_cancel_trial", this.#handle); }
+  endTrial(keep = true) { this.#memory.call("hrt_calibration_end_trial", this.#handle, keep ? 1 : 0); }
   nextAngle() {
     const memory = this.#memory;
     return memory.with(16, (at) => {
@@ -430,7 +414,7 @@ class Scene {
   constructor(memory, bytes, name) {
     this.#memory = memory;
     this.#handle = memory.withText(name, (text) => memory.withBytes(new Uint8Array(bytes), (at, length) =>
-      created(memory, (out) => memory.call("hrt_scene_load_memory", at, length, text, out))));
+      created(memory, (out) => memory.call("hrt_scene_load", text, at, length, out))));
   }
 
   destroy() { this.#memory.call("hrt_scene_destroy", this.#handle); }

@@ -76,25 +76,15 @@ export class Memory {
   }
   withText(text, use) { return this.withBytes(encoder.encode(text), use); }
 
-  /** Lends a struct with its size in place and, if the library has them, its defaults, and `values` over these. */
-  withStruct(type, values, use) {
-    const { size, fields } = abi.structs[type];
-    return this.with(size, (at) => {
-      if (this.#exports[`${type}_default`]) this.call(`${type}_default`, at, size);
-      else if (fields.struct_size) this.view.setUint32(at, size, true);
-      for (const [name, value] of Object.entries(values)) {
-        if (value !== undefined) this.write(type, at, name, value);
-      }
-      return use(at);
-    });
-  }
+  /** Lends a struct with its size and its defaults in place, and `values` over these. */
+  withStruct(type, values, use) { return this.withStructs(type, [values], use); }
   /** The same for several, one behind the other. */
   withStructs(type, list, use) {
-    const { size, fields } = abi.structs[type];
+    const { size, fields, defaults } = abi.structs[type];
     return this.with(size * list.length + 1, (at) => {
       list.forEach((values, i) => {
         if (fields.struct_size) this.view.setUint32(at + size * i, size, true);
-        for (const [name, value] of Object.entries(values)) {
+        for (const [name, value] of Object.entries({ ...defaults, ...values })) {
           if (value !== undefined) this.write(type, at + size * i, name, value);
         }
       });

@@ -1,5 +1,6 @@
 /*
- * Results, error texts and version; and the contract of every call in these headers.
+ * Results, error texts, version, the host's allocator and log; and the contract of every call in these
+ * headers.
  *
  * Calls
  *  - Every call returns hrt_result. HRT_OK is 0; every error is negative. On an error neither the session nor
@@ -12,8 +13,8 @@
  *                    paths too. On Windows a thread's first call allocates memory for its error text.
  *
  * Structs
- *  - Set `struct_size` to sizeof the struct; the *_default() calls do. From a caller with older headers,
- *    missing fields take their defaults; from one with newer headers, further bytes must be zero.
+ *  - Set `struct_size` to sizeof the struct; hrt_session_config_init() and its like (init.h) do, and set the
+ *    defaults. A null configuration means the defaults, too. Bytes beyond the library's size must be zero.
  *  - Fields named `reserved` must be zero. Integers have a fixed width. There is no padding between fields.
  *  - Texts and paths are UTF-8, on Windows too.
  *
@@ -21,7 +22,7 @@
  *  - Calls round to nearest and restore the host's rounding mode. Flush-to-zero and the locale have no
  * effect.
  *  - No signal is sent or handled. The only threads are those of recordings, one each, which block signals.
- *  - In the child of a fork sessions work; recordings stay with the parent (recording.h).
+ *  - In the child of a fork sessions work; recordings stay with the parent (study.h).
  *  - dlclose() and the end of the process end all recordings. No thread may be in a call by then.
  *  - Stack: 32 kB in [real-time] calls, 64 kB in others. Memory: 14 kB a session, 7 MB a recording.
  *
@@ -83,8 +84,10 @@ extern "C" {
 
 /** Version of these headers. hrt_get_version() returns the library's. */
 #define HRT_VERSION_MAJOR 0
-#define HRT_VERSION_MINOR 3
+#define HRT_VERSION_MINOR 4
 #define HRT_VERSION_PATCH 0
+/** Version that hrt_session_create() is given: the same major and, before 1.0, minor number is needed. */
+#define HRT_VERSION (HRT_VERSION_MAJOR * 10000 + HRT_VERSION_MINOR * 100 + HRT_VERSION_PATCH)
 
 /** HRT_OK or one of the errors below. Their numbers never change. */
 typedef int32_t hrt_result;
@@ -108,8 +111,6 @@ typedef int32_t hrt_result;
 #define HRT_ERROR_OUT_OF_MEMORY (-8)
 /** The number of objects or samples is at its limit. */
 #define HRT_ERROR_LIMIT_REACHED (-9)
-/** Nothing has this name. */
-#define HRT_ERROR_NOT_FOUND (-10)
 /** The caller's buffer is too small for the output. */
 #define HRT_ERROR_BUFFER_TOO_SMALL (-11)
 /** Another target of this session has this name. */
@@ -134,6 +135,35 @@ HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 /** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog
  *  names what a minor version changes. Null pointers are skipped. [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
+
+/** Level of a log message. */
+#define HRT_LOG_WARNING 1
+#define HRT_LOG_ERROR 2
+
+/** What the host lends to the library, for the whole process. All zero with `struct_size`: memory of the C
+ *  library, and no log. No function may call this library or throw. Each is called on any thread. */
+typedef struct hrt_host {
+  uint32_t struct_size;
+  uint32_t reserved;
+  /** Passed to all functions. The library does not read it. */
+  void* context;
+  /** Returns `size` bytes (at least 1) at a multiple of `alignment` (a power of two), or null on failure.
+   * Called concurrently. Null, as `release` then has to be: the C library's. */
+  void* (*allocate)(void* context, size_t size, size_t alignment);
+  /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it
+   *  keeps it beside the memory. Called concurrently. */
+  void (*release)(void* context, void* memory);
+  /** Receives what no call can return, for example that a recording's disk is full. `level` is HRT_LOG_*.
+   *  `text` is one line that names the session and, of a recording, the file; valid during the call. Called
+   *  within calls that are not real-time or on a thread of the library, one call at a time. Null: no log. */
+  void (*log)(void* context, uint32_t level, const char* text);
+} hrt_host;
+
+/** Sets allocator and log; the struct is copied. Null: the defaults. Waits for a call of the former log to
+ * end; it is not called any more once this returns. Errors: WRONG_STATE if the allocator changes while a
+ * session, calibration, person or scene exists; NULL_ARGUMENT for one of allocate and release. [any-thread];
+ * an allocator changes while no other thread is in a call of this library. */
+HRT_NODISCARD HRT_API hrt_result hrt_set_host(const hrt_host* host) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

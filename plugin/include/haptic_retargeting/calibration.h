@@ -26,7 +26,7 @@ typedef struct hrt_calibration {
 /** Maximum number of calibrations in a process. */
 #define HRT_CALIBRATIONS_MAX 16
 
-/** Configuration of a calibration. hrt_calibration_config_default() fills every field. */
+/** Configuration of a calibration. hrt_calibration_config_init() fills every field. */
 typedef struct hrt_calibration_config {
   uint32_t struct_size;
   /** Maximum number of trials. 10 to 10000. Default 200. */
@@ -171,10 +171,6 @@ typedef struct hrt_calibration_comparison {
   hrt_interval tracker_noise_m;
 } hrt_calibration_comparison;
 
-/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config,
-                                                                uint32_t struct_size) HRT_NOEXCEPT;
-
 /** Creates a calibration without trials. `config` may be null: the defaults. It copies the plate's pose and
  * the lift height from the session. Errors: OUT_OF_RANGE naming the field, LIMIT_REACHED, OUT_OF_MEMORY.
  * [one-thread] for the session */
@@ -199,12 +195,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_calibration_begin_trial(hrt_calibration cal
 HRT_NODISCARD HRT_API hrt_result hrt_calibration_add_sample(hrt_calibration calibration,
                                                             const hrt_sample* sample) HRT_NOEXCEPT;
 
-/** Ends the trial and keeps it. Errors: WRONG_STATE without a trial. [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_calibration_end_trial(hrt_calibration calibration) HRT_NOEXCEPT;
-
-/** Ends the trial and discards it, for example after a slip. Errors: WRONG_STATE without a trial.
- *  [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_calibration_cancel_trial(hrt_calibration calibration) HRT_NOEXCEPT;
+/** Ends the trial. `keep` is 1, or 0 to discard it, for example after a slip. Errors: OUT_OF_RANGE naming
+ * `keep`, WRONG_STATE without a trial. [real-time] */
+HRT_NODISCARD HRT_API hrt_result hrt_calibration_end_trial(hrt_calibration calibration,
+                                                           uint32_t keep) HRT_NOEXCEPT;
 
 /** Chooses the plate orientation of the next slide, in plate coordinates, by what it is expected to show
  *  given the trials so far; the first nine open the range. `*out_enough` is 1 if the trials so far determine

@@ -42,7 +42,7 @@ typedef struct hrt_plate {
   uint64_t value;
 } hrt_plate;
 
-/** How to treat a plate. hrt_plate_options_default() fills every field. */
+/** How to treat a plate. */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
   uint32_t reserved;
@@ -115,10 +115,6 @@ typedef struct hrt_plate_report {
   /** Why the plate has failed, in one line of UTF-8: "the plate at /dev/ttyACM0 is unplugged". */
   char message[256];
 } hrt_plate_report;
-
-/** Fills `*out_options`, of `struct_size` bytes. [any-thread] */
-HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_options_default(hrt_plate_options* out_options,
-                                                                 uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Starts to open the plate named `device`, and returns at once: hrt_plate_get() has the state, and whether
  * it failed. `options` may be null: defaults. The plate holds its place until the first hrt_plate_set().

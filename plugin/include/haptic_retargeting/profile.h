@@ -14,7 +14,6 @@
 #ifndef HAPTIC_RETARGETING_PROFILE_H
 #define HAPTIC_RETARGETING_PROFILE_H
 
-#include "session.h"
 #include "target.h"
 
 #if defined(__cplusplus)

@@ -19,7 +19,7 @@ extern "C" {
  *  then, and samples before it are not counted. In a reach of directions alone this has no effect. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
-/** Configuration of a reach. hrt_reach_config_default() fills every field. */
+/** Configuration of a reach. hrt_reach_config_init() fills every field. */
 typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** HRT_REACH_*. Default 0. */
@@ -75,7 +75,7 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_PREDICTED UINT32_C(2)    /**< no sample in the last step; under ARRIVAL, none now */
 #define HRT_COMMAND_SATURATED UINT32_C(4)    /**< the plate's bound or a stop limits the command */
 #define HRT_COMMAND_RATE_LIMITED UINT32_C(8) /**< the plate's speed limits the command */
-#define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see authority.h */
+#define HRT_COMMAND_UNREACHABLE UINT32_C(16) /**< the plate cannot sustain the gap: see hrt_gap */
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE, are not to
@@ -91,8 +91,14 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or worse than the configuration allows, or there is none:
  *  max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it
- *  at the next call of hrt_session_set_config(), _destroy() or hrt_registration_apply(). */
+ *  at the next call of hrt_session_set(), _destroy() or hrt_registration_apply(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
+
+/** hrt_command::time_to_go_s: the finger rests before the motion or within it; or, under FIXED_DIRECTION, the
+ * time is not known. */
+#define HRT_NOT_MOVING (-1)
+/** hrt_command::time_to_go_s: the motion has ended, or should have by now. */
+#define HRT_ARRIVED 0
 
 /** Command for the plate, and its reasons. Set `struct_size` before the call. */
 typedef struct hrt_command {
@@ -117,8 +123,7 @@ typedef struct hrt_command {
   double tactile_weight;
   /** Standard deviation of tactile_weight; 0: taken as known. */
   double tactile_weight_sd;
-  /** Predicted time until the motion ends; 0 before it begins, and under FIXED_DIRECTION.
-   */
+  /** Predicted time until the motion ends, or HRT_NOT_MOVING, or HRT_ARRIVED. */
   double time_to_go_s;
   /** Felt minus intended direction now, as estimated: what the person could notice. For visual redirection
    * about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. */
@@ -126,13 +131,13 @@ typedef struct hrt_command {
   /** Predicted bearing of the place of arrival, seen from the start, minus the real target's; 0 under
    *  FIXED_DIRECTION. */
   double predicted_miss_deg;
-  /** Normalised innovation squared of the last positions, mean over about twenty: about 2 if the model fits,
-   *  MISFIT from 4.5. 0 under FIXED_DIRECTION. */
-  double normalised_innovation;
+  /** How far the last positions depart from the model: their normalised innovation squared, mean over about
+   * twenty. About 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. */
+  double misfit;
   /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
    *  start: by what the estimator knows of the place and by plate_covariance. At the end, of
-   * bearing_error_deg. 0 under FIXED_DIRECTION. */
-  double bearing_error_sd_deg;
+   *  hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
+  double miss_sd_deg;
 } hrt_command;
 
 /** Result of a reach. Set `struct_size` before the call. */
@@ -152,9 +157,10 @@ typedef struct hrt_reach_summary {
    *  under FIXED_DIRECTION alone. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
-  /** Direction of the finger in the last step, and that direction minus the real target's. */
+  /** Direction of the finger in the last step, and that direction minus the real target's: what the paper's
+   * results are tested by. */
   double final_direction_deg;
-  double final_miss_deg;
+  double paper_miss_deg;
   /** Direction that the user felt in the last step, and that direction minus the virtual target's and the
    *  user's bias as it was known before the reach. */
   double perceived_direction_deg;
@@ -172,15 +178,15 @@ typedef struct hrt_reach_summary {
   /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little
    *  data; 0: taken as known. */
   double motor_variance_sd_deg2;
-  /** Bearing of the last position, seen from the start, minus the real target's; 0 without positions, or if
-   * the finger never moved, which distance_to_target_m shows. This and the following: 0 under
-   * FIXED_DIRECTION. */
-  double bearing_error_deg;
+  /** Where the finger ended beside the real target: the bearing of the last position, seen from the start,
+   * minus the target's. 0 if the finger never moved, which distance_to_target_m shows. Under FIXED_DIRECTION
+   * paper_miss_deg; the following are 0 then. */
+  double miss_deg;
   /** Largest size of hrt_command::felt_error_deg, and its root mean square while the finger moved. */
   double peak_felt_error_deg;
   double rms_felt_error_deg;
-  /** Largest hrt_command::normalised_innovation. */
-  double normalised_innovation;
+  /** Largest hrt_command::misfit. */
+  double misfit;
   /** What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An illusion_curve of
    * more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees only.
    */
@@ -194,13 +200,9 @@ typedef struct hrt_reach_summary {
   double habit_sd_deg;
   /** Duration of the motion, as estimated. */
   double duration_s;
-  /** The last hrt_command::bearing_error_sd_deg: standard deviation of bearing_error_deg. */
-  double bearing_error_sd_deg;
+  /** The last hrt_command::miss_sd_deg: standard deviation of miss_deg. */
+  double miss_sd_deg;
 } hrt_reach_summary;
-
-/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_reach_config_default(hrt_reach_config* out_config,
-                                                          uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Begins a reach. The targets are copied. Its directions are measured from
  *  hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
@@ -222,7 +224,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt
  * Directions are then seen from the finger, that of the virtual target from where the person feels that the
  * finger is; in a reach of directions alone, from the start. The command follows with the next sample, and
  * its flags say UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is
- * left is too short. Distances, predicted_miss_deg and bearing_error_deg are those of the new real target.
+ * left is too short. Distances, predicted_miss_deg and miss_deg are those of the new real target.
  * Errors, after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if,
  * seen from the start, the pair is 90 degrees apart; WRONG_STATE without a reach.
  * [real-time] */
@@ -233,7 +235,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_tar
  *  Errors: WRONG_STATE without a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
-/** Ends the reach. Errors: WRONG_STATE without a reach. [real-time] */
+/** Ends the reach. Errors: WRONG_STATE without a reach; INSUFFICIENT_DATA if it has had no sample: it stays
+ * under way, and hrt_reach_cancel() ends it. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_end(hrt_session session,
                                                hrt_reach_summary* out_summary) HRT_NOEXCEPT;
 

@@ -41,7 +41,7 @@ typedef struct hrt_mark_touch {
  *  lies upside down. */
 #define HRT_REGISTER_UP UINT32_C(2)
 
-/** Configuration of a registration. hrt_registration_config_default() fills every field. */
+/** Configuration of a registration. hrt_registration_config_init() fills every field. */
 typedef struct hrt_registration_config {
   uint32_t struct_size;
   /** HRT_REGISTER_*. Default 0. */
@@ -89,10 +89,6 @@ typedef struct hrt_registration {
   /** Standard deviation of the plate's turn about its normal, which turns every reach. */
   double turn_sd_deg;
 } hrt_registration;
-
-/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_registration_config_default(hrt_registration_config* out_config,
-                                                                 uint32_t struct_size) HRT_NOEXCEPT;
 
 /** Fits the plate's pose to touches of its marks: least squares in closed form. `out_residuals_m` takes the
  *  distance of each touch from its mark under the pose, 0 if there is none; with `capacity` 0 it may be null.

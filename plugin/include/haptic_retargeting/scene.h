@@ -54,14 +54,11 @@ typedef struct hrt_scene_target {
   char name[HRT_NAME_SIZE];
 } hrt_scene_target;
 
-/** Loads a .gltf or .glb file. Errors: BAD_FORMAT naming the file, the node and the property,
+/** Loads the .gltf or .glb file `path`; or, unless `bytes` is null, one from memory, which is not used after
+ * the call and which error texts call `path`. Errors: BAD_FORMAT naming the file, the node and the property,
  *  LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) HRT_NOEXCEPT;
-
-/** Loads a scene from memory, which is not used after the call. Error texts call the file `name`.
- *  [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char* name,
-                                                       hrt_scene* out_scene) HRT_NOEXCEPT;
+HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
+                                                hrt_scene* out_scene) HRT_NOEXCEPT;
 
 /** Destroys the scene. Registered targets stay. Errors of this and the calls below: INVALID_HANDLE, and
  *  BUSY if another thread is in a call on this scene. [one-thread] */

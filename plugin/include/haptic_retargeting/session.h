@@ -7,7 +7,6 @@
 #define HAPTIC_RETARGETING_SESSION_H
 
 #include "base.h"
-#include "host.h"
 
 #if defined(__cplusplus)
 extern "C" {
@@ -74,7 +73,7 @@ typedef struct hrt_session {
 /** Numbers in the lower triangle of their covariance. */
 #define HRT_PERSON_COVARIANCES 45
 
-/** Configuration of a session. hrt_session_config_default() fills every field. */
+/** Configuration of a session. hrt_session_config_init() fills every field. */
 typedef struct hrt_session_config {
   uint32_t struct_size;
   /** Steps that the controller plans ahead. With 1 most reaches miss; more than 3 changes little and costs
@@ -181,7 +180,7 @@ typedef struct hrt_session_config {
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
    *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
    *  row by row; positive semidefinite. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into
-   *  UNREACHABLE and bearing_error_sd_deg; it does not change commands. Each within 1. Default 0. */
+   *  UNREACHABLE and miss_sd_deg; it does not change commands. Each within 1. Default 0. */
   double plate_covariance[6];
   /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Any. Default
    *  0.
@@ -203,48 +202,32 @@ typedef struct hrt_session_config {
   double tracker_correlation_s;
 } hrt_session_config;
 
-/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_config_default(hrt_session_config* out_config,
-                                                            uint32_t struct_size) HRT_NOEXCEPT;
-
-/** Creates a session. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE,
- * LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_create(const hrt_session_config* config,
+/** Creates a session. `version` is HRT_VERSION: a program that was built with the headers of another version
+ * is refused. `config` may be null: the defaults. Errors: OUT_OF_RANGE naming the field or `version`,
+ * STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
                                                     hrt_session* out_session) HRT_NOEXCEPT;
 
-/** Returns 1 if the handle is that of a session that exists, also while a call is on it, else 0. Changes
- *  nothing, not hrt_last_error() either. [any-thread] [real-time] */
-HRT_NODISCARD HRT_API uint32_t hrt_session_is_valid(hrt_session session) HRT_NOEXCEPT;
-
-/** What a session is about: bits of hrt_session_get_state(). 0: idle, no reach can begin. */
+/** What a session is about: bits of hrt_session_get(). 0: idle, no reach can begin. */
 #define HRT_STATE_READY UINT32_C(1) /**< a real and a virtual target are there, and no reach is under way */
 #define HRT_STATE_REACHING UINT32_C(2) /**< a reach is under way */
 /** A trial of a calibration that was created from this session is under way. */
 #define HRT_STATE_CALIBRATING UINT32_C(4)
 #define HRT_STATE_RECORDING UINT32_C(8) /**< the calls of the session are recorded */
 
-/** Returns what the session is about: HRT_STATE_*. Later versions may set further bits. [real-time] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) HRT_NOEXCEPT;
+/** Returns the configuration and what the session is about: HRT_STATE_*; later versions may set further bits.
+ * A null output is skipped. Set `out_config->struct_size` before the call. INVALID_HANDLE: there is no such
+ * session; BUSY: there is. [real-time] */
+HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config,
+                                                 uint32_t* out_state) HRT_NOEXCEPT;
+
+/** Replaces the configuration; null: by the defaults. Targets stay. Errors: as hrt_session_create(), and
+ *  WRONG_STATE during a reach. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session,
+                                                 const hrt_session_config* config) HRT_NOEXCEPT;
 
 /** Destroys the session and its targets; ends its reach and its recording. [one-thread] */
 HRT_API hrt_result hrt_session_destroy(hrt_session session) HRT_NOEXCEPT;
-
-/** Sets the log callback of this session, in place of the process's (hrt_set_log_callback()). `context` is
- *  passed to it, and may say which of the host's objects the session belongs to. Null: the process's again,
- *  the default. The former callback is not called any more for this session once this returns; the call
- *  waits for it to end. Keep `context` until then, or until hrt_session_destroy() has returned, which may
- *  log. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_set_log_callback(hrt_session session, hrt_log_callback callback,
-                                                              void* context) HRT_NOEXCEPT;
-
-/** Returns the configuration. Set `out_config->struct_size` before the call. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_get_config(hrt_session session,
-                                                        hrt_session_config* out_config) HRT_NOEXCEPT;
-
-/** Replaces the configuration; null: by the defaults. Targets stay. Errors:
- *  as hrt_session_create(), and WRONG_STATE during a reach. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_session_set_config(hrt_session session,
-                                                        const hrt_session_config* config) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

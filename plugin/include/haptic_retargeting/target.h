@@ -1,5 +1,6 @@
 /*
- * Targets: virtual ones, which the user sees, and real ones, to which the hand is steered.
+ * Targets: virtual ones, which the user sees, and real ones, to which the hand is steered; and the gap
+ * between two of them: what is needed, and what the plate can hold.
  */
 #ifndef HAPTIC_RETARGETING_TARGET_H
 #define HAPTIC_RETARGETING_TARGET_H
@@ -29,7 +30,7 @@ typedef struct hrt_target {
 #define HRT_PLACE_PLATE_POSITION 2 /**< by `position_m` in plate coordinates */
 #define HRT_PLACE_WORLD_POSITION 3 /**< by `position_m` in the engine's world */
 
-/** A target. hrt_target_config_default() fills every field. Only the fields that `place` names are read. */
+/** A target. hrt_target_config_init() fills every field. Only the fields that `place` names are read. */
 typedef struct hrt_target_config {
   uint32_t struct_size;
   /** HRT_TARGET_*. Default HRT_TARGET_REAL. */
@@ -48,10 +49,6 @@ typedef struct hrt_target_config {
   char name[HRT_NAME_SIZE];
 } hrt_target_config;
 
-/** Fills `*out_config` with the defaults. `struct_size` is sizeof *out_config. [any-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_config_default(hrt_target_config* out_config,
-                                                           uint32_t struct_size) HRT_NOEXCEPT;
-
 /** Adds a target. Errors: OUT_OF_RANGE naming the field, NAME_TAKEN, LIMIT_REACHED, OUT_OF_MEMORY.
  *  [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
@@ -62,21 +59,38 @@ HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_t
 HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                                 const hrt_target_config* config) HRT_NOEXCEPT;
 
-/** Returns a target. Set `out_config->struct_size` before the call. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_get(hrt_session session, hrt_target target,
-                                                hrt_target_config* out_config) HRT_NOEXCEPT;
-
 /** Removes a target. A running reach keeps it. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_remove(hrt_session session, hrt_target target) HRT_NOEXCEPT;
 
-/** Finds a target by name. Errors: NOT_FOUND. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_find(hrt_session session, const char* name,
-                                                 hrt_target* out_target) HRT_NOEXCEPT;
+/** The gap between a real and a virtual target. Once settled, the user feels the finger's direction plus the
+ * felt shift of the ridges, and that is the virtual direction: the largest gap is the largest felt shift
+ * within the plate's bound. Under GUIDANCE_ARRIVAL the bound is about the motion and the shift that of the
+ * person's illusion: 11.25 degrees for a linear one of weight 0.15 within 75. Under FIXED_DIRECTION, as in
+ * the paper, the bound is about the virtual direction: 14.9 for the same weight within 84.5. Published human
+ * data cover angles of the plate up to 60. Set `struct_size` before the call. */
+typedef struct hrt_gap {
+  uint32_t struct_size;
+  /** 1 if the plate can keep the finger on the real target's direction, else 0. */
+  uint32_t reachable;
+  hrt_target real_target;
+  hrt_target virtual_target;
+  /** The virtual direction plus the person's bias, minus the real direction; in [-180, 180). */
+  double gap_deg;
+  /** Largest gap, to either side, that the plate can sustain for the session's person and guidance. */
+  double max_gap_deg;
+  /** max_gap_deg minus the size of the gap; negative: unreachable. */
+  double margin_deg;
+  /** Plate orientation (base.h) that sustains the gap; at the bound if unreachable. */
+  double plate_orientation_deg;
+  /** Direction in which the finger settles: the real target's, if reachable. */
+  double settling_direction_deg;
+  /** max_gap_deg as the paper has it, from tactile_weight and plate_bound_deg. */
+  double paper_max_gap_deg;
+} hrt_gap;
 
-/** Lists the targets of a role (0: both) in the order of addition. With `capacity` 0 the call only counts
- *  them, and `out_targets` may be null. Errors: BUFFER_TOO_SMALL. [one-thread] */
-HRT_NODISCARD HRT_API hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity,
-                                                 hrt_target* out_targets, uint64_t* out_count) HRT_NOEXCEPT;
+/** Returns the gap of a pair, before a reach. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_gap_query(hrt_session session, hrt_target real_target,
+                                               hrt_target virtual_target, hrt_gap* out_gap) HRT_NOEXCEPT;
 
 #if defined(__cplusplus)
 }

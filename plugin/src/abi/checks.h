@@ -5,10 +5,8 @@
 #include <cstdint>
 #include <cstring>
 
-#include "haptic_retargeting/authority.h"
 #include "haptic_retargeting/reach.h"
-#include "haptic_retargeting/recording.h"
-#include "haptic_retargeting/target.h"
+#include "haptic_retargeting/study.h"
 #include "plugin/src/abi/error.h"
 #include "plugin/src/abi/field.h"
 #include "plugin/src/abi/utf8.h"
@@ -73,15 +71,6 @@ void write_struct_of(std::uint32_t size, const Struct& known, void* out) {
 template <class Struct>
 void write_struct(const Struct& known, Struct* out) {
   write_struct_of(out->struct_size, known, out);
-}
-
-/// The body of a *_default() call.
-template <class Struct>
-hrt_result write_default(const char* name, const Struct& defaults, Struct* out, std::uint32_t size) {
-  if (!out) return fail(HRT_ERROR_NULL_ARGUMENT, name, " is null");
-  HRT_RETURN_IF_FAILED(check_struct_size<Struct>(name, size));
-  write_struct_of(size, defaults, out);
-  return HRT_OK;
 }
 
 template <class Number>

@@ -72,12 +72,6 @@ class HandleTable {
     return Lease(*slot->object, slot->state, idle);
   }
 
-  /// An object has this handle, whether or not a call has the object.
-  bool is_live(std::uint64_t handle) {
-    Slot* slot = find(handle);
-    return slot && (slot->state.load(std::memory_order_acquire) & ~busy) == idle_state(handle);
-  }
-
   hrt_result destroy(std::uint64_t handle) {
     Slot* slot = find(handle);
     if (!slot) return HRT_ERROR_INVALID_HANDLE;

@@ -158,12 +158,6 @@ hrt_calibration_comparison compared(const hrt_calibration_result& first,
 
 using namespace hrt::plugin;
 
-hrt_result hrt_calibration_config_default(hrt_calibration_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_calibration_config_default", [&] {
-    return write_default("out_config", defaults<hrt_calibration_config>, out_config, struct_size);
-  });
-}
-
 hrt_result hrt_calibration_create(hrt_session session, const hrt_calibration_config* config,
                                   hrt_calibration* out_calibration) noexcept {
   return with_session("hrt_calibration_create", session, [&](RecordedSession& s) -> hrt_result {
@@ -198,14 +192,12 @@ hrt_result hrt_calibration_add_sample(hrt_calibration calibration, const hrt_sam
                           });
 }
 
-hrt_result hrt_calibration_end_trial(hrt_calibration calibration) noexcept {
+hrt_result hrt_calibration_end_trial(hrt_calibration calibration, uint32_t keep) noexcept {
   return with_calibration("hrt_calibration_end_trial", calibration,
-                          [](RecordedCalibration& c) { return c.end_trial(); });
-}
-
-hrt_result hrt_calibration_cancel_trial(hrt_calibration calibration) noexcept {
-  return with_calibration("hrt_calibration_cancel_trial", calibration,
-                          [](RecordedCalibration& c) { return c.cancel_trial(); });
+                          [&](RecordedCalibration& c) -> hrt_result {
+                            HRT_RETURN_IF_FAILED(check_range<std::uint32_t>("keep", keep, 0, 1));
+                            return keep == 1 ? c.end_trial() : c.cancel_trial();
+                          });
 }
 
 hrt_result hrt_calibration_solve(hrt_calibration calibration, hrt_calibration_result* out_result) noexcept {

@@ -7,7 +7,7 @@
 #include <mutex>
 #include <new>
 
-#include "haptic_retargeting/host.h"
+#include "haptic_retargeting/base.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/host.h"
 
@@ -27,19 +27,20 @@ void c_release(void*, void* memory) {
   std::free(memory);
 }
 
-constexpr hrt_allocator c_library{
-    .struct_size = sizeof(hrt_allocator),
+constexpr hrt_host c_library{
+    .struct_size = sizeof(hrt_host),
     .reserved = 0,
     .context = nullptr,
     .allocate = c_allocate,
     .release = c_release,
+    .log = nullptr,
 };
 
-constinit hrt_allocator allocator = c_library;
+constinit hrt_host lent = c_library;
 constinit std::atomic<std::int64_t> blocks_held{0};
 
 void* allocate(std::size_t size, std::size_t alignment) noexcept {
-  void* memory = allocator.allocate(allocator.context, size > 0 ? size : 1, alignment);
+  void* memory = lent.allocate(lent.context, size > 0 ? size : 1, alignment);
   if (memory) blocks_held.fetch_add(1, std::memory_order_relaxed);
   return memory;
 }
@@ -52,37 +53,28 @@ void* allocate_or_throw(std::size_t size, std::size_t alignment) {
 void release(void* memory) noexcept {
   if (!memory) return;
   blocks_held.fetch_sub(1, std::memory_order_relaxed);
-  allocator.release(allocator.context, memory);
+  lent.release(lent.context, memory);
 }
 
-struct Log {
-  hrt_log_callback callback;
-  void* context;
-};
-constinit Log host_log{};
-std::mutex log_mutex;  // of all logs, and held while a callback runs
+std::mutex log_mutex;  // held while the log is called
 
-hrt_result check_nothing_held() {
+// Another allocator cannot release what this one has given.
+hrt_result check_allocator(const hrt_host& next) {
   const std::int64_t held = blocks_held.load();
-  if (held == 0) return HRT_OK;
+  const bool same_functions = next.allocate == lent.allocate && next.release == lent.release;
+  const bool reads_context = next.allocate != c_allocate;
+  if (held == 0 || (same_functions && (!reads_context || next.context == lent.context))) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
-              " blocks of memory; destroy its sessions, scenes and calibrations first");
+              " blocks of memory; destroy its sessions, calibrations, people and scenes first");
 }
 
 constexpr std::size_t plain = alignof(std::max_align_t);
 
 }  // namespace
 
-void SessionLog::set(hrt_log_callback callback, void* context) {
+void write_log(std::uint32_t level, const char* text) {
   const std::lock_guard lock(log_mutex);
-  callback_ = callback;
-  context_ = context;
-}
-
-void SessionLog::write(std::uint32_t level, const char* text) const {
-  const std::lock_guard lock(log_mutex);
-  const Log log = callback_ ? Log{callback_, context_} : host_log;
-  if (log.callback) log.callback(log.context, level, text);
+  if (lent.log) lent.log(lent.context, level, text);
 }
 
 void unlock_log_of_parent() {
@@ -137,25 +129,22 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept {
   release(memory);
 }
 
-hrt_result hrt_set_allocator(const hrt_allocator* given) noexcept {
-  return guarded("hrt_set_allocator", [&]() -> hrt_result {
-    hrt_allocator checked = c_library;
+hrt_result hrt_set_host(const hrt_host* given) noexcept {
+  return guarded("hrt_set_host", [&]() -> hrt_result {
+    hrt_host next = c_library;
     if (given) {
-      HRT_RETURN_IF_FAILED(read_struct("allocator", given, &checked));
-      HRT_RETURN_IF_FAILED(check_zero("reserved", checked.reserved));
-      if (!checked.allocate) return fail(HRT_ERROR_NULL_ARGUMENT, "allocator: allocate is null");
-      if (!checked.release) return fail(HRT_ERROR_NULL_ARGUMENT, "allocator: release is null");
+      HRT_RETURN_IF_FAILED(read_struct("host", given, &next));
+      HRT_RETURN_IF_FAILED(check_zero("reserved", next.reserved));
+      if (!next.allocate != !next.release)
+        return fail(HRT_ERROR_NULL_ARGUMENT, "host: ", next.allocate ? "release" : "allocate", " is null");
+      if (!next.allocate) {
+        next.allocate = c_allocate;
+        next.release = c_release;
+      }
     }
-    HRT_RETURN_IF_FAILED(check_nothing_held());
-    allocator = checked;
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_set_log_callback(hrt_log_callback callback, void* context) noexcept {
-  return guarded("hrt_set_log_callback", [&]() -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_allocator(next));
     const std::lock_guard lock(log_mutex);
-    host_log = {callback, context};
+    lent = next;
     return HRT_OK;
   });
 }

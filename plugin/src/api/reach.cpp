@@ -6,12 +6,6 @@
 
 using namespace hrt::plugin;
 
-hrt_result hrt_reach_config_default(hrt_reach_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_reach_config_default", [&] {
-    return write_default("out_config", defaults<hrt_reach_config>, out_config, struct_size);
-  });
-}
-
 hrt_result hrt_reach_begin(hrt_session session, const hrt_reach_config* config) noexcept {
   return with_session("hrt_reach_begin", session, [&](RecordedSession& s) -> hrt_result {
     hrt_reach_config known = defaults<hrt_reach_config>;

@@ -1,7 +1,7 @@
-#include "haptic_retargeting/recording.h"
-
 #include <string>
+#include <string_view>
 
+#include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/file.h"
 #include "plugin/src/api/sessions.h"
@@ -67,25 +67,16 @@ hrt_result hrt_recording_stop(hrt_session session, hrt_recording_status* out_sta
   });
 }
 
-hrt_result hrt_replay_text(const char* text, uint64_t length, hrt_replay_report* out_report) noexcept {
-  return guarded("hrt_replay_text", [&]() -> hrt_result {
-    if (!text) return fail(HRT_ERROR_NULL_ARGUMENT, "text is null");
+hrt_result hrt_replay(const char* path, const char* text, uint64_t length,
+                      hrt_replay_report* out_report) noexcept {
+  return guarded("hrt_replay", [&]() -> hrt_result {
+    if (!path && !text) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null, and so is text");
     HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
     hrt_replay_report report{};
-    HRT_RETURN_IF_FAILED(replay({text, static_cast<std::size_t>(length)}, &report));
-    write_struct(report, out_report);
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_replay_file(const char* path, hrt_replay_report* out_report) noexcept {
-  return guarded("hrt_replay_file", [&]() -> hrt_result {
-    if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    HRT_RETURN_IF_FAILED(check_output("out_report", out_report));
-    hrt_replay_report report{};
-    std::string text;
-    HRT_RETURN_IF_FAILED(read_file(path, &text));
-    HRT_RETURN_IF_FAILED(replay(text, &report));
+    std::string read;
+    if (!text) HRT_RETURN_IF_FAILED(read_file(path, &read));
+    HRT_RETURN_IF_FAILED(
+        replay(text ? std::string_view(text, static_cast<std::size_t>(length)) : read, &report));
     write_struct(report, out_report);
     return HRT_OK;
   });

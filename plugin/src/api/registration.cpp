@@ -259,13 +259,6 @@ hrt_latency to_abi(const TrackerLatency& found) {
 
 using namespace hrt::plugin;
 
-hrt_result hrt_registration_config_default(hrt_registration_config* out_config,
-                                           uint32_t struct_size) noexcept {
-  return guarded("hrt_registration_config_default", [&] {
-    return write_default("out_config", defaults<hrt_registration_config>, out_config, struct_size);
-  });
-}
-
 hrt_result hrt_registration_fit(const hrt_registration_config* config, const hrt_mark_touch* touches,
                                 uint64_t touch_count, uint64_t capacity, double* out_residuals_m,
                                 hrt_registration* out_registration) noexcept {

@@ -111,21 +111,14 @@ hrt_result register_scene(const Scene& scene, RecordedSession& session, std::uin
 
 using namespace hrt::plugin;
 
-hrt_result hrt_scene_load_file(const char* path, hrt_scene* out_scene) noexcept {
-  return guarded("hrt_scene_load_file", [&]() -> hrt_result {
+hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
+                          hrt_scene* out_scene) noexcept {
+  return guarded("hrt_scene_load", [&]() -> hrt_result {
     if (!path) return fail(HRT_ERROR_NULL_ARGUMENT, "path is null");
-    return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
-  });
-}
-
-hrt_result hrt_scene_load_memory(const void* bytes, uint64_t length, const char* name,
-                                 hrt_scene* out_scene) noexcept {
-  return guarded("hrt_scene_load_memory", [&]() -> hrt_result {
-    if (!bytes) return fail(HRT_ERROR_NULL_ARGUMENT, "bytes is null");
-    if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
+    if (!bytes) return add_scene(out_scene, path, [&] { return hrt::load_scene(path_of(path)); });
     const std::span<const std::byte> file(static_cast<const std::byte*>(bytes),
                                           static_cast<std::size_t>(length));
-    return add_scene(out_scene, name, [&] { return hrt::load_scene(file, name); });
+    return add_scene(out_scene, path, [&] { return hrt::load_scene(file, path); });
   });
 }
 

@@ -10,18 +10,26 @@ namespace hrt::plugin {
 
 constinit Sessions sessions;
 
+namespace {
+
+// Patches of a version have one interface.
+hrt_result check_version(std::uint32_t version) {
+  constexpr std::uint32_t patches = 100;
+  if (version / patches == HRT_VERSION / patches) return HRT_OK;
+  return fail(HRT_ERROR_OUT_OF_RANGE, "version is ", version, ", of other headers; this library is ",
+              HRT_VERSION_MAJOR, ".", HRT_VERSION_MINOR, ".", HRT_VERSION_PATCH,
+              ": build with its headers, and pass HRT_VERSION, ", HRT_VERSION);
+}
+
+}  // namespace
 }  // namespace hrt::plugin
 
 using namespace hrt::plugin;
 
-hrt_result hrt_session_config_default(hrt_session_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_session_config_default", [&] {
-    return write_default("out_config", defaults<hrt_session_config>, out_config, struct_size);
-  });
-}
-
-hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out_session) noexcept {
+hrt_result hrt_session_create(uint32_t version, const hrt_session_config* config,
+                              hrt_session* out_session) noexcept {
   return guarded("hrt_session_create", [&]() -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_version(version));
     if (!out_session) return fail(HRT_ERROR_NULL_ARGUMENT, "out_session is null");
     hrt_session_config checked;
     HRT_RETURN_IF_FAILED(read_session_config(config, &checked));
@@ -33,14 +41,14 @@ hrt_result hrt_session_create(const hrt_session_config* config, hrt_session* out
   });
 }
 
-uint32_t hrt_session_is_valid(hrt_session session) noexcept {
-  return sessions.is_live(session.value) ? 1 : 0;
-}
-
-hrt_result hrt_session_get_state(hrt_session session, uint32_t* out_state) noexcept {
-  return with_session("hrt_session_get_state", session, [&](RecordedSession& s) -> hrt_result {
-    if (!out_state) return fail(HRT_ERROR_NULL_ARGUMENT, "out_state is null");
-    *out_state = s.state();
+hrt_result hrt_session_get(hrt_session session, hrt_session_config* out_config,
+                           uint32_t* out_state) noexcept {
+  return with_session("hrt_session_get", session, [&](RecordedSession& s) -> hrt_result {
+    if (out_config) {
+      HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
+      write_struct(s.session().config(), out_config);
+    }
+    if (out_state) *out_state = s.state();
     return HRT_OK;
   });
 }
@@ -54,24 +62,8 @@ hrt_result hrt_session_destroy(hrt_session session) noexcept {
   return destroy(call, "session", sessions, session.value);
 }
 
-hrt_result hrt_session_set_log_callback(hrt_session session, hrt_log_callback callback,
-                                        void* context) noexcept {
-  return with_session("hrt_session_set_log_callback", session, [&](RecordedSession& s) {
-    s.set_log(callback, context);
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_session_get_config(hrt_session session, hrt_session_config* out_config) noexcept {
-  return with_session("hrt_session_get_config", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_output("out_config", out_config));
-    write_struct(s.session().config(), out_config);
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_session_set_config(hrt_session session, const hrt_session_config* config) noexcept {
-  return with_session("hrt_session_set_config", session, [&](RecordedSession& s) -> hrt_result {
+hrt_result hrt_session_set(hrt_session session, const hrt_session_config* config) noexcept {
+  return with_session("hrt_session_set", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(s.session().check_no_reach());
     s.log_findings(session.value);
     hrt_session_config checked;

@@ -1,8 +1,5 @@
-#include "haptic_retargeting/target.h"
-
-#include <cstring>
-
 #include "generated/fields.h"
+#include "haptic_retargeting/setup.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 
@@ -20,12 +17,6 @@ hrt_result read_target_config(const hrt_session_config& session_config, const hr
 }  // namespace hrt::plugin
 
 using namespace hrt::plugin;
-
-hrt_result hrt_target_config_default(hrt_target_config* out_config, uint32_t struct_size) noexcept {
-  return guarded("hrt_target_config_default", [&] {
-    return write_default("out_config", defaults<hrt_target_config>, out_config, struct_size);
-  });
-}
 
 hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
                           hrt_target* out_target) noexcept {
@@ -58,18 +49,6 @@ hrt_result hrt_target_get(hrt_session session, hrt_target target, hrt_target_con
 hrt_result hrt_target_remove(hrt_session session, hrt_target target) noexcept {
   return with_session("hrt_target_remove", session,
                       [&](RecordedSession& s) { return s.remove_target(target.value); });
-}
-
-hrt_result hrt_target_find(hrt_session session, const char* name, hrt_target* out_target) noexcept {
-  return with_session("hrt_target_find", session, [&](RecordedSession& s) -> hrt_result {
-    if (!name) return fail(HRT_ERROR_NULL_ARGUMENT, "name is null");
-    if (!out_target) return fail(HRT_ERROR_NULL_ARGUMENT, "out_target is null");
-    const std::string_view wanted(name, strnlen(name, HRT_NAME_SIZE));
-    const std::uint64_t id = s.session().targets.find(wanted);
-    if (id == 0) return fail(HRT_ERROR_NOT_FOUND, "no target has the name \"", Shown{wanted}, "\"");
-    out_target->value = id;
-    return HRT_OK;
-  });
 }
 
 hrt_result hrt_target_list(hrt_session session, uint32_t role, uint64_t capacity, hrt_target* out_targets,

@@ -54,12 +54,6 @@ hrt_result check_ready(const PlateDriver& driver) {
 
 }  // namespace
 
-hrt_result hrt_plate_options_default(hrt_plate_options* out_options, uint32_t struct_size) noexcept {
-  return guarded("hrt_plate_options_default", [&] {
-    return write_default("out_options", defaults<hrt_plate_options>, out_options, struct_size);
-  });
-}
-
 hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                           hrt_plate* out_plate) noexcept {
   return guarded("hrt_plate_open", [&]() -> hrt_result {

@@ -41,6 +41,16 @@ void write(const ConfigSet& set, hrt_result, RecordText& out) {
   out << config_comment << json.view() << "\n";
 }
 
+// Columns that recordings of 0.3 call otherwise. bearing_error_deg, 0 under FIXED_DIRECTION, is not compared.
+struct FormerColumn {
+  std::string_view former, name;
+};
+constexpr FormerColumn former_columns[] = {
+    {"normalised_innovation", "misfit"},
+    {"bearing_error_sd_deg", "miss_sd_deg"},
+    {"final_miss_deg", "paper_miss_deg"},
+};
+
 constexpr std::string_view verbs[] = {"added", "set", "removed"};
 
 void write(const TargetChanged& changed, hrt_result, RecordText& out) {
@@ -207,10 +217,18 @@ void write_end(std::uint64_t checksum, RecordText& out) {
 hrt_result FileColumns::read_names(std::string_view line) {
   if (!line.starts_with("call,result,"))
     return fail(HRT_ERROR_BAD_FORMAT, "this comes before the names of the columns");
+  bool is_former = false;
   for_each_cell(line, [&](std::string_view name) {
+    for (const FormerColumn& column : former_columns) {
+      if (name != column.former) continue;
+      name = column.name;
+      is_former = true;
+    }
     const auto* ours = std::find(std::begin(recording_columns), std::end(recording_columns), name);
     places_.push_back(static_cast<std::size_t>(ours - recording_columns));
   });
+  // It was 0 where it is HRT_NOT_MOVING now.
+  if (is_former) std::replace(places_.begin(), places_.end(), column("time_to_go_s"), columns);
   return HRT_OK;
 }
 

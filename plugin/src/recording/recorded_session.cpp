@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "plugin/src/abi/error.h"
+#include "plugin/src/abi/host.h"
 
 namespace hrt::plugin {
 namespace {
@@ -144,7 +145,7 @@ void RecordedSession::log_findings(std::uint64_t handle) {
     Text<240> text;
     text << "session " << handle
          << ": the registration of the plate was older or worse than allowed in a reach, or missing";
-    log_.write(HRT_LOG_WARNING, text.c_str());
+    write_log(HRT_LOG_WARNING, text.c_str());
     registration_logged_ = true;
   }
   if (!session_.has_failed() || failure_logged_) return;
@@ -153,7 +154,7 @@ void RecordedSession::log_findings(std::uint64_t handle) {
       << "session " << handle
       << ": a defect of the library made a value of a command or summary not finite; the plate was held, and "
          "the reach taught nothing";
-  log_.write(HRT_LOG_ERROR, text.c_str());
+  write_log(HRT_LOG_ERROR, text.c_str());
   failure_logged_ = true;
 }
 
@@ -166,7 +167,7 @@ void RecordedSession::log_conditions(std::uint64_t handle) const {
   if (measured.differing == (HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER)) text << ", and";
   if (measured.differing & HRT_CONDITION_TRACKER) text << " tracker, \"" << measured.tracker << "\"";
   text << "; calibrate again, or expect first reaches to be less accurate";
-  log_.write(HRT_LOG_WARNING, text.c_str());
+  write_log(HRT_LOG_WARNING, text.c_str());
 }
 
 std::uint32_t RecordedSession::state() const {
@@ -186,7 +187,7 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
   HRT_RETURN_IF_FAILED(File::create(path, &file));
   Text<128> name;
   name << "session " << handle << ", " << Shown{path};
-  auto recorder = std::make_unique<Recorder>(std::move(file), log_, name.view(), session_.config(),
+  auto recorder = std::make_unique<Recorder>(std::move(file), name.view(), session_.config(),
                                              session_.targets, session_.plate_orientation_deg());
   end_recording();  // of the parent
   recorder_ = std::move(recorder);

@@ -7,7 +7,6 @@
 #include <span>
 #include <vector>
 
-#include "plugin/src/abi/host.h"
 #include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/recording/recorder.h"
 #include "plugin/src/recording/recording_line.h"
@@ -47,8 +46,6 @@ class RecordedSession {
   /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 
-  /// Takes a lock.
-  void set_log(hrt_log_callback callback, void* context) { log_.set(callback, context); }
   /// Logs once that the session has failed, if it has; and once for a configuration that a reach was flagged
   /// HRT_COMMAND_REGISTRATION. The log names the session by `handle`.
   void log_findings(std::uint64_t handle);
@@ -81,7 +78,6 @@ class RecordedSession {
   void end_recording();
 
   Session session_;
-  SessionLog log_;
   bool failure_logged_ = false;
   bool registration_logged_ = false;  // for this configuration
   // How many trials of calibrations of this session are under way, for as long as any of them exists.

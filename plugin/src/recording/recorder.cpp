@@ -4,6 +4,7 @@
 #include <system_error>
 #include <utility>
 
+#include "plugin/src/abi/host.h"
 #include "plugin/src/abi/quiet_thread.h"
 
 namespace hrt::plugin {
@@ -22,9 +23,9 @@ constexpr std::chrono::seconds seconds_between_reports{1};
 
 }  // namespace
 
-Recorder::Recorder(File file, const SessionLog& log, std::string_view name, const hrt_session_config& config,
-                   const Targets& targets, double plate_orientation_deg)
-    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)), log_(log) {
+Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
+                   double plate_orientation_deg)
+    : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
   for (std::size_t i = 0; i < capacity; ++i) ring_[i].turn.store(i, std::memory_order_relaxed);
   name_ << name;
   watch_forks();
@@ -173,7 +174,7 @@ void Recorder::report(std::uint32_t level, std::string_view text) const {
   Text<400> line;
   line << name_.view() << ": " << text;
   line.make_printable();
-  log_.write(level, line.c_str());
+  write_log(level, line.c_str());
 }
 
 }  // namespace hrt::plugin

@@ -10,7 +10,6 @@
 
 #include "plugin/src/abi/file.h"
 #include "plugin/src/abi/fork.h"
-#include "plugin/src/abi/host.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
 #include "plugin/src/session/targets.h"
@@ -28,10 +27,10 @@ struct RecorderStatus {
 /// any threads at once until the recording ends; the other calls are one thread's.
 class Recorder {
  public:
-  /// Writes what the session is before anything happens. `log` outlives this; `name` names session and file
-  /// there. Throws std::system_error, std::bad_alloc.
-  Recorder(File file, const SessionLog& log, std::string_view name, const hrt_session_config& config,
-           const Targets& targets, double plate_orientation_deg);
+  /// Writes what the session is before anything happens. `name` names session and file in the log. Throws
+  /// std::system_error, std::bad_alloc.
+  Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
+           double plate_orientation_deg);
   /// Writes what is left, and waits for the disk to take it.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -82,7 +81,6 @@ class Recorder {
   std::chrono::steady_clock::time_point reported_;
   std::uint32_t forks_ = 0;
   File file_;
-  const SessionLog& log_;
   Hash checksum_;  // of what was written
   Text<128> name_;
   std::thread writer_;

@@ -211,16 +211,18 @@ hrt_command Session::command(std::uint32_t flags) const {
       .distance_to_go_m = command.distance_to_go_m,
       .tactile_weight = command.tactile_weight,
       .tactile_weight_sd = command.tactile_weight_sd,
-      .time_to_go_s = command.time_to_go_s,
+      .time_to_go_s = retargeter_.leads_person() ? command.time_to_go_s : HRT_NOT_MOVING,
       .felt_error_deg = command.felt_error_deg,
       .predicted_miss_deg = command.predicted_miss_deg,
-      .normalised_innovation = command.nis,
-      .bearing_error_sd_deg = command.bearing_error_sd_deg,
+      .misfit = command.nis,
+      .miss_sd_deg = command.bearing_error_sd_deg,
   };
 }
 
 hrt_result Session::end(hrt_reach_summary* out_summary) {
   HRT_RETURN_IF_FAILED(check_reach());
+  if (!sampled_)
+    return fail(HRT_ERROR_INSUFFICIENT_DATA, "the reach has had no sample; hrt_reach_cancel() ends it");
   reaching_ = false;
   const ReachSummary summary = retargeter_.summary();
   *out_summary = to_c(summary);
@@ -249,7 +251,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
       .saturated_steps = summary.saturated_steps,
       .rate_limited_steps = summary.rate_limited_steps,
       .final_direction_deg = summary.final_direction_deg,
-      .final_miss_deg = summary.final_miss_deg,
+      .paper_miss_deg = summary.final_miss_deg,
       .perceived_direction_deg = summary.perceived_direction_deg,
       .perceived_error_deg = summary.perceived_error_deg,
       .distance_to_target_m = summary.distance_to_target_m,
@@ -258,10 +260,10 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
       .tracker_noise_m = estimate.tracker_noise_m,
       .motor_variance_deg2 = learns_variance ? estimate.motor_variance_deg2 : config_.motor_variance_deg2,
       .motor_variance_sd_deg2 = learns_variance ? estimate.motor_variance_sd_deg2 : 0.0,
-      .bearing_error_deg = summary.bearing_error_deg,
+      .miss_deg = summary.person ? summary.bearing_error_deg : summary.final_miss_deg,
       .peak_felt_error_deg = summary.peak_felt_error_deg,
       .rms_felt_error_deg = summary.rms_felt_error_deg,
-      .normalised_innovation = summary.nis,
+      .misfit = summary.nis,
       .illusion_curve = person.curve,
       .illusion_curve_sd = person.curve_sd,
       .gain_per_s = person.gain_s,
@@ -271,7 +273,7 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
       .habit_deg = person.habit_deg,
       .habit_sd_deg = person.habit_sd_deg,
       .duration_s = person.duration_s,
-      .bearing_error_sd_deg = summary.bearing_error_sd_deg,
+      .miss_sd_deg = summary.bearing_error_sd_deg,
   };
 }
 

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/setup.h>
+#include <haptic_retargeting/study.h>
 
 #include <filesystem>
 
@@ -12,22 +14,19 @@ namespace hrt::reach {
   X(hrt_result_string)                \
   X(hrt_last_error)                   \
   X(hrt_get_version)                  \
-  X(hrt_session_config_default)       \
   X(hrt_session_create)               \
   X(hrt_session_destroy)              \
-  X(hrt_session_get_config)           \
-  X(hrt_session_set_config)           \
-  X(hrt_scene_load_file)              \
+  X(hrt_session_get)                  \
+  X(hrt_session_set)                  \
+  X(hrt_scene_load)                   \
   X(hrt_scene_get_info)               \
   X(hrt_scene_get_target)             \
   X(hrt_scene_register)               \
   X(hrt_scene_destroy)                \
-  X(hrt_reach_config_default)         \
   X(hrt_reach_begin)                  \
   X(hrt_reach_update)                 \
   X(hrt_reach_cancel)                 \
   X(hrt_reach_end)                    \
-  X(hrt_registration_config_default)  \
   X(hrt_registration_fit)             \
   X(hrt_registration_advice)          \
   X(hrt_registration_confirm)         \
@@ -36,13 +35,11 @@ namespace hrt::reach {
   X(hrt_fingertip_place)              \
   X(hrt_recording_start)              \
   X(hrt_recording_stop)               \
-  X(hrt_calibration_config_default)   \
   X(hrt_calibration_create)           \
   X(hrt_calibration_destroy)          \
   X(hrt_calibration_begin_trial)      \
   X(hrt_calibration_add_sample)       \
   X(hrt_calibration_end_trial)        \
-  X(hrt_calibration_cancel_trial)     \
   X(hrt_calibration_next_angle)       \
   X(hrt_calibration_solve)            \
   X(hrt_calibration_get_residual)     \

@@ -59,8 +59,7 @@ GuidedCalibration::GuidedCalibration(const Plugin& plugin, const TargetSet& targ
       limit_ns_(limit_ns),
       seed_(seed),
       distance_m_(slide_distance_m(targets)) {
-  hrt_calibration_config config;
-  plugin.check(plugin.hrt_calibration_config_default(&config, sizeof config));
+  hrt_calibration_config config = hrt_calibration_config_init();
   config.goal_direction_deg = goal_direction_deg;
   plugin.check(plugin.hrt_calibration_create(targets.session, &config, &calibration_));
 }
@@ -129,7 +128,7 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
   plugin_.check(plugin_.hrt_calibration_begin_trial(calibration_, plate_orientation_deg));
   bool ended = false;
   const AtEnd cancel([&] {
-    if (!ended) plugin_.hrt_calibration_cancel_trial(calibration_);
+    if (!ended) plugin_.hrt_calibration_end_trial(calibration_, 0);
   });
   if (stage.simulation != nullptr) {
     instruct(stage, hand, goal_direction_deg, distance_m_);
@@ -158,7 +157,7 @@ bool GuidedCalibration::slide(Stage& stage, double plate_orientation_deg) {
       return false;
     }
     ended = true;
-    plugin_.check(plugin_.hrt_calibration_end_trial(calibration_));
+    plugin_.check(plugin_.hrt_calibration_end_trial(calibration_, 1));
     return true;
   }
   stage.tell_user("The slide did not end " + within_s(stage.time_limit_ns) + ": it does not count.");

@@ -7,8 +7,7 @@
 namespace hrt::reach {
 
 TargetSet load_targets(const Plugin& plugin, const Options& options) {
-  hrt_session_config config;
-  plugin.check(plugin.hrt_session_config_default(&config, sizeof config));
+  hrt_session_config config = hrt_session_config_init();
   constexpr double paper_tactile_weight = 0.15;
   if (!options.for_people) config.tactile_weight = paper_tactile_weight;
   if (options.tactile_weight) config.tactile_weight = *options.tactile_weight;
@@ -37,7 +36,7 @@ std::vector<TargetPair> choose(const TargetSet& targets, const Options& options)
 void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& limits) {
   constexpr double min_turn_deg = 180.0;  // that the plugin can plan with: ridges repeat so
   hrt_session_config config{.struct_size = sizeof config};
-  plugin.check(plugin.hrt_session_get_config(session, &config));
+  plugin.check(plugin.hrt_session_get(session, &config, nullptr));
   const hrt_session_config before = config;
   config.plate_max_speed_deg_s = limits.speed_deg_s;
   constexpr std::int64_t max_steps = 8;  // of latency, that the plugin can plan with
@@ -51,7 +50,7 @@ void plan_with(const Plugin& plugin, hrt_session session, const PlateLimits& lim
                     config.plate_latency_ns == before.plate_latency_ns &&
                     config.plate_lower_stop_deg == before.plate_lower_stop_deg &&
                     config.plate_upper_stop_deg == before.plate_upper_stop_deg;
-  if (!same) plugin.check(plugin.hrt_session_set_config(session, &config));
+  if (!same) plugin.check(plugin.hrt_session_set(session, &config));
 }
 
 }  // namespace hrt::reach

@@ -25,8 +25,7 @@ double bearing_deg(const Point& from, const Point& to) {
 class ActiveReach {
  public:
   ActiveReach(Stage& stage, const TargetPair& pair, XrTime now) : stage_(stage), time_(now) {
-    hrt_reach_config config;
-    stage.plugin.check(stage.plugin.hrt_reach_config_default(&config, sizeof config));
+    hrt_reach_config config = hrt_reach_config_init();
     config.real_target = pair.real_target;
     config.virtual_target = pair.virtual_target;
     if (const std::optional<double> orientation_deg = stage.plate.orientation_deg(now)) {

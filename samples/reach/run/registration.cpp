@@ -182,8 +182,7 @@ void report(Stage& stage, std::span<const Mark> marks, const hrt_registration& f
 }  // namespace
 
 RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertips) {
-  hrt_registration_config config{.struct_size = sizeof config};
-  stage.plugin.check(stage.plugin.hrt_registration_config_default(&config, sizeof config));
+  hrt_registration_config config = hrt_registration_config_init();
   config.flags = HRT_REGISTER_UP;  // y is up in every reference space
   RegisteredPlate plate{
       .space = stage.session.steady_space(), .registration = {}, .check = marks.front(), .fingertips = {}};

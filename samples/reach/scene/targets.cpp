@@ -9,7 +9,7 @@ namespace {
 class LoadedScene {
  public:
   LoadedScene(const Plugin& plugin, const std::filesystem::path& file) : plugin_(plugin) {
-    if (plugin.hrt_scene_load_file(file.c_str(), &scene_) != HRT_OK)
+    if (plugin.hrt_scene_load(file.c_str(), nullptr, 0, &scene_) != HRT_OK)
       throw Failure(ExitCode::scene, std::string("the scene cannot be loaded: ") + plugin.hrt_last_error());
   }
   ~LoadedScene() { plugin_.hrt_scene_destroy(scene_); }
@@ -55,7 +55,7 @@ TargetSet load_targets(const Plugin& plugin, const std::filesystem::path& scene_
                 .plate_radius_m = info.plate_radius_m,
                 .start_m = to_array(info.start_position_m)};
   std::vector<hrt_target> ids(info.target_count);
-  plugin.check(plugin.hrt_session_create(&config, &set.session));
+  plugin.check(plugin.hrt_session_create(HRT_VERSION, &config, &set.session));
   plugin.check(plugin.hrt_scene_register(scene.handle(), set.session, info.target_count, ids.data()));
 
   for (std::uint32_t i = 0; i < info.target_count; ++i) {

@@ -82,9 +82,9 @@ function heldBy(session: hrt.Session, real: hrt.TargetId, virtual: hrt.TargetId)
   let gap_deg = 0;
   const plates_deg = weights.map((tactile_weight) => {
     session.configure({ tactile_weight });
-    const authority = session.authority(real, virtual);
-    ({ gap_deg } = authority);
-    return authority.reachable ? authority.plate_orientation_deg : NaN;
+    const gap = session.gap(real, virtual);
+    ({ gap_deg } = gap);
+    return gap.reachable ? gap.plate_orientation_deg : NaN;
   });
   return { gap_deg, plates_deg };
 }

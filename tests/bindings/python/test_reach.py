@@ -19,7 +19,7 @@ def test_arrays_give_the_bits_of_single_steps(session: hrt.Session, straight: np
     assert record.summary == reach.summary
     assert record.summary.steps == 30
     assert record.final_direction_deg == record.summary.final_direction_deg
-    assert record.final_miss_deg == pytest.approx(record.summary.final_miss_deg)
+    assert record.paper_miss_deg == pytest.approx(record.summary.paper_miss_deg)
     assert np.array_equal(record.position_m, straight["finger_position_m"])
 
 
@@ -85,6 +85,10 @@ def test_no_samples_are_refused(session: hrt.Session) -> None:
     assert session.state == hrt.StateFlag.READY
     with session.reach(session.target("cylinder"), session.target("cup")) as reach:
         assert len(reach.run(np.zeros(0, hrt.SAMPLE))) == 0
+        with pytest.raises(hrt.Error, match="has had no sample"):
+            reach.end()
+    with pytest.raises(RuntimeError, match="was cancelled"):
+        _ = reach.summary
 
 
 def test_record_shows_itself(session: hrt.Session, straight: np.ndarray) -> None:
@@ -155,6 +159,6 @@ def test_a_simulated_person_is_led(straight: np.ndarray) -> None:
         with session.reach(real, virtual) as reach:
             for frame in range(220):
                 plate_deg = reach.update_sample(person.move(frame * 11_111_111, plate_deg)).plate_orientation_deg
-        assert person.state.done == 1 and abs(reach.summary.bearing_error_deg) < 1.5
+        assert person.state.done == 1 and abs(reach.summary.miss_deg) < 1.5
     with pytest.raises(hrt.Error, match="duration_s is 0.1"):
         hrt.Person(duration_s=0.1)

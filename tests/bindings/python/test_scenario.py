@@ -29,11 +29,8 @@ class Player:
     def remove(self, name: str) -> None:
         self.targets[name].remove()
 
-    def authority(self, real: str, virtual: str) -> hrt.Authority:
-        return self.session.authority(self.targets[real], self.targets[virtual])
-
-    def best(self, virtual: str) -> hrt.Authority:
-        return self.session.best_authority(self.targets[virtual])[1]
+    def gap(self, real: str, virtual: str) -> hrt.Gap:
+        return self.session.gap(self.targets[real], self.targets[virtual])
 
     def begin(self, real: str, virtual: str) -> None:
         self.reach = self.session.reach(self.targets[real], self.targets[virtual])

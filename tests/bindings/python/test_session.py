@@ -1,4 +1,4 @@
-"""Sessions, targets, authority, profiles: values derived by hand, and every mistake a caller may make."""
+"""Sessions, targets, gaps, profiles: values derived by hand, and every mistake a caller may make."""
 
 import gc
 import threading
@@ -110,17 +110,8 @@ def test_place_of_a_target_is_the_same_however_it_is_given() -> None:
         assert hrt.target_place(in_world.config, config) == pytest.approx(expected)
         assert hrt.target_place(by_direction.config, config) == (20, 0.08)
         # The library agrees: the same gap to the same real target.
-        gaps = [session.authority(by_direction, t).gap_deg for t in (on_plate, in_world)]
+        gaps = [session.gap(by_direction, t).gap_deg for t in (on_plate, in_world)]
         assert gaps == pytest.approx([expected[0] - 20] * 2)
-
-
-def test_authorities_are_an_array(session: hrt.Session) -> None:
-    far = session.add_real("far", direction_deg=-30)
-    table = session.authorities()
-    assert list(table["reachable"]) == [1, 0]
-    assert list(table["real_target"]["value"]) == [session.target("cylinder").id, far.id]
-    best, found = session.best_authority(session.target("cup"))
-    assert best == session.target("cylinder") and found == session.authority(best, session.target("cup"))
 
 
 def test_profile_is_a_mapping_or_text(session: hrt.Session) -> None:
@@ -147,7 +138,7 @@ def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
     with pytest.raises(TypeError, match="real is 'cylinder': a Target is needed"):
         session.reach("cylinder", cup)
     with pytest.raises(TypeError, match="virtual is None: a Target"):
-        session.authority(cup, None)
+        session.gap(cup, None)
     with pytest.raises(TypeError, match=r"reals\[1\] is 5: a Target"):
         session.assign([cup], [cup, 5])
     with pytest.raises(TypeError, match="name is 5: a text"):

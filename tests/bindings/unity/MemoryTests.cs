@@ -47,7 +47,7 @@ namespace Hrt.HostTests
                     person.Move(i, 0);
                     calibration.BeginTrial(30);
                     calibration.AddSample(StraightAhead(i));
-                    calibration.CancelTrial();
+                    calibration.EndTrial(0);
                     plate.Get();
                 });
             }

@@ -15,7 +15,7 @@ static class Reach
         ScriptedReach reach = ScriptedReach.Run(File.ReadAllText(arguments[0]));
         Console.WriteLine("hash 0x{0:x16}", reach.Hash);
         Console.WriteLine("samples {0}, miss {1:0.00} deg of bearing (simulated)", reach.Summary.samples,
-                          reach.Summary.bearingErrorDeg);
+                          reach.Summary.missDeg);
         return 0;
     }
 }

@@ -11,10 +11,7 @@ static class Reload
     const int Reloads = 10;
 
     [DllImport("haptic_retargeting")]
-    static extern Result hrt_session_config_default(ref SessionConfig config, uint structSize);
-
-    [DllImport("haptic_retargeting")]
-    static extern Result hrt_session_create(ref SessionConfig config, out ulong session);
+    static extern Result hrt_session_create(uint version, IntPtr config, out ulong session);
 
     [DllImport("haptic_retargeting")]
     static extern Result hrt_session_destroy(ulong session);
@@ -50,13 +47,11 @@ static class Reload
     // Where no scripts are left: the library must not call into what was unloaded, which would end the process.
     static string FillTheDiskUnheard(string path)
     {
-        var config = default(SessionConfig);
         var sample = new Sample { structSize = (uint)Marshal.SizeOf(typeof(Sample)) };
         var command = new Command { structSize = (uint)Marshal.SizeOf(typeof(Command)) };
         var status = new RecordingStatus { structSize = (uint)Marshal.SizeOf(typeof(RecordingStatus)) };
         ulong session;
-        if (hrt_session_config_default(ref config, (uint)Marshal.SizeOf(typeof(SessionConfig))) != Result.Ok ||
-            hrt_session_create(ref config, out session) != Result.Ok ||
+        if (hrt_session_create(Constants.Version, IntPtr.Zero, out session) != Result.Ok ||
             hrt_recording_start(session, path) != Result.Ok)
             return "the library does not take a session after the scripts";
         DateTime end = DateTime.Now.AddSeconds(20);

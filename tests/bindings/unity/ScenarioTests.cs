@@ -64,10 +64,8 @@ namespace Hrt.HostTests
                 case "remove":
                     session.RemoveTarget(Target("name"));
                     return null;
-                case "authority":
-                    return Values(session.QueryAuthority(Target("real"), Target("virtual")));
-                case "best":
-                    return Values(session.QueryBestAuthority(Target("virtual")));
+                case "gap":
+                    return Values(session.QueryGap(Target("real"), Target("virtual")));
                 case "begin":
                     session.BeginReach(Target("real"), Target("virtual"));
                     return null;
@@ -107,12 +105,12 @@ namespace Hrt.HostTests
             }
         }
 
-        static Dictionary<string, double> Values(Authority authority)
+        static Dictionary<string, double> Values(Gap gap)
         {
             return new Dictionary<string, double>
             {
-                { "gap_deg", authority.gapDeg }, { "max_gap_deg", authority.maxGapDeg },
-                { "margin_deg", authority.marginDeg }, { "reachable", authority.IsReachable ? 1 : 0 }
+                { "gap_deg", gap.gapDeg }, { "max_gap_deg", gap.maxGapDeg },
+                { "margin_deg", gap.marginDeg }, { "reachable", gap.IsReachable ? 1 : 0 }
             };
         }
 

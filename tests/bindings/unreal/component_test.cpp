@@ -126,13 +126,13 @@ TEST_F(Component, CallsRightPositive) {
   FHapticTarget right, ahead;
   ASSERT_TRUE(component_.AddTargetAt(kReal, TEXT("right"), FVector(-5, 10, 2), right));
   ASSERT_TRUE(component_.AddTargetAt(kVirtual, TEXT("ahead"), FVector(5, 0, 0), ahead));
-  FHapticAuthority authority;
-  ASSERT_TRUE(component_.GetAuthority(right, ahead, authority));
-  EXPECT_NEAR(authority.GapYaw, -90, 1e-9);
-  EXPECT_FALSE(authority.bReachable);
+  FHapticGap gap;
+  ASSERT_TRUE(component_.GetGap(right, ahead, gap));
+  EXPECT_NEAR(gap.GapYaw, -90, 1e-9);
+  EXPECT_FALSE(gap.bReachable);
   ASSERT_TRUE(component_.MoveTarget(ahead, FVector(5, 1, 0)));
-  ASSERT_TRUE(component_.GetAuthority(right, ahead, authority));
-  EXPECT_NEAR(authority.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
+  ASSERT_TRUE(component_.GetGap(right, ahead, gap));
+  EXPECT_NEAR(gap.GapYaw, std::atan2(1.0, 10.0) * 180 / std::numbers::pi - 90, 1e-9);
 }
 
 // The same samples through the component's own terms and through the C interface's.
@@ -208,7 +208,7 @@ TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
   std::vector<double> misses;
   component_.OnPlateCommanded.Add([&](double yaw) { yaws.push_back(yaw); });
   component_.OnFlagsChanged.Add([&](int32 changed) { flags.push_back(changed); });
-  component_.OnReachEnded.Add([&](const FHapticSummary& summary) { misses.push_back(summary.FinalMissYaw); });
+  component_.OnReachEnded.Add([&](const FHapticSummary& summary) { misses.push_back(summary.MissYaw); });
   begin();
   EXPECT_TRUE(component_.IsReaching());
   hrt_sample sample{};
@@ -225,7 +225,7 @@ TEST_F(Component, BroadcastsCommandsFlagsAndTheEnd) {
   FHapticSummary summary;
   ASSERT_TRUE(component_.EndReach(summary));
   EXPECT_EQ(summary.Samples, 3);
-  EXPECT_EQ(misses, std::vector<double>{summary.FinalMissYaw});
+  EXPECT_EQ(misses, std::vector<double>{summary.MissYaw});
   EXPECT_FALSE(component_.IsReaching());
 }
 
@@ -393,7 +393,7 @@ uint64_t hash_command(uint64_t hash, const hrt_command& command) {
   for (const double number : {command.plate_orientation_deg, command.finger_direction_deg,
                               command.perceived_direction_deg, command.aimed_direction_deg,
                               command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
- command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.normalised_innovation})
+ command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit})
     hash = hash_word(hash, std::bit_cast<uint64_t>(number));
   return hash;
 }

@@ -38,7 +38,7 @@ class ComponentCaller {
       return added;
     }
     if (name == "remove") return component_.RemoveTarget(targets_[call.text("name")]);
-    if (name == "authority" || name == "best") return authority(call);
+    if (name == "gap") return gap(call);
     if (name == "begin") return component_.BeginReach(targets_[call.text("real")], targets_[call.text("virtual")]);
     if (name == "retarget") return component_.RetargetReach(targets_[call.text("real")], targets_[call.text("virtual")]);
     if (name == "cancel") return component_.CancelReach();
@@ -61,11 +61,9 @@ class ComponentCaller {
     return fit();
   }
 
-  bool authority(const scenario::Call& call) {
-    FHapticAuthority found;
-    const FHapticTarget felt = targets_[call.text("virtual")];
-    const bool done = call.name == "best" ? component_.GetBestAuthority(felt, found)
-                                          : component_.GetAuthority(targets_[call.text("real")], felt, found);
+  bool gap(const scenario::Call& call) {
+    FHapticGap found;
+    const bool done = component_.GetGap(targets_[call.text("real")], targets_[call.text("virtual")], found);
     values_ = {{"gap_deg", -found.GapYaw}, {"max_gap_deg", found.MaxGap}, {"margin_deg", found.Margin}, {"reachable", found.bReachable}};
     return done;
   }

@@ -10,8 +10,8 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   const real: hrt.TargetId = session.addTarget({ role: hrt.HRT_TARGET_REAL, name: "cylinder" });
   const virtual = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 5 });
   session.configure({ start_position_m: [0, 0, 0.05], plate_latency_ns: 1n });
-  const margin: number = session.authority(real, virtual).margin_deg;
-  const best: bigint = session.bestAuthority(virtual).real_target;
+  const margin: number = session.gap(real, virtual).margin_deg;
+  const best: bigint = session.assign([virtual], [real])[0].real_target;
 
   session.startRecording();
   session.beginReach(best, virtual, 10);

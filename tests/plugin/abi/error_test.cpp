@@ -39,9 +39,11 @@ TEST_F(ErrorTextTest, KeysOfProfiles) {
 }
 
 TEST_F(ErrorTextTest, NamesOfTargets) {
-  hrt_target found{};
-  expect_line(hrt_target_find(session, "a\nb\xff\x1b", &found), HRT_ERROR_NOT_FOUND, "\"a?b??\"");
-  expect_line(hrt_target_find(session, long_text().c_str(), &found), HRT_ERROR_NOT_FOUND, "no target");
+  const std::string name = long_text().substr(0, HRT_NAME_SIZE - 1);
+  add(HRT_TARGET_REAL, 0.0, name.c_str());
+  const hrt_target_config again = target_config(HRT_TARGET_REAL, 0.0, name.c_str());
+  hrt_target target{};
+  expect_line(hrt_target_add(session, &again, &target), HRT_ERROR_NAME_TAKEN, "name");
 }
 
 TEST_F(ErrorTextTest, PathsLeaveRoomForTheReason) {
@@ -54,21 +56,20 @@ TEST_F(ErrorTextTest, PathsLeaveRoomForTheReason) {
   for (int i = 0; i < 10; ++i) path += "/\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4\u00e4";
   expect_line(hrt_recording_start(session, path.c_str()), HRT_ERROR_SYSTEM, reason);
   auto report = output<hrt_replay_report>();
-  expect_line(hrt_replay_file(path.c_str(), &report), HRT_ERROR_SYSTEM, reason);
+  expect_line(hrt_replay(path.c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, reason);
   hrt_scene scene{};
   const std::string name = long_text();
-  expect_line(hrt_scene_load_memory("x", 1, name.c_str(), &scene), HRT_ERROR_BAD_FORMAT, "...: ");
+  expect_line(hrt_scene_load(name.c_str(), "x", 1, &scene), HRT_ERROR_BAD_FORMAT, "...: ");
 }
 
 TEST_F(ErrorTextTest, SuccessfulReplayKeepsTheLastError) {
-  hrt_target found{};
-  expect_error(hrt_target_find(session, "cup", &found), HRT_ERROR_NOT_FOUND, "cup");
+  expect_error(hrt_target_remove(session, {7}), HRT_ERROR_INVALID_HANDLE, "target 7");
   const std::string before = hrt_last_error();
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;
   while (std::getline(file, line)) text += line + (line.starts_with("begin") ? "\n" + line + "\n" : "\n");
   auto report = output<hrt_replay_report>();
-  ASSERT_OK(hrt_replay_text(text.data(), text.size(), &report));
+  ASSERT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
   EXPECT_NE(report.first_different_line, 0u) << "a reach that begins in a reach is refused";
   EXPECT_EQ(hrt_last_error(), before);
 }

@@ -21,10 +21,9 @@ namespace {
 class CountingAllocator {
  public:
   CountingAllocator() {
-    hrt_allocator allocator{};
-    allocator.struct_size = sizeof allocator;
-    allocator.context = this;
-    allocator.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
+    hrt_host host = hrt_host_init();
+    host.context = this;
+    host.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
       auto& self = *static_cast<CountingAllocator*>(context);
       const long request = ++self.requests;
       if (request == self.fail_at || (self.fail_on && self.fail_at > 0 && request > self.fail_at))
@@ -36,15 +35,15 @@ class CountingAllocator {
       self.peak = std::max(self.peak.load(), self.bytes.load());
       return memory;
     };
-    allocator.release = [](void* context, void* memory) {
+    host.release = [](void* context, void* memory) {
       auto& self = *static_cast<CountingAllocator*>(context);
       --self.held;
       self.bytes -= static_cast<long>(malloc_usable_size(memory));
       std::free(memory);
     };
-    EXPECT_OK(hrt_set_allocator(&allocator));
+    EXPECT_OK(hrt_set_host(&host));
   }
-  ~CountingAllocator() { EXPECT_OK(hrt_set_allocator(nullptr)); }
+  ~CountingAllocator() { EXPECT_OK(hrt_set_host(nullptr)); }
   CountingAllocator(const CountingAllocator&) = delete;
   CountingAllocator& operator=(const CountingAllocator&) = delete;
   CountingAllocator(CountingAllocator&&) = delete;
@@ -62,7 +61,7 @@ class CountingAllocator {
 // A life of a session, in steps that each must succeed, or fail for want of memory and change nothing.
 hrt_result live(hrt_session* session) {
   const hrt_session_config config = session_config();
-  if (const auto result = hrt_session_create(&config, session); result != HRT_OK) return result;
+  if (const auto result = hrt_session_create(HRT_VERSION, &config, session); result != HRT_OK) return result;
   hrt_target real{}, virtual_target{};
   const hrt_target_config real_config =
       target_config(HRT_TARGET_REAL, -5.0, "a name too long for its string");
@@ -137,7 +136,7 @@ TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   const std::string profile = R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})";
   refuse_each_request(allocator, [&] { return hrt_profile_load(session, profile.data(), profile.size()); });
   ASSERT_OK(hrt_session_destroy(session));
@@ -147,7 +146,7 @@ TEST(Memory, EveryRequestOfACalibrationMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   hrt_calibration_config calibration_config = hrt_calibration_config_init();
   hrt_calibration calibration{};
   refuse_each_request(allocator, [&] {
@@ -167,7 +166,7 @@ TEST(Memory, EveryRequestOfACalibrationMayBeRefused) {
       const hrt_sample sample = position_sample(point.time_ns, point.position.right_m, point.position.away_m);
       ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration));
+    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
   }
   EXPECT_EQ(allocator.requests, before_trials);
   auto result = output<hrt_calibration_result>();
@@ -181,7 +180,7 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   auto status = output<hrt_recording_status>();
   const std::filesystem::path path =
       std::filesystem::temp_directory_path() / ("hrt_memory" + std::to_string(getpid()) + ".csv");
@@ -198,7 +197,7 @@ TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
   std::ifstream file(HRT_GOLDEN_RECORDING);
   std::string text, line;
   for (int i = 0; i < 16 && std::getline(file, line); ++i) text += line + "\n";
-  refuse_each_request(allocator, [&] { return hrt_replay_text(text.data(), text.size(), &report); });
+  refuse_each_request(allocator, [&] { return hrt_replay(nullptr, text.data(), text.size(), &report); });
   EXPECT_GT(report.rows, 0u);
 }
 
@@ -229,7 +228,7 @@ TEST_P(SceneMemory, AnyBudgetIsEnoughOrRefused) {
   CountingAllocator allocator;
   try_budgets(allocator, HRT_OK, [] {
     hrt_scene scene{};
-    const hrt_result result = hrt_scene_load_file(GetParam(), &scene);
+    const hrt_result result = hrt_scene_load(GetParam(), nullptr, 0, &scene);
     if (result == HRT_OK) {
       EXPECT_OK(hrt_scene_destroy(scene));
     }
@@ -259,7 +258,7 @@ TEST(Memory, AnyBudgetOfAnOddSceneIsEnoughOrRefused) {
     SCOPED_TRACE(text.substr(0, 120));
     try_budgets(allocator, HRT_ERROR_BAD_FORMAT, [&] {
       hrt_scene scene{};
-      return hrt_scene_load_memory(text.data(), text.size(), "odd", &scene);
+      return hrt_scene_load("odd", text.data(), text.size(), &scene);
     });
   }
 }
@@ -277,7 +276,7 @@ TEST(Memory, AnyBudgetOfARefusedSceneIsEnoughOrRefused) {
     CountingAllocator allocator;
     try_budgets(allocator, HRT_ERROR_BAD_FORMAT, [&] {
       hrt_scene scene{};
-      return hrt_scene_load_memory(text.data(), text.size(), "a name too long for its string", &scene);
+      return hrt_scene_load("a name too long for its string", text.data(), text.size(), &scene);
     });
   }
 }
@@ -315,14 +314,14 @@ TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
   const std::string gltf = R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1,2]}],"nodes":[
     {"name":"plate","extras":{"haptic":{"role":"plate","radius_m":0.1}}},
     {"name":"cylinder","translation":[0,0,-0.05],"extras":{"haptic":{"role":"real","name":"cylinder"}}},
     {"name":"cup","translation":[-0.01,0,-0.05],
      "extras":{"haptic":{"role":"virtual","name":"cup","served_by":"cylinder"}}}]})";
   hrt_scene scene{};
-  ASSERT_OK(hrt_scene_load_memory(gltf.data(), gltf.size(), "memory", &scene));
+  ASSERT_OK(hrt_scene_load("memory", gltf.data(), gltf.size(), &scene));
   hrt_target ids[2];
   refuse_each_request(allocator, [&] {
     const hrt_result result = hrt_scene_register(scene, session, 2, ids);
@@ -338,19 +337,34 @@ TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {
 TEST(Memory, AllocatorStaysWhileMemoryIsHeld) {
   const hrt_session_config config = session_config();
   hrt_session session{};
-  ASSERT_OK(hrt_session_create(&config, &session));
-  expect_error(hrt_set_allocator(nullptr), HRT_ERROR_WRONG_STATE, "holds");
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+  EXPECT_OK(hrt_set_host(nullptr)) << "nothing changes";
+  hrt_host host = hrt_host_init();
+  host.log = [](void*, std::uint32_t, const char*) {};
+  host.context = &host;
+  EXPECT_OK(hrt_set_host(&host)) << "the allocator stays";
+  host.allocate = [](void*, std::size_t size, std::size_t) { return std::malloc(size); };
+  host.release = [](void*, void* memory) { std::free(memory); };
+  expect_error(hrt_set_host(&host), HRT_ERROR_WRONG_STATE, "holds");
   ASSERT_OK(hrt_session_destroy(session));
-  EXPECT_OK(hrt_set_allocator(nullptr));
+  EXPECT_OK(hrt_set_host(&host));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+  EXPECT_OK(hrt_set_host(&host));
+  host.context = &session;
+  expect_error(hrt_set_host(&host), HRT_ERROR_WRONG_STATE, "holds");
+  ASSERT_OK(hrt_session_destroy(session));
+  EXPECT_OK(hrt_set_host(nullptr));
 }
 
 TEST(Memory, AllocatorIsChecked) {
-  hrt_allocator allocator{};
-  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_STRUCT_SIZE, "allocator");
-  allocator.struct_size = sizeof allocator;
-  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
-  allocator.allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
-  expect_error(hrt_set_allocator(&allocator), HRT_ERROR_NULL_ARGUMENT, "release is null");
+  hrt_host host{};
+  expect_error(hrt_set_host(&host), HRT_ERROR_STRUCT_SIZE, "host");
+  host = hrt_host_init();
+  host.allocate = [](void*, std::size_t, std::size_t) -> void* { return nullptr; };
+  expect_error(hrt_set_host(&host), HRT_ERROR_NULL_ARGUMENT, "release is null");
+  host.release = [](void*, void*) {};
+  host.allocate = nullptr;
+  expect_error(hrt_set_host(&host), HRT_ERROR_NULL_ARGUMENT, "allocate is null");
 }
 
 }  // namespace

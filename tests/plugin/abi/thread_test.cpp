@@ -49,7 +49,7 @@ TEST(Threads, SessionsAreIndependent) {
     const hrt_session_config config = session_config();
     for (int round = 0; round < 200; ++round) {
       hrt_session session{};
-      ASSERT_OK(hrt_session_create(&config, &session));
+      ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
       const hrt_target_config real_config = target_config(HRT_TARGET_REAL, -5.0, "real");
       const hrt_target_config virtual_config = target_config(HRT_TARGET_VIRTUAL, 5.0, "virtual");
       hrt_reach_config reach = hrt_reach_config_init();

@@ -28,7 +28,7 @@ static long left_by_opening(const char* path) {
 
 int main(int argc, char** argv) {
   hrt_functions hrt;
-  hrt_session_config config;
+  hrt_session_config config = hrt_session_config_init();
   hrt_session session = {0};
   const char* missing;
   pid_t child;
@@ -38,14 +38,14 @@ int main(int argc, char** argv) {
   missing = hrt_functions_load(find_most, library, &hrt);
   if (!missing || strcmp(missing, "hrt_reach_retarget") != 0 || hrt.reach_cancel || !hrt.reach_end) return 2;
   if (hrt_functions_load(dlsym, library, &hrt)) return 3;
-  if (hrt.session_config_default(&config, sizeof config) != HRT_OK) return 4;
-  if (hrt.session_create(&config, &session) != HRT_OK || !hrt.session_is_valid(session)) return 5;
+  if (hrt.session_create(300, &config, &session) != HRT_ERROR_OUT_OF_RANGE) return 4;
+  if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 5;
   if (hrt.session_destroy(session) != HRT_OK || hrt.session_destroy(session) != HRT_ERROR_INVALID_HANDLE)
     return 6;
   if (strstr(hrt.last_error(), "hrt_session_destroy: session ") != hrt.last_error()) return 7;
   /* Closing ends what is left open. Later children meet nothing of the library. */
-  if (hrt.session_create(&config, &session) != HRT_OK || hrt.recording_start(session, argv[2]) != HRT_OK)
-    return 8;
+  if (hrt.session_create(HRT_VERSION, &config, &session) != HRT_OK) return 8;
+  if (hrt.recording_start(session, argv[2]) != HRT_OK) return 8;
   if (dlclose(library) != 0) return 9;
   if (dlopen(argv[1], RTLD_NOW | RTLD_NOLOAD)) return 10;
   child = fork();

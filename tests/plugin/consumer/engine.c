@@ -3,5 +3,5 @@
 
 hrt_result engine_start(hrt_session* out_session) {
   const hrt_session_config config = hrt_session_config_init();
-  return hrt_session_create(&config, out_session);
+  return hrt_session_create(HRT_VERSION, &config, out_session);
 }

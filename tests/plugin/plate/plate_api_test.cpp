@@ -109,10 +109,8 @@ TEST_F(PlateApi, TwoPlatesDoNotShareALine) {
 // The application hangs while the plate turns.
 TEST_F(PlateApi, ASilentHostStopsThePlate) {
   PtyPlate device({.speed_deg_s = 20.0});
-  hrt_plate_options options{};
-  ASSERT_EQ(hrt_plate_options_default(&options, sizeof options), HRT_OK);
-  EXPECT_EQ(options.host_timeout_ns, 300'000'000);
-  options.host_timeout_ns = 100'000'000;
+  const hrt_plate_options options{
+      .struct_size = sizeof options, .reserved = 0, .host_timeout_ns = 100'000'000};
   open("serial:" + device.device(), &options);
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
@@ -159,8 +157,7 @@ TEST_F(PlateApi, RefusesWhatIsWrong) {
             HRT_ERROR_OUT_OF_RANGE);
   hrt_plate_options options{};
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_STRUCT_SIZE);
-  ASSERT_EQ(hrt_plate_options_default(&options, sizeof options), HRT_OK);
-  options.host_timeout_ns = 0;
+  options.struct_size = sizeof options;
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(error(), "hrt_plate_open: host_timeout_ns is 0; allowed: 50000000 to 10000000000");
   EXPECT_EQ(plate.value, 0U);

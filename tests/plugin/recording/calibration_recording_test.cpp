@@ -51,11 +51,11 @@ class CalibrationRecordingTest : public RecordingTest {
       const hrt_sample late = position_sample(-1, 0.0, 0.0);
       EXPECT_EQ(hrt_calibration_add_sample(calibration, &late), HRT_ERROR_TIME_REVERSED);
       if (i == 4) {
-        ASSERT_OK(hrt_calibration_cancel_trial(calibration));
+        ASSERT_OK(hrt_calibration_end_trial(calibration, 0));
       } else {
-        ASSERT_OK(hrt_calibration_end_trial(calibration));
+        ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
       }
-      EXPECT_EQ(hrt_calibration_end_trial(calibration), HRT_ERROR_WRONG_STATE);
+      EXPECT_EQ(hrt_calibration_end_trial(calibration, 1), HRT_ERROR_WRONG_STATE);
       if (i > 0) continue;
       auto early = output<hrt_calibration_result>();
       EXPECT_EQ(hrt_calibration_solve(calibration, &early), HRT_ERROR_INSUFFICIENT_DATA);
@@ -88,7 +88,7 @@ class CalibrationRecordingTest : public RecordingTest {
   static void expect_refused(const std::string& text, const std::string& part) {
     auto report = output<hrt_replay_report>();
     report.rows = 77;
-    expect_error(hrt_replay_text(text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, part);
+    expect_error(hrt_replay(nullptr, text.data(), text.size(), &report), HRT_ERROR_BAD_FORMAT, part);
     EXPECT_EQ(report.rows, 77u);
   }
 };
@@ -185,7 +185,7 @@ TEST_F(CalibrationRecordingTest, OnlyCalibrationsOfTheRecordingAreInIt) {
   EXPECT_NE(text.find("# calibration added 2 "), std::string::npos);
   // Another recording has calibrations of its own, from 1; those of the first are not in it.
   ASSERT_OK(hrt_recording_start(session, path().c_str()));
-  ASSERT_OK(hrt_calibration_end_trial(during));
+  ASSERT_OK(hrt_calibration_end_trial(during, 1));
   const hrt_calibration again = make();
   slide(again, 40.0);
   for (const hrt_calibration made : {before, during, other, again}) EXPECT_OK(hrt_calibration_destroy(made));
@@ -206,7 +206,7 @@ TEST_F(CalibrationRecordingTest, TheSessionMayEndFirst) {
   slide(calibration, 20.0);
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
-  EXPECT_OK(hrt_calibration_end_trial(calibration));
+  EXPECT_OK(hrt_calibration_end_trial(calibration, 1));
   EXPECT_OK(hrt_calibration_destroy(calibration));
   EXPECT_EQ(replay(read(path())).ending, HRT_ENDING_COMPLETE);
 }
@@ -223,7 +223,7 @@ TEST_F(CalibrationRecordingTest, ThreadsShareARecording) {
         const hrt_sample sample = position_sample(k * 10 * ms, 0.0, 0.001 * k);
         if (hrt_calibration_add_sample(calibration, &sample) != HRT_OK) return;
       }
-      if (hrt_calibration_end_trial(calibration) != HRT_OK) return;
+      if (hrt_calibration_end_trial(calibration, 1) != HRT_OK) return;
     }
   };
   std::thread a(slides, first), b(slides, second);

@@ -26,7 +26,7 @@ inline std::string read(const std::filesystem::path& path) {
 
 inline hrt_replay_report replay(const std::string& text) {
   auto report = output<hrt_replay_report>();
-  EXPECT_OK(hrt_replay_text(text.data(), text.size(), &report));
+  EXPECT_OK(hrt_replay(nullptr, text.data(), text.size(), &report));
   return report;
 }
 
@@ -100,7 +100,7 @@ class RecordingTest : public SessionTest {
     config.plate_position_m[1] = 0.7;
     config.plate_rotation[1] = 0.6;
     config.plate_rotation[3] = 0.8;
-    ASSERT_OK(hrt_session_set_config(session, &config));
+    ASSERT_OK(hrt_session_set(session, &config));
     reach_by_position(real, cup, HRT_SAMPLE_PLATE_POSITION);
     reach_by_position(real, cup, HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE);
     ASSERT_OK(hrt_target_remove(session, cup));

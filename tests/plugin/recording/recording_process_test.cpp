@@ -31,12 +31,12 @@ TEST_F(RecordingTest, FileOfAnotherRecordingIsRefused) {
   begin_reach();
   const hrt_session_config config = paper_config();
   hrt_session other{};
-  ASSERT_OK(hrt_session_create(&config, &other));
+  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &other));
   const std::string same = (folder() / "." / "recording.csv").string();
   expect_error(hrt_recording_start(other, same.c_str()), HRT_ERROR_SYSTEM,
                ": another recording is written to this file");
   EXPECT_NE(std::string(hrt_last_error()).find(same.substr(0, 64)), std::string::npos) << hrt_last_error();
-  end();
+  ASSERT_OK(hrt_reach_cancel(session));
   stop();
   EXPECT_EQ(replay(read(path())).rows, 2u);
   EXPECT_EQ(replay(read(path())).complete, 1u);
@@ -65,12 +65,13 @@ TEST_F(RecordingTest, PipesAreRefusedAndNotWaitedFor) {
   ASSERT_EQ(mkfifo(path().c_str(), 0600), 0);
   auto report = output<hrt_replay_report>();
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
-  expect_error(hrt_replay_file(path().c_str(), &report), HRT_ERROR_SYSTEM, ": not a regular file");
+  expect_error(hrt_replay(path().c_str(), nullptr, 0, &report), HRT_ERROR_SYSTEM, ": not a regular file");
   const int reader = open(path().c_str(), O_RDONLY | O_NONBLOCK);
   ASSERT_GE(reader, 0);
   expect_error(hrt_recording_start(session, path().c_str()), HRT_ERROR_SYSTEM, ": not a regular file");
   close(reader);
-  expect_error(hrt_replay_file("/dev/zero", &report), HRT_ERROR_SYSTEM, "/dev/zero: not a regular file");
+  expect_error(hrt_replay("/dev/zero", nullptr, 0, &report), HRT_ERROR_SYSTEM,
+               "/dev/zero: not a regular file");
 }
 
 /// Files that grow beyond a size are refused by the system while this lives.
@@ -99,26 +100,23 @@ TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
   update(direction_sample(0, 0.0));
 }
 
-// Hears a log while it lives: the process's, or that of one session.
+// Hears the log while it lives.
 class Log {
  public:
-  explicit Log(hrt_session session = {0}) : session_(session) { set(hear); }
-  ~Log() { set(nullptr); }
+  Log() {
+    hrt_host host = hrt_host_init();
+    host.context = this;
+    host.log = [](void* context, uint32_t, const char* line) {
+      static_cast<Log*>(context)->text += std::string(line) + "\n";
+    };
+    EXPECT_OK(hrt_set_host(&host));
+  }
+  ~Log() { EXPECT_OK(hrt_set_host(nullptr)); }
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
   Log(Log&&) = delete;
   Log& operator=(Log&&) = delete;
   std::string text;  // to be read once the recording has stopped
-
- private:
-  void set(hrt_log_callback callback) {
-    EXPECT_OK(session_.value == 0 ? hrt_set_log_callback(callback, this)
-                                  : hrt_session_set_log_callback(session_, callback, this));
-  }
-  static void hear(void* context, uint32_t, const char* text) {
-    static_cast<Log*>(context)->text += std::string(text) + "\n";
-  }
-  hrt_session session_;
 };
 
 // The log is set while the session lives, and names session and file.
@@ -144,43 +142,6 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
   EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n"))
       << log.text;
   EXPECT_EQ(replay(read(path())).complete, 0u);
-}
-
-// Each of a host's sessions may have a log of its own, with what the host wants to know it by.
-TEST_F(RecordingTest, LogOfASessionIsHeardInPlaceOfTheProcessOnes) {
-  Log of_process;
-  const hrt_session_config config = paper_config();
-  hrt_session other{};
-  ASSERT_OK(hrt_session_create(&config, &other));
-  const auto fill_both = [&] {
-    const FullDisk disk(20'000);
-    ASSERT_OK(hrt_recording_start(session, path().c_str()));
-    ASSERT_OK(hrt_recording_start(other, (folder() / "other.csv").c_str()));
-    for (int i = 0; i < 1'000; ++i) {
-      const hrt_reach_config none{};
-      EXPECT_NE(hrt_reach_begin(session, &none), HRT_OK);
-      EXPECT_NE(hrt_reach_begin(other, &none), HRT_OK);
-    }
-    stop();
-    auto status = output<hrt_recording_status>();
-    EXPECT_OK(hrt_recording_stop(other, &status));
-    EXPECT_EQ(status.system_error, EFBIG);
-  };
-  const std::string of_own = "session " + std::to_string(session.value) + ", ",
-                    of_other = "session " + std::to_string(other.value) + ", ";
-  {
-    const Log own(session);
-    fill_both();
-    EXPECT_TRUE(own.text.starts_with(of_own)) << own.text;
-    EXPECT_EQ(own.text.find(of_other), std::string::npos) << own.text;
-    EXPECT_TRUE(of_process.text.starts_with(of_other)) << of_process.text;
-    EXPECT_EQ(of_process.text.find(of_own), std::string::npos) << of_process.text;
-  }
-  fill_both();  // the session's own is gone
-  EXPECT_NE(of_process.text.find(of_own), std::string::npos) << of_process.text;
-  EXPECT_OK(hrt_session_destroy(other));
-  expect_error(hrt_session_set_log_callback(other, nullptr, nullptr), HRT_ERROR_INVALID_HANDLE,
-               "does not exist");
 }
 
 /// Descriptors of this process that are open on a file.
@@ -246,7 +207,7 @@ TEST_F(RecordingTest, LargeFilesAreNotReadInVain) {
     std::filesystem::resize_file(path(), size);
     auto report = output<hrt_replay_report>();
     const auto before = std::chrono::steady_clock::now();
-    expect_error(hrt_replay_file(path().c_str(), &report), code, part);
+    expect_error(hrt_replay(path().c_str(), nullptr, 0, &report), code, part);
     EXPECT_LT(std::chrono::steady_clock::now() - before, std::chrono::milliseconds(100));
   };
   refused(std::uintmax_t{6} << 30, HRT_ERROR_SYSTEM, "has 6442450944 bytes; allowed: up to 1073741824");
@@ -286,7 +247,7 @@ TEST_F(RecordingTest, ChildrenAreNotRecordedAndSaySo) {
     EXPECT_NE(log.text.find(path().substr(0, 64)), std::string::npos) << log.text;
     EXPECT_NE(log.text.find(": 10002 calls are not recorded"), std::string::npos) << log.text;
     begin_reach();
-    end();
+    ASSERT_OK(hrt_reach_cancel(session));
     stop();
     EXPECT_EQ(replay(read(of_child)).rows, 2u);
   });

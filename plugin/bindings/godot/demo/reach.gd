@@ -45,7 +45,7 @@ func finish() -> void:
 	print("updates %d, steps %d, of these predicted %d" % [updates, summary.steps + summary.predicted_steps,
 			summary.predicted_steps])
 	print("ended %.1f mm from the real target, %.2f deg beside it (simulated)" % [
-			summary.distance_to_target_m * 1000, abs(summary.bearing_error_deg)])
+			summary.distance_to_target_m * 1000, abs(summary.miss_deg)])
 	set_process(false)
 	get_tree().quit(0)
 
@@ -65,14 +65,14 @@ func next_row() -> PackedStringArray:
 func number(row: PackedStringArray, column: String) -> float:
 	return float(row[columns[column]])
 
-# FNV-1a, as hrt_replay_report::hash in recording.h has it.
+# FNV-1a, as hrt_replay_report::hash in study.h has it.
 func hash_command(command: Dictionary) -> void:
 	var bytes := StreamPeerBuffer.new()
 	bytes.put_64(command.flags)
 	bytes.put_64(command.step)
 	for field in ["plate_orientation_deg", "finger_direction_deg", "perceived_direction_deg",
 			"aimed_direction_deg", "distance_to_go_m", "tactile_weight", "tactile_weight_sd",
-			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "normalised_innovation"]:
+			"time_to_go_s", "felt_error_deg", "predicted_miss_deg", "misfit"]:
 		bytes.put_double(command[field])
 	for byte in bytes.data_array:
 		fnv = (fnv ^ byte) * 0x100000001b3

@@ -19,7 +19,7 @@ def ended_deg(session: hrt.Session, person: hrt.Person) -> float:
     with session.reach(cylinder, cup) as reach:
         for frame in range(FRAMES):
             plate_deg = reach.update_sample(person.move(frame * 11_111_111, plate_deg)).plate_orientation_deg
-    return reach.summary.bearing_error_deg
+    return reach.summary.miss_deg
 
 
 def main() -> None:

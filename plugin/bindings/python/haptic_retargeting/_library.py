@@ -6,7 +6,6 @@ import ctypes
 import functools
 import os
 import sys
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -47,10 +46,8 @@ def library() -> ctypes.CDLL:
     needed = _abi.VERSION
     try:
         found = _version(loaded)
-        # Within a major version a later library has all that an earlier one had.
-        if found[0] != needed[0] or found[:2] < needed[:2]:
-            raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} or later of the same major "
-                              "version is needed")
+        if found[:2] != needed[:2]:
+            raise ImportError(f"{name} has version {_dotted(found)}; {_dotted(needed)} is needed")
         declare(loaded, _abi.FUNCTIONS)
     except AttributeError as error:
         raise ImportError(f"{name} is not the haptic_retargeting library that is needed: {error}") from error
@@ -91,12 +88,3 @@ def output(kind: type[_S], function: Any, *arguments: Any) -> _S:
     out = kind()
     check(function(*arguments, ctypes.byref(out)))
     return out
-
-
-def default(kind: type[_S], function: Any, fields: Mapping[str, Any]) -> _S:
-    """The struct that a *_default() function of the library fills, with `fields` over it."""
-    config = kind()
-    check(function(ctypes.byref(config), ctypes.sizeof(config)))
-    for name, value in fields.items():
-        setattr(config, name, value)
-    return config

@@ -6,7 +6,7 @@ from __future__ import annotations
 import ctypes
 import functools
 import operator
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import IntEnum, IntFlag
 from typing import TYPE_CHECKING, Annotated, Any, ClassVar, Optional, TypeVar, Union, get_type_hints
 
@@ -57,15 +57,16 @@ else:
 
 
 class Struct(_Base):
-    """A struct of the C interface. Its `struct_size` is set."""
+    """A struct of the C interface. Its `struct_size` is set, and in a configuration every field has its default."""
 
     _fields_: ClassVar[Sequence[tuple[str, Any]]]
+    _defaults_: ClassVar[Mapping[str, Any]] = {}
 
     def __init__(self, **fields: Any) -> None:
         super().__init__()
         if hasattr(type(self), "struct_size"):
             super().__setattr__("struct_size", ctypes.sizeof(self))
-        for name, value in fields.items():
+        for name, value in {**self._defaults_, **fields}.items():
             setattr(self, name, value)
 
     def __setattr__(self, name: str, value: Any) -> None:

@@ -10,7 +10,7 @@ from . import _abi
 from ._abi import CalibrationComparison, CalibrationConfig, CalibrationResult, CalibrationSlide
 from ._closing import Closing
 from ._keywords import CalibrationKeywords, SessionKeywords
-from ._library import Error, check, default, library, output
+from ._library import Error, check, library, output
 from .arrays import SAMPLE, Array, expect_samples
 from .session import Session
 
@@ -34,7 +34,7 @@ class Calibration(CalibrationKeywords, Closing):
     def _create(self, session: SessionKeywords, fields: dict[str, Any]) -> None:
         if not isinstance(session, Session):
             raise TypeError(f"session is {session!r}: a Session is needed")
-        config = default(CalibrationConfig, library().hrt_calibration_config_default, fields)
+        config = CalibrationConfig(**fields)
         self.handle = _abi.CalibrationHandle()
         check(library().hrt_calibration_create(session.handle, byref(config), byref(self.handle)))
         self._own(self.handle, library().hrt_calibration_destroy)
@@ -48,9 +48,9 @@ class Calibration(CalibrationKeywords, Closing):
             result = library().hrt_calibration_add_sample(self.handle, byref(sample))
             if result != _abi.OK:
                 error = Error(result, f"samples[{row}]: {library().hrt_last_error().decode(errors='replace')}")
-                check(library().hrt_calibration_cancel_trial(self.handle))
+                check(library().hrt_calibration_end_trial(self.handle, 0))
                 raise error
-        check(library().hrt_calibration_end_trial(self.handle))
+        check(library().hrt_calibration_end_trial(self.handle, 1))
 
     def next_angle(self) -> tuple[float, bool]:
         """Plate orientation for the next slide, degrees, and whether the slides so far are enough."""

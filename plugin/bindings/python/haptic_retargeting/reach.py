@@ -10,7 +10,7 @@ from typing import Protocol
 from . import _abi
 from ._abi import Command, ReachConfig, ReachFlag, ReachSummary, RecordingStatus, Sample, SampleFlag
 from ._struct import Numbers
-from ._library import Error, check, default, library, output
+from ._library import Error, check, library, output
 from .arrays import COMMAND, SAMPLE, Array, commands, expect_rows
 
 
@@ -56,8 +56,7 @@ class Reach:
 
     def __init__(self, session: _abi.SessionHandle, real: _abi.TargetHandle, virtual: _abi.TargetHandle,
                  plate_orientation_deg: float | None, start_at_finger: bool, duration_s: float, pace: Pace | None) -> None:
-        fields = {"real_target": real, "virtual_target": virtual, "duration_s": duration_s}
-        config = default(ReachConfig, library().hrt_reach_config_default, fields)
+        config = ReachConfig(real_target=real, virtual_target=virtual, duration_s=duration_s)
         if plate_orientation_deg is not None:
             config.flags |= ReachFlag.PLATE_ORIENTATION
             config.plate_orientation_deg = plate_orientation_deg
@@ -156,9 +155,10 @@ class Reach:
         if self._summary is None and not self._cancelled:
             try:
                 self.end()
-            except Error:
-                # What went wrong within the context is what is to be seen.
-                if kind is None:
+            except Error as error:
+                if error.code == _abi.ErrorCode.INSUFFICIENT_DATA:
+                    self.cancel()  # without a sample there is no summary
+                elif kind is None:  # else what went wrong within the context is what is to be seen
                     raise
 
 

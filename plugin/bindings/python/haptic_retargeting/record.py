@@ -41,7 +41,7 @@ class ReachRecord:
                 f"last step {self.final_direction_deg:+.2f} deg>")
 
     @property
-    def final_miss_deg(self) -> float:
+    def paper_miss_deg(self) -> float:
         """The final direction less the real target's."""
         return self.final_direction_deg - self.real_direction_deg
 

@@ -41,6 +41,8 @@ _SAMPLE_COLUMNS = {
 }
 _COMMAND_COLUMNS = tuple(name for name in COMMAND.names or () if name not in ("struct_size", "flags", "step"))
 
+# What recordings of 0.3 call otherwise.
+_FORMER_COLUMNS = {"normalised_innovation": "misfit", "bearing_error_sd_deg": "miss_sd_deg"}
 _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
@@ -150,7 +152,7 @@ def _from_json(struct: Any, text: str) -> Any:
 
 
 def _header(line: str) -> list[str]:
-    names = line.split(",")
+    names = [_FORMER_COLUMNS.get(name, name) for name in line.split(",")]
     for column in _NEEDED_COLUMNS:
         if column not in names:
             raise ValueError(f"the column {column} is missing")
@@ -200,4 +202,4 @@ def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None
 
 def replay(path: str | os.PathLike[str]) -> ReplayReport:
     """Runs the recorded calls again and compares what comes out, bit for bit."""
-    return output(ReplayReport, library().hrt_replay_file, os.fsencode(path))
+    return output(ReplayReport, library().hrt_replay, os.fsencode(path), None, 0)

@@ -13,7 +13,7 @@ from . import _abi
 from ._abi import (
     Fingertip, Latency, RegisterFlag, Registration, RegistrationConfig, RegistrationVerdict, TouchCheck,
 )
-from ._library import default, library, output
+from ._library import library, output
 from .arrays import SAMPLE, Array, expect_rows
 
 
@@ -39,7 +39,7 @@ def register(mark_m: ArrayLike, touched_m: ArrayLike, *, touch_sd_m: float | Non
     marks, touched = (np.asarray(values, np.float64) for values in (mark_m, touched_m))
     if marks.ndim != 2 or marks.shape[1] != 3 or touched.shape != marks.shape:
         raise ValueError(f"mark_m and touched_m must be n x 3 both, not {marks.shape} and {touched.shape}")
-    config = _config(touch_sd_m)
+    config = RegistrationConfig() if touch_sd_m is None else RegistrationConfig(touch_sd_m=touch_sd_m)
     if fit_scale:
         config.flags |= RegisterFlag.SCALE
     if up is not None:
@@ -76,7 +76,7 @@ def fit_fingertip(position_m: ArrayLike, rotation: ArrayLike, *, touch_sd_m: flo
     positions, rotations = np.asarray(position_m, np.float64), np.asarray(rotation, np.float64)
     if positions.ndim != 2 or positions.shape[1] != 3 or rotations.shape != (len(positions), 4):
         raise ValueError(f"position_m must be n x 3 and rotation n x 4, not {positions.shape} and {rotations.shape}")
-    config = _config(touch_sd_m)
+    config = RegistrationConfig() if touch_sd_m is None else RegistrationConfig(touch_sd_m=touch_sd_m)
     touches = (_abi.JointTouch * len(positions))(
         *(_abi.JointTouch(position_m=p, rotation=r) for p, r in zip(positions, rotations)))
     return output(Fingertip, library().hrt_fingertip_fit, byref(config), touches, len(positions))
@@ -96,8 +96,3 @@ def fit_latency(samples: Array) -> Latency:
     expect_rows(samples, "samples", SAMPLE)
     rows = ctypes.cast(samples.ctypes.data, ctypes.POINTER(_abi.Sample))
     return output(Latency, library().hrt_latency_fit, rows, len(samples))
-
-
-def _config(touch_sd_m: float | None) -> RegistrationConfig:
-    fields = {} if touch_sd_m is None else {"touch_sd_m": touch_sd_m}
-    return default(RegistrationConfig, library().hrt_registration_config_default, fields)

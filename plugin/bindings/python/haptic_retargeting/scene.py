@@ -21,7 +21,7 @@ class Scene(Closing):
 
     def __init__(self, path: str | os.PathLike[str]) -> None:
         self.handle = _abi.SceneHandle()
-        check(library().hrt_scene_load_file(os.fsencode(path), byref(self.handle)))
+        check(library().hrt_scene_load(os.fsencode(path), None, 0, byref(self.handle)))
         self._own(self.handle, library().hrt_scene_destroy)
 
     @property

@@ -15,12 +15,12 @@ from numpy.typing import ArrayLike
 
 from . import _abi
 from ._abi import (
-    AssignFlag, Authority, CalibrationResult, Conditions, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
+    AssignFlag, CalibrationResult, Conditions, Gap, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
     TargetConfig, TouchCheck,
 )
 from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
-from ._library import Error, check, default, library, output
+from ._library import Error, check, library, output
 from ._struct import short
 from .arrays import Array, expect_samples
 from .reach import Pace, Reach, handle_of
@@ -101,9 +101,9 @@ class Session(SessionKeywords, Closing):
     """
 
     def _create(self, fields: dict[str, Any]) -> None:
-        config = default(SessionConfig, library().hrt_session_config_default, fields)
+        config = SessionConfig(**fields)
         self.handle = _abi.SessionHandle()
-        check(library().hrt_session_create(byref(config), byref(self.handle)))
+        check(library().hrt_session_create(_abi.VERSION_NUMBER, byref(config), byref(self.handle)))
         self._own(self.handle, library().hrt_session_destroy)
         self._pace: Pace | None = None
 
@@ -115,14 +115,16 @@ class Session(SessionKeywords, Closing):
     @property
     def config(self) -> SessionConfig:
         """The configuration in use: a copy."""
-        return output(SessionConfig, library().hrt_session_get_config, self.handle)
+        config = SessionConfig()
+        check(library().hrt_session_get(self.handle, byref(config), None))
+        return config
 
     def _configure(self, fields: dict[str, Any]) -> None:
         """Sets fields of SessionConfig, between reaches; the others stay."""
         config = self.config
         for name, value in fields.items():
             setattr(config, name, value)
-        check(library().hrt_session_set_config(self.handle, byref(config)))
+        check(library().hrt_session_set(self.handle, byref(config)))
 
     # Targets
 
@@ -148,11 +150,11 @@ class Session(SessionKeywords, Closing):
                             "world_position_m")
         place = (Place.DIRECTION if by_direction else
                  Place.PLATE_POSITION if world_position_m is None else Place.WORLD_POSITION)
-        fields = {"direction_deg": direction_deg, "distance_m": distance_m,
-                  "position_m": position_m if world_position_m is None else world_position_m,
-                  "role": role, "place": place, "name": name}
-        config = default(TargetConfig, library().hrt_target_config_default,
-                         {field: value for field, value in fields.items() if value is not None})
+        fields: dict[str, Any] = {
+            "direction_deg": direction_deg, "distance_m": distance_m,
+            "position_m": position_m if world_position_m is None else world_position_m,
+            "role": role, "place": place, "name": name}
+        config = TargetConfig(**{field: value for field, value in fields.items() if value is not None})
         handle = _abi.TargetHandle()
         check(library().hrt_target_add(self.handle, byref(config), byref(handle)))
         return Target(self, handle)
@@ -161,9 +163,10 @@ class Session(SessionKeywords, Closing):
         """The target of this name."""
         if not isinstance(name, str):
             raise TypeError(f"name is {name!r}: a text is needed")
-        handle = _abi.TargetHandle()
-        check(library().hrt_target_find(self.handle, name.encode(), byref(handle)))
-        return Target(self, handle)
+        for target in self.targets():
+            if target.name == name:
+                return target
+        raise KeyError(f"no target has the name {name!r}")
 
     def targets(self, role: Role | None = None) -> list[Target]:
         """All targets, or those of a role, in the order in which they were added."""
@@ -174,36 +177,16 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_target_list(self.handle, wanted, count, handles, byref(count)))
         return [Target(self, _abi.TargetHandle(value=handle.value)) for handle in handles]
 
-    # Authority
+    # Gaps
 
-    def authority(self, real: Target, virtual: Target) -> Authority:
-        """The largest gap that the plate can sustain for a pair, computed before a reach."""
-        return output(Authority, library().hrt_authority_query,
-                      self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"))
+    def gap(self, real: Target, virtual: Target) -> Gap:
+        """The gap between two targets, and the largest that the plate can hold, computed before a reach."""
+        return output(Gap, library().hrt_gap_query, self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"))
 
-    def best_authority(self, virtual: Target) -> tuple[Target, Authority]:
-        """The real target that serves a virtual one with the greatest margin, and what can be held for the pair."""
-        authority = output(Authority, library().hrt_authority_query_best, self.handle, handle_of(virtual, "virtual"))
-        return Target(self, _abi.TargetHandle(value=authority.real_target.value)), authority
-
-    def authorities(self) -> Array:
-        """What can be held for every pair: an array with the fields of Authority, by virtual target, then real one.
-
-        `real_target` and `virtual_target` are Target.id, in a field `value`.
-        """
-        count = ctypes.c_uint64()
-        check(library().hrt_authority_query_all(self.handle, 0, None, byref(count)))
-        out = np.zeros(count.value, np.dtype(Authority))
-        out["struct_size"] = out.dtype.itemsize
-        if len(out) > 0:
-            first = ctypes.cast(out.ctypes.data, ctypes.POINTER(Authority))
-            check(library().hrt_authority_query_all(self.handle, count, first, byref(count)))
-        return out
-
-    def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Authority]:
-        """The real target that serves each virtual one, so that the largest needed share of the authority is smallest;
+    def assign(self, virtuals: Sequence[Target], reals: Sequence[Target], *, exclusive: bool = False) -> list[Gap]:
+        """The real target that serves each virtual one, so that the largest needed share of what can be held is smallest;
         each real one serves one at most if `exclusive`. What cannot be served is not `reachable` and has no real target."""
-        out = (Authority * len(virtuals))(*(Authority() for _ in virtuals))
+        out = (Gap * len(virtuals))(*(Gap() for _ in virtuals))
         check(library().hrt_target_assign(
             self.handle, _handles(virtuals, "virtuals"), len(virtuals), _handles(reals, "reals"), len(reals),
             AssignFlag.EXCLUSIVE if exclusive else 0, len(out), out))
@@ -215,7 +198,7 @@ class Session(SessionKeywords, Closing):
     def state(self) -> StateFlag:
         """What the session is about now; 0: idle."""
         state = ctypes.c_uint32()
-        check(library().hrt_session_get_state(self.handle, byref(state)))
+        check(library().hrt_session_get(self.handle, None, byref(state)))
         return StateFlag(state.value)
 
     def reach(self, real: Target, virtual: Target, *, plate_orientation_deg: float | None = None,
@@ -226,7 +209,7 @@ class Session(SessionKeywords, Closing):
 
             with session.reach(cylinder, cup) as reach:
                 command = reach.update(time_ns, position_m=(x, y, z))
-            print(reach.summary.bearing_error_deg)
+            print(reach.summary.miss_deg)
         """
         return Reach(self.handle, handle_of(real, "real"), handle_of(virtual, "virtual"), plate_orientation_deg,
                      start_at_finger, duration_s, self._pace)

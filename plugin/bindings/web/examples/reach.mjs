@@ -49,7 +49,7 @@ function hashed(hash, command) {
   words.setBigInt64(8, BigInt(command.step), true);
   [command.plate_orientation_deg, command.finger_direction_deg, command.perceived_direction_deg,
    command.aimed_direction_deg, command.distance_to_go_m, command.tactile_weight, command.tactile_weight_sd,
-   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.normalised_innovation]
+   command.time_to_go_s, command.felt_error_deg, command.predicted_miss_deg, command.misfit]
     .forEach((value, i) => words.setFloat64(16 + 8 * i, value, true));
   for (let i = 0; i < words.byteLength; ++i) {
     hash = BigInt.asUintN(64, (hash ^ BigInt(words.getUint8(i))) * 0x100000001b3n);

@@ -8,4 +8,4 @@ const [, , folder, recording] = process.argv;
 const hrt = await import(pathToFileURL(`${folder}/node.mjs`));
 const { hash, summary } = runReach(hrt, await hrt.load(), await readFile(recording, "utf8"));
 console.log(`hash ${hash}`);
-console.log(`miss ${summary.bearing_error_deg.toFixed(2)} deg (simulated)`);
+console.log(`miss ${summary.miss_deg.toFixed(2)} deg (simulated)`);

@@ -55,7 +55,7 @@ func test_axes() -> void:
 	var plate := new_plate()
 	var left := plate.add_real_target_at("left", Vector3(-0.1, 0.02, 0.05))
 	var ahead := plate.add_virtual_target_at("ahead", Vector3(0, 0, -0.05))
-	check_near(plate.get_authority(left, ahead).gap_deg, -90.0, "gap from left (+90) to ahead (0)")
+	check_near(plate.get_gap(left, ahead).gap_deg, -90.0, "gap from left (+90) to ahead (0)")
 
 	var turned := new_plate()
 	turned.rotation_degrees = Vector3(20, 125, -7)
@@ -105,7 +105,7 @@ func test_signals() -> void:
 			heard[0][1] & HapticRetargeting.COMMAND_PREDICTED != 0, "flags_changed with PREDICTED: %s" % [heard])
 	heard.clear()
 	check_equal(plate.end(), OK, "end")
-	check_equal(heard, [[&"reach_ended", plate.get_summary().final_miss_deg]], "signals of the end")
+	check_equal(heard, [[&"reach_ended", plate.get_summary().miss_deg]], "signals of the end")
 	check_equal(plate.get_summary().samples, 3, "samples")
 
 func test_refusals() -> void:

@@ -7,7 +7,7 @@ const MARKS: Array[Vector3] = [Vector3(0, 0, 0.05), Vector3(0.076, 0, 0.044), Ve
 func test_scene() -> void:
 	var plate := new_plate()
 	var desk := OS.get_environment("HRT_DESK")
-	check_equal(refused("hrt_scene_load_file", plate.load_scene.bind("/nowhere.gltf")), ERR_PARSE_ERROR, "no scene")
+	check_equal(refused("hrt_scene_load", plate.load_scene.bind("/nowhere.gltf")), ERR_PARSE_ERROR, "no scene")
 	check_equal(plate.load_scene(desk), OK, "scene")
 	check(plate.position.is_equal_approx(Vector3(0.12, 0.75, -0.32)), "the node is at the plate: %s" % plate.position)
 	check(plate.rotation_degrees.is_equal_approx(Vector3(0, 20, 0)), "turned as the plate: %s" % plate.rotation_degrees)
@@ -15,7 +15,7 @@ func test_scene() -> void:
 	var cylinder := plate.find_target("cylinder")
 	var bottle := plate.find_target("bottle")
 	check(cylinder != 0 and bottle != 0, "targets of the scene")
-	check_equal(refused("hrt_target_find", plate.find_target.bind("teapot")), 0, "a target that is not there")
+	check_equal(refused("find_target: no target has the name \"teapot\"", plate.find_target.bind("teapot")), 0, "a target that is not there")
 	check(refused("get_assigned: no assignment", plate.get_assigned.bind(bottle)).is_empty(), "no assignment yet")
 	check_equal(plate.assign_targets(false), OK, "assignment")
 	check_equal(plate.get_assigned(bottle).real_target, cylinder, "assigned")

@@ -42,8 +42,7 @@ func make(name_of_call: String, a: Dictionary) -> Variant:
 			targets[a.name] = id
 			return OK
 		"remove": return plate.remove_target(targets[a.name])
-		"authority": return plate.get_authority(targets[a.real], targets[a.virtual])
-		"best": return plate.get_best_authority(targets[a.virtual])
+		"gap": return plate.get_gap(targets[a.real], targets[a.virtual])
 		"begin", "retarget": return plate.call(name_of_call, targets[a.real], targets[a.virtual])
 		"update": return plate.update(place(a.at), int(a.time_ns))
 		"lost": return plate.get_command() if plate.update_lost(int(a.time_ns)) == OK else {}

@@ -84,8 +84,14 @@ namespace Hrt
         public void BeginReach(Transform virtualTarget)
         {
             PrepareReach();
-            Authority best = Session.QueryBestAuthority(IdOf(virtualTarget));
-            BeginReach(best.realTarget, best.virtualTarget);
+            TargetId seen = IdOf(virtualTarget);
+            Gap best = default(Gap);
+            foreach (TargetId real in Session.ListTargets((uint)TargetRole.Real))
+            {
+                Gap gap = Session.QueryGap(real, seen);
+                if (best.structSize == 0 || gap.marginDeg > best.marginDeg) best = gap;
+            }
+            BeginReach(best.realTarget, seen);
         }
 
         public void BeginReach(Transform realTarget, Transform virtualTarget)

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 using AOT;
 
 namespace Hrt
@@ -12,7 +13,7 @@ namespace Hrt
         static readonly Dictionary<ulong, Func<ulong, Result>> open = new Dictionary<ulong, Func<ulong, Result>>();
 
         // The native side keeps a pointer to this; the field keeps it from being collected.
-        static readonly LogCallback onLog = OnLog;
+        static readonly HostLog onLog = OnLog;
 
         static volatile bool loaded;
 
@@ -57,11 +58,20 @@ namespace Hrt
                 // left of them would call a delegate that is gone.
                 AppDomain.CurrentDomain.DomainUnload += (sender, arguments) => Shutdown();
                 AppDomain.CurrentDomain.ProcessExit += (sender, arguments) => Shutdown();
-                Result result = Native.hrt_set_log_callback(onLog, IntPtr.Zero);
+                Result result = SetLog(Marshal.GetFunctionPointerForDelegate(onLog));
                 if (result != Result.Ok)
                     Log(LogLevel.Warning, "the library's log does not come here: " + Utf8.Read(Native.hrt_last_error()));
                 loaded = true;
             }
+        }
+
+        /// <summary>Runs a recording's calls again, and compares what comes out, bit for bit.</summary>
+        public static ReplayReport Replay(string path)
+        {
+            Load();
+            var report = new ReplayReport { structSize = SizeOf<ReplayReport>.Value };
+            Check(Native.hrt_replay(Utf8.ZeroEnded(path, nameof(path)), null, 0, ref report));
+            return report;
         }
 
         internal static void Check(Result result)
@@ -94,10 +104,10 @@ namespace Hrt
                     "the platform that it runs on; its documentation says where to put it.",
                     e);
             }
-            if (major != Constants.VersionMajor || minor < Constants.VersionMinor)
+            if (major != Constants.VersionMajor || minor != Constants.VersionMinor)
                 throw new InvalidOperationException(
                     $"The native library {Native.Library} is version {major}.{minor}.{patch}; this package needs " +
-                    $"{Constants.VersionMajor}.{Constants.VersionMinor} or a later {Constants.VersionMajor}.x.");
+                    $"{Constants.VersionMajor}.{Constants.VersionMinor}.");
         }
 
         static void Shutdown()
@@ -106,14 +116,20 @@ namespace Hrt
             {
                 foreach (KeyValuePair<ulong, Func<ulong, Result>> one in open) one.Value(one.Key);
                 open.Clear();
-                Native.hrt_set_log_callback(null, IntPtr.Zero);
+                SetLog(IntPtr.Zero);
             }
+        }
+
+        static Result SetLog(IntPtr log)
+        {
+            var host = new Host { structSize = SizeOf<Host>.Value, log = log };
+            return Native.hrt_set_host(ref host);
         }
 
         /// <summary>Where the library's log goes: Unity's console, or what .NET programs choose.</summary>
         static partial void Log(LogLevel level, string message);
 
-        [MonoPInvokeCallback(typeof(LogCallback))]
+        [MonoPInvokeCallback(typeof(HostLog))]
         static void OnLog(IntPtr context, uint level, IntPtr text)
         {
             // Called by a thread of the library's own, which no exception may get into.

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Hrt
 {
@@ -22,15 +23,34 @@ namespace Hrt
         {
             HapticRetargetingLibrary.Load();
             config.structSize = SizeOf<SessionConfig>.Value;
-            HapticRetargetingLibrary.Check(Native.hrt_session_create(ref config, out SessionHandle handle));
+            HapticRetargetingLibrary.Check(
+                Native.hrt_session_create(Constants.Version, ref config, out SessionHandle handle));
             Own(handle.value);
         }
 
         /// <summary>The configuration. Setting it is refused during a reach; targets stay.</summary>
         public SessionConfig Config
         {
-            get => GetConfig();
-            set => SetConfig(value);
+            get => Get(out _);
+            set => Set(value);
+        }
+
+        /// <summary>What the session is about now; 0: idle.</summary>
+        public StateFlags State
+        {
+            get
+            {
+                Get(out StateFlags state);
+                return state;
+            }
+        }
+
+        /// <summary>The target of this name. Throws KeyNotFoundException.</summary>
+        public TargetId FindTarget(string name)
+        {
+            foreach (TargetId target in ListTargets(0))
+                if (GetTarget(target).name.ToString() == name) return target;
+            throw new KeyNotFoundException($"No target has the name \"{name}\"");
         }
 
         /// <summary>Adds a target by its direction from the start, counter-clockwise seen from above.</summary>
@@ -48,7 +68,7 @@ namespace Hrt
         /// They come in the order of the file.</summary>
         public TargetId[] LoadScene(string path)
         {
-            Check(Native.hrt_scene_load_file(Utf8.ZeroEnded(path, nameof(path)), out SceneHandle scene));
+            Check(Native.hrt_scene_load(Utf8.ZeroEnded(path, nameof(path)), null, 0, out SceneHandle scene));
             try
             {
                 var info = new SceneInfo { structSize = SizeOf<SceneInfo>.Value };
@@ -77,6 +97,14 @@ namespace Hrt
         /// returns false then; <see cref="HapticRetargetingLibrary.LastError"/> is the reason.</summary>
         public bool TryUpdate(Sample sample, out Command command) =>
             Exchange(ref sample, out command) == Result.Ok;
+
+        SessionConfig Get(out StateFlags state)
+        {
+            var config = new SessionConfig { structSize = SizeOf<SessionConfig>.Value };
+            Check(Native.hrt_session_get(Handle, ref config, out uint bits));
+            state = (StateFlags)bits;
+            return config;
+        }
 
         internal SessionHandle Handle => new SessionHandle { value = Value };
 

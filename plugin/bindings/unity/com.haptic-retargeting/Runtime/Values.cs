@@ -99,7 +99,7 @@ namespace Hrt
         public bool IsKnown => known != 0;
     }
 
-    public partial struct Authority
+    public partial struct Gap
     {
         /// <summary>Whether the finger can be held on the real target's direction.</summary>
         public bool IsReachable => reachable != 0;

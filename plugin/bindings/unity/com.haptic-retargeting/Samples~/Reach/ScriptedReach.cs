@@ -109,7 +109,7 @@ namespace HrtSamples
             Add(command.timeToGoS);
             Add(command.feltErrorDeg);
             Add(command.predictedMissDeg);
-            Add(command.normalisedInnovation);
+            Add(command.misfit);
         }
 
         void Add(double number)

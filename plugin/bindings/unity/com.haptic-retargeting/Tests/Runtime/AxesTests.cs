@@ -103,8 +103,8 @@ namespace Hrt.Tests
                     target.role = TargetRole.Virtual;
                     target.place = Place.WorldPosition;
                     target.positionM = Axes.FromUnity(platePosition + plateRotation * onPlate);
-                    Authority authority = session.QueryAuthority(ahead, session.AddTarget(target));
-                    Assert.That(authority.gapDeg, Is.EqualTo(bearingDeg).Within(2e-3));
+                    Gap gap = session.QueryGap(ahead, session.AddTarget(target));
+                    Assert.That(gap.gapDeg, Is.EqualTo(bearingDeg).Within(2e-3));
                 }
             }
         }

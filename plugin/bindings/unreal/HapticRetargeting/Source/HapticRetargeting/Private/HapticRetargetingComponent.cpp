@@ -62,14 +62,14 @@ bool UHapticRetargetingComponent::Configure()
 	PlatePose(Config.plate_position_m, Config.plate_rotation);
 	if (Session.value == 0)
 	{
-		if (!HAPTIC_CALL(hrt_session_create(&Config, &Session)))
+		if (!HAPTIC_CALL(hrt_session_create(HRT_VERSION, &Config, &Session)))
 		{
 			return false;
 		}
 	}
 	else if (std::memcmp(&Config, &Configured, sizeof Config) != 0)
 	{
-		if (!HAPTIC_CALL(hrt_session_set_config(Session, &Config)))
+		if (!HAPTIC_CALL(hrt_session_set(Session, &Config)))
 		{
 			return false;
 		}
@@ -113,7 +113,7 @@ hrt_session UHapticRetargetingComponent::GetSession()
 void UHapticRetargetingComponent::TakeFromSession()
 {
 	const hrt_session_config Before = Configured;
-	if (!HAPTIC_CALL(hrt_session_get_config(Session, &Configured)))
+	if (!HAPTIC_CALL(hrt_session_get(Session, &Configured, nullptr)))
 	{
 		return;
 	}

@@ -62,26 +62,15 @@ bool UHapticRetargetingComponent::RemoveTarget(const FHapticTarget& Target)
 	return HAPTIC_CALL(hrt_target_remove(Session, ToTarget(Target)));
 }
 
-bool UHapticRetargetingComponent::GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual,
-	FHapticAuthority& OutAuthority)
+bool UHapticRetargetingComponent::GetGap(const FHapticTarget& Real, const FHapticTarget& Virtual,
+	FHapticGap& OutGap)
 {
-	hrt_authority Authority = hrt_authority_init();
-	if (!Configure() || !HAPTIC_CALL(hrt_authority_query(Session, ToTarget(Real), ToTarget(Virtual), &Authority)))
+	hrt_gap Gap = hrt_gap_init();
+	if (!Configure() || !HAPTIC_CALL(hrt_gap_query(Session, ToTarget(Real), ToTarget(Virtual), &Gap)))
 	{
 		return false;
 	}
-	OutAuthority = FromAuthority(Authority);
-	return true;
-}
-
-bool UHapticRetargetingComponent::GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority)
-{
-	hrt_authority Authority = hrt_authority_init();
-	if (!Configure() || !HAPTIC_CALL(hrt_authority_query_best(Session, ToTarget(Virtual), &Authority)))
-	{
-		return false;
-	}
-	OutAuthority = FromAuthority(Authority);
+	OutGap = FromGap(Gap);
 	return true;
 }
 
@@ -89,7 +78,7 @@ bool UHapticRetargetingComponent::LoadScene(const FString& Path, TArray<FHapticT
 	TArray<FHapticSceneTarget>& OutDescriptions)
 {
 	hrt_scene Scene{};
-	if (!Configure() || !HAPTIC_CALL(hrt_scene_load_file(TCHAR_TO_UTF8(*Path), &Scene)))
+	if (!Configure() || !HAPTIC_CALL(hrt_scene_load(TCHAR_TO_UTF8(*Path), nullptr, 0, &Scene)))
 	{
 		return false;
 	}

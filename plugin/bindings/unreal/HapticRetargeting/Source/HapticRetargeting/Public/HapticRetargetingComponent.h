@@ -4,6 +4,8 @@
 #include "Components/SceneComponent.h"
 #include "CoreMinimal.h"
 #include "haptic_retargeting/haptic_retargeting.h"
+#include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 #include "HapticRetargetingTypes.h"
 #include "HapticRetargetingComponent.generated.h"
 
@@ -53,13 +55,9 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool RemoveTarget(const FHapticTarget& Target);
 
-	/** The largest gap that the plate can sustain, computed before a reach. */
+	/** The gap between two targets, and the largest that the plate can hold, computed before a reach. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool GetAuthority(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
-
-	/** Of the real target that serves a virtual one best. */
-	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool GetBestAuthority(const FHapticTarget& Virtual, FHapticAuthority& OutAuthority);
+	bool GetGap(const FHapticTarget& Real, const FHapticTarget& Virtual, FHapticGap& OutGap);
 
 	/** Plate, start and targets of a glTF file, at its path on disk. The component moves to the scene's plate. The targets'
 	 *  names and places come in the order of their ids. */

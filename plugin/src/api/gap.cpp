@@ -1,4 +1,4 @@
-#include "haptic_retargeting/authority.h"
+#include "haptic_retargeting/setup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@
 namespace hrt::plugin {
 namespace {
 
-hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
-                           const hrt_target_config& real, const hrt_target_config& virtual_config) {
+hrt_gap gap_of(const Session& session, hrt_target real_target, hrt_target virtual_target,
+               const hrt_target_config& real, const hrt_target_config& virtual_config) {
   const hrt_session_config& config = session.config();
   const RetargeterConfig core = to_core(config);
   const bool arrival = core.mode == ControlMode::reach;
@@ -31,7 +31,7 @@ hrt_authority authority_of(const Session& session, hrt_target real_target, hrt_t
                                        config.motion_bound_deg)
               : paper;
   return {
-      .struct_size = sizeof(hrt_authority),
+      .struct_size = sizeof(hrt_gap),
       .reachable = authority.reachable ? 1u : 0u,
       .real_target = real_target,
       .virtual_target = virtual_target,
@@ -66,9 +66,9 @@ hrt_result find_targets(const Targets& targets, const char* argument, const hrt_
   return fail(HRT_ERROR_OUT_OF_RANGE, argument, ": target ", *twice, " is there twice");
 }
 
-double needed_share(const hrt_authority& authority) {
-  if (!authority.reachable) return std::numeric_limits<double>::infinity();
-  return authority.gap_deg == 0.0 ? 0.0 : std::abs(authority.gap_deg) / authority.max_gap_deg;
+double needed_share(const hrt_gap& gap) {
+  if (!gap.reachable) return std::numeric_limits<double>::infinity();
+  return gap.gap_deg == 0.0 ? 0.0 : std::abs(gap.gap_deg) / gap.max_gap_deg;
 }
 
 }  // namespace
@@ -78,68 +78,20 @@ using hrt::assign_exclusively;
 using hrt::unserved;
 using namespace hrt::plugin;
 
-hrt_result hrt_authority_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
-                               hrt_authority* out_authority) noexcept {
-  return with_session("hrt_authority_query", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_output("out_authority", out_authority));
+hrt_result hrt_gap_query(hrt_session session, hrt_target real_target, hrt_target virtual_target,
+                         hrt_gap* out_gap) noexcept {
+  return with_session("hrt_gap_query", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_gap", out_gap));
     Pair pair{};
     HRT_RETURN_IF_FAILED(find_pair(s.session().targets, real_target, virtual_target, &pair));
-    write_struct(authority_of(s.session(), real_target, virtual_target, pair.real, pair.virtual_target),
-                 out_authority);
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_authority_query_all(hrt_session session, uint64_t capacity, hrt_authority* out_authorities,
-                                   uint64_t* out_count) noexcept {
-  return with_session("hrt_authority_query_all", session, [&](RecordedSession& s) -> hrt_result {
-    if (!out_count) return fail(HRT_ERROR_NULL_ARGUMENT, "out_count is null");
-    const Targets& targets = s.session().targets;
-    const std::uint64_t count = std::uint64_t{targets.real_count()} * targets.virtual_count();
-    if (capacity > 0) {
-      HRT_RETURN_IF_FAILED(check_output("out_authorities", out_authorities));
-      if (capacity < count)
-        return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", count, " pairs");
-      const std::uint32_t element_size = out_authorities->struct_size;
-      auto* out = reinterpret_cast<unsigned char*>(out_authorities);
-      for (const auto& [virtual_id, virtual_config] : targets.all()) {
-        if (virtual_config.role != HRT_TARGET_VIRTUAL) continue;
-        for (const auto& [real_id, real] : targets.all()) {
-          if (real.role != HRT_TARGET_REAL) continue;
-          write_struct_of(element_size,
-                          authority_of(s.session(), {real_id}, {virtual_id}, real, virtual_config), out);
-          out += element_size;
-        }
-      }
-    }
-    *out_count = count;
-    return HRT_OK;
-  });
-}
-
-hrt_result hrt_authority_query_best(hrt_session session, hrt_target virtual_target,
-                                    hrt_authority* out_authority) noexcept {
-  return with_session("hrt_authority_query_best", session, [&](RecordedSession& s) -> hrt_result {
-    HRT_RETURN_IF_FAILED(check_output("out_authority", out_authority));
-    const hrt_target_config* virtual_config = nullptr;
-    HRT_RETURN_IF_FAILED(find_target(s.session().targets, "virtual_target", virtual_target,
-                                     HRT_TARGET_VIRTUAL, &virtual_config));
-    hrt_authority best{};
-    for (const auto& [real_id, real] : s.session().targets.all()) {
-      if (real.role != HRT_TARGET_REAL) continue;
-      const hrt_authority authority =
-          authority_of(s.session(), {real_id}, virtual_target, real, *virtual_config);
-      if (best.struct_size == 0 || authority.margin_deg > best.margin_deg) best = authority;
-    }
-    if (best.struct_size == 0) return fail(HRT_ERROR_NOT_FOUND, "the session has no real target");
-    write_struct(best, out_authority);
+    write_struct(gap_of(s.session(), real_target, virtual_target, pair.real, pair.virtual_target), out_gap);
     return HRT_OK;
   });
 }
 
 hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targets, uint64_t virtual_count,
                              const hrt_target* real_targets, uint64_t real_count, uint32_t flags,
-                             uint64_t capacity, hrt_authority* out_authorities) noexcept {
+                             uint64_t capacity, hrt_gap* out_gaps) noexcept {
   return with_session("hrt_target_assign", session, [&](RecordedSession& s) -> hrt_result {
     HRT_RETURN_IF_FAILED(check_flags(flags, HRT_ASSIGN_EXCLUSIVE));
     const Targets& targets = s.session().targets;
@@ -148,19 +100,19 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
                                       HRT_TARGET_VIRTUAL, &virtuals));
     HRT_RETURN_IF_FAILED(
         find_targets(targets, "real_targets", real_targets, real_count, HRT_TARGET_REAL, &reals));
-    HRT_RETURN_IF_FAILED(check_output("out_authorities", out_authorities));
+    HRT_RETURN_IF_FAILED(check_output("out_gaps", out_gaps));
     if (capacity < virtual_count)
       return fail(HRT_ERROR_BUFFER_TOO_SMALL, "capacity is ", capacity, "; there are ", virtual_count,
                   " virtual targets");
-    const auto authority = [&](std::size_t i, std::size_t j) {
-      return authority_of(s.session(), real_targets[j], virtual_targets[i], *reals[j], *virtuals[i]);
+    const auto gap = [&](std::size_t i, std::size_t j) {
+      return gap_of(s.session(), real_targets[j], virtual_targets[i], *reals[j], *virtuals[i]);
     };
     std::vector<double> shares;
     std::vector<std::size_t> nearest(virtuals.size(), 0), serves(virtuals.size(), unserved);
     for (std::size_t i = 0; i < virtual_count; ++i) {
       double min_gap_deg = std::numeric_limits<double>::infinity();
       for (std::size_t j = 0; j < real_count; ++j) {
-        const hrt_authority pair = authority(i, j);
+        const hrt_gap pair = gap(i, j);
         shares.push_back(needed_share(pair));
         if (!(std::abs(pair.gap_deg) < min_gap_deg)) continue;
         min_gap_deg = std::abs(pair.gap_deg);
@@ -170,10 +122,10 @@ hrt_result hrt_target_assign(hrt_session session, const hrt_target* virtual_targ
     }
     if (flags & HRT_ASSIGN_EXCLUSIVE) serves = assign_exclusively(shares, reals.size());
 
-    const std::uint32_t element_size = out_authorities->struct_size;
-    auto* out = reinterpret_cast<unsigned char*>(out_authorities);
+    const std::uint32_t element_size = out_gaps->struct_size;
+    auto* out = reinterpret_cast<unsigned char*>(out_gaps);
     for (std::size_t i = 0; i < virtual_count; ++i, out += element_size) {
-      hrt_authority assigned = authority(i, serves[i] == unserved ? nearest[i] : serves[i]);
+      hrt_gap assigned = gap(i, serves[i] == unserved ? nearest[i] : serves[i]);
       if (serves[i] == unserved) {
         assigned.reachable = 0;
         assigned.real_target = {0};
