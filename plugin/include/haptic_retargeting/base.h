@@ -124,16 +124,16 @@ typedef int32_t hrt_result;
 /** A defect in this library. Please report it with the text of hrt_last_error(). */
 #define HRT_ERROR_INTERNAL (-99)
 
-/** Returns the name of a result, such as "HRT_ERROR_BUSY", or "unknown result". Never null; valid as long
- *  as the library is loaded. [any-thread] */
+/** Returns the name of a result, such as "HRT_ERROR_BUSY", or "unknown result". Never null; valid as long as
+ * the library is loaded. [any-thread] */
 HRT_API const char* hrt_result_string(hrt_result result) HRT_NOEXCEPT;
 
 /** Returns the text of this thread's last failed call: one line of English, empty if no call has failed.
- *  Never null; valid until this thread's next failed call. [any-thread] */
+ * Never null; valid until this thread's next failed call. [any-thread] */
 HRT_API const char* hrt_last_error(void) HRT_NOEXCEPT;
 
 /** Returns the library's version. From 1.0 on, a major version only grows by additions; before, the changelog
- *  names what a minor version changes. Null pointers are skipped. [any-thread] */
+ * names what a minor version changes. Null pointers are skipped. [any-thread] */
 HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t* out_patch) HRT_NOEXCEPT;
 
 /** Level of a log message. */
@@ -141,7 +141,7 @@ HRT_API void hrt_get_version(uint32_t* out_major, uint32_t* out_minor, uint32_t*
 #define HRT_LOG_ERROR 2
 
 /** What the host lends to the library, for the whole process. All zero with `struct_size`: memory of the C
- *  library, and no log. No function may call this library or throw. Each is called on any thread. */
+ * library, and no log. No function may call this library or throw. Each is called on any thread. */
 typedef struct hrt_host {
   uint32_t struct_size;
   uint32_t reserved;
@@ -151,11 +151,11 @@ typedef struct hrt_host {
    * Called concurrently. Null, as `release` then has to be: the C library's. */
   void* (*allocate)(void* context, size_t size, size_t alignment);
   /** Releases memory that allocate() returned. As of free(), it gets no size: an allocator that needs it
-   *  keeps it beside the memory. Called concurrently. */
+   * keeps it beside the memory. Called concurrently. */
   void (*release)(void* context, void* memory);
   /** Receives what no call can return, for example that a recording's disk is full. `level` is HRT_LOG_*.
-   *  `text` is one line that names the session and, of a recording, the file; valid during the call. Called
-   *  within calls that are not real-time or on a thread of the library, one call at a time. Null: no log. */
+   * `text` is one line that names the session and, of a recording, the file; valid during the call. Called
+   * within calls that are not real-time or on a thread of the library, one call at a time. Null: no log. */
   void (*log)(void* context, uint32_t level, const char* text);
 } hrt_host;
 

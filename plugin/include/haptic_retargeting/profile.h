@@ -38,26 +38,26 @@ typedef struct hrt_conditions {
 } hrt_conditions;
 
 /** Sets the session's conditions of now: what hrt_calibration_apply() measures under, and what profiles are
- *  compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
- *  Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. [one-thread] */
+ * compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
+ * Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
 /** Returns the conditions under which the person was measured: of the loaded profile, or of now if a
- *  calibration was applied since; unknown without both. `differing` compares them with those of now. Set
- *  `struct_size` before the call. [one-thread] */
+ * calibration was applied since; unknown without both. `differing` compares them with those of now. Set
+ * `struct_size` before the call. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
                                                             hrt_conditions* out_conditions) HRT_NOEXCEPT;
 
 /** Writes the session's profile as UTF-8 with a terminating zero, and its length without the zero. With
- *  `capacity` 0 the call only returns the length, and `out_text` may be null. Errors: BUFFER_TOO_SMALL
- *  unless `capacity` exceeds the length. [one-thread] */
+ * `capacity` 0 the call only returns the length, and `out_text` may be null. Errors: BUFFER_TOO_SMALL unless
+ * `capacity` exceeds the length. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_save(hrt_session session, uint64_t capacity, char* out_text,
                                                   uint64_t* out_length) HRT_NOEXCEPT;
 
 /** Copies a profile of `length` bytes into the session's configuration. Fields missing in the profile keep
- *  their values; unknown fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field,
- *  WRONG_STATE during a reach. [one-thread] */
+ * their values; unknown fields are refused. Errors: BAD_FORMAT, OUT_OF_RANGE naming the field, WRONG_STATE
+ * during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_load(hrt_session session, const char* text,
                                                   uint64_t length) HRT_NOEXCEPT;
 

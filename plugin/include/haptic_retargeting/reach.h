@@ -15,8 +15,8 @@ extern "C" {
 /** `plate_orientation_deg` is given. Otherwise the plate is at the session's last command, at first 0. */
 #define HRT_REACH_PLATE_ORIENTATION UINT32_C(1)
 /** The reach starts where the finger is first seen, instead of at hrt_session_config::start_position_m:
- *  directions and distances are measured from there. The plate stands ready for the configured start until
- *  then, and samples before it are not counted. In a reach of directions alone this has no effect. */
+ * directions and distances are measured from there. The plate stands ready for the configured start until
+ * then, and samples before it are not counted. In a reach of directions alone this has no effect. */
 #define HRT_REACH_START_AT_FINGER UINT32_C(2)
 
 /** Configuration of a reach. hrt_reach_config_init() fills every field. */
@@ -24,8 +24,8 @@ typedef struct hrt_reach_config {
   uint32_t struct_size;
   /** HRT_REACH_*. Default 0. */
   uint32_t flags;
-  /** Target of the hand, less than 90 degrees from the virtual direction plus
-   *  hrt_session_config::bias_deg. Default null: to be set. */
+  /** Target of the hand, less than 90 degrees from the virtual direction plus hrt_session_config::bias_deg.
+   * Default null: to be set. */
   hrt_target real_target;
   /** Target that the user goes to. Default null: to be set. */
   hrt_target virtual_target;
@@ -36,20 +36,20 @@ typedef struct hrt_reach_config {
   double duration_s;
 } hrt_reach_config;
 
-/** hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and
- *  WORLD_POSITION. With none of these and without LIFTED the sample is a dropout: the plate is held, and
- *  the model predicts. */
+/** hrt_sample::flags: the fields that are set. At most one of DIRECTION, PLATE_POSITION and WORLD_POSITION.
+ * With none of these and without LIFTED the sample is a dropout: the plate is held, and the model
+ * predicts. */
 #define HRT_SAMPLE_DIRECTION UINT32_C(1)         /**< finger_direction_deg */
 #define HRT_SAMPLE_PLATE_POSITION UINT32_C(2)    /**< finger_position_m, in plate coordinates */
 #define HRT_SAMPLE_PLATE_ORIENTATION UINT32_C(4) /**< plate_orientation_deg, as measured */
 #define HRT_SAMPLE_LIFTED UINT32_C(8)            /**< the finger does not touch the plate: the model waits */
 #define HRT_SAMPLE_WORLD_POSITION UINT32_C(16)   /**< finger_position_m, in the engine's world */
 /** plate_position_m and plate_rotation, for WORLD_POSITION. Otherwise the session's configuration has
- *  them. */
+ * them. */
 #define HRT_SAMPLE_PLATE_POSE UINT32_C(32)
 
 /** One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the
- *  fields that `flags` names are read. */
+ * fields that `flags` names are read. */
 typedef struct hrt_sample {
   uint32_t struct_size;
   /** HRT_SAMPLE_*. */
@@ -60,9 +60,9 @@ typedef struct hrt_sample {
   double finger_direction_deg;
   /** Position of the fingertip. Each within 1000. */
   double finger_position_m[3];
-  /** Measured plate orientation (base.h). With stops it is taken as measured. Without stops half turns do
-   *  not count: the model takes the orientation with the same ridges that is nearest to the expected one.
-   *  -3600 to 3600. */
+  /** Measured plate orientation (base.h). With stops it is taken as measured. Without stops half turns do not
+   * count: the model takes the orientation with the same ridges that is nearest to the expected one. -3600 to
+   * 3600. */
   double plate_orientation_deg;
   /** Pose of the plate in the world; see hrt_session_config. Each within 1000. */
   double plate_position_m[3];
@@ -79,7 +79,7 @@ typedef struct hrt_sample {
 #define HRT_COMMAND_LIFTED UINT32_C(32)      /**< the finger does not touch the plate: the model waits */
 #define HRT_COMMAND_OFF_PLATE UINT32_C(64)   /**< the finger is beyond the plate's edge */
 /** The motion departs from the model more than its noise allows: the estimates, and UNREACHABLE, are not to
- *  be trusted. */
+ * be trusted. */
 #define HRT_COMMAND_MISFIT UINT32_C(128)
 /** The finger is going to end, or has ended, more than 1.5 degrees of bearing from the real target. */
 #define HRT_COMMAND_OFF_TARGET UINT32_C(256)
@@ -87,11 +87,11 @@ typedef struct hrt_sample {
 /** The solver's work was cut short; the command keeps its bounds. */
 #define HRT_COMMAND_APPROXIMATE UINT32_C(1024)
 /** A defect in this library: a value was not a finite number. The plate is held, and that value is 0. The log
- *  says so once a session, when the session is next configured or destroyed. */
+ * says so once a session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or worse than the configuration allows, or there is none:
- *  max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it
- *  at the next call of hrt_session_set(), _destroy() or hrt_registration_apply(). */
+ * max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it at
+ * the next call of hrt_session_set(), _destroy() or hrt_registration_apply(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 
 /** hrt_command::time_to_go_s: the finger rests before the motion or within it; or, under FIXED_DIRECTION, the
@@ -107,9 +107,9 @@ typedef struct hrt_command {
   uint32_t flags;
   /** Model step, from 0; -1 before the finger moves. */
   int64_t step;
-  /** Plate orientation (base.h) to turn to now. Of the orientations with the same ridges between the stops
-   *  it is the nearest one, if the configured speed and acceleration are unlimited. Otherwise the plate
-   *  stays in one half turn for the whole reach, limited by the stops. */
+  /** Plate orientation (base.h) to turn to now. Of the orientations with the same ridges between the stops it
+   * is the nearest one, if the configured speed and acceleration are unlimited. Otherwise the plate stays in
+   * one half turn for the whole reach, limited by the stops. */
   double plate_orientation_deg;
   /** Direction of the finger in the last step, observed or predicted. */
   double finger_direction_deg;
@@ -129,14 +129,14 @@ typedef struct hrt_command {
    * about 4.5 is noticed; no threshold is published for touch. 0 under FIXED_DIRECTION. */
   double felt_error_deg;
   /** Predicted bearing of the place of arrival, seen from the start, minus the real target's; 0 under
-   *  FIXED_DIRECTION. */
+   * FIXED_DIRECTION. */
   double predicted_miss_deg;
   /** How far the last positions depart from the model: their normalised innovation squared, mean over about
    * twenty. About 2 if the model fits, MISFIT from 4.5. 0 under FIXED_DIRECTION. */
   double misfit;
   /** Standard deviation of the finger's true place across the line to the real target, as a bearing from the
-   *  start: by what the estimator knows of the place and by plate_covariance. At the end, of
-   *  hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
+   * start: by what the estimator knows of the place and by plate_covariance. At the end, of
+   * hrt_reach_summary::miss_deg. 0 under FIXED_DIRECTION. */
   double miss_sd_deg;
 } hrt_command;
 
@@ -150,11 +150,11 @@ typedef struct hrt_reach_summary {
   int64_t samples;
   int64_t dropped_samples;
   /** Model steps with samples, and predicted steps without. Under ARRIVAL the steps before the motion was
-   *  seen count as predicted. */
+   * seen count as predicted. */
   int64_t steps;
   int64_t predicted_steps;
   /** Steps with samples in which the plate's bound or a stop, or its speed, limited the command; its speed
-   *  under FIXED_DIRECTION alone. */
+   * under FIXED_DIRECTION alone. */
   int64_t saturated_steps;
   int64_t rate_limited_steps;
   /** Direction of the finger in the last step, and that direction minus the real target's: what the paper's
@@ -162,7 +162,7 @@ typedef struct hrt_reach_summary {
   double final_direction_deg;
   double paper_miss_deg;
   /** Direction that the user felt in the last step, and that direction minus the virtual target's and the
-   *  user's bias as it was known before the reach. */
+   * user's bias as it was known before the reach. */
   double perceived_direction_deg;
   double perceived_error_deg;
   /** Distance along the plate from the last position to the real target; from the start without positions. */
@@ -171,12 +171,12 @@ typedef struct hrt_reach_summary {
   double tactile_weight;
   double tactile_weight_sd;
   /** Standard deviation of noise in each tracked coordinate, learnt or configured: of white noise, and under
-   *  ARRIVAL of all noise. */
+   * ARRIVAL of all noise. */
   double tracker_noise_m;
   /** Motor variance: the configured one, corrected by this reach. */
   double motor_variance_deg2;
-  /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little
-   *  data; 0: taken as known. */
+  /** Standard deviation of motor_variance_deg2; close to the configured one if the reach had too little data;
+   * 0: taken as known. */
   double motor_variance_sd_deg2;
   /** Where the finger ended beside the real target: the bearing of the last position, seen from the start,
    * minus the target's. 0 if the finger never moved, which distance_to_target_m shows. Under FIXED_DIRECTION
@@ -188,8 +188,8 @@ typedef struct hrt_reach_summary {
   /** Largest hrt_command::misfit. */
   double misfit;
   /** What the reach says of the person (HRT_PERSON_*), each with its standard deviation. An illusion_curve of
-   * more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees only.
-   */
+   * more than 2 deviations says that the illusion is not linear, and tactile_weight holds at 60 degrees
+   * only. */
   double illusion_curve;
   double illusion_curve_sd;
   double gain_per_s;
@@ -205,34 +205,33 @@ typedef struct hrt_reach_summary {
 } hrt_reach_summary;
 
 /** Begins a reach. The targets are copied. Its directions are measured from
- *  hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
- *  Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
+ * hrt_session_config::start_position_m, wherever the finger is, unless HRT_REACH_START_AT_FINGER is set.
+ * Errors: INVALID_HANDLE or OUT_OF_RANGE naming the target, WRONG_STATE during a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_begin(hrt_session session,
                                                  const hrt_reach_config* config) HRT_NOEXCEPT;
 
 /** Processes one sample and returns the command. Samples may come at any rate. A direction changes the
- *  command once in a step period, a position at every sample: each one refines the estimate. Under
- *  GUIDANCE_ARRIVAL the samples before the motion matter: they give the start, and the tracker's noise. Steps
- *  without samples are predicted, under FIXED_DIRECTION at most 64 in a call. Errors: WRONG_STATE without a
+ * command once in a step period, a position at every sample: each one refines the estimate. Under
+ * GUIDANCE_ARRIVAL the samples before the motion matter: they give the start, and the tracker's noise. Steps
+ * without samples are predicted, under FIXED_DIRECTION at most 64 in a call. Errors: WRONG_STATE without a
  * reach, OUT_OF_RANGE naming the field, or the target if HRT_REACH_START_AT_FINGER finds it within 1 mm of
  * the finger or the pair 90 degrees apart; TIME_REVERSED. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_update(hrt_session session, const hrt_sample* sample,
                                                   hrt_command* out_command) HRT_NOEXCEPT;
 
 /** Leads the reach to other targets from now on, or to the same ones after hrt_target_set() has moved them:
- *  every frame, if they move. The plan continues from where the finger is, with all that was learnt.
+ * every frame, if they move. The plan continues from where the finger is, with all that was learnt.
  * Directions are then seen from the finger, that of the virtual target from where the person feels that the
  * finger is; in a reach of directions alone, from the start. The command follows with the next sample, and
  * its flags say UNREACHABLE if the plate cannot sustain the gap that is left, OFF_TARGET if the path that is
- * left is too short. Distances, predicted_miss_deg and miss_deg are those of the new real target.
- * Errors, after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if,
- * seen from the start, the pair is 90 degrees apart; WRONG_STATE without a reach.
- * [real-time] */
+ * left is too short. Distances, predicted_miss_deg and miss_deg are those of the new real target. Errors,
+ * after which the reach continues as before: INVALID_HANDLE, OUT_OF_RANGE naming the target, also if, seen
+ * from the start, the pair is 90 degrees apart; WRONG_STATE without a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_retarget(hrt_session session, hrt_target real_target,
                                                     hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Ends the reach without a summary and learns nothing from it. The plate is where the last command left it.
- *  Errors: WRONG_STATE without a reach. [real-time] */
+ * Errors: WRONG_STATE without a reach. [real-time] */
 HRT_NODISCARD HRT_API hrt_result hrt_reach_cancel(hrt_session session) HRT_NOEXCEPT;
 
 /** Ends the reach. Errors: WRONG_STATE without a reach; INSUFFICIENT_DATA if it has had no sample: it stays

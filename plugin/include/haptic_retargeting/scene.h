@@ -39,8 +39,8 @@ typedef struct hrt_scene_target {
   uint32_t struct_size;
   /** HRT_TARGET_*. */
   uint32_t role;
-  /** Index of the real target that serves this virtual one: the one that the file names, or else the
-   *  nearest in direction, the first among equals; -1 for a real target. */
+  /** Index of the real target that serves this virtual one: the one that the file names, or else the nearest
+   * in direction, the first among equals; -1 for a real target. */
   int32_t served_by;
   uint32_t reserved;
   /** In plate coordinates; y is the height above the plate. */
@@ -56,12 +56,12 @@ typedef struct hrt_scene_target {
 
 /** Loads the .gltf or .glb file `path`; or, unless `bytes` is null, one from memory, which is not used after
  * the call and which error texts call `path`. Errors: BAD_FORMAT naming the file, the node and the property,
- *  LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
+ * LIMIT_REACHED, OUT_OF_MEMORY. [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_load(const char* path, const void* bytes, uint64_t length,
                                                 hrt_scene* out_scene) HRT_NOEXCEPT;
 
-/** Destroys the scene. Registered targets stay. Errors of this and the calls below: INVALID_HANDLE, and
- *  BUSY if another thread is in a call on this scene. [one-thread] */
+/** Destroys the scene. Registered targets stay. Errors of this and the calls below: INVALID_HANDLE, and BUSY
+ * if another thread is in a call on this scene. [one-thread] */
 HRT_API hrt_result hrt_scene_destroy(hrt_scene scene) HRT_NOEXCEPT;
 
 /** Returns the scene's plate. [one-thread] */
@@ -71,10 +71,10 @@ HRT_NODISCARD HRT_API hrt_result hrt_scene_get_info(hrt_scene scene, hrt_scene_i
 HRT_NODISCARD HRT_API hrt_result hrt_scene_get_target(hrt_scene scene, uint32_t index,
                                                       hrt_scene_target* out_target) HRT_NOEXCEPT;
 
-/** Sets the session's plate, start and, if the file has it, servo speed; adds all targets by their
- *  position on the plate. Their ids go to `out_targets` in the scene's order; it may be null if `capacity`
- *  is 0. A registered pose of the plate is replaced. Errors, without any change: BUFFER_TOO_SMALL,
- * NAME_TAKEN, WRONG_STATE during a reach. [one-thread] for both. */
+/** Sets the session's plate, start and, if the file has it, servo speed; adds all targets by their position
+ * on the plate. Their ids go to `out_targets` in the scene's order; it may be null if `capacity` is 0. A
+ * registered pose of the plate is replaced. Errors, without any change: BUFFER_TOO_SMALL, NAME_TAKEN,
+ * WRONG_STATE during a reach. [one-thread] for both. */
 HRT_NODISCARD HRT_API hrt_result hrt_scene_register(hrt_scene scene, hrt_session session, uint64_t capacity,
                                                     hrt_target* out_targets) HRT_NOEXCEPT;
 

@@ -29,8 +29,8 @@ typedef struct hrt_session {
  * model. */
 #define HRT_GUIDANCE_FIXED_DIRECTION 0
 /** The real target's place, at arrival: the controller for people. It takes the pace of the motion, the whole
- *  curve of the illusion, bias, habits and the tracker's noise as unknown, and learns them. Needs positions:
- *  in a reach with directions alone this is FIXED_DIRECTION. Measured on simulated people only. */
+ * curve of the illusion, bias, habits and the tracker's noise as unknown, and learns them. Needs positions:
+ * in a reach with directions alone this is FIXED_DIRECTION. Measured on simulated people only. */
 #define HRT_GUIDANCE_ARRIVAL 1
 
 /** Learning of the person: under GUIDANCE_ARRIVAL of all that person_mean holds, else of the tactile weight
@@ -50,7 +50,7 @@ typedef struct hrt_session {
  * the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
 /** The plate's pose is from a registration made at registration_time_ns. hrt_registration_apply() sets this;
- *  hrt_scene_register(), which writes the scene's pose, clears it. */
+ * hrt_scene_register(), which writes the scene's pose, clears it. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 
 /** Traits of a person, in this order, in hrt_session_config::person_mean. */
@@ -77,10 +77,10 @@ typedef struct hrt_session {
 typedef struct hrt_session_config {
   uint32_t struct_size;
   /** Steps that the controller plans ahead. With 1 most reaches miss; more than 3 changes little and costs
-   *  time. 1 to 50. Default 3. */
+   * time. 1 to 50. Default 3. */
   uint32_t horizon;
   /** Duration of one step of the model and of the controller. The variances below are per step: scale them
-   *  with it. 1 ms to 10 s. Default 100 ms. */
+   * with it. 1 ms to 10 s. Default 100 ms. */
   int64_t step_period_ns;
   /** HRT_CONTROL_*. Default HRT_CONTROL_MPC. */
   uint32_t control;
@@ -90,48 +90,48 @@ typedef struct hrt_session_config {
   uint32_t adaptation;
   /** HRT_SESSION_*. Default 0. */
   uint32_t flags;
-  /** Cost of the error that the user feels. Raising it keeps the felt direction closer to the virtual one
-   *  and steers more slowly. 1e-6 to 1e6. Default 1. */
+  /** Cost of the error that the user feels. Raising it keeps the felt direction closer to the virtual one and
+   * steers more slowly. 1e-6 to 1e6. Default 1. */
   double perceived_weight;
-  /** Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0 steers not
-   *  at all. 0 to 1e6. Default 1. */
+  /** Cost of the finger's actual error. Raising it steers faster, with a larger felt error; 0 steers not at
+   * all. 0 to 1e6. Default 1. */
   double actual_weight;
   /** Maximum angle, modulo 180, between the plate orientation (base.h) and the virtual direction plus
-   *  bias_deg. Raising it allows larger gaps; near 90 the ridges run along the motion and signal nothing.
-   *  0.1 to 90. Default 84.5. */
+   * bias_deg. Raising it allows larger gaps; near 90 the ridges run along the motion and signal nothing. 0.1
+   * to 90. Default 84.5. */
   double plate_bound_deg;
-  /** Maximum speed of the plate's servo, within which the controller plans. 0 to 1e6 degrees a second; 0:
-   *  no limit. Default 0. */
+  /** Maximum speed of the plate's servo, within which the controller plans. 0 to 1e6 degrees a second; 0: no
+   * limit. Default 0. */
   double plate_max_speed_deg_s;
-  /** Maximum acceleration of the servo, within which the controller plans. 0 to 1e8 degrees a second
-   *  squared; 0: no limit. Default 0. */
+  /** Maximum acceleration of the servo, within which the controller plans. 0 to 1e8 degrees a second squared;
+   * 0: no limit. Default 0. */
   double plate_max_acceleration_deg_s2;
   /** Time from a command to the plate's first motion. The controller plans from where the plate will be by
-   *  then. 0 to 1 s, and at most 8 step periods. Default 0. */
+   * then. 0 to 1 s, and at most 8 step periods. Default 0. */
   int64_t plate_latency_ns;
-  /** Mechanical stops, as plate orientations (base.h): no command lies beyond them. -3600 to 3600, the
-   *  upper at least 180 above the lower; both 0: no stops. Default 0 and 0. */
+  /** Mechanical stops, as plate orientations (base.h): no command lies beyond them. -3600 to 3600, the upper
+   * at least 180 above the lower; both 0: no stops. Default 0 and 0. */
   double plate_lower_stop_deg;
   double plate_upper_stop_deg;
   /** Plate orientation (base.h) under HRT_CONTROL_FIXED_PLATE. With stops, the plate goes to the nearest
-   *  orientation with the same ridges. -180 to 180. Default 0. */
+   * orientation with the same ridges. -180 to 180. Default 0. */
   double fixed_plate_orientation_deg;
   /** Share of touch in the direction that the user feels. At a higher weight, the same turn of the plate
-   *  steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as linear, at 60
-   *  degrees; person_mean overrides it. 0.001 to 0.499. Default 0.2. In profiles. */
+   * steers the hand further. Under GUIDANCE_ARRIVAL it is that of an illusion taken as linear, at 60 degrees;
+   * person_mean overrides it. 0.001 to 0.499. Default 0.2. In profiles. */
   double tactile_weight;
-  /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation
-   *  faster and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as uncertain in
-   *  proportion. 0.001 to 0.49. Default 0.05. In profiles. */
+  /** Standard deviation of tactile_weight, from which adaptation starts. Raising it makes adaptation faster
+   * and less steady; under GUIDANCE_ARRIVAL it also makes the illusion's curve as uncertain in proportion.
+   * 0.001 to 0.49. Default 0.05. In profiles. */
   double tactile_weight_sd;
   /** Variance of the user's motor command per step. Raising it makes the estimator follow the samples more
-   *  closely. 1e-9 to 1e4. Default 0.5. In profiles. */
+   * closely. 1e-9 to 1e4. Default 0.5. In profiles. */
   double motor_variance_deg2;
   /** Variance of the felt direction per step. Raising it models a user who reacts to touch more slowly. 1e-9
    * to 1e4. Default 0.1. In profiles. */
   double sensory_variance_deg2;
-  /** Variance of the user's felt direction before the first step. Raising it models a user who trusts
-   *  touch more in the first steps. 0 to 1e4. Default 0. In profiles. */
+  /** Variance of the user's felt direction before the first step. Raising it models a user who trusts touch
+   * more in the first steps. 0 to 1e4. Default 0. In profiles. */
   double initial_variance_deg2;
   /** Standard deviation of white noise in each tracked coordinate; under GUIDANCE_ARRIVAL of all noise,
    * unless tracker_correlated_noise_m says how much of it is correlated. Raising it smooths positions more. 0
@@ -146,15 +146,15 @@ typedef struct hrt_session_config {
   double lift_height_m;
   /** Centre of the plate in the engine's world. Each within 1000. Default (0, 0, 0). */
   double plate_position_m[3];
-  /** Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate coordinates to
-   *  the world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
+  /** Rotation of the plate's mount in the world: the unit quaternion x, y, z, w from plate coordinates to the
+   * world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
-   *  direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default
-   * 0. In profiles. */
+   * direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default 0.
+   * In profiles. */
   double bias_deg;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation
-   *  faster and less steady. 0.001 to 10. Default 0.5. In profiles. */
+   * faster and less steady. 0.001 to 10. Default 0.5. In profiles. */
   double motor_variance_sd_deg2;
   /** Largest felt error that GUIDANCE_ARRIVAL asks the plate for: felt minus intended direction, as
    * predicted. Lowering it keeps the illusion less noticeable and reaches somewhat fewer targets: of
@@ -163,42 +163,41 @@ typedef struct hrt_session_config {
   double max_felt_error_deg;
   /** Largest angle between the plate orientation and the finger's direction under GUIDANCE_ARRIVAL. Raising
    * it allows larger gaps for people whose illusion still grows there; published data cover 60. Never beyond
-   *  the peak of the person's illusion. 1 to 89. Default 75. */
+   * the peak of the person's illusion. 1 to 89. Default 75. */
   double motion_bound_deg;
   /** Time from a motion to the time_ns of its sample, under GUIDANCE_ARRIVAL. 0 to 0.5 s. Default 0. */
   int64_t tracker_latency_ns;
   /** What is believed of the person under GUIDANCE_ARRIVAL: HRT_PERSON_*, which have the ranges. Read if
-   *  person_covariance is not 0. Each within 100. Default 0. In profiles if person_covariance is not 0. */
+   * person_covariance is not 0. Each within 100. Default 0. In profiles if person_covariance is not 0. */
   double person_mean[HRT_PERSON_TRAITS];
   /** Covariance of person_mean: the lower triangle, row by row; positive definite. All 0: an unknown person,
    * of whom only tactile_weight, tactile_weight_sd and bias_deg are read. Each within 1e4. Default 0. In
    * profiles if person_covariance is not 0. */
   double person_covariance[HRT_PERSON_COVARIANCES];
   /** Length in the engine's world of 1 m on the plate: other than 1 if the tracker's unit is off. Divides
-   *  positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. */
+   * positions and targets in the world, as seen from the plate's centre. 0.5 to 2. Default 1. */
   double plate_scale;
   /** Covariance of the plate's pose in its own plane, wherever the pose comes from: its turn about its normal
-   *  (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
-   *  row by row; positive semidefinite. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into
-   *  UNREACHABLE and miss_sd_deg; it does not change commands. Each within 1. Default 0. */
+   * (radians, counter-clockwise) and its centre's place to the right and away (metres); the lower triangle,
+   * row by row; positive semidefinite. All 0: the pose is exact. Under GUIDANCE_ARRIVAL it goes into
+   * UNREACHABLE and miss_sd_deg; it does not change commands. Each within 1. Default 0. */
   double plate_covariance[6];
   /** When the plate was registered, on the clock of the samples; read if HRT_SESSION_REGISTERED. Any. Default
-   *  0.
-   */
+   * 0. */
   int64_t registration_time_ns;
   /** Largest age of a registration at a sample. Older ones, and a session without HRT_SESSION_REGISTERED, get
-   *  HRT_COMMAND_REGISTRATION. 0 or more; 0: not checked. Default 0. */
+   * HRT_COMMAND_REGISTRATION. 0 or more; 0: not checked. Default 0. */
   int64_t max_registration_age_ns;
   /** Largest standard deviation that plate_covariance may give the bearing of the real target. Worse ones,
    * and a session without HRT_SESSION_REGISTERED, get HRT_COMMAND_REGISTRATION. 0 to 180; 0: not checked.
    * Default 0. */
   double max_registration_sd_deg;
   /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under
-   *  GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not
+   * GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not
    * known. Default 0. In profiles if tracker_correlated_noise_m is not 0. */
   double tracker_correlated_noise_m;
-  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In
-   *  profiles if tracker_correlated_noise_m is not 0. */
+  /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In profiles if
+   * tracker_correlated_noise_m is not 0. */
   double tracker_correlation_s;
 } hrt_session_config;
 
@@ -222,7 +221,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_get(hrt_session session, hrt_sessio
                                                  uint32_t* out_state) HRT_NOEXCEPT;
 
 /** Replaces the configuration; null: by the defaults. Targets stay. Errors: as hrt_session_create(), and
- *  WRONG_STATE during a reach. [one-thread] */
+ * WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_session_set(hrt_session session,
                                                  const hrt_session_config* config) HRT_NOEXCEPT;
 

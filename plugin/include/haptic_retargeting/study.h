@@ -34,25 +34,25 @@ typedef struct hrt_person_config {
   uint32_t struct_size;
   uint32_t reserved;
   /** Share of touch in the direction that they feel; drawn from the seed between 0.12 and 0.3. 0.01 to 0.49;
-   *  0: drawn. Default 0. */
+   * 0: drawn. Default 0. */
   double tactile_weight;
   /** Direction in which they see a virtual target minus its own. -45 to 45. Default 0. */
   double bias_deg;
   /** Duration of the motion, by default 1.5 s. 0.3 to 20 s; 0: the default. Default 0. */
   double duration_s;
   /** Standard deviation of the tracker's white noise in each coordinate, by default 1.2 mm. 0 to 0.1; 0: the
-   *  default. Default 0. */
+   * default. Default 0. */
   double tracker_noise_m;
   /** Maximum speed of the plate's servo, by default 400. 0 to 1e6 degrees a second; 0: the default. Default
    * 0. */
   double plate_max_speed_deg_s;
-  /** Time from a command to the servo's first motion, by default 30 ms. 0 to 1 s; 0: the default. Default 0.
-   */
+  /** Time from a command to the servo's first motion, by default 30 ms. 0 to 1 s; 0: the default. Default
+   * 0. */
   int64_t plate_latency_ns;
 } hrt_person_config;
 
 /** Where a simulated person is. Positions are in plate coordinates, without the tracker's noise. Set
- *  `struct_size` before the call. */
+ * `struct_size` before the call. */
 typedef struct hrt_person_state {
   uint32_t struct_size;
   /** 1 if the motion is over, else 0. */
@@ -68,8 +68,8 @@ typedef struct hrt_person_state {
 } hrt_person_state;
 
 /** Creates a person. The same configuration and seed are the same person on every host, bit for bit. Null
- *  `config`: the defaults. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY.
- *  [any-thread] */
+ * `config`: the defaults. Errors: OUT_OF_RANGE naming the field, STRUCT_SIZE, LIMIT_REACHED, OUT_OF_MEMORY.
+ * [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* config, uint64_t seed,
                                                    hrt_person* out_person) HRT_NOEXCEPT;
 
@@ -77,16 +77,16 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_create(const hrt_person_config* conf
 HRT_API hrt_result hrt_person_destroy(hrt_person person) HRT_NOEXCEPT;
 
 /** Puts the finger at rest at the session's start. The person means to slide to where the session's virtual
- *  target is now, after a rest of 0.6 s. Each call is a further reach, with noise of its own. Errors:
- *  INVALID_HANDLE, OUT_OF_RANGE naming the target. [one-thread] */
+ * target is now, after a rest of 0.6 s. Each call is a further reach, with noise of its own. Errors:
+ * INVALID_HANDLE, OUT_OF_RANGE naming the target. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_begin(hrt_person person, hrt_session session,
                                                   hrt_target virtual_target) HRT_NOEXCEPT;
 
 /** Commands the servo to the plate orientation (base.h), lets time pass until `time_ns`, and returns what
- *  tracker and servo then report: a sample with PLATE_POSITION and PLATE_ORIENTATION. Set
- *  `out_sample->struct_size` before the call. The first call after hrt_person_begin() has the rest begin, and
- *  the plate stand where it says. Errors: OUT_OF_RANGE naming plate_orientation_deg, TIME_REVERSED,
- *  WRONG_STATE before hrt_person_begin(). [one-thread] */
+ * tracker and servo then report: a sample with PLATE_POSITION and PLATE_ORIENTATION. Set
+ * `out_sample->struct_size` before the call. The first call after hrt_person_begin() has the rest begin, and
+ * the plate stand where it says. Errors: OUT_OF_RANGE naming plate_orientation_deg, TIME_REVERSED,
+ * WRONG_STATE before hrt_person_begin(). [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time_ns,
                                                  double plate_orientation_deg,
                                                  hrt_sample* out_sample) HRT_NOEXCEPT;
@@ -106,11 +106,11 @@ typedef struct hrt_recording_status {
   uint64_t rows_lost;
 } hrt_recording_status;
 
-/** Starts recording the session into a file, which is created or replaced. Errors: SYSTEM if the file
- *  cannot be created, is not a regular file, or another recording is written to it, in this process or
- *  another; WRONG_STATE during a reach or while recording; OUT_OF_MEMORY. In the child of a fork, which has
- * the parent's sessions but not its recordings, calls of these sessions are not recorded, the two calls below
- *  return WRONG_STATE, and this one may start a recording of the child. [one-thread] */
+/** Starts recording the session into a file, which is created or replaced. Errors: SYSTEM if the file cannot
+ * be created, is not a regular file, or another recording is written to it, in this process or another;
+ * WRONG_STATE during a reach or while recording; OUT_OF_MEMORY. In the child of a fork, which has the
+ * parent's sessions but not its recordings, calls of these sessions are not recorded, the two calls below
+ * return WRONG_STATE, and this one may start a recording of the child. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_start(hrt_session session, const char* path) HRT_NOEXCEPT;
 
 /** Returns the state of the recording. Errors: WRONG_STATE without a recording. [real-time] */
@@ -118,7 +118,7 @@ HRT_NODISCARD HRT_API hrt_result hrt_recording_get_status(hrt_session session,
                                                           hrt_recording_status* out_status) HRT_NOEXCEPT;
 
 /** Writes the remaining rows, closes the file and returns the final state. The call may wait for the disk.
- *  Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
+ * Destroying the session also stops its recording. Errors: WRONG_STATE without a recording. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_recording_stop(hrt_session session,
                                                     hrt_recording_status* out_status) HRT_NOEXCEPT;
 
@@ -135,11 +135,11 @@ typedef struct hrt_replay_report {
   uint32_t complete;
   /** Rows replayed. */
   uint64_t rows;
-  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows
-   *  are equal, bit for bit. */
+  /** Line, from 1, of the first row whose result or any number differs from the recorded one; 0: all rows are
+   * equal, bit for bit. */
   uint64_t first_different_line;
-  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as
-   *  8 bytes, step and the eleven numbers after it, least significant byte first. */
+  /** FNV-1a hash of the replayed commands, equal on every host: for each successful row "update", flags as 8
+   * bytes, step and the eleven numbers after it, least significant byte first. */
   uint64_t hash;
   /** HRT_ENDING_*. */
   uint32_t ending;

@@ -42,20 +42,20 @@ typedef struct hrt_target_config {
   double direction_deg;
   /** Distance from the start along the plate. 0.001 to 1000. Default 0.1. */
   double distance_m;
-  /** Place in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate;
-   *  the height y has no effect. Each within 1000. Default (0, 0, 0). */
+  /** Place in plate coordinates or in the world, at least 1 mm from the start in the plane of the plate; the
+   * height y has no effect. Each within 1000. Default (0, 0, 0). */
   double position_m[3];
   /** Unique within the session unless empty. UTF-8, terminated by a zero. Default empty. */
   char name[HRT_NAME_SIZE];
 } hrt_target_config;
 
 /** Adds a target. Errors: OUT_OF_RANGE naming the field, NAME_TAKEN, LIMIT_REACHED, OUT_OF_MEMORY.
- *  [one-thread] */
+ * [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_add(hrt_session session, const hrt_target_config* config,
                                                 hrt_target* out_target) HRT_NOEXCEPT;
 
 /** Replaces a target and keeps its id. A running reach keeps the former target until hrt_reach_retarget().
- *  Allocates nothing if the name stays. Errors: as hrt_target_add(). [one-thread] */
+ * Allocates nothing if the name stays. Errors: as hrt_target_add(). [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_target_set(hrt_session session, hrt_target target,
                                                 const hrt_target_config* config) HRT_NOEXCEPT;
 
