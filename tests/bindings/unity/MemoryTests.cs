@@ -42,6 +42,7 @@ namespace Hrt.HostTests
                 AssertNoGarbage(i =>
                 {
                     session.BeginReach(real, seen);
+                    session.Update(StraightAhead(i));
                     session.EndReach();
                     person.Begin(session, seen);
                     person.Move(i, 0);

@@ -217,18 +217,18 @@ namespace Hrt.Tests
             Transform other = MakeTarget("goblet", -3);
             component.virtualTargets.Add(other);
             component.BeginReach(virtualTarget);
-            component.EndReach();
+            component.CancelReach();
             Assert.AreEqual(3, component.Session.ListTargets(0).Length);
             component.virtualTargets.Remove(other);
             UnityEngine.Object.DestroyImmediate(other.gameObject);
             component.BeginReach(virtualTarget);
-            component.EndReach();
+            component.CancelReach();
             Assert.AreEqual(2, component.Session.ListTargets(0).Length);
 
             other = MakeTarget("cone", 5);
             component.realTargets.Add(other);
             component.BeginReach(other, virtualTarget);
-            component.EndReach();
+            component.CancelReach();
             UnityEngine.Object.DestroyImmediate(other.gameObject);
             component.BeginReach(virtualTarget);
             Assert.AreEqual(2, component.Session.ListTargets(0).Length);
