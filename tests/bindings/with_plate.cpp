@@ -4,16 +4,39 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 
 #include "tests/plugin/plate/pty_device.h"
-#include "tests/samples/plate/emulated_board.h"
+#include "tests/samples/plate/board_with_servo.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+// A board without a sensor, homed at 0: it is where it is sent, exactly.
+struct HomedBoard : hrt::plate::EmulatedBoard {
+  HomedBoard()
+      : EmulatedBoard(hrt::plate::eeprom_with(
+            hrt::plate::settings_with({{SETTING_MIN_DEG, -90}, {SETTING_MAX_DEG, 90}}))) {
+    run_for(50ms);
+    say("HELLO 2");
+    say(hrt::plate::set_body(0.0, 1, "HOME"));
+    while (now() < 8200ms) {
+      run_for(100ms);
+      say(hrt::plate::beat_body("BEAT", 2));
+    }
+    take_output();
+  }
+};
+
+}  // namespace
 
 int main(int argc, char** argv) {
   constexpr int cannot_run = 127;
   if (argc < 2) return cannot_run;
-  const hrt::plate::PtyDevice<hrt::plate::EmulatedBoard> board;
+  const hrt::plate::PtyDevice<HomedBoard> board;
   const hrt::plate::PtyDynamixel servo;
   setenv("HRT_PLATE_DEVICE", ("serial:" + board.device()).c_str(), 1);
   setenv("HRT_PLATE_SERVO", ("dynamixel:" + servo.device()).c_str(), 1);

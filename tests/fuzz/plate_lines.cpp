@@ -32,7 +32,7 @@ void check_message(const PlateMessage& message) {
     require(greeting->latency_ms >= 0.0 && greeting->latency_ms <= 1000.0);
   }
   if (const auto* report = std::get_if<PlateReport>(&message))
-    require(std::abs(report->orientation_deg) <= 360.0);
+    require(std::abs(report->orientation_deg.value_or(0.0)) <= 360.0);
   if (const auto* setting = std::get_if<PlateSetting>(&message)) require(std::isfinite(setting->value));
 }
 
@@ -41,7 +41,7 @@ void read_as_host(std::string_view bytes) {
   for (const char byte : bytes) {
     const auto line = reader.take(byte);
     const auto decoded = line ? decode_line(*line) : std::nullopt;
-    const auto message = decoded ? parse_plate_message(decoded->body, decoded->version) : std::nullopt;
+    const auto message = decoded ? parse_plate_message(*decoded) : std::nullopt;
     if (message) check_message(*message);
   }
 }
@@ -50,7 +50,7 @@ void read_as_host(std::string_view bytes) {
 bool send(const char* line, std::uint8_t length) {
   require(length > 0 && length <= LINE_SIZE && line[length - 1] == '\n');
   const auto decoded = decode_line(std::string_view(line, length - 1U));
-  require(decoded && parse_plate_message(decoded->body, decoded->version));
+  require(decoded && parse_plate_message(*decoded));
   return true;
 }
 
@@ -63,7 +63,7 @@ constexpr PlateBoard board{send, save};
 
 void run_as_plate(std::string_view bytes) {
   Plate plate{};
-  plate_start(&plate, &board, nullptr, nullptr);
+  plate_start(&plate, &board, nullptr);
   for (const char byte : bytes) {
     plate_hear(&plate, byte);
     const PlateInputs inputs{byte == '!', static_cast<std::int16_t>(static_cast<unsigned char>(byte) * 4)};
@@ -72,15 +72,15 @@ void run_as_plate(std::string_view bytes) {
     require(std::abs(plate.position_microdeg) <= 180'000'000);
     const std::uint16_t ticks = plate_pulse_ticks(&plate);
     require(ticks == 0 || (ticks >= 2 * PULSE_LEAST_US && ticks <= 2 * PULSE_MOST_US));
-    require(ticks == 0 || plate.version != 0);
+    require(ticks == 0 || plate.greeted);
   }
 }
 
-std::string with_sums(std::string_view bytes, Version version) {
+std::string with_sums(std::string_view bytes) {
   std::string lines;
   while (!bytes.empty()) {
     const std::size_t end = bytes.find('\n');
-    lines += encode_line(bytes.substr(0, end), version);
+    lines += encode_line(bytes.substr(0, end));
     bytes.remove_prefix(end == std::string_view::npos ? bytes.size() : end + 1);
   }
   return lines;
@@ -151,6 +151,8 @@ void drive(const char* name, const std::string& bytes) {
     for (const std::string& line : device->details()) require(!line.empty());
     require(std::isfinite(device->zero_deg()));
     device->set_zero(1.0);
+    device->hurry();
+    require(device->sensor_filter().count() >= 0);
   } catch (const PlateFailure& failure) {
     require(failure.what()[0] != '\0');
   }
@@ -168,8 +170,7 @@ void read_name(std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
-  for (const std::string& lines :
-       {std::string(bytes), with_sums(bytes, Version::one), with_sums(bytes, Version::two)}) {
+  for (const std::string& lines : {std::string(bytes), with_sums(bytes)}) {
     read_as_host(lines);
     run_as_plate(lines);
     drive("serial:line", lines);

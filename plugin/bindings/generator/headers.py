@@ -1,5 +1,5 @@
 """Reads the C headers, which keep to few forms of C: comments, #define of whole numbers, typedef of structs and callbacks,
-functions. `generate --check` compares the model with what a compiler sees."""
+functions; those inline are for C and C++ alone. `generate --check` compares the model with what a compiler sees."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ _ITEM = re.compile(rf"""
   | \#include[ ]"(?P<include>[\w./]+)"
   | \#(?:\\\n|[^\n])*
   | extern[ ]"C"[ ]\{{ | \}}
+  | static[ ]inline[ ].*?\n\}}
   | typedef[ ]struct[ ](?P<struct>\w+)[ ]\{{\n(?P<fields>.*?)\n\}}[ ](?P=struct);
   | typedef[ ]int32_t[ ]hrt_result;(?P<result>)
   | typedef[ ](?P<callback_result>[\w ]+\*?)[ ]?\(\*(?P<callback>\w+)\)\((?P<callback_parameters>[^)]*)\);

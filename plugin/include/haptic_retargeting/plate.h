@@ -6,11 +6,12 @@
  * A plate is opened by name:
  *
  * - `serial:/dev/ttyACM0`, `serial:COM3`: a plate with the line protocol of samples/plate/protocol.md
- * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 or XL430 servo under the plate, by Dynamixel Protocol 2.0
+ * - `dynamixel:/dev/ttyUSB0?id=1`: an XL330 servo under the plate, by Dynamixel Protocol 2.0
+ * - `plate.json`: the file of `hrt-plate commission`, which has the name of its device, and what was measured
  *
  * Options of a servo, separated by '&': id (0 to 252, default 1), baud (57600, 115200 or 1000000, default
  * 57600), speed (degrees a second, 10 to 1000, default 300), effort (percent of the servo's limit of current,
- * or of PWM, 5 to 100, default 50).
+ * 5 to 100, default 50; never more than 5 N at the plate's rim, 75 mm from its axis).
  *
  * One thread a plate talks to it. No call waits for a device, except hrt_plate_close(), 0.5 s at most.
  * A plate stops when the host is silent (hrt_plate_options::host_timeout_ns), when it is closed, and when it
@@ -22,6 +23,7 @@
 #define HAPTIC_RETARGETING_PLATE_H
 
 #include "haptic_retargeting/base.h"
+#include "haptic_retargeting/session.h"
 
 #if defined(_WIN32) && defined(HRT_BUILDING_PLATE)
 #define HRT_PLATE_API __declspec(dllexport)
@@ -42,10 +44,17 @@ typedef struct hrt_plate {
   uint64_t value;
 } hrt_plate;
 
+/** What hrt_plate_set() does while HRT_PLATE_REPORT_UNHOMED is set. */
+#define HRT_PLATE_HOMING_REFUSED 0u /**< refuses with WRONG_STATE */
+#define HRT_PLATE_HOMING_SLOW                                                                              \
+  1u /**< the plate goes to the orientation of the first call, slowly, in about 8 s: no finger on it. Many \
+      * servos turn slowly then; a digital one may go there at its full speed. */
+
 /** How to treat a plate. */
 typedef struct hrt_plate_options {
   uint32_t struct_size;
-  uint32_t reserved;
+  /** HRT_PLATE_HOMING_*. Default HRT_PLATE_HOMING_REFUSED. */
+  uint32_t homing;
   /** After this time without hrt_plate_set(), hrt_plate_stop() or hrt_plate_get() the plate stops where it
    * is: an application that hangs leaves no moving plate. The next hrt_plate_set() moves it again. 50 ms to
    * 10 s. Default 300 ms. */
@@ -80,6 +89,16 @@ typedef struct hrt_plate_options {
 #define HRT_PLATE_REPORT_ROUND_TRIP 4u   /**< the line was measured */
 #define HRT_PLATE_REPORT_COMMANDED 8u    /**< a command holds; else the plate stays where it is */
 #define HRT_PLATE_REPORT_HOST_SILENT 16u /**< stopped by hrt_plate_options::host_timeout_ns */
+#define HRT_PLATE_REPORT_UNHOMED                                                                            \
+  32u /**< nobody knows where the plate stands: it has no sensor, and was switched on, reset, or stopped by \
+       * its emergency stop since it last knew */
+#define HRT_PLATE_REPORT_FIRST_MOTION \
+  64u /**< it has not yet come to a command since it was opened: keep fingers off */
+
+#define HRT_PLATE_REPORT_COMMISSIONED 128u /**< latency and speed are those of the file */
+#define HRT_PLATE_REPORT_DEVIATES                                                                        \
+  256u /**< it turned slower than 80 % of what the file says, or rests farther from its command than its \
+        * error and three deviations, for a second: commission it anew */
 
 /** What is known of a plate. All numbers are finite, and 0 while they are unknown. */
 typedef struct hrt_plate_report {
@@ -117,16 +136,18 @@ typedef struct hrt_plate_report {
 } hrt_plate_report;
 
 /** Starts to open the plate named `device`, and returns at once: hrt_plate_get() has the state, and whether
- * it failed. `options` may be null: defaults. The plate holds its place until the first hrt_plate_set().
- * Errors: OUT_OF_RANGE (a malformed name, with what is allowed), LIMIT_REACHED (16 plates), OUT_OF_MEMORY,
- * SYSTEM (no thread). [any-thread] */
+ * it failed. `options` may be null: defaults. Opening moves nothing: until the first hrt_plate_set() a hobby
+ * servo gets no pulse and is without force, a Dynamixel holds its place.
+ * Errors: OUT_OF_RANGE (a malformed name or file, with what is allowed), LIMIT_REACHED (16 plates),
+ * OUT_OF_MEMORY, SYSTEM (no thread). [any-thread] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
                                                       hrt_plate* out_plate) HRT_NOEXCEPT;
 
 /** Turns the plate to this orientation, -3600 to 3600 degrees, or to one that feels the same (ridges repeat
  *  every 180 degrees): the nearest within the stops; if there is none, the nearest stop. Holds until the next
  *  one, or hrt_plate_stop(). Sent within 5 ms, unless the computer is busy. Errors: WRONG_STATE unless the
- * plate is READY. [real-time] */
+ * plate is READY, and while it is UNHOMED, unless hrt_plate_options::homing is HRT_PLATE_HOMING_SLOW.
+ * [real-time] */
 HRT_NODISCARD HRT_PLATE_API hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) HRT_NOEXCEPT;
 
 /** Stops the plate where it is; it holds. Errors: as hrt_plate_set(). [real-time] */
@@ -142,6 +163,16 @@ HRT_PLATE_API hrt_result hrt_plate_close(hrt_plate plate) HRT_NOEXCEPT;
 /** Returns the text of this thread's last failed call of this library: one line of English, empty if no call
  * has failed. Never null; valid until this thread's next failed call. [any-thread] */
 HRT_PLATE_API const char* hrt_plate_last_error(void) HRT_NOEXCEPT;
+
+/** Fills speed, latency and stops of a READY plate in; stops that are less than 180 degrees apart stay out.
+ *  [any-thread] */
+static inline void hrt_session_config_from_plate(hrt_session_config* config, const hrt_plate_report* report) {
+  const int has_stops = report->upper_stop_deg - report->lower_stop_deg >= 180.0;
+  config->plate_max_speed_deg_s = report->max_speed_deg_s;
+  config->plate_latency_ns = report->latency_ns;
+  config->plate_lower_stop_deg = has_stops ? report->lower_stop_deg : 0.0;
+  config->plate_upper_stop_deg = has_stops ? report->upper_stop_deg : 0.0;
+}
 
 #if defined(__cplusplus)
 }

@@ -59,7 +59,12 @@ class Device {
   /// Stops where it is, and holds.
   virtual void stop() = 0;
 
-  // ---- To put it into operation.
+  // ---- To measure it and put it into operation.
+
+  /// Until it is closed it reports as often as the line allows, and turns as fast as its servo can.
+  virtual void hurry() = 0;
+  /// Time constant of the filter of first order through which the sensor sees the plate.
+  virtual std::chrono::nanoseconds sensor_filter() const = 0;
 
   /// Settings and the result of a self-test, a line each. Moves nothing.
   virtual std::vector<std::string> details() = 0;
@@ -69,10 +74,6 @@ class Device {
   virtual void set_zero(double zero_deg) = 0;
   /// Keeps 0 across power-off. The device stops.
   virtual void keep_zero() = 0;
-  /// Its own latency and speed can be kept across power-off.
-  virtual bool keeps_plan() const = 0;
-  /// Keeps them: latency, and the speed if it is given. The device stops.
-  virtual void keep_plan(double latency_ms, std::optional<double> speed_deg_s) = 0;
 };
 
 /// "kind:path?option=value&option=value", taken apart.

@@ -52,6 +52,13 @@ hrt_result check_ready(const PlateDriver& driver) {
   return fail(HRT_ERROR_WRONG_STATE, std::string_view(report.message));
 }
 
+hrt_result check_homed(const PlateDriver& driver) {
+  if (driver.homes() || (driver.report().flags & HRT_PLATE_REPORT_UNHOMED) == 0) return HRT_OK;
+  return fail(HRT_ERROR_WRONG_STATE,
+              "nobody knows where the plate stands; open it with hrt_plate_options::homing "
+              "HRT_PLATE_HOMING_SLOW, and keep fingers off while it is homed");
+}
+
 }  // namespace
 
 hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
@@ -65,13 +72,16 @@ hrt_result hrt_plate_open(const char* device, const hrt_plate_options* options,
     hrt_plate_options checked;
     HRT_RETURN_IF_FAILED(read_options(options, &checked));
     hrt::plate::DeviceMaker maker;
+    std::optional<hrt::plate::PlateFile> file;
     try {
-      maker = hrt::plate::device_named(name);
+      if (hrt::plate::is_plate_file(name)) file = hrt::plate::read_plate_file(device);
+      maker = hrt::plate::device_named(file ? file->device : name);
     } catch (const std::invalid_argument& wrong) {
       return fail(HRT_ERROR_OUT_OF_RANGE, wrong.what());
     }
-    auto driver = std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path_of(name),
-                                                std::chrono::nanoseconds(checked.host_timeout_ns));
+    const std::string path = path_of(file ? file->device : name);
+    auto driver = std::make_unique<PlateDriver>(std::move(maker), hrt::plate::open_serial_line, path,
+                                                std::move(file), checked);
     const std::uint64_t handle = plates.insert(std::move(driver));
     if (handle == 0)
       return fail(HRT_ERROR_LIMIT_REACHED, "there are ", max_plates, " plates; close one first");
@@ -85,6 +95,7 @@ hrt_result hrt_plate_set(hrt_plate plate, double orientation_deg) noexcept {
     HRT_RETURN_IF_FAILED(
         check_value("orientation_deg", Fields<hrt_sample>::plate_orientation_deg, orientation_deg));
     HRT_RETURN_IF_FAILED(check_ready(driver));
+    HRT_RETURN_IF_FAILED(check_homed(driver));
     driver.set(orientation_deg);
     return HRT_OK;
   });

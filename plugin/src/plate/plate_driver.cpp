@@ -24,6 +24,9 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto pickup_period = 5ms;  // in which a command is seen
+constexpr double arrived_deg = 5.0;  // from the command
+constexpr double slow_share = 0.8;   // of the speed that was measured
+constexpr auto deviates_after = 1s;  // of rest, and of error
 constexpr double stay = std::numeric_limits<double>::quiet_NaN();
 
 int this_process() {
@@ -67,11 +70,12 @@ void write_text(char (&to)[size], const Parts&... parts) {
 }  // namespace
 
 PlateDriver::PlateDriver(DeviceMaker maker, LineOpener opener, std::string path,
-                         std::chrono::nanoseconds host_timeout)
+                         std::optional<PlateFile> file, const hrt_plate_options& options)
     : maker_(std::move(maker)),
       opener_(std::move(opener)),
       path_(std::move(path)),
-      host_timeout_(host_timeout),
+      file_(std::move(file)),
+      options_(options),
       process_(this_process()),
       wanted_deg_(stay) {
   static_assert(std::atomic<double>::is_always_lock_free && std::atomic<std::uint64_t>::is_always_lock_free);
@@ -130,11 +134,15 @@ void PlateDriver::run() noexcept {
 
 void PlateDriver::serve(Device& device) {
   write_text(now_known_.report.description, std::string_view(device.description()));
-  host_heard_ = now();
+  host_heard_ = near_ = commanded_ = now();
+  if (file_ && file_->description != device.description())
+    throw PlateFailure(Fault::no_answer, "is \"" + device.description() + "\", and its file is of \"" +
+                                             file_->description + "\"");
   while (!ending_) {
     publish(device);
     device.wait(pickup_period);
     follow_host(device, now());
+    if (file_) compare_with_file(device, now());
   }
 }
 
@@ -144,7 +152,7 @@ void PlateDriver::follow_host(Device& device, Time now) {
     calls_seen_ = calls;
     host_heard_ = now;
     host_is_silent_ = false;
-  } else if (now - host_heard_ > host_timeout_ && !host_is_silent_) {
+  } else if (now - host_heard_ > std::chrono::nanoseconds(options_.host_timeout_ns) && !host_is_silent_) {
     host_is_silent_ = true;
     double before = wanted_deg_.load();
     wanted_deg_.compare_exchange_strong(before, stay);  // unless a command comes at this instant
@@ -152,9 +160,12 @@ void PlateDriver::follow_host(Device& device, Time now) {
   const double wanted_deg = wanted_deg_.load(std::memory_order_acquire);
   if (!std::isnan(wanted_deg)) {
     const DeviceLimits limits = device.limits();
-    const double within_deg = orientation_within(limits.min_deg, limits.max_deg, wanted_deg,
-                                                 device.orientation_deg().value_or(wanted_deg));
+    const std::optional<double> place_deg = device.orientation_deg();
+    const double within_deg =
+        orientation_within(limits.min_deg, limits.max_deg, wanted_deg, place_deg.value_or(wanted_deg));
+    if (holds_ || within_deg != now_known_.report.command_deg) commanded_ = now;
     device.turn_to(within_deg);
+    if (place_deg && std::abs(*place_deg - within_deg) <= arrived_deg) has_arrived_ = true;
     now_known_.report.command_deg = within_deg;
     holds_ = false;
   } else if (!holds_) {
@@ -163,19 +174,32 @@ void PlateDriver::follow_host(Device& device, Time now) {
   }
 }
 
+// Slower than measured; or for a second, at rest, farther from its command than it ever was.
+void PlateDriver::compare_with_file(const Device& device, Time now) {
+  const hrt_plate_report& report = now_known_.report;
+  const double error_deg = std::abs(device.orientation_deg().value_or(0.0) - report.command_deg);
+  const bool rests = !holds_ && now - commanded_ > deviates_after && device.orientation_deg();
+  if (!rests || error_deg <= file_->error_deg) near_ = now;
+  deviates_ = now - near_ > deviates_after || device.limits().speed_deg_s < slow_share * file_->speed_deg_s;
+}
+
 void PlateDriver::publish(const Device& device) {
   hrt_plate_report& report = now_known_.report;
   const DeviceLimits limits = device.limits();
   report.state = HRT_PLATE_STATE_READY;
-  report.flags = (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : 0U) |
+  report.flags = (device.orientation_deg() ? HRT_PLATE_REPORT_ORIENTATION : HRT_PLATE_REPORT_UNHOMED) |
+                 (has_arrived_ ? 0U : HRT_PLATE_REPORT_FIRST_MOTION) |
                  (device.is_measured() ? HRT_PLATE_REPORT_MEASURED : 0U) |
                  (device.round_trip() ? HRT_PLATE_REPORT_ROUND_TRIP : 0U) |
-                 (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) |
+                 (holds_ ? 0U : HRT_PLATE_REPORT_COMMANDED) | (file_ ? HRT_PLATE_REPORT_COMMISSIONED : 0U) |
+                 (deviates_ ? HRT_PLATE_REPORT_DEVIATES : 0U) |
                  (host_is_silent_ ? HRT_PLATE_REPORT_HOST_SILENT : 0U);
   report.orientation_deg = device.orientation_deg().value_or(0.0);
   report.latency_ns = limits.latency.count();
+  if (file_)
+    report.latency_ns = std::llround(file_->latency_ms * 1e6) + device.round_trip().value_or(0ns).count() / 2;
   report.round_trip_ns = device.round_trip().value_or(0ns).count();
-  report.max_speed_deg_s = limits.speed_deg_s;
+  report.max_speed_deg_s = file_ ? std::min(limits.speed_deg_s, file_->speed_deg_s) : limits.speed_deg_s;
   report.lower_stop_deg = limits.min_deg;
   report.upper_stop_deg = limits.max_deg;
   report.refused_messages = device.refusals();

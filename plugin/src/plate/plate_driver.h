@@ -11,6 +11,7 @@
 #include "haptic_retargeting/plate.h"
 #include "plugin/src/plate/device.h"
 #include "plugin/src/plate/plate_failure.h"
+#include "plugin/src/plate/plate_file.h"
 #include "plugin/src/plate/snapshot.h"
 
 namespace hrt::plate {
@@ -19,8 +20,10 @@ namespace hrt::plate {
 /// system call.
 class PlateDriver {
  public:
-  /// Starts to open the device. `path` is for messages. Throws std::system_error without a thread.
-  PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::chrono::nanoseconds host_timeout);
+  /// Starts to open the device. `path` is for messages, `file` what was measured of it. Throws
+  /// std::system_error without a thread.
+  PlateDriver(DeviceMaker maker, LineOpener opener, std::string path, std::optional<PlateFile> file,
+              const hrt_plate_options& options);
   /// Stops the plate: within half a second. In the child of a fork it only lets go.
   ~PlateDriver();
   PlateDriver(const PlateDriver&) = delete;
@@ -29,6 +32,8 @@ class PlateDriver {
   void set(double orientation_deg);
   void stop();
   hrt_plate_report report() const;
+  /// set() moves a plate whose place is unknown.
+  bool homes() const { return options_.homing == HRT_PLATE_HOMING_SLOW; }
 
  private:
   struct Published {
@@ -41,13 +46,15 @@ class PlateDriver {
   void serve(Device& device);
   void follow_host(Device& device, Time now);
   void publish(const Device& device);
+  void compare_with_file(const Device& device, Time now);
   void fail(Fault fault, const char* sentence) noexcept;
   Time now() const { return std::chrono::steady_clock::now(); }
 
   DeviceMaker maker_;
   LineOpener opener_;
   std::string path_;
-  std::chrono::nanoseconds host_timeout_;
+  std::optional<PlateFile> file_;
+  hrt_plate_options options_;
   int process_;
 
   // From the host: the orientation, or not a number to stay; and that it lives.
@@ -61,6 +68,9 @@ class PlateDriver {
   Time host_heard_;
   bool host_is_silent_ = false;
   bool holds_ = true;
+  bool has_arrived_ = false;  // at a command
+  bool deviates_ = false;
+  Time commanded_, near_;  // when the command was last another one, and the plate last near it
 
   Snapshot<Published> published_;
   std::unique_ptr<std::thread> thread_;

@@ -15,16 +15,10 @@ constexpr double max_speed_deg_s = 1e6;
 constexpr double max_latency_ms = 1000.0;
 constexpr char hex_digits[] = "0123456789ABCDEF";
 
-std::string sum_of(std::string_view body, Version version) {
-  unsigned sum = 0;
-  if (version == Version::two) {
-    sum = crc_of(body);
-  } else {
-    for (const char c : body) sum ^= static_cast<unsigned char>(c);
-  }
+std::string sum_of(std::string_view body) {
+  const unsigned sum = crc_of(body);
   std::string digits;
-  for (int shift = version == Version::two ? 12 : 4; shift >= 0; shift -= 4)
-    digits += hex_digits[(sum >> shift) & 15U];
+  for (int shift = 12; shift >= 0; shift -= 4) digits += hex_digits[(sum >> shift) & 15U];
   return digits;
 }
 
@@ -73,37 +67,29 @@ std::optional<std::uint16_t> sequence_of(std::string_view word) {
   return error == std::errc() ? std::optional(value) : std::nullopt;
 }
 
-std::optional<PlateMessage> parse_greeting(const Words& words, Version version) {
-  if (words.size() != (version == Version::two ? 7U : 5U)) return std::nullopt;
-  if (words[1] != (version == Version::two ? "2" : "1")) return std::nullopt;
-  const auto min = angle_of(words[2]), max = angle_of(words[3]), speed = number_of(words[4]);
+std::optional<PlateMessage> parse_greeting(const Words& words) {
+  if (words.size() != 7 || words[1] != "2") return std::nullopt;
+  const auto min = angle_of(words[2]), max = angle_of(words[3]), speed = number_of(words[4]),
+             latency = number_of(words[5]);
   if (!min || !max || !speed || *min >= *max || *speed <= 0.0 || *speed > max_speed_deg_s)
     return std::nullopt;
-  PlateGreeting greeting{version, *min, *max, *speed, 0.0, false};
-  if (version == Version::two) {
-    const auto latency = number_of(words[5]);
-    if (!latency || *latency < 0.0 || *latency > max_latency_ms) return std::nullopt;
-    if (words[6] != "measured" && words[6] != "assumed") return std::nullopt;
-    greeting.latency_ms = *latency;
-    greeting.is_measured = words[6] == "measured";
-  }
-  return greeting;
+  if (!latency || *latency < 0.0 || *latency > max_latency_ms) return std::nullopt;
+  if (words[6] != "measured" && words[6] != "assumed") return std::nullopt;
+  return PlateGreeting{*min, *max, *speed, *latency, words[6] == "measured"};
 }
 
-std::optional<PlateMessage> parse_report(const Words& words, Version version) {
-  if (words.size() != (version == Version::two ? 3U : 2U)) return std::nullopt;
-  const auto orientation_deg = version == Version::two ? fixed_angle_of(words[1]) : angle_of(words[1]);
-  if (!orientation_deg) return std::nullopt;
-  if (version == Version::one) return PlateReport{*orientation_deg, std::nullopt};
+std::optional<PlateMessage> parse_report(const Words& words) {
+  if (words.size() != 3) return std::nullopt;
+  const auto orientation_deg = fixed_angle_of(words[1]);
   const auto sequence = sequence_of(words[2]);
-  return sequence ? std::optional<PlateMessage>(PlateReport{*orientation_deg, sequence}) : std::nullopt;
+  if ((!orientation_deg && words[1] != "unknown") || !sequence) return std::nullopt;
+  return PlateReport{orientation_deg, *sequence};
 }
 
-std::optional<PlateMessage> parse_stopped(const Words& words, Version version) {
-  static constexpr std::array<std::string_view, 6> reasons = {"host",  "heartbeat", "limit",
-                                                              "fault", "emergency", "stuck"};
-  const std::size_t known = version == Version::two ? reasons.size() : 4;
-  for (std::size_t i = 0; words.size() == 2 && i < known; ++i)
+std::optional<PlateMessage> parse_stopped(const Words& words) {
+  static constexpr std::array<std::string_view, 8> reasons = {"host",      "heartbeat", "limit",  "fault",
+                                                              "emergency", "stuck",     "sensor", "unhomed"};
+  for (std::size_t i = 0; words.size() == 2 && i < reasons.size(); ++i)
     if (words[1] == reasons[i]) return PlateStopped{static_cast<StopReason>(i)};
   return std::nullopt;
 }
@@ -132,48 +118,38 @@ std::uint16_t crc_of(std::string_view bytes) {
   return static_cast<std::uint16_t>(crc & 0xFFFFU);
 }
 
-std::string encode_line(std::string_view body, Version version) {
-  return std::string(body) + "*" + sum_of(body, version) + "\n";
+std::string encode_line(std::string_view body) {
+  return std::string(body) + "*" + sum_of(body) + "\n";
 }
 
-std::optional<DecodedLine> decode_line(std::string_view line) {
+std::optional<std::string_view> decode_line(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   const std::size_t star = line.find('*');
   if (star == 0 || star == std::string_view::npos) return std::nullopt;
   const std::string_view body = line.substr(0, star), sum = line.substr(star + 1);
   for (const char c : body)
     if (c < 0x20 || c > 0x7e) return std::nullopt;
-  const Version version = sum.size() == 4 ? Version::two : Version::one;
-  if (sum != sum_of(body, version)) return std::nullopt;
-  return DecodedLine{body, version};
+  return sum == sum_of(body) ? std::optional(body) : std::nullopt;
 }
 
-std::optional<PlateMessage> parse_plate_message(std::string_view body, Version version) {
+std::optional<PlateMessage> parse_plate_message(std::string_view body) {
   const Words words = words_of(body);
   for (const std::string_view word : words)
     if (word.empty()) return std::nullopt;
-  if (words[0] == "PLATE") return parse_greeting(words, version);
-  if (words[0] == "AT") return parse_report(words, version);
-  if (words[0] == "STOPPED") return parse_stopped(words, version);
-  return version == Version::two ? parse_service(words) : std::nullopt;
+  if (words[0] == "PLATE") return parse_greeting(words);
+  if (words[0] == "AT") return parse_report(words);
+  if (words[0] == "STOPPED") return parse_stopped(words);
+  return parse_service(words);
 }
 
-std::string set_body(double orientation_deg, Version version, std::uint16_t sequence) {
+std::string set_body(double orientation_deg, std::uint16_t sequence, std::string_view word) {
   std::array<char, 40> text{};
-  if (version == Version::two) {
-    std::snprintf(text.data(), text.size(), "SET %+07.2f %05u", orientation_deg,
-                  static_cast<unsigned>(sequence));
-    // No decimal comma in any locale.
-    text[8] = '.';
-    return text.data();
-  }
-  const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), orientation_deg, std::chars_format::fixed, 2).ptr;
-  return "SET " + std::string(text.data(), end);
+  std::snprintf(text.data(), text.size(), "%+07.2f %05u", orientation_deg, static_cast<unsigned>(sequence));
+  text[4] = '.';  // in every locale
+  return std::string(word) + " " + text.data();
 }
 
-std::string beat_body(std::string_view word, Version version, std::uint16_t sequence) {
-  if (version == Version::one) return std::string(word);
+std::string beat_body(std::string_view word, std::uint16_t sequence) {
   const std::string digits = std::to_string(sequence);
   return std::string(word) + " " + std::string(5 - digits.size(), '0') + digits;
 }

@@ -10,23 +10,19 @@
 
 namespace hrt::plate {
 
-/// Of the protocol: the sum of a line is its exclusive-or in version one, its CRC-16 in version two.
-enum class Version { one = 1, two = 2 };
-
 /// Messages from a plate.
 struct PlateGreeting {
-  Version version;
   double min_deg;
   double max_deg;
   double speed_deg_s;
-  double latency_ms;  ///< from a line to the servo's motion; 0 in version one
-  bool is_measured;   ///< reports come from a sensor, not from the plate's own commands; false in version one
+  double latency_ms;  ///< from a line to the servo's motion
+  bool is_measured;   ///< reports come from a sensor, not from the plate's own commands
 };
 struct PlateReport {
-  double orientation_deg;
-  std::optional<std::uint16_t> sequence;  ///< of the last line that was taken in; version two
+  std::optional<double> orientation_deg;  ///< nothing if the plate does not know it
+  std::uint16_t sequence;                 ///< of the last line that was taken in
 };
-enum class StopReason { host, heartbeat, limit, fault, emergency, stuck };
+enum class StopReason { host, heartbeat, limit, fault, emergency, stuck, sensor, unhomed };
 struct PlateStopped {
   StopReason reason;
 };
@@ -57,23 +53,18 @@ using PlateMessage = std::variant<PlateGreeting, PlateReport, PlateStopped, Plat
 std::uint16_t crc_of(std::string_view bytes);
 
 /// The bytes of a line with this body: sum and end are added.
-std::string encode_line(std::string_view body, Version version);
+std::string encode_line(std::string_view body);
 
-/// A received line, as far as its sum vouches for it.
-struct DecodedLine {
-  std::string_view body;
-  Version version;
-};
-/// The line without its "\n"; nothing if it is not valid.
-std::optional<DecodedLine> decode_line(std::string_view line);
+/// The body of a received line, without its "\n"; nothing if its sum is wrong.
+std::optional<std::string_view> decode_line(std::string_view line);
 
-/// The meaning of a body from the plate; none if it is not in the protocol's version.
-std::optional<PlateMessage> parse_plate_message(std::string_view body, Version version);
+/// The meaning of a body from the plate; none if it is not in the protocol.
+std::optional<PlateMessage> parse_plate_message(std::string_view body);
 
-/// The body of SET in this version. `orientation_deg` within 360.
-std::string set_body(double orientation_deg, Version version, std::uint16_t sequence);
-/// The body of BEAT or STOP in this version.
-std::string beat_body(std::string_view word, Version version, std::uint16_t sequence);
+/// The body of SET or HOME. `orientation_deg` within 360.
+std::string set_body(double orientation_deg, std::uint16_t sequence, std::string_view word = "SET");
+/// The body of BEAT or STOP.
+std::string beat_body(std::string_view word, std::uint16_t sequence);
 
 /// Cuts a stream of bytes into lines, in bounded memory.
 class LineReader {

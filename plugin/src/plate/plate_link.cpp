@@ -11,26 +11,19 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto greeting_limit = 5000ms;
-constexpr auto first_version_after =
-    3000ms;  // boards need 2 s from the opening of their line to their first word
 constexpr auto greeting_period = 200ms;
-constexpr auto beat_period = 50ms;  // half of the protocol's limit
 constexpr auto silence_limit = 500ms;
-constexpr auto settle_time = 600ms;  // of a servo at its first pulse
 constexpr int probes = 11;
 constexpr auto probe_limit = 100ms;
 
 }  // namespace
 
-PlateLink::PlateLink(std::unique_ptr<Line> line, Start start) : line_(std::move(line)) {
+PlateLink::PlateLink(std::unique_ptr<Line> line) : line_(std::move(line)) {
   try {
     greet();
-    if (version_ == Version::two) {
-      measure_line();
-      ask("INFO", [](const PlateMessage& message) { return std::holds_alternative<PlateInfo>(message); });
-      if (start == Start::hold) hold_place();
-    }
-    serve_for(start == Start::hold && version_ == Version::two ? settle_time : greeting_period);
+    measure_line();
+    ask("INFO", [](const PlateMessage& message) { return std::holds_alternative<PlateInfo>(message); });
+    serve_for(greeting_period);
     unanswered_hellos_ = 0;
   } catch (...) {
     stop_if_heard();
@@ -43,7 +36,6 @@ PlateLink::~PlateLink() {
 }
 
 std::string PlateLink::description() const {
-  if (!info_) return "protocol 1";
   return "protocol 2, firmware " + info_->firmware + ", serial number " + info_->serial;
 }
 
@@ -61,9 +53,8 @@ void PlateLink::greet() {
     const auto passed = now() - began;
     if (passed > greeting_limit)
       throw PlateFailure(Fault::no_answer, "does not answer as a plate within 5 s");
-    version_ = passed < first_version_after ? Version::two : Version::one;
     ++unanswered_hellos_;
-    say(version_ == Version::two ? "HELLO 2" : "HELLO 1");
+    say("HELLO 2");
     const Line::Time again = now() + greeting_period;
     while (!greeting_ && now() < again) {
       line_->wait(10ms);
@@ -86,10 +77,6 @@ void PlateLink::measure_line() {
   if (round_trips_.count() == 0) throw PlateFailure(Fault::protocol, "does not echo sequence numbers");
 }
 
-void PlateLink::hold_place() {
-  turn_to(std::clamp(orientation_deg_.value_or(0.0), greeting_->min_deg, greeting_->max_deg));
-}
-
 void PlateLink::serve_for(std::chrono::milliseconds time) {
   const Line::Time end = now() + time;
   while (now() < end) wait(10ms);
@@ -102,7 +89,7 @@ void PlateLink::service() {
     if (time - heard_ > silence_limit)
       throw PlateFailure(Fault::silent, "has not been heard for half a second");
     watch_->check(time);
-    if (time - said_ >= beat_period) drive("BEAT");
+    if (time - said_ >= beat_period_) drive("BEAT");
     line_->flush();
   } catch (const PlateFailure&) {
     stop_if_heard();
@@ -120,7 +107,7 @@ void PlateLink::turn_to(double orientation_deg) {
   if (command_deg_ == sent_deg) return;
   command_deg_ = sent_deg;
   watch_->commanded(sent_deg);
-  drive("SET");
+  drive(orientation_deg_ ? "SET" : "HOME");
 }
 
 void PlateLink::stop() {
@@ -154,13 +141,9 @@ void PlateLink::listen() {
   for (const char byte : bytes) {
     const std::optional<std::string_view> line = reader_.take(byte);
     if (!line) continue;
-    const std::optional<DecodedLine> decoded = decode_line(*line);
-    if (!decoded) continue;
-    const auto message = parse_plate_message(decoded->body, decoded->version);
-    if (!message) continue;
-    const bool announces =
-        std::holds_alternative<PlateBooted>(*message) || std::holds_alternative<PlateRefusal>(*message);
-    if (decoded->version == version_ || announces) this->take(*message);
+    const std::optional<std::string_view> body = decode_line(*line);
+    if (!body) continue;
+    if (const auto message = parse_plate_message(*body)) take(*message);
   }
 }
 
@@ -190,7 +173,8 @@ void PlateLink::take_greeting(const PlateGreeting& greeting) {
 void PlateLink::take_report(const PlateReport& report) {
   orientation_deg_ = report.orientation_deg;
   reported_ = heard_;
-  if (report.sequence) round_trips_.echoed(heard_, *report.sequence);
+  if (!round_trips_.echoed(heard_, report.sequence))
+    throw PlateFailure(Fault::line, "hears another program too: close that one");
   watch_->reported(heard_, report.orientation_deg);
 }
 
@@ -210,6 +194,11 @@ void PlateLink::take_stop(StopReason reason) {
       throw PlateFailure(Fault::emergency, "was stopped by its emergency stop");
     case StopReason::stuck:
       throw PlateFailure(Fault::stuck, "reports that its servo is stuck");
+    case StopReason::sensor:
+      throw PlateFailure(Fault::device,
+                         "reports that its sensor runs against its servo: exchange adc_least and adc_most");
+    case StopReason::unhomed:
+      throw PlateFailure(Fault::restarted, "has forgotten its place: open it anew, and home it");
   }
 }
 
@@ -222,12 +211,13 @@ void PlateLink::take_refusal(const PlateRefusal& refusal) {
 
 void PlateLink::drive(std::string_view word) {
   ++sequence_;
-  if (version_ == Version::two) round_trips_.sent(now(), sequence_);
-  say(word == "SET" ? set_body(*command_deg_, version_, sequence_) : beat_body(word, version_, sequence_));
+  round_trips_.sent(now(), sequence_);
+  const bool turns = word == "SET" || word == "HOME";
+  say(turns ? set_body(*command_deg_, sequence_, word) : beat_body(word, sequence_));
 }
 
 void PlateLink::say(std::string_view body) {
-  line_->send(encode_line(body, version_));
+  line_->send(encode_line(body));
   said_ = now();
 }
 
@@ -246,8 +236,8 @@ void PlateLink::stop_if_heard() {
 
 DeviceMaker serial_device(const DeviceName& name) {
   name.allow({});
-  return [path = name.path](const LineOpener& open, Start start) {
-    return std::make_unique<PlateLink>(open(path, 115200), start);
+  return [path = name.path](const LineOpener& open, Start) {
+    return std::make_unique<PlateLink>(open(path, 115200));
   };
 }
 

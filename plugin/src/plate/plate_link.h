@@ -1,4 +1,4 @@
-// A plate at the end of a serial line: the host's side of samples/plate/protocol.md, versions 2 and 1.
+// A plate at the end of a serial line: the host's side of samples/plate/protocol.md.
 #pragma once
 
 #include <functional>
@@ -19,8 +19,8 @@ namespace hrt::plate {
 class PlateLink : public Device {
  public:
   /// Greets the plate, for which it has five seconds (boards start when their line is opened), and measures
-  /// the line. To hold its place the servo gets its first pulse.
-  explicit PlateLink(std::unique_ptr<Line> line, Start start = Start::hold);
+  /// the line. Moves nothing.
+  explicit PlateLink(std::unique_ptr<Line> line);
   /// Stops the plate, if it still hears.
   ~PlateLink() override;
   PlateLink(const PlateLink&) = delete;
@@ -32,12 +32,10 @@ class PlateLink : public Device {
   DeviceLimits limits() const override;
   bool is_measured() const override { return greeting_->is_measured; }
   const PlateGreeting& greeting() const { return *greeting_; }
-  /// Nothing in version 1.
-  const std::optional<PlateInfo>& info() const { return info_; }
   /// As last reported; nothing before the first report.
   std::optional<double> orientation_deg() const override { return orientation_deg_; }
   Line::Time reported() const override { return reported_; }
-  /// Of a line and its echo, measured at the start; nothing in version 1.
+  /// Of a line and its echo, measured at the start.
   std::optional<std::chrono::nanoseconds> round_trip() const override { return round_trips_.median(); }
   std::uint64_t refusals() const override { return refusals_; }
 
@@ -53,9 +51,12 @@ class PlateLink : public Device {
   double zero_deg() override;
   void set_zero(double zero_deg) override;
   void keep_zero() override { save_settings(); }
-  bool keeps_plan() const override { return version_ == Version::two; }
-  void keep_plan(double latency_ms, std::optional<double> speed_deg_s) override;
+  void hurry() override;
+  /// The firmware's, of its readings.
+  std::chrono::nanoseconds sensor_filter() const override;
 
+  /// What the converter reads at the sensor's pin, 0 to 1023: the mean of ten.
+  double sensor_reading();
   /// Value of one of the plate's settings.
   double setting(const std::string& name);
   /// Changes it. PlateFailure with the reason if the plate refuses.
@@ -71,7 +72,6 @@ class PlateLink : public Device {
  private:
   void greet();
   void measure_line();
-  void hold_place();
   double pulse_setting(const std::string& name);
   void serve_for(std::chrono::milliseconds time);
   void listen();
@@ -86,7 +86,6 @@ class PlateLink : public Device {
 
   std::unique_ptr<Line> line_;
   LineReader reader_;
-  Version version_ = Version::two;
   std::optional<PlateGreeting> greeting_;
   std::optional<PlateInfo> info_;
   std::optional<PlateWatch> watch_;
@@ -100,6 +99,7 @@ class PlateLink : public Device {
   bool answered_ = false;
   Line::Time heard_, reported_;
   Line::Time said_;
+  std::chrono::milliseconds beat_period_{50};  // half of the protocol's limit
 };
 
 }  // namespace hrt::plate

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 
 #include "plugin/src/plate/plate_failure.h"
 #include "plugin/src/plate/plate_link.h"
@@ -24,7 +25,6 @@ std::string shown(double value) {
 }  // namespace
 
 std::vector<std::string> PlateLink::details() {
-  if (version_ != Version::two) return {"protocol 1: no settings, no self-test"};
   std::vector<std::string> lines;
   ask("CONF", [&](const PlateMessage& message) {
     const auto* setting = std::get_if<PlateSetting>(&message);
@@ -37,6 +37,27 @@ std::vector<std::string> PlateLink::details() {
     return test != nullptr && test->what == "end";
   });
   return lines;
+}
+
+void PlateLink::hurry() {
+  beat_period_ = 5ms;
+  drive("FAST");
+}
+
+std::chrono::nanoseconds PlateLink::sensor_filter() const {
+  return greeting_->is_measured ? 7ms : 0ms;  // an eighth of the difference every millisecond
+}
+
+double PlateLink::sensor_reading() {
+  constexpr int count = 10;
+  double sum = 0.0;
+  for (int i = 0; i < count; ++i)
+    ask("TEST", [&](const PlateMessage& message) {
+      const auto* test = std::get_if<PlateTest>(&message);
+      if (test != nullptr && test->what == "adc") sum += std::strtod(test->result.c_str(), nullptr);
+      return test != nullptr && test->what == "end";
+    });
+  return sum / count;
 }
 
 double PlateLink::setting(const std::string& name) {
@@ -69,8 +90,6 @@ void PlateLink::save_settings() {
 }
 
 double PlateLink::pulse_setting(const std::string& name) {
-  if (version_ != Version::two)
-    throw PlateFailure(Fault::protocol, "speaks protocol 1, which has no trim: turn the plate on its shaft");
   const double width_us = setting(name);
   if (std::abs(width_us) < min_pulse_us || std::abs(width_us) > max_pulse_us)
     throw PlateFailure(Fault::protocol,
@@ -92,13 +111,6 @@ void PlateLink::set_zero(double zero_deg) {
     change_setting("zero", at_us);
     serve_for(50ms);
   }
-}
-
-void PlateLink::keep_plan(double latency_ms, std::optional<double> speed_deg_s) {
-  constexpr double max_latency_ms = 200.0, min_speed_deg_s = 1.0;
-  change_setting("latency", std::min(max_latency_ms, latency_ms));
-  if (speed_deg_s) change_setting("speed", std::max(min_speed_deg_s, *speed_deg_s));
-  save_settings();
 }
 
 }  // namespace hrt::plate

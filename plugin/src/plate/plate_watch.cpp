@@ -19,7 +19,9 @@ constexpr double far_deg = 10.0;         // from the command: a plate so far awa
 constexpr auto stuck_limit = 1000ms;
 constexpr double moved_deg = 1.0;  // in that time, or a quarter of what the plate's speed allows
 constexpr auto max_pause = 250ms;
-constexpr auto shortest_motion = 100ms, max_motion = 1000ms;
+// Of a motion, to see its speed: this way, or for this time. Its onset must not count.
+constexpr double seen_deg = 20.0;
+constexpr auto min_motion = 60ms, max_motion = 1000ms;
 
 std::string degrees(double angle_deg) {
   std::array<char, 32> text{};
@@ -45,7 +47,7 @@ void PlateWatch::stopped() {
   moved_.reset();
 }
 
-void PlateWatch::reported(Time time, double orientation_deg) {
+void PlateWatch::reported(Time time, std::optional<double> known_deg) {
   // After a pause of the host, reports of the pause arrive at once: their own times are unknown.
   if (time - reported_ > max_pause) {
     motion_.clear();
@@ -53,6 +55,8 @@ void PlateWatch::reported(Time time, double orientation_deg) {
   }
   has_reported_ = true;
   reported_ = time;
+  if (!known_deg) return;
+  const double orientation_deg = *known_deg;
   if (orientation_deg < greeting_.min_deg - limit_slack_deg ||
       orientation_deg > greeting_.max_deg + limit_slack_deg)
     throw PlateFailure(Fault::limits, "reports " + degrees(orientation_deg) + " deg, outside its limits of " +
@@ -75,13 +79,19 @@ void PlateWatch::check(Time now) const {
 }
 
 void PlateWatch::measure_speed(const Place& now) {
-  while (!motion_.empty() && now.time - motion_.front().time > max_motion) motion_.pop_front();
-  if (!motion_.empty() && now.time - motion_.front().time >= shortest_motion) {
-    const double seconds = std::chrono::duration<double>(now.time - motion_.front().time).count();
-    const double speed_deg_s = std::abs(now.orientation_deg - motion_.front().orientation_deg) / seconds;
-    if (speed_deg_s * seconds > moved_deg) speed_deg_s_ = std::max(speed_deg_s_.value_or(0.0), speed_deg_s);
-  }
+  const auto way_deg = [&](const Place& from) {
+    return std::abs(now.orientation_deg - from.orientation_deg);
+  };
+  const auto is_seen = [&](const Place& from) {
+    const auto time = now.time - from.time;
+    return (time >= min_motion && way_deg(from) >= seen_deg) || time >= max_motion;
+  };
   motion_.push_back(now);
+  while (motion_.size() > 1 && is_seen(motion_[1])) motion_.pop_front();
+  const Place& from = motion_.front();
+  if (!is_seen(from) || way_deg(from) <= moved_deg) return;
+  const double speed_deg_s = way_deg(from) / std::chrono::duration<double>(now.time - from.time).count();
+  speed_deg_s_ = std::max(speed_deg_s_.value_or(0.0), speed_deg_s);
 }
 
 void PlateWatch::expect_motion(const Place& now) {
@@ -98,19 +108,22 @@ void RoundTrips::sent(Time time, std::uint16_t sequence) {
   if (sent_.size() > max) sent_.pop_front();
 }
 
-void RoundTrips::echoed(Time time, std::uint16_t sequence) {
+bool RoundTrips::echoed(Time time, std::uint16_t sequence) {
+  if (sequence == last_echo_) return true;
   const auto found =
       std::find_if(sent_.begin(), sent_.end(), [&](const Sent& line) { return line.sequence == sequence; });
-  if (found == sent_.end()) return;
+  if (found == sent_.end()) return false;
+  last_echo_ = sequence;
   constexpr std::size_t max = 1000;
   const Time found_time = found->time;
   sent_.erase(sent_.begin(), found + 1);
-  if (times_.size() == max) return;
+  if (times_.size() == max) return true;
   times_.push_back(time - found_time);
   auto sorted = times_;
   const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
   std::nth_element(sorted.begin(), middle, sorted.end());
   median_ = *middle;
+  return true;
 }
 
 }  // namespace hrt::plate

@@ -22,11 +22,12 @@ class PlateWatch {
   void commanded(double orientation_deg);
   /// It is to stay where it is.
   void stopped();
-  void reported(Time time, double orientation_deg);
+  /// `orientation_deg`: nothing if the plate does not know it.
+  void reported(Time time, std::optional<double> orientation_deg);
   /// Call regularly: notices that nothing was reported.
   void check(Time now) const;
 
-  /// Highest speed in degrees a second over at least 0.1 s of one motion; nothing before the first.
+  /// Highest speed over 20 degrees of one motion, or over a second; nothing before the first.
   std::optional<double> speed_deg_s() const { return speed_deg_s_; }
 
  private:
@@ -52,7 +53,8 @@ class RoundTrips {
   using Time = PlateWatch::Time;
 
   void sent(Time time, std::uint16_t sequence);
-  void echoed(Time time, std::uint16_t sequence);
+  /// False if no line of this host has that number, or a later one was echoed already: another host's.
+  bool echoed(Time time, std::uint16_t sequence);
   /// Median; nothing before the first.
   std::optional<std::chrono::nanoseconds> median() const { return median_; }
   std::size_t count() const { return times_.size(); }
@@ -63,6 +65,7 @@ class RoundTrips {
     std::uint16_t sequence;
   };
   std::deque<Sent> sent_;
+  std::uint16_t last_echo_ = 0;
   std::vector<std::chrono::nanoseconds> times_;
   std::optional<std::chrono::nanoseconds> median_;
 };

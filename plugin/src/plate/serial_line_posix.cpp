@@ -1,6 +1,7 @@
 // The serial line of POSIX systems.
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <termios.h>
 #include <unistd.h>
@@ -32,11 +33,12 @@ speed_t speed_of(int baud) {
       return B57600;
     case 115200:
       return B115200;
+#if defined(B1000000)
     case 1000000:
       return B1000000;
+#endif
     default:
-      throw PlateFailure(Fault::line,
-                         "has no rate of " + std::to_string(baud) + " baud: 57600, 115200 or 1000000");
+      throw PlateFailure(Fault::line, "has no rate of " + std::to_string(baud) + " baud on this system");
   }
 }
 
@@ -103,7 +105,9 @@ class SerialLine : public Line {
  private:
   void set_up(speed_t speed) {
     if (tcgetattr(line_, &before_) != 0) throw PlateFailure(Fault::line, "is not a serial line");
-    if (ioctl(line_, TIOCEXCL) != 0) throw PlateFailure(Fault::line, "is in use");
+    // Root passes the line's own lock, and who opened it before has it already: hence the file's lock too.
+    if (flock(line_, LOCK_EX | LOCK_NB) != 0 || ioctl(line_, TIOCEXCL) != 0)
+      throw PlateFailure(Fault::line, "is in use");
     termios settings = before_;
     cfmakeraw(&settings);
     settings.c_cflag |= CLOCAL | CREAD;

@@ -2,12 +2,12 @@
 
 enum { REPORT_MS = 20, ERROR_MS = 10 };
 
-static const char* const stop_words[PLATE_STOP_COUNT] = {"host",  "heartbeat", "limit",
-                                                         "fault", "emergency", "stuck"};
+static const char* const stop_words[PLATE_STOP_COUNT] = {"host",      "heartbeat", "limit",  "fault",
+                                                         "emergency", "stuck",     "sensor", "unhomed"};
 
-static bool send(Plate* plate, const char* body, uint8_t sum) {
+static bool send(Plate* plate, const char* body) {
   char line[LINE_SIZE];
-  return plate->board->send(line, line_seal(line, body, sum));
+  return plate->board->send(line, line_seal(line, body));
 }
 
 static bool send_words(Plate* plate, const char* verb, const char* word) {
@@ -15,24 +15,22 @@ static bool send_words(Plate* plate, const char* verb, const char* word) {
   char* end = line_put_text(body, verb);
   *end++ = ' ';
   line_put_text(end, word);
-  return send(plate, body, plate->version == LINE_XOR ? LINE_XOR : LINE_CRC);
+  return send(plate, body);
 }
 
 static bool send_greeting(Plate* plate) {
   const Settings* settings = &plate->settings;
   char body[LINE_SIZE];
-  char* end = line_put_text(body, plate->version == LINE_CRC ? "PLATE 2 " : "PLATE 1 ");
+  char* end = line_put_text(body, "PLATE 2 ");
   end = line_put_hundredths(end, settings_least(settings));
   *end++ = ' ';
   end = line_put_hundredths(end, settings_most(settings));
   *end++ = ' ';
   end = line_put_hundredths(end, settings->value[SETTING_SPEED_DEG_S]);
-  if (plate->version == LINE_CRC) {
-    *end++ = ' ';
-    end = line_put_hundredths(end, settings->value[SETTING_LATENCY_MS]);
-    line_put_text(end, settings_has_feedback(settings) ? " measured" : " assumed");
-  }
-  return send(plate, body, plate->version);
+  *end++ = ' ';
+  end = line_put_hundredths(end, settings->value[SETTING_LATENCY_MS]);
+  line_put_text(end, settings_has_feedback(settings) ? " measured" : " assumed");
+  return send(plate, body);
 }
 
 static bool send_place(Plate* plate) {
@@ -40,20 +38,10 @@ static bool send_place(Plate* plate) {
   const int32_t place = (millideg + (millideg < 0 ? -5 : 5)) / 10;
   char body[LINE_SIZE];
   char* end = line_put_text(body, "AT ");
-  if (plate->version == LINE_XOR) {
-    line_put_hundredths(end, place);
-  } else {
-    end = line_put_fixed_angle(end, place);
-    *end++ = ' ';
-    line_put_digits(end, plate->sequence, 5);
-  }
-  return send(plate, body, plate->version);
-}
-
-static bool send_stop(Plate* plate, PlateStop why) {
-  /* Protocol 1 has no words for the last two. */
-  if (plate->version == LINE_XOR && why > PLATE_STOP_FAULT) why = PLATE_STOP_FAULT;
-  return send_words(plate, "STOPPED", stop_words[why]);
+  end = plate_knows_place(plate) ? line_put_fixed_angle(end, place) : line_put_text(end, "unknown");
+  *end++ = ' ';
+  line_put_digits(end, plate->sequence, 5);
+  return send(plate, body);
 }
 
 static bool send_info(Plate* plate) {
@@ -86,7 +74,7 @@ static bool send_test(Plate* plate, uint8_t number) {
       break;
     case 2:
       end = line_put_text(end, "adc ");
-      line_put_digits(end, plate->reading_16ths < 0 ? 0 : (uint32_t)plate->reading_16ths / 16, 1);
+      line_put_digits(end, plate->reading_256ths < 0 ? 0 : (uint32_t)plate->reading_256ths / 256, 1);
       break;
     case 3:
       end = line_put_text(end, "pulse ");
@@ -106,7 +94,7 @@ static bool send_test(Plate* plate, uint8_t number) {
 void answer(Plate* plate) {
   if (plate->report_ms < REPORT_MS) ++plate->report_ms;
   if ((plate->due & DUE_BOOT) != 0) {
-    if (!send(plate, "BOOT", LINE_CRC)) return;
+    if (!send(plate, "BOOT")) return;
     plate->due &= (uint16_t)~DUE_BOOT;
   }
   if (plate->error_ms > 0) --plate->error_ms;
@@ -115,14 +103,14 @@ void answer(Plate* plate) {
     plate->error = LINE_OK;
     plate->error_ms = ERROR_MS;
   }
-  if (plate->version == 0) return;
+  if (!plate->greeted) return;
   if ((plate->due & DUE_PLATE) != 0) {
     if (!send_greeting(plate)) return;
     plate->due &= (uint16_t)~DUE_PLATE;
   }
   for (int why = 0; why < PLATE_STOP_COUNT; ++why) {
     if ((plate->stops_due & 1U << why) == 0) continue;
-    if (!send_stop(plate, (PlateStop)why)) return;
+    if (!send_words(plate, "STOPPED", stop_words[why])) return;
     plate->stops_due = (uint8_t)(plate->stops_due & ~(1U << why));
   }
   if ((plate->due & DUE_AT) != 0 || plate->report_ms >= REPORT_MS) {
@@ -131,7 +119,7 @@ void answer(Plate* plate) {
     plate->report_ms = 0;
   }
   if ((plate->due & DUE_INFO) != 0 && send_info(plate)) plate->due &= (uint16_t)~DUE_INFO;
-  if ((plate->due & DUE_SAVED) != 0 && send(plate, "SAVED", LINE_CRC)) plate->due &= (uint16_t)~DUE_SAVED;
+  if ((plate->due & DUE_SAVED) != 0 && send(plate, "SAVED")) plate->due &= (uint16_t)~DUE_SAVED;
   if (plate->conf_next < plate->conf_end && send_setting(plate, (Setting)plate->conf_next))
     ++plate->conf_next;
   if (plate->test_next < TEST_LINES && send_test(plate, plate->test_next)) ++plate->test_next;

@@ -41,70 +41,56 @@ uint16_t line_crc(const void* bytes, uint16_t count) {
   return crc;
 }
 
-static uint8_t xor_sum(const char* bytes, uint8_t count) {
-  uint8_t sum = 0;
-  for (uint8_t i = 0; i < count; ++i) sum = (uint8_t)(sum ^ (uint8_t)bytes[i]);
-  return sum;
-}
+enum { SUM_DIGITS = 4 };
 
-/* `digits` hexadecimal digits of `value`, as upper-case text without a 0 at the end. */
-static void put_hex(char* out, uint16_t value, uint8_t digits) {
-  for (uint8_t i = digits; i > 0; --i, value = (uint16_t)(value >> 4)) out[i - 1] = hex_digits[value & 15];
+/* Upper-case text without a 0 at the end. */
+static void put_sum(char* out, const char* body, uint8_t length) {
+  uint16_t sum = line_crc(body, length);
+  for (uint8_t i = SUM_DIGITS; i > 0; --i, sum = (uint16_t)(sum >> 4)) out[i - 1] = hex_digits[sum & 15];
 }
 
 /* Ends the body at its sum; the sum must follow and must be right. */
-static LineTaken check(char* text, uint8_t length) {
-  LineTaken taken = {LINE_BAD_SUM, 0};
+static LineError check(char* text, uint8_t length) {
   uint8_t star = 0;
-  while (star < length && text[star] != '*') {
-    if (text[star] < 0x20 || text[star] > 0x7E) {
-      taken.error = LINE_BAD_BYTE;
-      return taken;
-    }
-    ++star;
-  }
-  const uint8_t digits = (uint8_t)(length - star - (star < length ? 1 : 0));
-  if (star == 0 || star == length || (digits != 2 && digits != 4)) return taken;
-  char sum[4];
-  put_hex(sum, digits == 4 ? line_crc(text, star) : xor_sum(text, star), digits);
-  for (uint8_t i = 0; i < digits; ++i)
-    if (text[star + 1 + i] != sum[i]) return taken;
+  for (; star < length && text[star] != '*'; ++star)
+    if (text[star] < 0x20 || text[star] > 0x7E) return LINE_BAD_BYTE;
+  if (star == 0 || length != star + 1 + SUM_DIGITS) return LINE_BAD_SUM;
+  char sum[SUM_DIGITS];
+  put_sum(sum, text, star);
+  for (uint8_t i = 0; i < SUM_DIGITS; ++i)
+    if (text[star + 1 + i] != sum[i]) return LINE_BAD_SUM;
   text[star] = 0;
-  taken.error = LINE_OK;
-  taken.sum = digits == 4 ? LINE_CRC : LINE_XOR;
-  return taken;
+  return LINE_OK;
 }
 
-bool line_take(LineBuffer* buffer, char byte, LineTaken* taken) {
+bool line_take(LineBuffer* buffer, char byte, LineError* error) {
   if (byte != '\n') {
     if (buffer->length + 1 == LINE_SIZE) buffer->too_long = true;
     if (!buffer->too_long) buffer->text[buffer->length++] = byte;
     return false;
   }
   if (buffer->too_long) {
-    taken->error = LINE_TOO_LONG;
-    taken->sum = 0;
+    *error = LINE_TOO_LONG;
   } else {
     if (buffer->length > 0 && buffer->text[buffer->length - 1] == '\r') --buffer->length;
-    *taken = check(buffer->text, buffer->length);
+    *error = check(buffer->text, buffer->length);
   }
   buffer->length = 0;
   buffer->too_long = false;
   return true;
 }
 
-uint8_t line_seal(char* out, const char* body, uint8_t sum) {
+uint8_t line_seal(char* out, const char* body) {
   uint8_t length = 0;
   while (body[length] != 0) {
     if (length + 6 >= LINE_SIZE) return 0;
     out[length] = body[length];
     ++length;
   }
-  const uint8_t digits = sum == LINE_CRC ? 4 : 2;
   out[length] = '*';
-  put_hex(out + length + 1, sum == LINE_CRC ? line_crc(body, length) : xor_sum(body, length), digits);
-  out[length + 1 + digits] = '\n';
-  return (uint8_t)(length + 2 + digits);
+  put_sum(out + length + 1, body, length);
+  out[length + 1 + SUM_DIGITS] = '\n';
+  return (uint8_t)(length + 2 + SUM_DIGITS);
 }
 
 char* line_word(char** rest) {

@@ -11,9 +11,6 @@ extern "C" {
 
 enum { LINE_SIZE = 64 }; /**< longest line, in bytes, with its end */
 
-/** Which sum a line carries, and so which version of the protocol it belongs to. */
-enum { LINE_XOR = 1, LINE_CRC = 2 };
-
 /** Why a line is refused; the word that ERROR lines carry is line_error_word(). */
 typedef enum LineError {
   LINE_OK,
@@ -38,18 +35,12 @@ typedef struct LineBuffer {
   bool too_long;
 } LineBuffer;
 
-/** A line that line_take() completed. */
-typedef struct LineTaken {
-  LineError error;
-  uint8_t sum; /**< LINE_XOR or LINE_CRC, if there is no error */
-} LineTaken;
-
-/** Takes one byte in. True if it ended a line: `taken` says whether it is valid, and the body is in
+/** Takes one byte in. True if it ended a line: `error` says whether it is valid, and the body is in
  * `buffer->text` until the next call. */
-bool line_take(LineBuffer* buffer, char byte, LineTaken* taken);
+bool line_take(LineBuffer* buffer, char byte, LineError* error);
 
 /** Writes `body` with its sum and end into `out` (LINE_SIZE bytes). Returns the length, 0 if too long. */
-uint8_t line_seal(char* out, const char* body, uint8_t sum);
+uint8_t line_seal(char* out, const char* body);
 
 /** Cuts the next word off `rest`, which then points behind it. Null if there is none, or if words are not
  * separated by exactly one space. */

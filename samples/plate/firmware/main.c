@@ -3,6 +3,7 @@
 #include <avr/interrupt.h>
 #include <avr/io.h>
 #include <avr/sleep.h>
+#include <avr/wdt.h>
 #include <stddef.h>
 #include <util/atomic.h>
 
@@ -145,29 +146,21 @@ static void continue_to_save(Plate* plate) {
   if (++save_copy == COPIES) plate_saved(plate, is_saved());
 }
 
-/* Where the plate was, across a reset that keeps the memory: a brown-out, or the host opening the line. */
+/* The watchdog: a main loop that hangs for 120 ms loses the servo's pulses first, and is reset 120 ms later.
+ * Without the interrupt a bootloader that leaves the watchdog on would run with it. */
 
-typedef struct Retained {
-  int32_t position, inverted;
-} Retained;
-
-static Retained retained[2] __attribute__((section(".noinit")));
-
-static bool recall(int32_t* position) {
-  for (uint8_t i = 0; i < 2; ++i) {
-    if (retained[i].position != ~retained[i].inverted) continue;
-    *position = retained[i].position;
-    return true;
-  }
-  return false;
+ISR(WDT_vect) {
+  wanted_ticks = 0; /* the pulse that has begun is ended in its time */
 }
 
-/* Of the two, at most one is half written when a reset comes. */
-static void retain(int32_t position) {
-  for (uint8_t i = 0; i < 2; ++i) {
-    retained[i].position = position;
-    retained[i].inverted = ~position;
-  }
+static void start_watchdog(void) {
+  wdt_enable(WDTO_120MS);
+  WDTCSR |= _BV(WDIE);
+}
+
+static void calm_watchdog(void) {
+  wdt_reset();
+  WDTCSR |= _BV(WDIE); /* the interrupt clears it */
 }
 
 static void start_inputs(void) {
@@ -198,21 +191,21 @@ static void tick(Plate* plate) {
   } else {
     PORTB &= (uint8_t)~_BV(PORTB5);
   }
-  retain(plate->position_microdeg);
   continue_to_save(plate);
+  calm_watchdog();
 }
 
 int main(void) {
   static Plate plate;
   Settings settings;
-  int32_t position = 0;
-  const bool loaded = load(&settings);
-  const bool known = recall(&position);
-  plate_start(&plate, &board, loaded ? &settings : NULL, known ? &position : NULL);
+  MCUSR = 0;
+  wdt_disable(); /* it is still on after it has reset the board */
+  plate_start(&plate, &board, load(&settings) ? &settings : NULL);
   start_inputs();
   start_line();
   start_pulses();
   start_clock();
+  start_watchdog();
   set_sleep_mode(SLEEP_MODE_IDLE);
   sei();
   for (;;) {

@@ -7,9 +7,13 @@
 enum {
   /* The protocol's limit is 300 ms; up to 20 of them pass until the next pulse shows the stop. */
   HEARTBEAT_MS = 275,
-  EMERGENCY_MS = 2,      /* a shorter opening is noise */
-  SETTLE_BLIND_MS = 500, /* a hobby servo turns 180 degrees in less */
+  EMERGENCY_MS = 2, /* a shorter opening is noise */
   SETTLE_SEEN_MS = 40,
+  /* To be homed a servo gets one pulse in eight: many drive their motor for one frame a pulse, so that they
+   * turn at an eighth of their speed. 180 degrees at 200 degrees a second then take 7.2 s. */
+  HOME_MS = 8000,
+  HOME_PERIOD_MS = 160,
+  FRAME_MS = 20,
   ASTRAY_MILLIDEG = 15000,
   ASTRAY_MS = 500,
   MOVED_MILLIDEG = 3000,
@@ -21,25 +25,30 @@ static int32_t clamp(int32_t value, int32_t min, int32_t max) {
 }
 
 static bool is_measured(const Plate* plate) {
-  return settings_has_feedback(&plate->settings) && plate->reading_16ths >= 0;
+  return settings_has_feedback(&plate->settings) && plate->reading_256ths >= 0;
 }
 
 static int32_t measured_millideg(const Plate* plate) {
-  return settings_measured_millideg(&plate->settings, (uint16_t)plate->reading_16ths);
+  return settings_measured_millideg(&plate->settings, (uint16_t)(plate->reading_256ths / 16));
+}
+
+static bool is_homing(const Plate* plate) {
+  return plate->pulses && !plate->homed;
 }
 
 static void stop(Plate* plate, PlateStop why) {
   plate->target_microdeg = plate->position_microdeg;
+  if (is_homing(plate)) plate->pulses = false; /* it is somewhere on its way */
   if (plate->state == PLATE_FOLLOWING) plate->state = PLATE_RESTING;
   plate->stops_due = (uint8_t)(plate->stops_due | 1U << why);
 }
 
-/* A stop without pulses, until the next HELLO. */
+/* A stop without pulses, until the next HELLO. A hand may turn the plate meanwhile. */
 static void latch(Plate* plate, PlateStop why) {
   stop(plate, why);
   plate->state = PLATE_LATCHED;
   plate->latched_by = why;
-  plate->pulses = false;
+  plate->pulses = plate->homed = false;
 }
 
 static void keep_within_limits(Plate* plate) {
@@ -48,22 +57,27 @@ static void keep_within_limits(Plate* plate) {
   plate->target_microdeg = plate->position_microdeg;
 }
 
-static void start_pulses(Plate* plate) {
-  if (is_measured(plate)) plate->position_microdeg = measured_millideg(plate) * 1000;
+/* Where the servo is; or, to home it, at the place that it is to reach. */
+static void start_pulses(Plate* plate, int32_t home_microdeg) {
+  plate->homed = is_measured(plate);
+  plate->position_microdeg = plate->homed ? measured_millideg(plate) * 1000 : home_microdeg;
   keep_within_limits(plate);
-  plate->settle_ms = is_measured(plate) ? SETTLE_SEEN_MS : SETTLE_BLIND_MS;
+  plate->settle_ms = plate->homed ? SETTLE_SEEN_MS : HOME_MS;
   plate->astray_ms = 0;
+  plate->near_millideg = plate->near_pulse_millideg = plate->position_microdeg / 1000;
   plate->pulses = true;
 }
 
-static void turn_to(Plate* plate, int32_t orientation) {
+static void turn_to(Plate* plate, int32_t orientation, bool may_home) {
   if (plate->state == PLATE_LATCHED) {
     stop(plate, plate->latched_by);
   } else if (orientation < settings_least(&plate->settings) ||
              orientation > settings_most(&plate->settings)) {
     stop(plate, PLATE_STOP_LIMIT);
+  } else if (!plate_knows_place(plate) && !plate->pulses && !may_home) {
+    stop(plate, PLATE_STOP_UNHOMED);
   } else {
-    if (!plate->pulses) start_pulses(plate);
+    if (!plate->pulses) start_pulses(plate, orientation * 10000);
     plate->target_microdeg = orientation * 10000;
     plate->state = PLATE_FOLLOWING;
   }
@@ -71,11 +85,19 @@ static void turn_to(Plate* plate, int32_t orientation) {
 
 static void move(Plate* plate) {
   if (plate->settle_ms > 0) {
-    --plate->settle_ms;
+    if (--plate->settle_ms == 0) plate->homed = true;
     return;
   }
-  const int32_t step = plate->settings.value[SETTING_SPEED_DEG_S] * 10; /* microdegrees in a millisecond */
+  /* Microdegrees in a millisecond. */
+  const int32_t step = plate->fast ? 360000000 : plate->settings.value[SETTING_SPEED_DEG_S] * 10;
   plate->position_microdeg += clamp(plate->target_microdeg - plate->position_microdeg, -step, step);
+}
+
+/* The sensor has turned against the pulse since it was last near it: its two readings are exchanged. */
+static bool runs_against(const Plate* plate, int32_t measured) {
+  const int32_t turned = measured - plate->near_millideg;
+  const int32_t wanted = plate->position_microdeg / 1000 - plate->near_pulse_millideg;
+  return (turned > MOVED_MILLIDEG && wanted < 0) || (turned < -MOVED_MILLIDEG && wanted > 0);
 }
 
 /* Far from its pulse and not on its way there. */
@@ -85,12 +107,20 @@ static void watch_servo(Plate* plate) {
   const int32_t apart = measured - plate->position_microdeg / 1000,
                 moved = measured - plate->astray_at_millideg;
   const bool astray = apart < -ASTRAY_MILLIDEG || apart > ASTRAY_MILLIDEG;
+  if (!astray) {
+    plate->near_millideg = measured;
+    plate->near_pulse_millideg = plate->position_microdeg / 1000;
+  }
   if (!astray || moved < -MOVED_MILLIDEG || moved > MOVED_MILLIDEG) {
     plate->astray_at_millideg = measured;
     plate->astray_ms = 0;
   } else if (++plate->astray_ms >= ASTRAY_MS) {
-    latch(plate, PLATE_STOP_STUCK);
+    latch(plate, runs_against(plate, measured) ? PLATE_STOP_SENSOR : PLATE_STOP_STUCK);
   }
+}
+
+bool plate_knows_place(const Plate* plate) {
+  return is_measured(plate) || plate->homed;
 }
 
 int32_t plate_place_millideg(const Plate* plate) {
@@ -99,12 +129,14 @@ int32_t plate_place_millideg(const Plate* plate) {
 
 uint16_t plate_pulse_ticks(const Plate* plate) {
   if (!plate->pulses) return 0;
+  if (is_homing(plate) && plate->settle_ms % HOME_PERIOD_MS >= FRAME_MS) return 0;
   const int32_t position = plate->position_microdeg;
   return settings_pulse_ticks(&plate->settings, (position + (position < 0 ? -500 : 500)) / 1000);
 }
 
-static void greet(Plate* plate, uint8_t version) {
-  plate->version = version;
+static void greet(Plate* plate) {
+  plate->greeted = true;
+  plate->fast = false;
   plate->sequence = 0;
   plate->error = LINE_OK;
   plate->stops_due = 0;
@@ -112,6 +144,7 @@ static void greet(Plate* plate, uint8_t version) {
   plate->test_next = TEST_LINES;
   plate->target_microdeg = plate->position_microdeg;
   plate->state = PLATE_RESTING;
+  if (is_homing(plate)) plate->pulses = false;
   if (plate->emergency_open) latch(plate, PLATE_STOP_EMERGENCY);
   plate->due = (uint16_t)((plate->due & DUE_BOOT) | DUE_PLATE);
 }
@@ -164,11 +197,10 @@ static LineError hear_save(Plate* plate) {
   return LINE_OK;
 }
 
-/* An angle in the version's form, within a turn. */
-static LineError read_angle(const Plate* plate, const char* word, int32_t* out) {
+/* Within a turn. */
+static LineError read_angle(const char* word, int32_t* out) {
   if (word == NULL) return LINE_BAD_WORD;
-  const bool read = plate->version == LINE_CRC ? line_fixed_angle(word, out) : line_hundredths(word, out);
-  if (!read) return LINE_BAD_NUMBER;
+  if (!line_fixed_angle(word, out)) return LINE_BAD_NUMBER;
   return *out < -36000 || *out > 36000 ? LINE_OUT_OF_RANGE : LINE_OK;
 }
 
@@ -181,30 +213,31 @@ static bool is_word(const char* word, const char* wanted) {
   return *word == *wanted;
 }
 
-/* SET, BEAT and STOP; in protocol 2 each ends with a sequence number. */
+/* SET, HOME, BEAT, FAST and STOP; each ends with a sequence number. */
 static LineError hear_drive(Plate* plate, const char* verb, char* rest) {
-  const bool sets = is_word(verb, "SET"), stops = is_word(verb, "STOP");
-  if (!sets && !stops && !is_word(verb, "BEAT")) return LINE_BAD_WORD;
+  const bool homes = is_word(verb, "HOME"), sets = homes || is_word(verb, "SET"),
+             stops = is_word(verb, "STOP");
+  const bool hurries = is_word(verb, "FAST");
+  if (!sets && !stops && !hurries && !is_word(verb, "BEAT")) return LINE_BAD_WORD;
   int32_t angle = 0;
   uint16_t sequence = 0;
   if (sets) {
-    const LineError error = read_angle(plate, line_word(&rest), &angle);
+    const LineError error = read_angle(line_word(&rest), &angle);
     if (error != LINE_OK) return error;
   }
-  if (plate->version == LINE_CRC) {
-    const char* word = line_word(&rest);
-    if (word == NULL) return LINE_BAD_WORD;
-    if (!line_sequence(word, &sequence)) return LINE_BAD_NUMBER;
-  }
+  const char* word = line_word(&rest);
+  if (word == NULL) return LINE_BAD_WORD;
+  if (!line_sequence(word, &sequence)) return LINE_BAD_NUMBER;
   if (*rest != 0) return LINE_BAD_WORD;
   plate->sequence = sequence;
-  if (plate->version == LINE_CRC) plate->due |= DUE_AT;
-  if (sets) turn_to(plate, angle);
+  plate->due |= DUE_AT;
+  if (sets) turn_to(plate, angle, homes);
+  if (hurries) plate->fast = true;
   if (stops) stop(plate, PLATE_STOP_HOST);
   return LINE_OK;
 }
 
-/* What the host of protocol 2 may ask beside that. */
+/* What the host may ask beside that. */
 static LineError hear_service(Plate* plate, const char* verb, char* rest) {
   const char* first = *rest != 0 ? line_word(&rest) : NULL;
   const char* second = *rest != 0 ? line_word(&rest) : NULL;
@@ -226,54 +259,50 @@ static bool is_service(const char* verb) {
   return is_word(verb, "CONF") || is_word(verb, "SAVE") || is_word(verb, "INFO") || is_word(verb, "TEST");
 }
 
-static LineError hear_line(Plate* plate, char* body, uint8_t sum) {
+static LineError hear_line(Plate* plate, char* body) {
   char* rest = body;
   char* verb = line_word(&rest);
   if (verb == NULL) return LINE_BAD_WORD;
   if (is_word(verb, "HELLO")) {
     const char* version = line_word(&rest);
-    if (!is_word(version, sum == LINE_CRC ? "2" : "1") || *rest != 0) return LINE_BAD_WORD;
-    greet(plate, sum);
+    if (!is_word(version, "2") || *rest != 0) return LINE_BAD_WORD;
+    greet(plate);
     return LINE_OK;
   }
-  if (plate->version == 0) return LINE_NOT_GREETED;
-  if (sum != plate->version) return LINE_BAD_SUM;
-  if (sum == LINE_CRC && is_service(verb)) return hear_service(plate, verb, rest);
+  if (!plate->greeted) return LINE_NOT_GREETED;
+  if (is_service(verb)) return hear_service(plate, verb, rest);
   return hear_drive(plate, verb, rest);
 }
 
 void plate_hear(Plate* plate, char byte) {
-  LineTaken taken;
-  if (!line_take(&plate->buffer, byte, &taken)) return;
-  LineError error = taken.error;
-  if (error == LINE_OK) error = hear_line(plate, plate->buffer.text, taken.sum);
+  LineError error;
+  if (!line_take(&plate->buffer, byte, &error)) return;
+  if (error == LINE_OK) error = hear_line(plate, plate->buffer.text);
   if (error == LINE_OK) {
     plate->silent_ms = 0;
-  } else if (plate->version == LINE_CRC || error == LINE_NOT_GREETED) {
+  } else if (plate->greeted || error == LINE_NOT_GREETED) {
     plate->error = error;
   }
 }
 
-void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved,
-                 const int32_t* known_microdeg) {
+void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved) {
   const Plate empty = {0};
   *plate = empty;
   plate->board = board;
   plate->settings = saved != NULL ? *saved : settings_default();
   plate->settings_preset = saved == NULL;
-  plate->reading_16ths = -1;
-  plate->position_microdeg = known_microdeg != NULL ? *known_microdeg : 0;
+  plate->reading_256ths = -1;
   keep_within_limits(plate);
   plate->test_next = TEST_LINES;
   plate->due = DUE_BOOT;
 }
 
 static void read_inputs(Plate* plate, const PlateInputs* inputs) {
-  const int32_t reading = (int32_t)inputs->adc * 16;
-  if (plate->reading_16ths < 0) {
-    plate->reading_16ths = reading;
+  const int32_t reading = (int32_t)inputs->adc * 256;
+  if (plate->reading_256ths < 0) {
+    plate->reading_256ths = reading;
   } else if (reading >= 0) {
-    plate->reading_16ths += (reading - plate->reading_16ths) / 8;
+    plate->reading_256ths += (reading - plate->reading_256ths) / 8;
   }
   const bool open = inputs->emergency_open && plate->settings.value[SETTING_EMERGENCY] != 0;
   plate->open_ms = !open ? 0 : plate->open_ms < EMERGENCY_MS ? (uint8_t)(plate->open_ms + 1) : EMERGENCY_MS;
@@ -294,7 +323,7 @@ void plate_tick(Plate* plate, const PlateInputs* inputs) {
 void plate_saved(Plate* plate, bool whole) {
   if (whole) {
     plate->settings_preset = false;
-    if (plate->version == LINE_CRC) plate->due |= DUE_SAVED;
+    if (plate->greeted) plate->due |= DUE_SAVED;
   } else {
     stop(plate, PLATE_STOP_FAULT);
   }

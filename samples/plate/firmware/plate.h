@@ -31,7 +31,7 @@ typedef struct PlateInputs {
 typedef enum PlateState {
   PLATE_RESTING,   /**< holds its place; SET moves it */
   PLATE_FOLLOWING, /**< turns to the target and holds it, while the host is heard */
-  PLATE_LATCHED    /**< no pulses after an emergency or a stuck servo; only HELLO ends it */
+  PLATE_LATCHED    /**< no pulses after an emergency or a fault of the servo; only HELLO ends it */
 } PlateState;
 
 /** Reasons of a stop, in the order of their words in answer.c. */
@@ -42,6 +42,8 @@ typedef enum PlateStop {
   PLATE_STOP_FAULT,
   PLATE_STOP_EMERGENCY,
   PLATE_STOP_STUCK,
+  PLATE_STOP_SENSOR,
+  PLATE_STOP_UNHOMED,
   PLATE_STOP_COUNT
 } PlateStop;
 
@@ -57,15 +59,19 @@ typedef struct Plate {
   int32_t position_microdeg; /**< of the motion, as the pulse has it */
   int32_t target_microdeg;
   bool pulses;
-  uint16_t settle_ms;         /**< until the servo is where the first pulse sends it */
-  int32_t reading_16ths;      /**< of the potentiometer, smoothed; negative: none yet */
-  uint16_t astray_ms;         /**< since the potentiometer was near the pulse, or moved */
-  int32_t astray_at_millideg; /**< where it was then */
-  uint8_t open_ms;            /**< since the emergency stop's contact opened */
+  bool homed;                  /**< the servo is at position_microdeg, as far as a blind plate can know */
+  uint16_t settle_ms;          /**< until the servo is where the first pulses send it */
+  int32_t reading_256ths;      /**< of the sensor, smoothed; negative: none yet */
+  uint16_t astray_ms;          /**< since the sensor was near the pulse, or moved */
+  int32_t astray_at_millideg;  /**< where it was then */
+  int32_t near_millideg;       /**< where it was when it was last near the pulse */
+  int32_t near_pulse_millideg; /**< and the pulse then */
+  uint8_t open_ms;             /**< since the emergency stop's contact opened */
   bool emergency_open;
   uint16_t loop_ms; /**< longest time between two ticks: main.c */
 
-  uint8_t version;    /**< of the protocol that the host speaks; 0: not greeted */
+  bool greeted;       /**< by a host, since the reset */
+  bool fast;          /**< the motion has no limit of its own until the next greeting */
   uint16_t sequence;  /**< last one that was taken in */
   uint16_t silent_ms; /**< since the last valid line */
   uint16_t report_ms; /**< since the last AT */
@@ -77,9 +83,8 @@ typedef struct Plate {
   uint8_t test_next;
 } Plate;
 
-/** The plate after a reset: no pulses. `saved`: what EEPROM holds; null: nothing valid. `known_microdeg`:
- * where the plate was before the reset; null: unknown, and it counts as 0. */
-void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved, const int32_t* known_microdeg);
+/** The plate after a reset: no pulses. `saved`: what EEPROM holds; null: nothing valid. */
+void plate_start(Plate* plate, const PlateBoard* board, const Settings* saved);
 
 /** A byte from the host. */
 void plate_hear(Plate* plate, char byte);
@@ -89,6 +94,10 @@ void plate_tick(Plate* plate, const PlateInputs* inputs);
 
 /** The settings were written and read back; `whole`: without a difference. */
 void plate_saved(Plate* plate, bool whole);
+
+/** True if plate_place_millideg() is known: by a sensor, or because the plate was homed and has had pulses
+ * since. */
+bool plate_knows_place(const Plate* plate);
 
 /** Where the plate is, in thousandths of a degree: measured if it has a sensor, else as its motion has it. */
 int32_t plate_place_millideg(const Plate* plate);

@@ -19,7 +19,7 @@ typedef enum Setting {
   SETTING_MAX_DEG,
   SETTING_SPEED_DEG_S, /**< speed of the motion */
   SETTING_LATENCY_MS,  /**< from a line to the servo's motion: half of a frame and the servo's dead time */
-  SETTING_ADC_LEAST,   /**< readings of the servo's potentiometer at the two limits; equal: there is none */
+  SETTING_ADC_LEAST,   /**< readings of the sensor at the two limits; equal: there is none */
   SETTING_ADC_MOST,
   SETTING_EMERGENCY, /**< 1: the emergency stop's contact must be closed; 0: there is none */
   SETTING_SERIAL,    /**< serial number */

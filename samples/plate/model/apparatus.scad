@@ -4,7 +4,8 @@
 //
 // README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
 
-part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, bearing, servo, horn, tables]
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
+servo_is = "xl330";  // [xl330, hobby] in "all"
 
 include <parameters.scad>
 include <lettering.scad>
@@ -16,6 +17,7 @@ include <drum.scad>
 include <servo_mount.scad>
 include <bridge.scad>
 include <bought.scad>
+include <xl330.scad>
 
 // Each part with the height that lies on the printer's bed, and whether it is turned over for that.
 parts = [
@@ -27,7 +29,11 @@ parts = [
   ["servo_mount", mount_bottom_z, false],
   ["bridge", head_top_z, true],
   ["object", object_bottom_z, false],
+  ["xl330_mount", mount_bottom_z, false],
+  ["xl330_retainer", bearing_bottom_z, true],
 ];
+of_xl330 = ["xl330_mount", "xl330_retainer", "xl330", "xl330_horn"];
+of_hobby_servo = ["servo_mount", "retainer", "servo", "horn"];
 
 module installed(name) {
   if (name == "plate") plate();
@@ -41,14 +47,17 @@ module installed(name) {
   else if (name == "bearing") bearing();
   else if (name == "servo") servo();
   else if (name == "horn") horn();
+  else if (name == "xl330_mount") xl330_mount();
+  else if (name == "xl330_retainer") xl330_retainer();
+  else if (name == "xl330") xl330();
+  else if (name == "xl330_horn") xl330_horn();
   else assert(false, str("part is \"", name, "\"; it must be one of the list in apparatus.scad"));
 }
 
 if (part == "all") {
-  for (row = parts) installed(row[0]);
-  bearing();
-  servo();
-  horn();
+  left_out = servo_is == "xl330" ? of_hobby_servo : of_xl330;
+  for (name = concat([for (row = parts) row[0]], ["bearing", "servo", "horn", "xl330", "xl330_horn"]))
+    if (search([name], left_out)[0] == []) installed(name);
 } else if (part == "tables") {
   marks_table();
   for (row = parts) echo(str("bed,", row[0], ",", row[1], ",", row[2]));

@@ -56,6 +56,18 @@ horn_pocket_mm = 1.5;
 // By which the shaft stays short of the horn's end: it must not push the plate up.
 horn_slack_mm = 0.5;
 
+/* [Dynamixel XL330. Measure yours] */
+xl_width_mm = 20;
+xl_height_mm = 34;
+// Of the body, without the horn.
+xl_depth_mm = 23;
+// From the nearer end of the body to the shaft.
+xl_shaft_mm = 9.5;
+// From the body to the horn's top.
+xl_horn_mm = 2.8;
+xl_horn_diameter_mm = 16;
+xl_horn_circle_mm = 12;
+
 /* [Real object] */
 object_diameter_mm = 10;
 object_height_mm = 40;
@@ -74,6 +86,9 @@ m3_free_mm = 3.4;
 m3_pilot_mm = 2.6;
 m3_head_mm = 6.6;
 m3_head_height_mm = 2.5;
+m2_free_mm = 2.4;
+m2_head_mm = 4.4;
+m2_head_height_mm = 1.5;
 
 plate_radius_mm = plate_diameter_mm / 2;
 deck_inner_radius_mm = plate_radius_mm + rim_gap_mm;

@@ -1,6 +1,8 @@
 #include "samples/plate/tool/commands.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
 #include <optional>
 #include <ostream>
 #include <stdexcept>
@@ -9,8 +11,11 @@
 
 #include "plugin/src/plate/device.h"
 #include "plugin/src/plate/plate_failure.h"
-#include "samples/plate/tool/measure.h"
+#include "plugin/src/plate/plate_link.h"
+#include "samples/format.h"
+#include "samples/plate/tool/commission.h"
 #include "samples/plate/tool/report.h"
+#include "samples/plate/tool/trim.h"
 
 namespace hrt::plate {
 namespace {
@@ -19,7 +24,7 @@ enum Code : int { success = 0, not_done = 1, usage = 2, plate_failed = 9, output
 
 constexpr const char* exit_codes = R"(Exit codes:
   0  done
-  1  no plate was found, or the trim was not saved
+  1  no plate was found, or there was no answer: nothing was written
   2  the command line is wrong
   9  the plate failed, or is none
  10  a file cannot be written
@@ -28,14 +33,19 @@ constexpr const char* exit_codes = R"(Exit codes:
 struct Options {
   std::string device;
   std::vector<std::string> devices;
-  std::string out;
+  std::vector<std::string> changes;
+  double angle_deg = 0.0;
+  std::string out = "plate.json";
   std::string plot;
-  bool save = false;
 };
 
 // Opens what a command names: a device's name, or the path of a plate's serial line.
+std::string full_name(const std::string& name) {
+  return name.find(':') == std::string::npos ? "serial:" + name : name;
+}
+
 std::unique_ptr<Device> open(const std::string& name, const Surroundings& around, Start start) {
-  return device_named(name.find(':') == std::string::npos ? "serial:" + name : name)(around.open, start);
+  return device_named(full_name(name))(around.open, start);
 }
 
 // The first kind of device that answers at a line; nothing if none does.
@@ -82,36 +92,58 @@ int show(const Options& options, const Surroundings& around) {
   return success;
 }
 
+Person person_at(const Surroundings& around) {
+  return {around.read, [&around](const std::string& text) { around.out << text << std::endl; }};
+}
+
 int run_trim(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::hold);
-  const bool saved =
-      trim(*device, around.read, [&](const std::string& text) { around.out << text << std::endl; });
-  around.out << (saved ? "saved\n" : "not saved: the old trim holds\n");
-  return saved ? success : not_done;
+  trim(*device, person_at(around));
+  around.out << "saved\n";
+  return success;
 }
 
-// What a plate can keep of a measurement is known before it moves.
-void check_that_it_keeps_a_plan(const Device& device) {
-  if (!device.keeps_plan())
-    throw PlateFailure(Fault::protocol,
-                       "keeps neither latency nor speed: measure without --save, and give the numbers of "
-                       "--out to the session");
-  if (!device.is_measured())
-    throw PlateFailure(Fault::protocol, "has no sensor: there is no measured latency to save");
-}
-
-int run_measure(const Options& options, const Surroundings& around) {
+int run_turn(const Options& options, const Surroundings& around) {
   const auto device = open(options.device, around, Start::hold);
-  if (options.save) check_that_it_keeps_a_plan(*device);
-  const Measurements found = measure(*device, [&](const std::string& text) { around.err << text << "\n"; });
-  around.out << text_of(found);
-  if (!options.out.empty()) write_file(options.out, json_of(found));
-  if (!options.plot.empty()) write_file(options.plot, svg_of(found));
-  if (options.save && found.latency_ms) {
-    const bool is_slower = found.speed_deg_s && *found.speed_deg_s < found.limits.speed_deg_s;
-    device->keep_plan(*found.latency_ms, is_slower ? found.speed_deg_s : std::nullopt);
-    around.out << "saved in the plate\n";
+  const DeviceLimits limits = device->limits();
+  if (options.angle_deg < limits.min_deg || options.angle_deg > limits.max_deg)
+    throw std::invalid_argument(
+        format("angle is %g; allowed: %g to %g", options.angle_deg, limits.min_deg, limits.max_deg));
+  ask(*device, person_at(around), "Hands off the plate. Enter turns it.");
+  turn_and_wait(*device, options.angle_deg);
+  ask(*device, person_at(around), "The plate holds its place until Enter.");
+  return success;
+}
+
+// "zero=1505 speed=150", all saved or none.
+int run_set(const Options& options, const Surroundings& around) {
+  const auto device = open(options.device, around, Start::quiet);
+  auto* link = dynamic_cast<PlateLink*>(device.get());
+  if (link == nullptr) throw PlateFailure(Fault::protocol, "has no settings of this kind");
+  for (const std::string& change : options.changes) {
+    const std::size_t equals = std::min(change.find('='), change.size() - 1);
+    const auto value = number_in(std::string_view(change).substr(equals + 1), -1e6, 1e6);
+    if (!value) throw std::invalid_argument("\"" + change + "\" is not name=number");
+    link->change_setting(change.substr(0, equals), *value);
   }
+  link->save_settings();
+  around.out << "saved\n";
+  return success;
+}
+
+std::string today() {
+  const std::chrono::year_month_day date(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return format("%04d-%02u-%02u", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                static_cast<unsigned>(date.day()));
+}
+
+int run_commission(const Options& options, const Surroundings& around) {
+  const Measurements found =
+      commission([&] { return open(options.device, around, Start::hold); }, person_at(around));
+  around.out << text_of(found);
+  write_file(options.out, file_of(found, full_name(options.device), today()));
+  if (!options.plot.empty()) write_file(options.plot, svg_of(found));
   return success;
 }
 
@@ -132,12 +164,15 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
   CLI::App* finder = app.add_subcommand("find", "Find plates; moves nothing, but boards restart");
   finder->add_option("device", options.devices, "Devices or names to try [/dev/ttyACM*, /dev/ttyUSB*]");
   CLI::App* shower = command("show", "Show settings and self-test; moves nothing");
+  CLI::App* setter = command("set", "Change settings of the firmware, and save them: zero=1505 speed=150");
+  setter->add_option("changes", options.changes, "name=number of firmware/README.md")->required();
+  CLI::App* turner = command("turn", "Turn to an angle, and hold it until Enter");
+  turner->add_option("angle", options.angle_deg, "Degrees, counter-clockwise positive")->required();
   CLI::App* trimmer = command("trim", "Trim 0 against the base's mark, and save it in the plate");
-  CLI::App* measurer =
-      command("measure", "Home, sweep, time steps: takes half a minute. Keep hands off the plate");
-  measurer->add_option("--out", options.out, "Write the numbers into this JSON file");
-  measurer->add_option("--plot", options.plot, "Draw the sweep into this SVG file");
-  measurer->add_flag("--save", options.save, "Save the measured latency, and a lower speed, in the plate");
+  CLI::App* commissioner =
+      command("commission", "Find out all of a plate, and write the file that hrt-reach --plate takes");
+  commissioner->add_option("--out", options.out, "The file")->capture_default_str();
+  commissioner->add_option("--plot", options.plot, "Draw the sweep into this SVG file");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -150,10 +185,15 @@ int run_tool(int argc, const char* const* argv, const Surroundings& around) {
     if (*finder) return find(options, around);
     if (*shower) return show(options, around);
     if (*trimmer) return run_trim(options, around);
-    if (*measurer) return run_measure(options, around);
+    if (*setter) return run_set(options, around);
+    if (*turner) return run_turn(options, around);
+    if (*commissioner) return run_commission(options, around);
   } catch (const PlateFailure& failure) {
     around.err << "hrt-plate: the plate at " << options.device << " " << failure.what() << "\n";
     return plate_failed;
+  } catch (const Abandoned& abandoned) {
+    around.err << "hrt-plate: " << abandoned.what() << ": nothing is kept\n";
+    return not_done;
   } catch (const std::invalid_argument& wrong) {
     around.err << "hrt-plate: " << wrong.what() << "\n";
     return usage;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "plugin/src/plate/device.h"
-#include "samples/plate/tool/trim.h"
+#include "samples/plate/tool/person.h"
 
 namespace hrt::plate {
 

@@ -1,9 +1,10 @@
 // hrt-plate: puts a plate into operation.
-#include <glob.h>
-#include <poll.h>
-#include <unistd.h>
-
+#include <exception>
+#include <filesystem>
 #include <iostream>
+#include <mutex>
+#include <queue>
+#include <thread>
 
 #include "plugin/src/plate/serial_line.h"
 #include "samples/plate/tool/commands.h"
@@ -12,42 +13,56 @@ namespace {
 
 using namespace hrt::plate;
 
+// Names of adapters and of boards, on Linux and macOS; on Windows ports have numbers.
 std::vector<std::string> serial_devices() {
   std::vector<std::string> found;
-  for (const char* pattern : {"/dev/ttyACM*", "/dev/ttyUSB*"}) {
-    glob_t names{};
-    if (glob(pattern, 0, nullptr, &names) == 0)
-      found.insert(found.end(), names.gl_pathv, names.gl_pathv + names.gl_pathc);
-    globfree(&names);
-  }
+#if defined(_WIN32)
+  for (int port = 1; port <= 32; ++port) found.push_back("COM" + std::to_string(port));
+#else
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator("/dev", none))
+    for (const char* begin : {"ttyACM", "ttyUSB", "cu.usb"})
+      if (entry.path().filename().string().starts_with(begin)) found.push_back(entry.path().string());
+#endif
   return found;
 }
 
-// A line of standard input, without waiting for one.
-Entry read_entry() {
-  static std::string unread;
-  for (;;) {
-    if (const std::size_t end = unread.find('\n'); end != std::string::npos) {
-      Entry entry{.line = unread.substr(0, end)};
-      unread.erase(0, end + 1);
-      return entry;
-    }
-    pollfd readable{STDIN_FILENO, POLLIN, 0};
-    if (poll(&readable, 1, 0) <= 0) return {};
-    char byte = 0;
-    if (read(STDIN_FILENO, &byte, 1) != 1) return {.ended = true};
-    unread += byte;
-    constexpr std::size_t max = 1000;
-    if (unread.size() > max) return {.ended = true};
+// Lines of standard input, read by a thread that ends with the process.
+class Input {
+ public:
+  Entry read() {
+    if (!is_reading_) std::thread([this] { run(); }).detach();
+    is_reading_ = true;
+    const std::lock_guard lock(mutex_);
+    if (entries_.empty()) return {};
+    Entry entry = entries_.front();
+    if (!entry.ended) entries_.pop();
+    return entry;
   }
-}
+
+ private:
+  void run() {
+    for (std::string line; std::getline(std::cin, line);) push({.line = line});
+    push({.ended = true});
+  }
+  void push(const Entry& entry) {
+    const std::lock_guard lock(mutex_);
+    entries_.push(entry);
+  }
+
+  std::mutex mutex_;
+  std::queue<Entry> entries_;
+  bool is_reading_ = false;
+};
 
 }  // namespace
 
 int main(int argc, char** argv) {
   constexpr int output_failed = 10;
+  static Input& input = *new Input;  // its thread outlives main()
   try {
-    return run_tool(argc, argv, {serial_devices, open_serial_line, read_entry, std::cout, std::cerr});
+    return run_tool(argc, argv,
+                    {serial_devices, open_serial_line, [] { return input.read(); }, std::cout, std::cerr});
   } catch (const std::exception& error) {
     std::cerr << "hrt-plate: " << error.what() << "\n";
     return output_failed;

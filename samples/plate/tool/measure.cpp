@@ -5,6 +5,7 @@
 
 #include "plugin/src/plate/plate_failure.h"
 #include "samples/format.h"
+#include "samples/plate/tool/step.h"
 
 namespace hrt::plate {
 namespace {
@@ -17,17 +18,21 @@ constexpr auto rest_time = 200ms;
 constexpr auto settle_limit = 3000ms;
 constexpr double sweep_step_deg = 15.0;
 constexpr int returns = 6;
-constexpr int steps = 6;
-constexpr double onset_deg = 1.0;
+constexpr int steps = 10;
+constexpr double max_step_deg = 120.0;
+constexpr double run_up_deg = 10.0;  // more than gears may be loose
+constexpr auto frame = 20ms;         // of a hobby servo's pulses
 
 double place_of(const Device& device) {
   return device.orientation_deg().value_or(0.0);
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+Measured mean_of(const std::vector<double>& values) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double value : values) sum += value;
+  for (const double value : values) squares += (value - sum / n) * (value - sum / n);
+  return {sum / n, std::sqrt(squares / (n - 1.0) / n)};
 }
 
 // Of a turn, and what follows it.
@@ -36,7 +41,102 @@ std::chrono::milliseconds limit_of_turn(const Device& device, double orientation
   return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
 }
 
-// Turns there, and waits until the plate has been near and still for rest_time; its mean place in that time.
+void sweep(Device& device, Measurements& found) {
+  // A plate that turns on feels the same half a turn further.
+  const double min_deg = std::max(-180.0, found.limits.min_deg),
+               max_deg = std::min(180.0, found.limits.max_deg);
+  const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
+  const auto visit = [&](int i, bool upwards) {
+    // Unevenly, so that the steps of the sensor's converter are met at all their phases.
+    const double aside = i == 0 || i == count ? 0.0 : 0.5 * (std::fmod(0.618 * i, 1.0) - 0.5);
+    const double commanded_deg = min_deg + (max_deg - min_deg) * (i + aside) / count;
+    found.sweep.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
+  };
+  for (int i = 0; i <= count; ++i) visit(i, true);
+  for (int i = count - 1; i >= 0; --i) visit(i, false);
+  std::vector<double> errors_deg;
+  for (const SweepPoint& point : found.sweep) errors_deg.push_back(point.reported_deg - point.commanded_deg);
+  found.error_deg = mean_of(errors_deg);
+  found.error_deg.deviation *= std::sqrt(static_cast<double>(errors_deg.size()));
+}
+
+// Of the sweep's inner points, which were visited from both sides; the last one up was visited once.
+Measured backlash_of(const std::vector<SweepPoint>& sweep) {
+  const std::size_t count = sweep.size() / 2;
+  std::vector<double> differences_deg;
+  for (std::size_t i = 1; i < count; ++i)
+    differences_deg.push_back(sweep[2 * count - i].reported_deg - sweep[i].reported_deg);
+  return mean_of(differences_deg);
+}
+
+Measured repeatability_of(Device& device, double away_deg) {
+  std::vector<double> places_deg;
+  for (int i = 0; i < returns; ++i) {
+    settle_at(device, away_deg);
+    places_deg.push_back(settle_at(device, 0.0));
+  }
+  const double spread_deg = mean_of(places_deg).deviation * std::sqrt(static_cast<double>(returns));
+  return {spread_deg, spread_deg / std::sqrt(2.0 * (returns - 1))};
+}
+
+// One turn from where the plate rests, as its reports show it.
+std::vector<StepSample> step_to(Device& device, double orientation_deg) {
+  const double from_deg = place_of(device), sign = orientation_deg < from_deg ? -1.0 : 1.0;
+  const auto give_up = device.now() + limit_of_turn(device, orientation_deg);
+  const auto began = device.now();
+  std::vector<StepSample> samples;
+  device.turn_to(orientation_deg);
+  for (auto last = device.reported(); device.now() < give_up;) {
+    device.wait(5ms);
+    if (device.reported() == last) continue;
+    last = device.reported();
+    samples.push_back(
+        {std::chrono::duration<double>(last - began).count(), sign * (place_of(device) - from_deg)});
+    if (std::abs(place_of(device) - orientation_deg) < near_deg) break;
+  }
+  return samples;
+}
+
+// Each begins from a rest in its own direction, so that no gear is loose, and at another phase of the pulses.
+void time_steps(Device& device, Measurements& found) {
+  const double half_deg =
+      std::min(max_step_deg / 2.0, 0.9 * std::min(found.limits.max_deg, -found.limits.min_deg));
+  const double filter_s = std::chrono::duration<double>(device.sensor_filter()).count();
+  const double line_ms = std::chrono::duration<double, std::milli>(found.round_trip).count();
+  std::vector<double> latencies_ms, speeds_deg_s, accelerations_deg_s2;
+  const auto first = device.now();
+  for (int i = 0; i < steps; ++i) {
+    const double sign = i % 2 == 0 ? 1.0 : -1.0;
+    settle_at(device, -sign * half_deg);
+    const double aside_deg = 2.0 * std::fmod(0.618 * i, 1.0);  // at another phase of the converter's steps
+    const double from_deg = settle_at(device, -sign * (half_deg - run_up_deg - aside_deg));
+    while ((device.now() - first) % frame > 1ms) device.wait(1ms);
+    for (const auto begin = device.now() + frame * i / steps; device.now() < begin;) device.wait(1ms);
+    const auto samples = step_to(device, sign * half_deg);
+    const auto fit = fit_step(samples, std::abs(sign * half_deg - from_deg), filter_s);
+    if (!fit) throw PlateFailure(Fault::device, "reports too rarely to time its steps");
+    latencies_ms.push_back(fit->onset_s * 1000.0 - line_ms);
+    speeds_deg_s.push_back(fit->speed_deg_s);
+    accelerations_deg_s2.push_back(fit->acceleration_deg_s2);
+  }
+  found.latency_ms = mean_of(latencies_ms);
+  found.latency_ms.value = std::max(0.0, found.latency_ms.value);
+  found.speed_deg_s = mean_of(speeds_deg_s);
+  found.acceleration_deg_s2 = mean_of(accelerations_deg_s2);
+}
+
+}  // namespace
+
+void turn_and_wait(Device& device, double orientation_deg) {
+  // Nobody sees a plate without a sensor arrive; the first turn of all homes it, in 8 s.
+  const bool is_lost = !device.orientation_deg();
+  const auto time = is_lost                ? 9000ms
+                    : device.is_measured() ? limit_of_turn(device, orientation_deg) / 2
+                                           : 1500ms;
+  device.turn_to(orientation_deg);
+  for (const auto end = device.now() + time; device.now() < end;) device.wait(10ms);
+}
+
 double settle_at(Device& device, double orientation_deg) {
   const auto give_up = device.now() + limit_of_turn(device, orientation_deg);
   auto still_since = device.now();
@@ -65,107 +165,23 @@ double settle_at(Device& device, double orientation_deg) {
   return sum_deg / count;
 }
 
-void sweep(Device& device, Measurements& found) {
-  const double min_deg = found.limits.min_deg, max_deg = found.limits.max_deg;
-  const int count = std::max(2, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
-  const auto visit = [&](int i, bool upwards) {
-    const double commanded_deg = min_deg + (max_deg - min_deg) * i / count;
-    found.sweep.push_back({commanded_deg, settle_at(device, commanded_deg), upwards});
-  };
-  for (int i = 0; i <= count; ++i) visit(i, true);
-  for (int i = count - 1; i >= 0; --i) visit(i, false);
-  for (const SweepPoint& point : found.sweep)
-    found.max_error_deg = std::max(found.max_error_deg, std::abs(point.reported_deg - point.commanded_deg));
-}
-
-// Of the sweep's inner points, which were visited from both sides; the last one up was visited once.
-double backlash_of(const std::vector<SweepPoint>& sweep) {
-  const std::size_t count = sweep.size() / 2;
-  double sum_deg = 0.0;
-  for (std::size_t i = 1; i < count; ++i)
-    sum_deg += sweep[2 * count - i].reported_deg - sweep[i].reported_deg;
-  return sum_deg / static_cast<double>(count - 1);
-}
-
-double repeatability_of(Device& device, double away_deg) {
-  double sum_deg = 0.0, squares_deg2 = 0.0;
-  for (int i = 0; i < returns; ++i) {
-    settle_at(device, away_deg);
-    const double place_deg = settle_at(device, 0.0);
-    sum_deg += place_deg;
-    squares_deg2 += place_deg * place_deg;
-  }
-  const double mean_deg = sum_deg / returns;
-  return std::sqrt(std::max(0.0, squares_deg2 - returns * mean_deg * mean_deg) / (returns - 1));
-}
-
-struct Step {
-  std::optional<double> onset_ms;
-  std::optional<double> speed_deg_s;
-};
-
-// One turn from where the plate rests, as its reports show it.
-Step step_to(Device& device, double orientation_deg) {
-  const double from_deg = place_of(device), way_deg = orientation_deg - from_deg;
-  const auto limit = limit_of_turn(device, orientation_deg);
-  const auto began = device.now();
-  std::optional<Line::Time> at_20_percent;
-  double place_at_20_percent_deg = 0.0;
-  Step step;
-  device.turn_to(orientation_deg);
-  while (device.now() - began < limit && !step.speed_deg_s) {
-    device.wait(5ms);
-    const auto now = device.now();
-    const double place_deg = place_of(device), done = (place_deg - from_deg) / way_deg;
-    if (!step.onset_ms && std::abs(place_deg - from_deg) >= onset_deg)
-      step.onset_ms = std::chrono::duration<double, std::milli>(now - began).count();
-    if (!at_20_percent && done >= 0.2) {
-      at_20_percent = now;
-      place_at_20_percent_deg = place_deg;
-    }
-    if (at_20_percent && done >= 0.8)
-      step.speed_deg_s = std::abs(place_deg - place_at_20_percent_deg) /
-                         std::chrono::duration<double>(now - *at_20_percent).count();
-  }
-  settle_at(device, orientation_deg);
-  return step;
-}
-
-void time_steps(Device& device, Measurements& found) {
-  std::vector<double> onsets_ms, speeds_deg_s;
-  settle_at(device, found.limits.min_deg);
-  for (int i = 0; i < steps; ++i) {
-    const Step step = step_to(device, i % 2 == 0 ? found.limits.max_deg : found.limits.min_deg);
-    if (step.onset_ms) onsets_ms.push_back(*step.onset_ms);
-    if (step.speed_deg_s && std::isfinite(*step.speed_deg_s)) speeds_deg_s.push_back(*step.speed_deg_s);
-  }
-  if (!speeds_deg_s.empty()) found.speed_deg_s = median(speeds_deg_s);
-  const double line_ms = std::chrono::duration<double, std::milli>(found.round_trip).count();
-  if (!onsets_ms.empty()) found.latency_ms = std::max(0.0, median(onsets_ms) - line_ms);
-}
-
-}  // namespace
-
 Measurements measure(Device& device, const std::function<void(const std::string&)>& note) {
-  if (!device.round_trip())
-    throw PlateFailure(Fault::protocol, "speaks protocol 1, which has nothing to measure with");
+  if (!device.is_measured())
+    throw PlateFailure(Fault::device,
+                       "has no sensor: nothing of it can be measured, and it serves for demonstrations only");
   Measurements found;
   found.device = device.description();
   found.limits = device.limits();
-  found.is_measured = device.is_measured();
-  found.round_trip = *device.round_trip();
-  note("Homing");
-  settle_at(device, 0.0);
+  found.round_trip = device.round_trip().value_or(0ns);
   note("Sweeping from " + std::to_string(std::lround(found.limits.min_deg)) + " to " +
        std::to_string(std::lround(found.limits.max_deg)) + " deg and back");
   sweep(device, found);
-  if (found.is_measured) {
-    found.backlash_deg = backlash_of(found.sweep);
-    note("Returning to 0");
-    found.repeatability_deg = repeatability_of(device, found.limits.min_deg / 2.0);
-    note("Timing steps");
-    time_steps(device, found);
-  }
+  found.backlash_deg = backlash_of(found.sweep);
+  note("Returning to 0");
+  found.repeatability_deg = repeatability_of(device, std::max(-90.0, found.limits.min_deg) / 2.0);
+  note("Timing steps, at the servo's full speed");
+  device.hurry();
+  time_steps(device, found);
   settle_at(device, 0.0);
   return found;
 }

@@ -1,8 +1,7 @@
-// What a plate does, measured through its own reports.
+// What a plate does, measured through the reports of its sensor.
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,25 +16,34 @@ struct SweepPoint {
   bool upwards;
 };
 
-/// Of a plate whose reports are measured by a sensor; of another one only the line and the sweep say
-/// something.
+/// A mean, and its standard error.
+struct Measured {
+  double value = 0.0;
+  double deviation = 0.0;
+};
+
 struct Measurements {
   std::string device;     ///< in one line
   DeviceLimits limits{};  ///< as it says of itself
-  bool is_measured = false;
-  std::chrono::nanoseconds round_trip{};  ///< of a message and its answer, median
+  std::chrono::nanoseconds round_trip{};
   std::vector<SweepPoint> sweep;
-  double max_error_deg = 0.0;               ///< reported less commanded, in the sweep
-  std::optional<double> backlash_deg;       ///< mean difference of the two directions of the sweep
-  std::optional<double> repeatability_deg;  ///< standard deviation of returns to 0 from below
-  std::optional<double> speed_deg_s;        ///< median of steps, from 20 to 80 % of each
-  std::optional<double>
-      latency_ms;  ///< from a command to the first report of motion, less the round trip; median
+  Measured error_deg;          ///< reported less commanded, in the sweep; its deviation is that of one stop
+  Measured backlash_deg;       ///< difference of the sweep's two directions: gears, and the servo's dead band
+  Measured repeatability_deg;  ///< standard deviation of returns to 0 from below
+  Measured speed_deg_s;        ///< of the servo, from 35 to 65 % of steps
+  Measured acceleration_deg_s2;
+  Measured latency_ms;  ///< of the plate, from the arrival of a command to the motion
 };
 
-/// Homes the plate, then moves it through its whole range for about half a minute. `note` gets a line at each
-/// stage. Throws PlateFailure; also if the plate does not come to rest near a command within three seconds
-/// more than the turn takes.
+/// Turns there, and waits until it must have arrived.
+void turn_and_wait(Device& device, double orientation_deg);
+
+/// Turns there, and waits until the plate has been near and still for 0.2 s; its mean place in that time.
+/// Throws PlateFailure if it does not come to rest near there in three seconds more than the turn takes.
+double settle_at(Device& device, double orientation_deg);
+
+/// Moves the plate through its range, with nobody's hands on it, for half a minute. `note` gets a line at
+/// each stage. Throws PlateFailure, also if the plate has no sensor: nothing can be measured then.
 Measurements measure(Device& device, const std::function<void(const std::string&)>& note);
 
 }  // namespace hrt::plate

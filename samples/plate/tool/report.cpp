@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "plugin/src/plate/plate_file.h"
 #include "samples/format.h"
 #include "samples/whole_file.h"
 
@@ -16,26 +17,29 @@ double milliseconds(std::chrono::nanoseconds time) {
   return std::chrono::duration<double, std::milli>(time).count();
 }
 
-// What to plan with: measured if that is possible, else what the plate says of itself.
+// The controller plans with the motion's own limit, or with the servo's if that is lower.
 double plan_speed_deg_s(const Measurements& found) {
-  return std::min(found.limits.speed_deg_s, found.speed_deg_s.value_or(found.limits.speed_deg_s));
-}
-double plan_latency_ms(const Measurements& found) {
-  return found.latency_ms ? *found.latency_ms + milliseconds(found.round_trip) / 2.0
-                          : milliseconds(found.limits.latency);
+  return std::min(found.limits.speed_deg_s, found.speed_deg_s.value);
 }
 
-std::string line_of(const char* name, const std::optional<double>& value, const char* pattern) {
-  return format("%-14s", name) +
-         (value ? format(pattern, *value) : "not measurable: the plate has no sensor") + "\n";
-}
+struct Row {
+  const char* name;
+  Measured Measurements::* value;
+};
+constexpr Row rows[] = {{"speed_deg_s", &Measurements::speed_deg_s},
+                        {"acceleration_deg_s2", &Measurements::acceleration_deg_s2},
+                        {"latency_ms", &Measurements::latency_ms},
+                        {"backlash_deg", &Measurements::backlash_deg},
+                        {"repeatability_deg", &Measurements::repeatability_deg},
+                        {"error_deg", &Measurements::error_deg}};
 
-nlohmann::ordered_json or_null(const std::optional<double>& value) {
-  return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+// The sweep begins at its least place, and is halfway at its largest.
+double max_deg_of(const Measurements& found) {
+  return found.sweep[found.sweep.size() / 2].commanded_deg;
 }
 
 std::string polyline(const Measurements& found, bool upwards, double scale) {
-  const double min_deg = found.limits.min_deg, width_deg = found.limits.max_deg - min_deg;
+  const double min_deg = found.sweep.front().commanded_deg, width_deg = max_deg_of(found) - min_deg;
   std::string points;
   for (const SweepPoint& point : found.sweep)
     if (point.upwards == upwards)
@@ -52,46 +56,46 @@ std::string label(double x, double y, const char* anchor, const std::string& tex
 }  // namespace
 
 std::string text_of(const Measurements& found) {
-  std::string text = "device        " + found.device + "\n";
-  text += format("range         %g to %g deg\n", found.limits.min_deg, found.limits.max_deg);
-  text += std::string("orientation   ") +
-          (found.is_measured ? "measured by a sensor\n" : "assumed: the plate reports its own commands\n");
-  text += format("line          %.1f ms there and back\n", milliseconds(found.round_trip));
-  text += format("largest error %.2f deg\n", found.max_error_deg);
-  text += line_of("backlash", found.backlash_deg, "%+.2f deg");
-  text += line_of("repeatability", found.repeatability_deg, "%.2f deg (standard deviation)");
-  text += line_of("speed", found.speed_deg_s, "%.0f deg/s");
-  text += line_of("latency", found.latency_ms, "%.0f ms, with up to 20 ms of the reports' period");
-  return text;
+  std::string text =
+      found.device + "\n" +
+      format("range                %g to %g deg\n", found.limits.min_deg, found.limits.max_deg) +
+      format("line there and back  %.1f ms\n", milliseconds(found.round_trip));
+  for (const Row& row : rows)
+    text += format("%-20s %.4g, give or take %.2g\n", row.name, (found.*row.value).value,
+                   (found.*row.value).deviation);
+  return text + format("The controller plans with %.4g deg/s", plan_speed_deg_s(found)) +
+         format(" and %.1f ms.\n", found.latency_ms.value + milliseconds(found.round_trip) / 2.0);
 }
 
-std::string json_of(const Measurements& found) {
-  nlohmann::ordered_json sweep = nlohmann::ordered_json::array();
-  for (const SweepPoint& point : found.sweep)
-    sweep.push_back({{"commanded_deg", point.commanded_deg},
-                     {"reported_deg", point.reported_deg},
-                     {"from", point.upwards ? "below" : "above"}});
-  const bool has_stops = found.limits.max_deg - found.limits.min_deg >= 180.0;
+std::string file_of(const Measurements& found, const std::string& device, const std::string& date) {
   nlohmann::ordered_json file;
-  file["device"] = found.device;
-  file["orientation"] = found.is_measured ? "measured" : "assumed";
-  file["round_trip_ms"] = milliseconds(found.round_trip);
-  file["max_error_deg"] = found.max_error_deg;
-  file["backlash_deg"] = or_null(found.backlash_deg);
-  file["repeatability_deg"] = or_null(found.repeatability_deg);
-  file["speed_deg_s"] = or_null(found.speed_deg_s);
-  file["latency_ms"] = or_null(found.latency_ms);
+  file["format"] = "haptic plate 1";
+  file["date"] = date;
+  file["device"] = device;
+  file["description"] = found.device;
+  file["measured"]["round_trip_ms"] = {milliseconds(found.round_trip), 0.0};
+  for (const Row& row : rows)
+    file["measured"][row.name] = {(found.*row.value).value, (found.*row.value).deviation};
+  file["max_error_deg"] = std::abs(found.error_deg.value) + 3.0 * found.error_deg.deviation + 0.5;
+  const double latency_ms = found.latency_ms.value + milliseconds(found.round_trip) / 2.0;
+  const bool has_stops = found.limits.max_deg - found.limits.min_deg >= 180.0;
   file["session"] = {{"plate_max_speed_deg_s", plan_speed_deg_s(found)},
-                     {"plate_latency_ns", std::llround(plan_latency_ms(found) * 1e6)},
+                     {"plate_max_acceleration_deg_s2", found.acceleration_deg_s2.value},
+                     {"plate_latency_ns", std::llround(std::max(0.0, latency_ms) * 1e6)},
                      {"plate_lower_stop_deg", has_stops ? found.limits.min_deg : 0.0},
                      {"plate_upper_stop_deg", has_stops ? found.limits.max_deg : 0.0}};
-  file["scene"] = {{"haptic", {{"role", "plate"}, {"max_speed_deg_s", plan_speed_deg_s(found)}}}};
-  file["sweep"] = sweep;
-  return file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+  for (const SweepPoint& point : found.sweep)
+    file["sweep"].push_back({point.commanded_deg, point.reported_deg, point.upwards});
+  std::string text = file.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+  text.replace(text.size() - 2, 2, ",\n");  // in place of the last brace
+  return with_checksum(text);
 }
 
 std::string svg_of(const Measurements& found) {
-  const double range_deg = std::max(1.0, std::ceil(found.max_error_deg));
+  double max_error_deg = 0.0;
+  for (const SweepPoint& point : found.sweep)
+    max_error_deg = std::max(max_error_deg, std::abs(point.reported_deg - point.commanded_deg));
+  const double range_deg = std::max(1.0, std::ceil(max_error_deg));
   const double scale = 110.0 / range_deg;
   std::string svg =
       R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 600 330" font-family="sans-serif" font-size="12">)"
@@ -99,15 +103,12 @@ std::string svg_of(const Measurements& found) {
       "<path d=\"M60 40V260M60 150H580\" stroke=\"#888\" fill=\"none\"/>\n";
   svg += label(52.0, 44.0, "end", format("%+g", range_deg)) + label(52.0, 154.0, "end", "0") +
          label(52.0, 264.0, "end", format("%+g", -range_deg));
-  svg += label(60.0, 280.0, "start", format("%g", found.limits.min_deg)) +
-         label(580.0, 280.0, "end", format("%g", found.limits.max_deg)) +
+  svg += label(60.0, 280.0, "start", format("%g", found.sweep.front().commanded_deg)) +
+         label(580.0, 280.0, "end", format("%g", max_deg_of(found))) +
          label(320.0, 300.0, "middle", "commanded orientation, deg");
   svg += label(60.0, 24.0, "start",
                "reported less commanded orientation, deg: from below (blue), from above (red)");
-  svg += polyline(found, true, scale) + polyline(found, false, scale);
-  if (!found.is_measured)
-    svg += label(320.0, 320.0, "middle", "The plate has no sensor: it reports its own commands.");
-  return svg + "</svg>\n";
+  return svg + polyline(found, true, scale) + polyline(found, false, scale) + "</svg>\n";
 }
 
 void write_file(const std::filesystem::path& file, const std::string& content) {

@@ -1,4 +1,4 @@
-// Measurements of a plate as text, as a file for sessions and scenes, and as a picture.
+// Measurements as text, as the file that hrt_plate_open() takes, and as a drawing.
 #pragma once
 
 #include <filesystem>
@@ -8,17 +8,13 @@
 
 namespace hrt::plate {
 
-/// Lines for people.
 std::string text_of(const Measurements& found);
-
-/// JSON: what was measured (null: not measurable), `session` with fields of hrt_session_config, `scene` with
-/// the plate's properties of a glTF scene.
-std::string json_of(const Measurements& found);
-
-/// SVG: reported less commanded orientation over the commanded one, both directions of the sweep.
+/// `device`: the name to open; `date`: ISO 8601.
+std::string file_of(const Measurements& found, const std::string& device, const std::string& date);
+/// The sweep: reported less commanded orientation, against the command, of both directions.
 std::string svg_of(const Measurements& found);
 
-/// Replaces the file in one step. Throws std::runtime_error, and leaves nothing behind, if that fails.
+/// Puts `content` in the place of `file` in one step. Throws std::runtime_error.
 void write_file(const std::filesystem::path& file, const std::string& content);
 
 }  // namespace hrt::plate

@@ -1,24 +1,13 @@
-// Trims the plate's 0 against a mark.
+// Trims the plate against the mark on its base.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <string>
-
-#include "plugin/src/plate/device.h"
+#include "samples/plate/tool/person.h"
 
 namespace hrt::plate {
 
-/// What a person enters: nothing while they think; "" for an empty line; no more lines: an end.
-struct Entry {
-  bool ended = false;
-  std::optional<std::string> line;
-};
-
-/// Turns to 0 and asks, by `say`, how far the mark is off, until an empty line; then saves. `read` returns at
-/// once. True if the trim was saved; false if the entries ended, and the old one still holds. Throws
-/// PlateFailure.
-bool trim(Device& device, const std::function<Entry()>& read,
-          const std::function<void(const std::string&)>& say);
+/// Turns the plate to 0; the person then enters, as often as wanted, by how many degrees its mark is off,
+/// counter-clockwise positive, and an empty line to keep the trim in the plate. Throws Abandoned, and leaves
+/// the old trim.
+void trim(Device& device, const Person& person);
 
 }  // namespace hrt::plate

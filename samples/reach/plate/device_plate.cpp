@@ -1,6 +1,7 @@
 #include "samples/reach/plate/device_plate.h"
 
 #include <chrono>
+#include <cstdio>
 #include <thread>
 
 #include "samples/format.h"
@@ -9,7 +10,9 @@
 namespace hrt::reach {
 
 DevicePlate::DevicePlate(const std::string& device) : device_(device) {
-  const hrt_result opened = hrt_plate_open(device.c_str(), nullptr, &plate_);
+  const hrt_plate_options options{
+      .struct_size = sizeof options, .homing = HRT_PLATE_HOMING_SLOW, .host_timeout_ns = 300'000'000};
+  const hrt_result opened = hrt_plate_open(device.c_str(), &options, &plate_);
   if (opened != HRT_OK)
     throw Failure(opened == HRT_ERROR_OUT_OF_RANGE ? ExitCode::usage : ExitCode::plate,
                   hrt_plate_last_error());
@@ -17,10 +20,19 @@ DevicePlate::DevicePlate(const std::string& device) : device_(device) {
   try {
     for (service(0); report_.state == HRT_PLATE_STATE_OPENING; service(0))
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    home();
   } catch (...) {
     hrt_plate_close(plate_);
     throw;
   }
+}
+
+// Of a plate that knows its place nothing moves.
+void DevicePlate::home() {
+  if ((report_.flags & HRT_PLATE_REPORT_UNHOMED) == 0) return;
+  std::fprintf(stderr, "The plate does not know its place: it is homed slowly. Keep fingers off it.\n");
+  for (command(0, 0.0); (report_.flags & HRT_PLATE_REPORT_FIRST_MOTION) != 0; service(0))
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
 }
 
 DevicePlate::~DevicePlate() {

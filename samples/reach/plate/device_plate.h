@@ -11,8 +11,8 @@ namespace hrt::reach {
 
 class DevicePlate : public Plate {
  public:
-  /// Opens the plate, and waits until it is ready: seconds. `device` as in hrt_plate_open(). Throws Failure
-  /// (ExitCode::plate).
+  /// Opens the plate, homes it if it does not know its place, and waits until it is ready: seconds. `device`
+  /// as in hrt_plate_open(). Throws Failure (ExitCode::plate).
   explicit DevicePlate(const std::string& device);
   /// Stops the plate.
   ~DevicePlate() override;
@@ -28,6 +28,7 @@ class DevicePlate : public Plate {
   void stop(XrTime time) override;
 
  private:
+  void home();
   void check(hrt_result result);
 
   std::string device_;

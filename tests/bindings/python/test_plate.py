@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from haptic_retargeting import Error
+from haptic_retargeting import Error, Session
 from haptic_retargeting.plate import Plate, PlateFault, PlateReport, PlateReportFlag
 
 
@@ -24,6 +24,9 @@ def test_opens_turns_and_stops() -> None:
         report = plate.wait_until_ready()
         assert report.description == b"protocol 2, firmware 1.0.0, serial number 000000"
         assert report.fault == PlateFault.NONE and report.lower_stop_deg == -90.0
+        with Session(**plate.session_fields()) as session:
+            assert session.config.plate_lower_stop_deg == -90.0
+            assert session.config.plate_latency_ns > 30e6
         plate.set(210.0)  # feels like 30
         assert PlateReportFlag.COMMANDED in eventually(plate, lambda report: report.orientation_deg == 30.0).flags
         plate.stop()

@@ -34,7 +34,10 @@ namespace Hrt.HostTests
                 PlateReport report = plate.WaitUntilReady();
                 Assert.AreEqual("protocol 2, firmware 1.0.0, serial number 000000", report.description.ToString());
                 Assert.AreEqual(PlateFault.None, report.fault);
-                Assert.AreEqual(-90.0, report.lowerStopDeg);
+                SessionConfig config = SessionConfig.Default;
+                config.TakePlate(report);
+                Assert.AreEqual(-90.0, config.plateLowerStopDeg);
+                Assert.AreEqual(report.latencyNs, config.plateLatencyNs);
                 plate.Set(210); // feels like 30
                 report = Eventually(plate, r => r.orientationDeg == 30);
                 Assert.AreEqual(30.0, report.commandDeg);

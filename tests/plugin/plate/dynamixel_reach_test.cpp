@@ -24,7 +24,7 @@ TEST(ReachWithDynamixel, ReachesTheTarget) {
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   ASSERT_EQ(reach::rows_of(outcome).size(), 1U) << outcome.err;
   EXPECT_TRUE(has(outcome.out, "Dynamixel XL330-M288, id 1"));
-  EXPECT_GT(servo.with(&EmulatedDynamixel::max_turn_deg), 30.0);
+  EXPECT_GT(servo.with([](EmulatedDynamixel& device) { return device.twin.max_turn_deg(); }), 30.0);
 }
 
 TEST(ReachWithDynamixel, AMalformedNameIsAWrongCommandLine) {

@@ -11,9 +11,8 @@ using namespace dynamixel;
 using namespace std::chrono_literals;
 
 constexpr int eeprom_end = 64;
-constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_pwm = 100, goal_current = 102,
-              goal_velocity = 104, profile_acceleration = 108, profile_velocity = 112, goal_position = 116,
-              present_position = 132;
+constexpr int homing_offset = 20, torque_enable = 64, bus_watchdog = 98, goal_current = 102,
+              profile_acceleration = 108, profile_velocity = 112, goal_position = 116, present_position = 132;
 
 // What may be written, with its range.
 struct Writable {
@@ -25,25 +24,27 @@ struct Writable {
 
 }  // namespace
 
-EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model) : id_(id) {
+EmulatedDynamixel::EmulatedDynamixel(std::uint8_t id, int model, const TwinTraits& traits)
+    : twin(traits), id_(id) {
   set(0, 2, model);
   set(6, 1, 52);
   set(7, 1, id);
   set(8, 1, 1);
   set(9, 1, 250);
   set(11, 1, 3);
-  set(36, 2, 885);
-  if (model != 1060) set(38, 2, 1750);
+  set(38, 2, 1750);
   set(44, 4, 445);
-  set(48, 4, 4095);
   restart();
 }
 
 void EmulatedDynamixel::restart() {
   std::fill(table_.begin() + eeprom_end, table_.end(), std::uint8_t{0});
   set(68, 1, 2);
-  set(goal_pwm, 2, get(36, 2));
+  set(144, 2, 50);  // 5 V
+  set(146, 1, 31);
   set(goal_current, 2, get(38, 2));
+  turns_ = static_cast<int>(std::floor((twin.plate_deg() + 180.0) / 360.0));
+  twin.set_goal(std::nullopt, now_);
   set(goal_position, 4, present());
   set(present_position, 4, present());
 }
@@ -55,7 +56,9 @@ std::int64_t EmulatedDynamixel::homing() const {
 }
 
 std::int64_t EmulatedDynamixel::present() const {
-  return std::lround(position_) + homing();
+  const auto steps = std::lround(twin.plate_deg() * 4096.0 / 360.0) + 2048;
+  // Without power it knows its place within a turn; later it counts turns.
+  return steps - turns_ * 4096 + homing();
 }
 
 std::int64_t EmulatedDynamixel::get(int address, int size) const {
@@ -117,19 +120,15 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   const int address = static_cast<int>(number_at(parameters, 0, 2)),
             size = static_cast<int>(parameters.size()) - 2;
   const std::int64_t value = number_at(parameters, 2, size);
-  const std::int64_t max_pwm = get(36, 2), max_current = get(38, 2), max_speed = get(44, 4);
-  const bool turns_on = get(11, 1) == 5;
-  const std::array<Writable, 10> writable = {
-      {{11, 1, 0, 16},
-       {homing_offset, 4, -1'044'479, 1'044'479},
-       {torque_enable, 1, 0, 1},
-       {bus_watchdog, 1, 0, 127},
-       {goal_pwm, 2, -max_pwm, max_pwm},
-       {goal_current, 2, -max_current, max_current},
-       {goal_velocity, 4, -max_speed, max_speed},
-       {profile_acceleration, 4, 0, 32767},
-       {profile_velocity, 4, 0, 32767},
-       {goal_position, 4, turns_on ? -1'048'575 : get(52, 4), turns_on ? 1'048'575 : get(48, 4)}}};
+  const std::int64_t max_current = get(38, 2);
+  const std::array<Writable, 8> writable = {{{11, 1, 0, 16},
+                                             {homing_offset, 4, -1'044'479, 1'044'479},
+                                             {torque_enable, 1, 0, 1},
+                                             {bus_watchdog, 1, 0, 127},
+                                             {goal_current, 2, -max_current, max_current},
+                                             {profile_acceleration, 4, 0, 32767},
+                                             {profile_velocity, 4, 0, 32767},
+                                             {goal_position, 4, -1'048'575, 1'048'575}}};
   const auto found = std::find_if(writable.begin(), writable.end(),
                                   [&](const Writable& entry) { return entry.address == address; });
   if (found == writable.end()) return StatusError::access;
@@ -137,13 +136,12 @@ StatusError EmulatedDynamixel::write(std::string_view parameters) {
   if (address < eeprom_end && get(torque_enable, 1) != 0) return StatusError::access;
   if (value < found->min || value > found->max) return StatusError::data_range;
   // "At this time, the access to the Goal Value will be changed to read-only": range error.
-  if (get(bus_watchdog, 1) == -1 && address >= goal_pwm && address <= goal_position)
+  if (get(bus_watchdog, 1) == -1 && address >= goal_current && address <= goal_position)
     return StatusError::data_range;
   if (address < eeprom_end) ++writes_to_eeprom_;
   set(address, size, value);
   if (address == torque_enable && value == 1) set(goal_position, 4, present());
   if (address == 11) {
-    set(goal_pwm, 2, max_pwm);
     set(goal_current, 2, max_current);
     set(profile_velocity, 4, 0);
   }
@@ -158,18 +156,13 @@ void EmulatedDynamixel::run_until(Time now) {
     set(profile_acceleration, 4, 0);
     set(goal_position, 4, present());
   }
-  const double seconds = std::chrono::duration<double>(now - now_).count();
   now_ = now;
-  if (get(torque_enable, 1) == 1 && !is_jammed) {
-    // Without a profile it turns as fast as it can: 618 degrees a second of an XL330-M288 at 5 V without a
-    // load.
-    const auto profile = static_cast<double>(get(profile_velocity, 4));
-    const double speed_deg_s = profile == 0.0 ? 618.0 : std::min(618.0, profile * 0.229 * 6.0);
-    const double max = speed_deg_s * seconds * 4096.0 / 360.0;
-    position_ += std::clamp(static_cast<double>(get(goal_position, 4) - homing()) - position_, -max, max);
-  }
+  const auto profile = static_cast<double>(get(profile_velocity, 4));
+  twin.limit_speed(profile == 0.0 ? 1e9 : profile * 0.229 * 6.0);
+  const auto goal_steps = static_cast<double>(get(goal_position, 4) - homing() + turns_ * 4096 - 2048);
+  twin.set_goal(get(torque_enable, 1) == 1 ? std::optional(goal_steps * 360.0 / 4096.0) : std::nullopt, now);
+  twin.run_until(now);
   set(present_position, 4, present());
-  max_turn_deg_ = std::max(max_turn_deg_, std::abs(orientation_deg()));
 }
 
 }  // namespace hrt::plate

@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <deque>
+#include <string>
 
 #include "plugin/src/plate/line.h"
 
 namespace hrt::plate {
 
-/// Time passes in wait() and pause() alone. A device hears bytes at once, answers no sooner than
-/// answers_after() their number, and sends a byte in byte_time().
+/// Time passes in wait() and pause() alone. A byte takes byte_time() either way; a device answers no sooner
+/// than answer_delay() after it has heard.
 template <class Device>
 class EmulatedLine : public Line {
  public:
@@ -20,12 +21,12 @@ class EmulatedLine : public Line {
     for (; has_arrived(); coming_.pop_front()) bytes += coming_.front().byte;
   }
   void send(std::string_view bytes) override {
-    device_.hear(bytes, now_);
-    free_at_ = std::max(free_at_, now_ + device_.answers_after(bytes.size()));
-    collect();
+    const auto begins = going_.empty() ? now_ : std::max(now_, going_.back().arrives);
+    going_.push_back({begins + device_.byte_time() * bytes.size(), std::string(bytes)});
+    exchange();
   }
   void flush() override {}
-  bool has_unsent() const override { return false; }
+  bool has_unsent() const override { return !going_.empty(); }
   void wait(std::chrono::milliseconds limit) override {
     for (const auto end = now_ + limit; now_ < end && !has_arrived();) run();
   }
@@ -35,6 +36,10 @@ class EmulatedLine : public Line {
   }
 
  private:
+  struct Going {
+    std::chrono::nanoseconds arrives;
+    std::string bytes;
+  };
   struct Coming {
     std::chrono::nanoseconds arrives;
     char byte;
@@ -42,9 +47,13 @@ class EmulatedLine : public Line {
   bool has_arrived() const { return !coming_.empty() && coming_.front().arrives <= now_; }
   void run() {
     device_.run_until(now_ += std::chrono::microseconds(100));
-    collect();
+    exchange();
   }
-  void collect() {
+  void exchange() {
+    for (; !going_.empty() && going_.front().arrives <= now_; going_.pop_front()) {
+      device_.hear(going_.front().bytes, now_);
+      free_at_ = std::max(free_at_, now_ + device_.answer_delay());
+    }
     for (const char byte : device_.take_output()) {
       free_at_ = std::max(free_at_, now_) + device_.byte_time();
       coming_.push_back({free_at_, byte});
@@ -53,6 +62,7 @@ class EmulatedLine : public Line {
 
   Device& device_;
   std::chrono::nanoseconds now_, free_at_{0};
+  std::deque<Going> going_;
   std::deque<Coming> coming_;
 };
 

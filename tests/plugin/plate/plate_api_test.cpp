@@ -10,12 +10,15 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <fstream>
 #include <limits>
 #include <thread>
 #include <vector>
 
+#include "plugin/src/plate/plate_file.h"
 #include "plugin/src/plate/snapshot.h"
 #include "tests/plugin/plate/pty_device.h"
+#include "tests/samples/text.h"
 
 namespace hrt::plate {
 namespace {
@@ -53,24 +56,26 @@ TEST_F(PlateApi, OpensReportsTurnsAndStops) {
   EXPECT_EQ(error(), "hrt_plate_set: the plate is being opened; wait until its state is READY");
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   hrt_plate_report report = report_of(plate);
-  EXPECT_STREQ(report.description, "protocol 2, firmware 0.1, serial number 000007");
+  EXPECT_STREQ(report.description, "protocol 2, firmware 1.0.0, serial number 000007");
   EXPECT_STREQ(report.message, "");
   EXPECT_EQ(report.fault, HRT_PLATE_FAULT_NONE);
   EXPECT_EQ(report.lower_stop_deg, -90.0);
-  EXPECT_EQ(report.max_speed_deg_s, 400.0);
-  EXPECT_GE(report.latency_ns, 10'000'000 + report.round_trip_ns / 2);
-  EXPECT_EQ(report.flags,
-            HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED | HRT_PLATE_REPORT_ROUND_TRIP);
+  EXPECT_EQ(report.max_speed_deg_s, 200.0);
+  EXPECT_GE(report.latency_ns, 30'000'000 + report.round_trip_ns / 2);
+  EXPECT_EQ(report.flags, HRT_PLATE_REPORT_ORIENTATION | HRT_PLATE_REPORT_MEASURED |
+                              HRT_PLATE_REPORT_ROUND_TRIP | HRT_PLATE_REPORT_FIRST_MOTION);
+  EXPECT_FALSE(device.with(&TwinBoard::has_pulses));
 
   ASSERT_EQ(hrt_plate_set(plate, 100.0), HRT_OK);  // feels like -80, which is within the stops
-  ASSERT_TRUE(eventually([&] { return report_of(plate).orientation_deg == -80.0; }));
+  ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg + 80.0) < 0.5; }));
   report = report_of(plate);
   EXPECT_EQ(report.command_deg, -80.0);
   EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMANDED, 0U);
+  EXPECT_EQ(report.flags & HRT_PLATE_REPORT_FIRST_MOTION, 0U);
   EXPECT_GE(report.age_ns, 0);
   EXPECT_LT(report.age_ns, 5'000'000'000);
   ASSERT_EQ(hrt_plate_stop(plate), HRT_OK);
-  ASSERT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  ASSERT_TRUE(eventually([&] { return !device.is_following(); }));
   EXPECT_EQ(report_of(plate).flags & HRT_PLATE_REPORT_COMMANDED, 0U);
 }
 
@@ -101,29 +106,104 @@ TEST_F(PlateApi, TwoPlatesDoNotShareALine) {
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   hrt_plate second{};
   ASSERT_EQ(hrt_plate_open(("serial:" + device.device()).c_str(), nullptr, &second), HRT_OK);
-  // For root the line opens all the same; the first plate's echoes then are no greeting.
-  EXPECT_TRUE(getuid() == 0 || comes_to(second, HRT_PLATE_STATE_FAILED));
+  EXPECT_TRUE(comes_to(second, HRT_PLATE_STATE_FAILED));
+  EXPECT_EQ(report_of(second).message, "the plate at " + device.device() + " is in use");
   EXPECT_EQ(hrt_plate_close(second), HRT_OK);
+}
+
+// A hobby servo without a sensor, at 20 degrees: set() is refused, or homes it, and the report says so.
+TEST_F(PlateApi, HomesAPlateThatDoesNotKnowItsPlaceIfAllowed) {
+  PtyPlate device({.settings = settings_default(), .place_deg = 20.0});
+  for (const std::uint32_t homing : {HRT_PLATE_HOMING_REFUSED, HRT_PLATE_HOMING_SLOW}) {
+    const hrt_plate_options options{
+        .struct_size = sizeof options, .homing = homing, .host_timeout_ns = 300'000'000};
+    ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
+    open("serial:" + device.device(), &options);
+    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
+    EXPECT_EQ(report_of(plate).flags,
+              HRT_PLATE_REPORT_ROUND_TRIP | HRT_PLATE_REPORT_UNHOMED | HRT_PLATE_REPORT_FIRST_MOTION);
+    EXPECT_EQ(hrt_plate_stop(plate), HRT_OK);
+    const bool may_home = homing == HRT_PLATE_HOMING_SLOW;
+    EXPECT_EQ(hrt_plate_set(plate, 0.0), may_home ? HRT_OK : HRT_ERROR_WRONG_STATE) << error();
+    EXPECT_TRUE(may_home || device.orientation_deg() == 20.0);
+  }
+  ASSERT_TRUE(eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_UNHOMED) == 0; }));
+  EXPECT_NEAR(device.orientation_deg(), 0.0, 0.2);
+  EXPECT_TRUE(eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_FIRST_MOTION) == 0; }));
+}
+
+// What was measured goes into the session. A slower servo, and one that rests away from its command, are
+// reported.
+TEST_F(PlateApi, OpensWhatWasCommissionedAndReportsWhenItDeviates) {
+  const std::string file = testing::TempDir() + "/hrt_plate_api_test.json";
+  const auto write = [&](const std::string& device, const std::string& serial) {
+    std::ofstream(file) << with_checksum(R"({
+  "format": "haptic plate 1", "device": "serial:)" +
+                                         device + R"(",
+  "description": "protocol 2, firmware 1.0.0, serial number )" +
+                                         serial + R"(",
+  "session": {"plate_max_speed_deg_s": 190.0}, "measured": {"latency_ms": [25.0, 1.0]}, "max_error_deg": 1.5,
+)");
+  };
+  const struct {
+    TwinTraits servo;
+    bool deviates;
+  } cases[] = {{{}, false}, {{.speed_deg_s = 100.0}, true}, {{.dead_band_deg = 4.0}, true}};
+  for (const auto& [servo, deviates] : cases) {
+    PtyPlate device({.servo = servo});
+    write(device.device(), "000007");
+    open(file);
+    ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY)) << report_of(plate).message;
+    hrt_plate_report report = report_of(plate);
+    EXPECT_NE(report.flags & HRT_PLATE_REPORT_COMMISSIONED, 0U);
+    hrt_session_config config{};
+    hrt_session_config_from_plate(&config, &report);
+    EXPECT_EQ(config.plate_max_speed_deg_s, 190.0);
+    EXPECT_EQ(config.plate_latency_ns, 25'000'000 + report.round_trip_ns / 2);
+    EXPECT_EQ(config.plate_upper_stop_deg, 90.0);
+    for (const double to_deg : {80.0, -80.0, 80.0}) {
+      ASSERT_EQ(hrt_plate_set(plate, to_deg), HRT_OK);
+      ASSERT_TRUE(eventually([&] { return std::abs(report_of(plate).orientation_deg - to_deg) < 5.0; }));
+    }
+    EXPECT_TRUE(!deviates ||
+                eventually([&] { return (report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0; }));
+    EXPECT_EQ((report_of(plate).flags & HRT_PLATE_REPORT_DEVIATES) != 0, deviates);
+    ASSERT_EQ(hrt_plate_close(plate), HRT_OK);
+  }
+  PtyPlate other;
+  write(other.device(), "000008");
+  open(file);
+  ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_FAILED));
+  EXPECT_TRUE(has(report_of(plate).message,
+                  "and its file is of \"protocol 2, firmware 1.0.0, serial number 000008\""));
+  std::ofstream(file) << "{}";
+  hrt_plate none{};
+  EXPECT_EQ(hrt_plate_open(file.c_str(), nullptr, &none), HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_TRUE(has(error(), "has no checksum"));
 }
 
 // The application hangs while the plate turns.
 TEST_F(PlateApi, ASilentHostStopsThePlate) {
-  PtyPlate device({.speed_deg_s = 20.0});
+  Settings slow = commissioned();
+  slow.value[SETTING_SPEED_DEG_S] = 2000;
+  PtyPlate device({.settings = slow});
   const hrt_plate_options options{
-      .struct_size = sizeof options, .reserved = 0, .host_timeout_ns = 100'000'000};
+      .struct_size = sizeof options, .homing = HRT_PLATE_HOMING_REFUSED, .host_timeout_ns = 100'000'000};
   open("serial:" + device.device(), &options);
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
-  ASSERT_TRUE(eventually([&] { return device.moving_allowed(); }));
-  ASSERT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  ASSERT_TRUE(eventually([&] { return device.is_following(); }));
+  ASSERT_TRUE(eventually([&] { return !device.is_following(); }));
   EXPECT_NE(report_of(plate).flags & HRT_PLATE_REPORT_HOST_SILENT, 0U);
+  std::this_thread::sleep_for(100ms);  // the servo comes to where the pulses stopped
   const double stopped_deg = device.orientation_deg();
+  EXPECT_LT(stopped_deg, 40.0);
   std::this_thread::sleep_for(50ms);  // that call alone moves nothing
   EXPECT_EQ(device.orientation_deg(), stopped_deg);
   ASSERT_EQ(hrt_plate_set(plate, 80.0), HRT_OK);
   EXPECT_TRUE(eventually([&] {
     report_of(plate);
-    return device.moving_allowed();
+    return device.is_following();
   }));
 }
 
@@ -141,7 +221,7 @@ TEST_F(PlateApi, ClosesSoon) {
   ASSERT_TRUE(comes_to(plate, HRT_PLATE_STATE_READY));
   ASSERT_EQ(hrt_plate_set(plate, 45.0), HRT_OK);
   EXPECT_LT(time_to_close(), generous);
-  EXPECT_TRUE(eventually([&] { return !device.moving_allowed(); }));
+  EXPECT_TRUE(eventually([&] { return !device.is_following(); }));
   PtyPlate mute({.answers = false});  // which is still being greeted
   open("serial:" + mute.device());
   std::this_thread::sleep_for(50ms);
@@ -158,6 +238,10 @@ TEST_F(PlateApi, RefusesWhatIsWrong) {
   hrt_plate_options options{};
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_STRUCT_SIZE);
   options.struct_size = sizeof options;
+  options.homing = 2;
+  EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_OUT_OF_RANGE);
+  EXPECT_EQ(error(), "hrt_plate_open: homing is 2; allowed: 0 to 1");
+  options.homing = HRT_PLATE_HOMING_REFUSED;
   EXPECT_EQ(hrt_plate_open("serial:x", &options, &plate), HRT_ERROR_OUT_OF_RANGE);
   EXPECT_EQ(error(), "hrt_plate_open: host_timeout_ns is 0; allowed: 50000000 to 10000000000");
   EXPECT_EQ(plate.value, 0U);

@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "tests/plugin/plate/emulated_dynamixel.h"
-#include "tests/plugin/plate/emulated_plate.h"
 #include "tests/plugin/plate/pseudo_terminal.h"
+#include "tests/plugin/plate/twin_board.h"
 
 namespace hrt::plate {
 
@@ -83,18 +83,17 @@ class PtyDevice {
 
 using PtyDynamixel = PtyDevice<EmulatedDynamixel>;
 
-class PtyPlate : public PtyDevice<EmulatedPlate> {
+class PtyPlate : public PtyDevice<TwinBoard> {
  public:
-  explicit PtyPlate(EmulatedPlate::Behaviour behaviour = {}) : PtyDevice(std::move(behaviour)) {}
+  explicit PtyPlate(const TwinBoard::Traits& traits = {}) : PtyDevice(traits) {}
 
-  /// As of EmulatedPlate.
+  /// As of TwinBoard.
   void send(const std::string& body) {
-    with([&](EmulatedPlate& plate) { plate.send(body); });
+    with([&](TwinBoard& board) { board.send(body); });
   }
-  void fall_silent() { with(&EmulatedPlate::fall_silent); }
-  std::vector<std::string> heard() { return with(&EmulatedPlate::heard); }
-  bool moving_allowed() { return with(&EmulatedPlate::moving_allowed); }
-  double orientation_deg() { return with(&EmulatedPlate::orientation_deg); }
+  std::vector<std::string> heard() { return with(&TwinBoard::heard); }
+  bool is_following() { return with(&TwinBoard::is_following); }
+  double orientation_deg() { return with(&TwinBoard::orientation_deg); }
 };
 
 }  // namespace hrt::plate

@@ -21,7 +21,9 @@ namespace {
 constexpr std::uint32_t cpu_hz = 16'000'000;
 // simavr counts a parity bit that the line does not have: 11 bits of 17 * 8 cycles.
 constexpr std::uint64_t byte_cycles = 11 * 17 * 8;
+constexpr std::uint64_t millisecond_cycles = cpu_hz / 1000;
 constexpr std::uint32_t supply_mv = 5000;
+constexpr std::uint32_t unused_flash = 0x7000;  // below the bootloader's
 // Instructions that run without a look at the peripherals, unless one is due: 4 us.
 constexpr std::uint64_t free_cycles = 64;
 constexpr std::size_t eicra = 0x69;  // its register of the external interrupts' modes
@@ -94,7 +96,7 @@ void EmulatedBoard::run_for(std::chrono::nanoseconds time) {
 }
 
 void EmulatedBoard::say(std::string_view body) {
-  send(encode_line(body, Version::two));
+  send(encode_line(body));
 }
 
 std::string EmulatedBoard::take_output() {
@@ -108,7 +110,7 @@ std::vector<std::string> EmulatedBoard::take_lines() {
   const std::string output = take_output();
   for (const char byte : output)
     if (const auto line = reader_.take(byte))
-      if (const auto decoded = decode_line(*line)) lines.emplace_back(decoded->body);
+      if (const auto decoded = decode_line(*line)) lines.emplace_back(*decoded);
   return lines;
 }
 
@@ -116,6 +118,13 @@ void EmulatedBoard::reset() {
   avr_reset(avr_);
   high_ = false;  // the pin floats
   start_line();
+}
+
+// An endless loop: rjmp to itself. Interrupts come and return there.
+void EmulatedBoard::hang() {
+  avr_->flash[unused_flash] = 0xFF;
+  avr_->flash[unused_flash + 1] = 0xCF;
+  avr_->pc = unused_flash;
 }
 
 void EmulatedBoard::open_emergency_stop(bool open) {
@@ -164,6 +173,7 @@ void EmulatedBoard::start_line() {
   // At a low level simavr looks at pin D2 every cycle, interrupt or not; at an edge it does not.
   avr_->data[eicra] = 2;
   avr_cycle_timer_register(avr_, byte_cycles, deliver_byte, this);
+  avr_cycle_timer_register(avr_, millisecond_cycles, pass_millisecond, this);
 }
 
 // A byte that comes while the receiver is off, in a reset, is lost as on a real line.
@@ -175,6 +185,12 @@ std::uint64_t EmulatedBoard::deliver_byte(avr_t* avr, std::uint64_t when, void* 
     self.to_board_.erase(0, 1);
   }
   return when + byte_cycles;
+}
+
+std::uint64_t EmulatedBoard::pass_millisecond(avr_t*, std::uint64_t when, void* board) {
+  auto& self = *static_cast<EmulatedBoard*>(board);
+  if (self.on_millisecond) self.on_millisecond();
+  return when + millisecond_cycles;
 }
 
 }  // namespace hrt::plate

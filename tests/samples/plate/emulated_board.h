@@ -41,7 +41,7 @@ class EmulatedBoard {
   void send(std::string_view bytes) { to_board_.append(bytes); }
   /// Its bytes, too, come at the line's speed.
   static std::chrono::nanoseconds byte_time() { return {}; }
-  static std::chrono::nanoseconds answers_after(std::size_t) { return {}; }
+  static std::chrono::nanoseconds answer_delay() { return {}; }
   /// A line of protocol 2 with this body.
   void say(std::string_view body);
   /// True if bytes are on their way to the board.
@@ -56,6 +56,8 @@ class EmulatedBoard {
 
   /// A reset that keeps the memory, as by a brown-out or the host's opening of the line.
   void reset();
+  /// The main loop does nothing more.
+  void hang();
   void open_emergency_stop(bool open);
   /// Voltage at the potentiometer's pin.
   void set_feedback_mv(std::uint32_t millivolts);
@@ -63,13 +65,15 @@ class EmulatedBoard {
   /// What simavr had to complain about.
   const std::vector<std::string>& complaints() const;
 
-  /// Runs after every pulse: a servo's place for it.
+  /// Run after every pulse, and every millisecond: for a servo.
   std::function<void(const Pulse&)> on_pulse;
+  std::function<void()> on_millisecond;
 
  private:
   static void take_edge(avr_irq_t* irq, std::uint32_t value, void* board);
   static void take_byte(avr_irq_t* irq, std::uint32_t value, void* board);
   static std::uint64_t deliver_byte(avr_t* avr, std::uint64_t when, void* board);
+  static std::uint64_t pass_millisecond(avr_t* avr, std::uint64_t when, void* board);
   void start_line();
 
   avr_t* avr_;

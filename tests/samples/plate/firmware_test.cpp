@@ -1,296 +1,340 @@
-// The firmware's behaviour, compiled for this machine: lines, motion and stops without a board.
+// The firmware's behaviour, compiled for this machine: lines, motion, homing and stops.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <random>
 #include <string>
 #include <vector>
 
-#include "plugin/src/plate/plate_line.h"
-#include "samples/plate/firmware/plate.h"
+#include "tests/plugin/plate/twin_board.h"
 #include "tests/samples/plate/damage.h"
 
 namespace hrt::plate {
 namespace {
 
-std::string sent;
-int saves = 0;
-bool has_room = true;
-
-bool send(const char* line, uint8_t length) {
-  if (has_room) sent.append(line, length);
-  return has_room;
-}
-
-void save(const uint8_t*) {
-  ++saves;
-}
-
-constexpr PlateBoard board{send, save};
+using namespace std::chrono_literals;
 
 class FirmwareLogic : public testing::Test {
  protected:
-  FirmwareLogic() {
-    sent.clear();
-    saves = 0;
-    has_room = true;
-    plate_start(&plate_, &board, nullptr, nullptr);
-    hear(encode_line("HELLO 2", Version::two));
+  explicit FirmwareLogic(const TwinBoard::Traits& traits = {}) : board_(traits), plate_(board_.plate()) {
+    board_.say("HELLO 2");
+    board_.run_for(std::chrono::milliseconds(20));  // the sensor is read
   }
 
-  void hear(const std::string& bytes) {
-    for (const char byte : bytes) plate_hear(&plate_, byte);
-  }
-  void say(const std::string& body) { hear(encode_line(body, Version::two)); }
-  void set(double orientation_deg) { say(set_body(orientation_deg, Version::two, ++sequence_)); }
-  void beat() { say(beat_body("BEAT", Version::two, ++sequence_)); }
-
-  void pass(int milliseconds) {
-    for (; milliseconds > 0; --milliseconds) plate_tick(&plate_, &inputs_);
-  }
-  void pass_with_beats(int milliseconds) {
-    for (; milliseconds > 0; milliseconds -= 50) {
+  void set(double orientation_deg) { board_.say(set_body(orientation_deg, ++sequence_)); }
+  void home(double orientation_deg) { board_.say(set_body(orientation_deg, ++sequence_, "HOME")); }
+  void beat() { board_.say(beat_body("BEAT", ++sequence_)); }
+  void run_with_beats(std::chrono::milliseconds time) {
+    for (; time > 0ms; time -= 50ms) {
       beat();
-      pass(std::min(milliseconds, 50));
+      board_.run_for(std::min(time, std::chrono::milliseconds(50)));
     }
   }
   double position_deg() const { return plate_.position_microdeg * 1e-6; }
-
-  std::vector<std::string> take_lines() {
-    std::vector<std::string> lines;
-    LineReader reader;
-    for (const char byte : sent) {
-      const auto line = reader.take(byte);
-      if (!line) continue;
-      const auto decoded = decode_line(*line);
-      EXPECT_TRUE(decoded) << *line;
-      if (decoded) lines.emplace_back(decoded->body);
-    }
-    sent.clear();
-    return lines;
+  // What is answered to a line.
+  std::string answer(const std::string& bytes) {
+    board_.run_for(20ms);
+    board_.take_lines();
+    board_.hear(bytes, board_.now());
+    board_.run_for(20ms);
+    std::string named;
+    for (const std::string& line : board_.take_lines())
+      if (!line.starts_with("AT ")) named += line + ";";
+    return named;
   }
+  std::string answer_to(const std::string& body) { return answer(encode_line(body)); }
   bool has_sent(const std::string& body) {
-    const auto lines = take_lines();
+    const auto lines = board_.take_lines();
     return std::find(lines.begin(), lines.end(), body) != lines.end();
   }
 
-  Plate plate_{};
-  PlateInputs inputs_{false, -1};
+  TwinBoard board_;
+  Plate& plate_;
   std::uint16_t sequence_ = 0;
 };
 
-// 300 degrees a second: 30 degrees after 100 ms of motion, which begins when the servo has settled at 0.
-TEST_F(FirmwareLogic, TurnsAtItsSpeedAfterTheServoHasSettled) {
-  set(90.0);
-  pass_with_beats(500);
-  EXPECT_EQ(position_deg(), 0.0);
-  EXPECT_EQ(plate_pulse_ticks(&plate_), 3000);
-  pass(100);
-  EXPECT_NEAR(position_deg(), 30.0, 1e-6);
-  pass_with_beats(500);
-  EXPECT_EQ(position_deg(), 90.0);
-  EXPECT_EQ(plate_pulse_ticks(&plate_), 5000);
+// 200 degrees a second, from where the servo is.
+TEST_F(FirmwareLogic, TurnsAtItsSpeed) {
+  set(80.0);
+  board_.run_for(40ms);  // the servo takes hold
+  EXPECT_NEAR(position_deg(), 0.0, 0.3);
+  board_.run_for(200ms);
+  EXPECT_NEAR(position_deg(), 40.0, 0.5);
+  run_with_beats(500ms);
+  EXPECT_EQ(position_deg(), 80.0);
+  EXPECT_NEAR(board_.orientation_deg(), 80.0, 0.3);
 }
 
 TEST_F(FirmwareLogic, StopsWithoutAHeartbeatBeforeThePulsesOf300Milliseconds) {
-  set(0.0);
-  pass_with_beats(600);
   set(90.0);
-  pass(274);
+  board_.run_for(274ms);
   const double before_deg = position_deg();
-  pass(300);
-  EXPECT_NEAR(position_deg(), before_deg, 0.31);
+  board_.run_for(300ms);
+  EXPECT_NEAR(position_deg(), before_deg, 0.41);
   EXPECT_TRUE(has_sent("STOPPED heartbeat"));
-  EXPECT_EQ(plate_.state, PLATE_RESTING);
+  EXPECT_FALSE(board_.is_following());
 }
 
 TEST_F(FirmwareLogic, SaysWhatFindsNoRoomLater) {
   set(91.0);
-  has_room = false;
-  pass(100);
-  has_room = true;
-  pass(1);
+  board_.has_room = false;
+  board_.run_for(100ms);
+  board_.has_room = true;
+  board_.run_for(1ms);
   EXPECT_TRUE(has_sent("STOPPED limit"));
 }
 
 TEST_F(FirmwareLogic, AWaveringEmergencyContactIsNoEmergency) {
   set(0.0);
-  inputs_.emergency_open = true;
-  pass(1);
-  inputs_.emergency_open = false;
-  pass(1);
-  EXPECT_TRUE(plate_.pulses);
-  inputs_.emergency_open = true;
-  pass(2);
-  EXPECT_FALSE(plate_.pulses);
+  board_.press(true);
+  board_.run_for(1ms);
+  board_.press(false);
+  board_.run_for(1ms);
+  EXPECT_TRUE(board_.has_pulses());
+  board_.press(true);
+  board_.run_for(2ms);
+  EXPECT_FALSE(board_.has_pulses());
   EXPECT_TRUE(has_sent("STOPPED emergency"));
 }
 
 TEST_F(FirmwareLogic, AGreetingDoesNotEndAnEmergencyThatLasts) {
-  inputs_.emergency_open = true;
-  pass(5);
-  say("HELLO 2");
+  board_.press(true);
+  board_.run_for(5ms);
+  board_.say("HELLO 2");
   set(10.0);
-  pass(5);
-  EXPECT_FALSE(plate_.pulses);
+  board_.run_for(5ms);
+  EXPECT_FALSE(board_.has_pulses());
+  board_.press(false);
+  board_.run_for(5ms);
   EXPECT_EQ(plate_.state, PLATE_LATCHED);
-  inputs_.emergency_open = false;
-  pass(5);
-  EXPECT_EQ(plate_.state, PLATE_LATCHED);
-  say("HELLO 2");
+  board_.say("HELLO 2");
   set(10.0);
-  pass(5);
-  EXPECT_TRUE(plate_.pulses);
+  board_.run_for(5ms);
+  EXPECT_TRUE(board_.has_pulses());
 }
 
-// A potentiometer that follows at a tenth of the speed is far away for seconds, and on its way.
-TEST_F(FirmwareLogic, ASlowServoIsNotStuck) {
-  plate_.settings.value[SETTING_ADC_LEAST] = 20000;
-  plate_.settings.value[SETTING_ADC_MOST] = 80000;
-  const auto reading_at = [](double place_deg) {
-    return static_cast<std::int16_t>(std::lround(500.0 + place_deg / 0.3));
-  };
-  double place_deg = 0.0;
-  inputs_.adc = reading_at(place_deg);
-  pass(1);
+// A servo at a tenth of the motion's speed is far away for seconds, and on its way.
+TEST_F(FirmwareLogic, ASlowServoIsNotStuckAndAJammedOneIs) {
+  board_.servo.limit_speed(20.0);
   set(80.0);
-  for (int i = 0; i < 2500; ++i) {
-    if (i % 50 == 0) beat();
-    place_deg = std::min(80.0, place_deg + 0.03);
-    inputs_.adc = reading_at(place_deg);
-    pass(1);
-  }
-  EXPECT_EQ(plate_.state, PLATE_FOLLOWING);
+  run_with_beats(2500ms);
+  EXPECT_TRUE(board_.is_following());
+  board_.servo.is_jammed = true;
   set(-80.0);
-  pass_with_beats(800);
-  EXPECT_EQ(plate_.state, PLATE_LATCHED);
+  run_with_beats(1300ms);
   EXPECT_TRUE(has_sent("STOPPED stuck"));
+  EXPECT_FALSE(board_.has_pulses());  // no current for a servo that cannot move
+}
+
+// The readings at the two limits are exchanged.
+TEST_F(FirmwareLogic, NamesASensorThatRunsAgainstItsServo) {
+  std::swap(plate_.settings.value[SETTING_ADC_LEAST], plate_.settings.value[SETTING_ADC_MOST]);
+  for (const double orientation_deg : {60.0, -60.0}) {
+    board_.say("HELLO 2");
+    board_.servo.turn_by_hand(0.0);
+    run_with_beats(100ms);
+    set(orientation_deg);
+    run_with_beats(1500ms);
+    EXPECT_TRUE(has_sent("STOPPED sensor")) << orientation_deg;
+    EXPECT_FALSE(board_.has_pulses());
+  }
 }
 
 TEST_F(FirmwareLogic, AGreetingStopsTheMotion) {
   set(90.0);
-  pass_with_beats(600);
+  run_with_beats(200ms);
   const double before_deg = position_deg();
   ASSERT_LT(before_deg, 89.0);
-  say("HELLO 2");
-  pass(200);
+  board_.say("HELLO 2");
+  board_.run_for(200ms);
   EXPECT_EQ(position_deg(), before_deg);
 }
 
 // A trim of 21 us at once would jump by two degrees.
 TEST_F(FirmwareLogic, ASettingMovesTheServoByASmallStepOnly) {
   set(0.0);
-  pass_with_beats(600);
-  take_lines();
-  say("CONF zero 1521");
-  pass(2);
-  EXPECT_TRUE(has_sent("ERROR range"));
-  say("CONF zero 1520");
-  pass(2);
-  EXPECT_TRUE(has_sent("CONF zero 1520.00"));
-  EXPECT_EQ(plate_pulse_ticks(&plate_), 3040);
+  run_with_beats(100ms);
+  const int before = plate_pulse_ticks(&plate_);
+  EXPECT_EQ(answer_to("CONF zero 1521"), "ERROR range;");
+  EXPECT_EQ(answer_to("CONF zero 1520"), "CONF zero 1520.00;");
+  EXPECT_EQ(plate_pulse_ticks(&plate_), before + 40);
 }
 
 TEST_F(FirmwareLogic, SettingsWaitForTheEndOfAMotion) {
   set(90.0);
-  pass_with_beats(550);
-  take_lines();
-  say("CONF speed 10");
-  pass(2);
-  EXPECT_TRUE(has_sent("ERROR busy"));
-  say("SAVE");
-  pass(20);
-  EXPECT_TRUE(has_sent("ERROR busy"));
-  EXPECT_EQ(saves, 0);
-  say(beat_body("STOP", Version::two, 9));
-  say("SAVE");
-  EXPECT_EQ(saves, 1);
-  plate_saved(&plate_, true);
-  pass(2);
+  run_with_beats(150ms);
+  EXPECT_EQ(answer_to("CONF speed 10"), "ERROR busy;");
+  EXPECT_EQ(answer_to("SAVE"), "ERROR busy;");
+  EXPECT_EQ(board_.saves(), 0);
+  board_.say(beat_body("STOP", 9));
+  board_.say("SAVE");
+  EXPECT_EQ(board_.saves(), 1);
+  board_.run_for(10ms);
   EXPECT_TRUE(has_sent("SAVED"));
 }
 
-TEST_F(FirmwareLogic, ListsItsSettings) {
-  say("CONF");
-  pass(30);
-  int count = 0;
-  for (const std::string& line : take_lines()) count += line.starts_with("CONF ") ? 1 : 0;
-  EXPECT_EQ(count, SETTING_COUNT);
+TEST_F(FirmwareLogic, AnswersQuestions) {
+  const std::string settings = answer_to("CONF");
+  EXPECT_EQ(std::count(settings.begin(), settings.end(), ';'), SETTING_COUNT);
+  EXPECT_EQ(answer_to("INFO"), "INFO 1.0.0 000007;");
+  EXPECT_EQ(answer_to("TEST"),
+            "TEST settings saved;TEST emergency closed;TEST adc 512;TEST pulse 0.00;TEST loop 0;TEST end;");
 }
 
-TEST_F(FirmwareLogic, StartsWithinItsLimitsWhateverTheMemoryHolds) {
-  for (const std::int32_t known : {INT32_MIN, -200'000'000, 200'000'000, INT32_MAX}) {
-    plate_start(&plate_, &board, nullptr, &known);
-    EXPECT_LE(std::abs(position_deg()), 90.0);
-  }
+TEST_F(FirmwareLogic, NamesWhatItRefuses) {
+  EXPECT_EQ(answer("SET +010.00 00001*0000\n"), "ERROR sum;");
+  EXPECT_EQ(answer("SET +010.00 00001*00\n"), "ERROR sum;");
+  EXPECT_EQ(answer(std::string(100, 'x') + "\n"), "ERROR length;");
+  EXPECT_EQ(answer("SET\t\n"), "ERROR byte;");
+  EXPECT_EQ(answer_to("TURN 1"), "ERROR word;");
+  EXPECT_EQ(answer_to("SET 10.00 00001"), "ERROR number;");
+  EXPECT_EQ(answer_to("SET +010.00"), "ERROR word;");
+  EXPECT_EQ(answer_to("SET +370.00 00001"), "ERROR range;");
+  EXPECT_EQ(answer_to("SET +090.01 00001"), "STOPPED limit;");
+  EXPECT_EQ(answer_to("HELLO 1"), "ERROR word;");
+  EXPECT_EQ(answer_to("CONF zero 2501"), "ERROR range;");
+  EXPECT_EQ(answer_to("CONF size 1"), "ERROR word;");
+  EXPECT_EQ(answer_to("BEAT 00001"), "");
+  EXPECT_FALSE(board_.has_pulses());
 }
 
 // A million damaged lines, a good one after every tenth: the plate stays at 0, and hears the good ones.
 TEST_F(FirmwareLogic, AMillionDamagedLinesMoveNothing) {
   set(0.0);
-  pass_with_beats(600);
+  run_with_beats(600ms);
+  const int ticks = plate_pulse_ticks(&plate_);
   std::mt19937 random(1);
   std::string bad;
   for (int i = 0; i < 1'000'000; ++i) {
     switch (i % 3) {
       case 0:
-        bad = set_body(static_cast<double>(random() % 18001) / 100.0 - 90.0, Version::two, sequence_);
+        bad = set_body(static_cast<double>(random() % 18001) / 100.0 - 90.0, sequence_);
         break;
       case 1:
         bad = "CONF zero 1" + std::to_string(490 + random() % 20);
         break;
       default:
-        bad = beat_body("STOP", Version::two, sequence_);
+        bad = beat_body("STOP", sequence_);
         break;
     }
-    hear(damaged(encode_line(bad, Version::two), random));
+    for (const char byte : damaged(encode_line(bad), random)) plate_hear(&plate_, byte);
     if (i % 10 != 0) continue;
     beat();
-    pass(3);
-    sent.clear();
+    board_.run_for(3ms);
+    board_.take_output();
     ASSERT_EQ(plate_.sequence, sequence_) << i;
-    ASSERT_EQ(plate_.state, PLATE_FOLLOWING) << bad;
+    ASSERT_TRUE(board_.is_following()) << bad;
     ASSERT_EQ(plate_.target_microdeg, 0) << bad;
-    ASSERT_EQ(plate_pulse_ticks(&plate_), 3000) << bad;
+    ASSERT_EQ(plate_pulse_ticks(&plate_), ticks) << bad;
   }
 }
 
 // Any bytes at all, most of them of the protocol: nothing leaves the limits, and every line that is sent is
 // valid.
 TEST_F(FirmwareLogic, NoiseNeverLeavesTheLimits) {
-  static const std::string alphabet = "SETBAPOHL 0123456789+-.*\nFCDINRV\r";
+  static const std::string alphabet = "SETBAPOHML 0123456789+-.*\nFCDINRV\r";
   std::mt19937 random(2);
   for (int i = 0; i < 300'000; ++i) {
     plate_hear(&plate_,
                random() % 8 == 0 ? static_cast<char>(random()) : alphabet[random() % alphabet.size()]);
-    if (i % 20 == 0) pass(1);
+    if (i % 20 == 0) board_.run_for(1ms);
     ASSERT_LE(std::abs(plate_.position_microdeg), 90'000'000);
   }
-  take_lines();
+  LineReader reader;
+  for (const char byte : board_.take_output()) {
+    const auto line = reader.take(byte);
+    EXPECT_TRUE(!line || decode_line(*line)) << *line;
+  }
+}
+
+// A hobby servo without a sensor, at 20 degrees; its plate was never homed.
+class BlindFirmware : public FirmwareLogic {
+ protected:
+  BlindFirmware() : FirmwareLogic({.settings = settings_default(), .place_deg = 20.0}) {}
+  std::string place() {
+    board_.take_lines();
+    run_with_beats(50ms);
+    return board_.take_lines().back().substr(3, 7);
+  }
+};
+
+TEST_F(BlindFirmware, RefusesCommandsUntilItIsHomed) {
+  EXPECT_EQ(answer_to("SET +000.00 00001"), "STOPPED unhomed;");
+  EXPECT_EQ(place(), "unknown");
+  EXPECT_FALSE(board_.has_pulses());
+  EXPECT_EQ(board_.orientation_deg(), 20.0);
+}
+
+// One pulse in eight: an eighth of the servo's 250 degrees a second, or less.
+TEST_F(BlindFirmware, IsHomedSlowly) {
+  home(-40.0);
+  for (double before_deg = 20.0; board_.orientation_deg() > -39.0;) {
+    run_with_beats(500ms);
+    EXPECT_LT(before_deg - board_.orientation_deg(), 0.5 * 250.0 / 8.0 + 6.0);
+    before_deg = board_.orientation_deg();
+    ASSERT_LT(board_.now(), 8s);
+  }
+  EXPECT_EQ(place(), "unknown");
+  while (board_.now() < 8200ms) run_with_beats(50ms);
+  EXPECT_EQ(place(), "-040.00");
+  set(40.0);
+  run_with_beats(600ms);
+  EXPECT_NEAR(board_.orientation_deg(), 40.0, 0.2);
+  EXPECT_EQ(place(), "+040.00");
+}
+
+TEST_F(BlindFirmware, IsStoppedWhileItIsHomed) {
+  const std::function<void()> stops[] = {[&] { board_.say(beat_body("STOP", 9)); },
+                                         [&] { board_.run_for(300ms); }, [&] { board_.say("HELLO 2"); }};
+  for (const auto& stop : stops) {
+    home(-40.0);
+    run_with_beats(500ms);
+    EXPECT_TRUE(board_.has_pulses());
+    stop();
+    EXPECT_FALSE(board_.has_pulses());
+    EXPECT_EQ(place(), "unknown");
+  }
+}
+
+// The emergency stop's own test: press, turn the plate by hand, release.
+TEST_F(BlindFirmware, ForgetsItsPlaceAtAnEmergencyAndAtAReset) {
+  for (const bool reset : {false, true}) {
+    home(0.0);
+    run_with_beats(8200ms);
+    EXPECT_EQ(place(), "+000.00");
+    board_.press(!reset);
+    if (reset) board_.restart();
+    board_.run_for(100ms);
+    board_.servo.turn_by_hand(80.0);
+    board_.press(false);
+    board_.run_for(5ms);
+    board_.say("HELLO 2");
+    EXPECT_EQ(answer_to("SET +000.00 00001"), "STOPPED unhomed;");
+    EXPECT_EQ(place(), "unknown");
+    EXPECT_EQ(board_.orientation_deg(), 80.0);
+  }
 }
 
 TEST(FirmwareLine, HasTheSumOfTheStandard) {
   EXPECT_EQ(line_crc("123456789", 9), 0x29B1);
-  EXPECT_EQ(crc_of("123456789"), 0x29B1);
 }
 
 // Firmware and driver agree on every line that the other can write.
 TEST(FirmwareLine, AgreesWithTheDriver) {
-  for (const Version version : {Version::one, Version::two}) {
-    for (const char* body : {"BEAT", "SET -34.25", "HELLO 2", "x"}) {
-      char line[LINE_SIZE];
-      const uint8_t length = line_seal(line, body, static_cast<uint8_t>(version));
-      EXPECT_EQ(std::string(line, length), encode_line(body, version));
-    }
+  for (const char* body : {"BEAT", "SET -34.25", "HELLO 2", "x"}) {
+    char line[LINE_SIZE];
+    const uint8_t length = line_seal(line, body);
+    EXPECT_EQ(std::string(line, length), encode_line(body));
   }
   for (double angle_deg = -180.0; angle_deg <= 180.0; angle_deg += 0.37) {
     int32_t read = 0;
-    ASSERT_TRUE(line_fixed_angle(set_body(angle_deg, Version::two, 7).substr(4, 7).c_str(), &read));
+    ASSERT_TRUE(line_fixed_angle(set_body(angle_deg, 7).substr(4, 7).c_str(), &read));
     EXPECT_NEAR(read, angle_deg * 100.0, 0.51);
     char text[16];
     *line_put_fixed_angle(text, read) = 0;
-    EXPECT_EQ(std::string(text), set_body(read / 100.0, Version::two, 7).substr(4, 7));
+    EXPECT_EQ(std::string(text), set_body(read / 100.0, 7).substr(4, 7));
   }
 }
 

@@ -9,8 +9,11 @@
 namespace hrt::plate {
 namespace {
 
+// The defaults over the whole range of pulses, and this.
 Settings with(Setting setting, int32_t hundredths) {
   Settings settings = settings_default();
+  settings.value[SETTING_MIN_DEG] = -9000;
+  settings.value[SETTING_MAX_DEG] = 9000;
   settings.value[setting] = hundredths;
   return settings;
 }
@@ -18,8 +21,9 @@ Settings with(Setting setting, int32_t hundredths) {
 TEST(PlateSettings, HaveDefaultsThatFit) {
   const Settings settings = settings_default();
   EXPECT_TRUE(settings_valid(&settings));
-  EXPECT_EQ(settings_least(&settings), -9000);
-  EXPECT_EQ(settings_most(&settings), 9000);
+  // Pulses of 1000 to 2000 us, which every servo can follow.
+  EXPECT_EQ(settings_least(&settings), -4500);
+  EXPECT_EQ(settings_most(&settings), 4500);
   EXPECT_FALSE(settings_has_feedback(&settings));
 }
 

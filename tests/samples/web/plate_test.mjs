@@ -63,10 +63,11 @@ function obedient() {
   });
 }
 
-test("a plate is greeted, holds its place, follows, and hears a beat", () => {
+test("a plate is greeted, does not move, follows, and hears a beat", () => {
   const plate = obedient();
   plate.run(300);
-  assert.deepEqual(plate.said.slice(0, 2), ["HELLO 2", "SET +000.00 00001"]);
+  assert.equal(plate.said[0], "HELLO 2");
+  assert.ok(plate.said.slice(1).every((body) => body.startsWith("BEAT ")), "opening moves nothing");
   assert.equal(plate.link.ready, true);
   plate.link.turnTo(30.004);
   plate.run(20);
@@ -102,7 +103,7 @@ test("a plate is given up for what the protocol says, in words", () => {
   assert.equal(silent.link.failure, "The plate does not answer as a plate of protocol version 2 within 5 s.");
   const cases = [[hello(), 700, /not been heard for half a second/], [hello("STOPPED emergency"), 300, /emergency stop/],
                  [hello("STOPPED stuck"), 300, /servo is stuck/], [hello("BOOT"), 300, /has restarted/],
-                 [hello("ERROR greeting"), 300, /has restarted/], [hello(facts), 300, /announced itself anew/],
+                 [hello("ERROR greeting"), 300, /has restarted/], [hello("AT unknown 00000"), 300, /does not know its place/], [hello(facts), 300, /announced itself anew/],
                  [hello("AT +095.00 00000"), 300, /95\.0°, outside its limits of -90° to 90°/],
                  [(body) => (body.startsWith("HELLO") ? [facts] : ["ERROR busy"]), 700, /never reports its orientation/]];
   for (const [answer, time, words] of cases) {
@@ -152,14 +153,14 @@ function emulated() {
 test("the plate's firmware turns its servo where the page sends it", (t) => {
   const { board, link, run } = emulated(), began = performance.now();
   run(1200);
-  assert.deepEqual(link.facts, { kind: "plate", min_deg: -90, max_deg: 90, speed_deg_s: 300, latency_ms: 20, measured: false });
-  assert.ok(Math.abs(board.pulse_us - 1500) < 0.6, `${board.pulse_us} us`);
-  for (const wanted_deg of [45, -80.5, 12.25, 90, 0, -90, 0]) {
+  assert.deepEqual(link.facts, { kind: "plate", min_deg: -90, max_deg: 90, speed_deg_s: 200, latency_ms: 30, measured: true });
+  assert.equal(board.pulse_us, 0);
+  for (const wanted_deg of [45, -80.5, 12.25, 90, -10, -90, 0]) {
     link.turnTo(wanted_deg);
-    run(900);
+    run(1000);
     assert.ok(Math.abs(board.pulse_us - (1500 + (wanted_deg * 2000) / 180)) < 0.6, `${board.pulse_us} us at ${wanted_deg}`);
     assert.ok(Math.abs(board.servo_deg - wanted_deg) < 0.06, `servo at ${board.servo_deg}`);
-    assert.equal(link.orientation_deg, wanted_deg);
+    assert.ok(Math.abs(link.orientation_deg - wanted_deg) < 0.5, `reported ${link.orientation_deg}`);
   }
   assert.equal(link.failure, "");
   t.diagnostic(`${(board.time_ms / (performance.now() - began)).toFixed(1)} times real time; echo after ${link.roundTrip_ms.toFixed(1)} ms`);

@@ -1,6 +1,6 @@
 """The device that turns the plate, by libhrt_plate: a plate with the line protocol, or a Dynamixel servo.
 
-    with Plate("serial:/dev/ttyACM0") as plate:
+    with Plate("plate.json") as plate:
         plate.wait_until_ready()
         plate.set(30.0)
         print(plate.get().orientation_deg)
@@ -15,6 +15,7 @@ import sys
 import time
 from pathlib import Path
 from types import TracebackType
+from typing import Any
 
 from . import _abi, _plate_abi
 from ._library import Error, declare
@@ -47,11 +48,11 @@ def _check(result: int) -> None:
 class Plate:
     """A plate, which a thread of the library talks to: no call waits for it, except wait_until_ready() and close()."""
 
-    def __init__(self, device: str, host_timeout_s: float = 0.3) -> None:
-        """Starts to open it: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1". Without a call for `host_timeout_s`
-        the plate stops."""
+    def __init__(self, device: str, host_timeout_s: float = 0.3, homing: PlateHoming = PlateHoming.REFUSED) -> None:
+        """Starts to open it: "serial:/dev/ttyACM0", "dynamixel:/dev/ttyUSB0?id=1", or the file of `hrt-plate
+        commission`. Without a call for `host_timeout_s` the plate stops."""
         self._handle = _plate_abi.PlateHandle()
-        options = _plate_abi.PlateOptions(host_timeout_ns=round(host_timeout_s * 1e9))
+        options = _plate_abi.PlateOptions(homing=homing, host_timeout_ns=round(host_timeout_s * 1e9))
         _check(_library().hrt_plate_open(device.encode(), ctypes.byref(options), ctypes.byref(self._handle)))
 
     def set(self, orientation_deg: float) -> None:
@@ -67,6 +68,15 @@ class Plate:
         report = PlateReport()
         _check(_library().hrt_plate_get(self._handle, ctypes.byref(report)))
         return report
+
+    def session_fields(self) -> dict[str, Any]:
+        """Speed, latency and stops of a ready plate, for Session() or configure(); stops that are less than 180 degrees
+        apart are left out."""
+        report = self.get()
+        has_stops = report.upper_stop_deg - report.lower_stop_deg >= 180.0
+        return {"plate_max_speed_deg_s": report.max_speed_deg_s, "plate_latency_ns": report.latency_ns,
+                "plate_lower_stop_deg": report.lower_stop_deg if has_stops else 0.0,
+                "plate_upper_stop_deg": report.upper_stop_deg if has_stops else 0.0}
 
     def wait_until_ready(self) -> PlateReport:
         """Waits while it is being opened. RuntimeError with the reason if it has failed."""

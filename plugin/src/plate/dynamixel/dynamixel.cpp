@@ -1,4 +1,4 @@
-// An XL330 or XL430 servo under the plate. Position 2048, the middle of the servo's turn, is orientation 0;
+// An XL330 servo under the plate. Position 2048, the middle of the servo's turn, is orientation 0;
 // the horn points up, so that counter-clockwise is positive.
 #include <algorithm>
 #include <array>
@@ -17,9 +17,8 @@ namespace {
 using namespace std::chrono_literals;
 using namespace dynamixel;
 
-constexpr double turn_stop_deg = 179.9;  // of one turn's 4096 steps
-constexpr auto poll_period = 20ms;
-constexpr auto ping_limit = 3s;  // adapters and servos need a moment after the line is opened
+constexpr double stop_deg = 360.0;  // it counts turns; and this is what a report may hold
+constexpr auto ping_limit = 3s;     // adapters and servos need a moment after the line is opened
 constexpr int probes = 11;
 // The servo's own: its control loop runs every millisecond.
 constexpr auto servo_latency = 2ms;
@@ -54,9 +53,9 @@ class Servo : public Device {
       : bus_(std::move(line), settings.id), settings_(settings) {
     identify();
     check_hardware(bus_.read(hardware_error));
-    take_limits();
+    fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
     if (start == Start::hold) set_up();
-    watch_.emplace(PlateGreeting{Version::two, min_deg_, max_deg_, speed_deg_s(), 0.0, true}, now());
+    watch_.emplace(PlateGreeting{-stop_deg, stop_deg, speed_deg_s(), 0.0, true}, now());
     for (int i = 0; i < probes; ++i) take_position(bus_.read(present_position));
     if (start == Start::hold) hold();
   }
@@ -72,7 +71,7 @@ class Servo : public Device {
            std::to_string(firmware_);
   }
   DeviceLimits limits() const override {
-    return {min_deg_, max_deg_, std::min(speed_deg_s(), watch_->speed_deg_s().value_or(speed_deg_s())),
+    return {-stop_deg, stop_deg, std::min(speed_deg_s(), watch_->speed_deg_s().value_or(speed_deg_s())),
             servo_latency + round_trip().value_or(0ns) / 2};
   }
   bool is_measured() const override { return true; }
@@ -114,8 +113,6 @@ class Servo : public Device {
     };
     return {value("operating mode ", operating_mode, ""),
             value("homing offset ", homing_offset, " steps"),
-            value("least position ", min_position_limit, ""),
-            value("most position ", max_position_limit, ""),
             value("velocity limit ", velocity_limit, ""),
             value("supply ", present_voltage, " tenths of a volt"),
             value("temperature ", present_temperature, " °C"),
@@ -142,14 +139,14 @@ class Servo : public Device {
     repeat_goal();
   }
 
-  void keep_zero() override { stop(); }  // it is kept already
-  bool keeps_plan() const override { return false; }
-  void keep_plan(double, std::optional<double>) override {}
+  void keep_zero() override { stop(); }          // it is kept already
+  void hurry() override { poll_period_ = 0ms; }  // its profile is a limit of its own
+  std::chrono::nanoseconds sensor_filter() const override { return 0ns; }
 
  private:
   int step_of(double orientation_deg) const {
     return middle_step +
-           static_cast<int>(std::lround(std::clamp(orientation_deg, min_deg_, max_deg_) / deg_per_step));
+           static_cast<int>(std::lround(std::clamp(orientation_deg, -stop_deg, stop_deg) / deg_per_step));
   }
   std::int64_t speed_units() const {
     return std::clamp<std::int64_t>(std::llround(settings_.speed_deg_s / deg_s_per_unit), 1, fastest_units_);
@@ -177,27 +174,19 @@ class Servo : public Device {
                                     [&](const Model& model) { return model.number == number; });
     if (found == models.end())
       throw PlateFailure(Fault::no_answer, "is a Dynamixel of model number " + std::to_string(number) +
-                                               "; known are 1060 (XL430-W250), 1190 and 1200 (XL330)");
+                                               "; known are 1190 and 1200 (XL330)");
     model_ = &*found;
-  }
-
-  int mode() const { return model_->limits_current ? current_based_position_mode : position_mode; }
-
-  // The stops hold in position mode alone.
-  void take_limits() {
-    fastest_units_ = std::max<std::int64_t>(1, bus_.read(velocity_limit));
-    effort_ = bus_.read(model_->limits_current ? current_limit : pwm_limit) * settings_.effort_percent / 100;
-    if (mode() != position_mode) return;
-    min_deg_ = std::max(min_deg_, deg_of(bus_.read(min_position_limit)));
-    max_deg_ = std::min(max_deg_, deg_of(bus_.read(max_position_limit)));
-    if (min_deg_ >= max_deg_) throw PlateFailure(Fault::device, "has position limits with nothing between");
   }
 
   // The mode is kept in memory that wears: it is written only if it is another one.
   void set_up() {
     bus_.write(bus_watchdog, 0);
     bus_.write(torque_enable, 0);
-    if (bus_.read(operating_mode) != mode()) bus_.write(operating_mode, mode());
+    if (bus_.read(operating_mode) != current_based_position_mode)
+      bus_.write(operating_mode, current_based_position_mode);
+    const double max_percent = 100.0 * max_torque_nm / model_->stall_nm;
+    effort_ = bus_.read(current_limit) *
+              std::min<std::int64_t>(settings_.effort_percent, std::llround(max_percent)) / 100;
     for (const auto& [entry, value] : motion_entries()) bus_.write(entry, value);
   }
 
@@ -210,7 +199,7 @@ class Servo : public Device {
 
   // The servo forgets them when its watchdog stops it.
   std::array<std::pair<Entry, std::int64_t>, 2> motion_entries() const {
-    return {{{profile_velocity, speed_units()}, {model_->limits_current ? goal_current : goal_pwm, effort_}}};
+    return {{{profile_velocity, speed_units()}, {goal_current, effort_}}};
   }
 
   // ---- In motion.
@@ -225,7 +214,7 @@ class Servo : public Device {
     } else if (!is_goal_sent_) {
       is_goal_sent_ = true;
       bus_.send(bus_.write_request(goal_position, *goal_step_));
-    } else if (now() - bus_.asked() >= poll_period) {
+    } else if (now() - bus_.asked() >= poll_period_) {
       bus_.send(poll_request());
     }
     bus_.line().flush();
@@ -248,13 +237,16 @@ class Servo : public Device {
     }
   }
 
-  // Watchdog and position, and what lies between, in one answer.
+  // Watchdog and position, and what lies between, in one answer; in a hurry the position alone.
   Packet poll_request() const {
+    if (poll_period_ == 0ms) return bus_.read_request(present_position);
     const int size = present_position.address + present_position.size - bus_watchdog.address;
     return bus_.read_request({bus_watchdog.address, size});
   }
 
   void take_poll(const std::string& table) {
+    if (table.size() == std::size_t{present_position.size})
+      return take_position(number_at(table, 0, present_position.size));
     const std::int64_t watchdog = number_at(table, 0, bus_watchdog.size);
     if (watchdog == 0) throw PlateFailure(Fault::restarted, "has restarted: its supply or its line failed");
     if (watchdog == watchdog_expired) recover_from_watchdog();
@@ -317,7 +309,6 @@ class Servo : public Device {
   Settings settings_;
   const Model* model_ = nullptr;
   int firmware_ = 0;
-  double min_deg_ = -turn_stop_deg, max_deg_ = turn_stop_deg;
   std::int64_t fastest_units_ = 1;
   std::int64_t effort_ = 0;
   std::optional<PlateWatch> watch_;
@@ -326,6 +317,7 @@ class Servo : public Device {
   bool is_goal_sent_ = true;
   bool must_stop_ = false;
   bool holds_ = false;
+  std::chrono::milliseconds poll_period_{20};
   Line::Time reported_;
 };
 

@@ -1,5 +1,5 @@
 // The servos that can turn a plate, and what of their control tables the plate needs (ROBOTIS e-manuals of
-// XL330-M077, XL330-M288 and XL430-W250).
+// XL330-M077 and XL330-M288).
 #pragma once
 
 #include <array>
@@ -13,23 +13,22 @@ struct Entry {
   int address;
   int size;
 };
-inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, pwm_limit{36, 2}, current_limit{38, 2},
-    velocity_limit{44, 4}, max_position_limit{48, 4}, min_position_limit{52, 4}, torque_enable{64, 1},
-    hardware_error{70, 1}, bus_watchdog{98, 1}, goal_pwm{100, 2}, goal_current{102, 2},
-    profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4}, present_voltage{144, 2},
-    present_temperature{146, 1};
+inline constexpr Entry operating_mode{11, 1}, homing_offset{20, 4}, current_limit{38, 2},
+    velocity_limit{44, 4}, torque_enable{64, 1}, hardware_error{70, 1}, bus_watchdog{98, 1},
+    goal_current{102, 2}, profile_velocity{112, 4}, goal_position{116, 4}, present_position{132, 4},
+    present_voltage{144, 2}, present_temperature{146, 1};
 
 struct Model {
   int number;
   const char* name;
-  bool limits_current;  ///< in its current-based position mode; else by PWM in position mode
+  double stall_nm;  ///< torque at its limit of current
 };
-inline constexpr std::array models = {Model{1190, "XL330-M077", true}, Model{1200, "XL330-M288", true},
-                                      Model{1060, "XL430-W250", false}};
+inline constexpr std::array models = {Model{1190, "XL330-M077", 0.215}, Model{1200, "XL330-M288", 0.52}};
+inline constexpr double max_torque_nm = 5.0 * 0.075;  ///< 5 N at the rim of a plate of 150 mm
 
-inline constexpr int position_mode = 3, current_based_position_mode = 5;
+inline constexpr int current_based_position_mode = 5;
 inline constexpr int middle_step = 2048;
-inline constexpr int max_homing_steps = 1024;  ///< to either side; in position mode more are ignored
+inline constexpr int max_homing_steps = 1024;  ///< to either side; some modes ignore more
 inline constexpr double deg_per_step = 360.0 / 4096.0;
 inline constexpr double deg_s_per_unit = 0.229 * 6.0;  ///< of velocity: 0.229 revolutions a minute
 inline constexpr int watchdog_ticks = 15;              ///< of 20 ms

@@ -2,12 +2,15 @@
 // Simulation: no board and no servo has run it.
 import { AVRADC, AVREEPROM, AVRIOPort, AVRTimer, AVRUSART, adcConfig, avrInstruction, CPU, EEPROMMemoryBackend, portBConfig,
          portDConfig, timer0Config, timer1Config, usart0Config } from "avr8js";
+import { crc16 } from "./line";
 
 const cpu_hz = 16e6;
 const flash_bytes = 32768;
 const sram_bytes = 2048;
 const sleepInstruction = 0x9588;
 const servoPin = 1, emergencyPin = 2;
+/** Zero, span, limits, speed, latency, the sensor's readings at the limits, emergency stop, serial number; times 100. */
+const settings = [150000, 200000, -9000, 9000, 20000, 3000, 20500, 81800, 100, 0];
 /** Of the emulated servo, at each pulse: 400 degrees a second. */
 const servoStep_deg = 8;
 
@@ -21,6 +24,7 @@ export class Board {
 
   readonly #cpu: CPU;
   readonly #usart: AVRUSART;
+  readonly #adc: AVRADC;
   readonly #portD: AVRIOPort;
   readonly #toBoard: number[] = [];
   #roseAt = 0;
@@ -31,8 +35,11 @@ export class Board {
     const cpu = new CPU(readHex(hex), sram_bytes);
     this.#cpu = cpu;
     for (const timer of [timer0Config, timer1Config]) new AVRTimer(cpu, timer);
-    new AVREEPROM(cpu, new EEPROMMemoryBackend(1024));
-    new AVRADC(cpu, adcConfig);
+    const eeprom = new EEPROMMemoryBackend(1024);
+    packed(settings).forEach((byte, at) => eeprom.writeMemory(at, byte));
+    new AVREEPROM(cpu, eeprom);
+    this.#adc = new AVRADC(cpu, adcConfig);
+    this.#showPlace();
     this.#portD = new AVRIOPort(cpu, portDConfig);
     this.openEmergencyStop(false);
     this.#usart = new AVRUSART(cpu, usart0Config, cpu_hz);
@@ -97,7 +104,20 @@ export class Board {
     this.pulse_us = width_us;
     const wanted_deg = ((width_us - 1500) * 90) / 1000;
     this.servo_deg += Math.max(-servoStep_deg, Math.min(servoStep_deg, wanted_deg - this.servo_deg));
+    this.#showPlace();
   }
+
+  /** To the sensor's pin: 1 V at -90 degrees, 4 V at 90. */
+  #showPlace(): void { this.#adc.channelValues[0] = 2.5 + this.servo_deg / 60; }
+}
+
+/** Settings as the firmware keeps them: samples/plate/firmware/settings.c. */
+function packed(values: readonly number[]): Uint8Array {
+  const bytes = new Uint8Array(4 + 4 * values.length + 2), view = new DataView(bytes.buffer);
+  bytes.set([0x48, 0x52, 0x50, 1]);
+  values.forEach((value, i) => view.setInt32(4 + 4 * i, value, true));
+  view.setUint16(bytes.length - 2, crc16(String.fromCharCode(...bytes.subarray(0, -2))), true);
+  return bytes;
 }
 
 function readHex(text: string): Uint16Array {

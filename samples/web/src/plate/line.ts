@@ -48,10 +48,11 @@ export type PlateMessage =
   | { readonly kind: "boot" }
   | { readonly kind: "plate"; readonly min_deg: number; readonly max_deg: number; readonly speed_deg_s: number;
       readonly latency_ms: number; readonly measured: boolean }
+  /** NaN: the plate does not know. */
   | { readonly kind: "at"; readonly orientation_deg: number; readonly sequence: number }
   | { readonly kind: "stopped" | "error"; readonly why: string };
 
-const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck"];
+const reasons = ["host", "heartbeat", "limit", "fault", "emergency", "stuck", "sensor", "unhomed"];
 const refusals = ["length", "byte", "sum", "word", "number", "range", "greeting", "busy"];
 
 /** What a body of the plate says; null: nothing that this page needs, or out of range. */
@@ -63,7 +64,8 @@ export function parseMessage(body: string): PlateMessage | null {
   if (verb === "AT" && rest.length === 2) {
     const orientation_deg = /^[+-]\d{3}\.\d{2}$/.test(first) ? Number(first) : NaN;
     const sequence = /^\d{5}$/.test(rest[1] ?? "") ? Number(rest[1]) : NaN;
-    return Math.abs(orientation_deg) <= 360 && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
+    const known = Math.abs(orientation_deg) <= 360 || first === "unknown";
+    return known && sequence <= 65535 ? { kind: "at", orientation_deg, sequence } : null;
   }
   if (verb === "PLATE" && rest.length === 6 && first === "2") {
     const [min_deg, max_deg, speed_deg_s, latency_ms] = rest.slice(1, 5).map(number) as [number, number, number, number];

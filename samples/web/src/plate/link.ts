@@ -17,6 +17,8 @@ const stops: Readonly<Record<string, string>> = {
   fault: "reports a fault",
   emergency: "was stopped by its emergency stop",
   stuck: "reports that its servo is stuck",
+  sensor: "reports that its sensor runs against its servo",
+  unhomed: "has forgotten its place",
 };
 
 /** What a plate said of itself. */
@@ -48,7 +50,7 @@ export class PlateLink {
   #sequence = 0;
   #wanted_deg = NaN;
   #sent_deg = NaN;
-  #held = false;
+  #heardOf = false;
   #movedAt_ms = NaN;
   #movedFrom_deg = NaN;
 
@@ -56,7 +58,7 @@ export class PlateLink {
   constructor(send: (text: string) => void) { this.#send = send; }
 
   /** Greeted, and heard of since. */
-  get ready(): boolean { return this.#held && this.failure === ""; }
+  get ready(): boolean { return this.#heardOf && this.failure === ""; }
 
   /** Turn there: the nearest angle within the plate's limits that feels the same, or the nearest limit. */
   turnTo(orientation_deg: number): void {
@@ -80,7 +82,7 @@ export class PlateLink {
     if (now_ms - this.#reported_ms > silenceLimit_ms) {
       return this.#fail(Number.isNaN(this.orientation_deg) ? "never reports its orientation" : "has not reported its orientation for half a second");
     }
-    if (this.#held) this.#command(now_ms);
+    if (this.#heardOf) this.#command(now_ms);
     if (now_ms - this.#said_ms >= beatPeriod_ms) this.#drive("BEAT", now_ms);
   }
 
@@ -135,6 +137,7 @@ export class PlateLink {
     if (orientation_deg < facts.min_deg - limitSlack_deg || orientation_deg > facts.max_deg + limitSlack_deg) {
       return this.#fail(`reports ${orientation_deg.toFixed(1)}°, outside its limits of ${facts.min_deg}° to ${facts.max_deg}°`);
     }
+    if (Number.isNaN(orientation_deg)) return this.#fail("does not know its place: this page drives plates with a sensor");
     this.orientation_deg = orientation_deg;
     this.#reported_ms = now_ms;
     const sent_ms = this.#sentAt_ms.get(sequence);
@@ -142,11 +145,7 @@ export class PlateLink {
       this.roundTrip_ms = now_ms - sent_ms;
       this.#sentAt_ms.clear();
     }
-    // A plate gives no pulse until it has an angle: it holds its place first.
-    if (!this.#held) {
-      this.#held = true;
-      if (Number.isNaN(this.#wanted_deg)) this.#wanted_deg = orientation_deg;
-    }
+    this.#heardOf = true;
     this.#expectMotion(orientation_deg, now_ms);
   }
 

@@ -13,8 +13,8 @@ namespace Hrt
     /// </summary>
     public sealed partial class HapticRetargetingPlate : NativeObject
     {
-        /// <summary>Starts to open a plate: "serial:/dev/ttyACM0", "serial:COM3",
-        /// "dynamixel:/dev/ttyUSB0?id=1".</summary>
+        /// <summary>Starts to open a plate: "serial:/dev/ttyACM0", "serial:COM3", "dynamixel:/dev/ttyUSB0?id=1", or
+        /// the file of hrt-plate commission.</summary>
         public HapticRetargetingPlate(string device) : this(device, PlateOptions.Default)
         {
         }
@@ -42,6 +42,20 @@ namespace Hrt
         internal override string LastError => PlateLibrary.LastError;
 
         internal PlateHandle Handle => new PlateHandle { value = Value };
+    }
+
+    public partial struct SessionConfig
+    {
+        /// <summary>Takes speed, latency and stops of a ready plate; stops that are less than 180 degrees apart are left
+        /// out.</summary>
+        public void TakePlate(PlateReport report)
+        {
+            bool hasStops = report.upperStopDeg - report.lowerStopDeg >= 180;
+            plateMaxSpeedDegS = report.maxSpeedDegS;
+            plateLatencyNs = report.latencyNs;
+            plateLowerStopDeg = hasStops ? report.lowerStopDeg : 0;
+            plateUpperStopDeg = hasStops ? report.upperStopDeg : 0;
+        }
     }
 
     /// <summary>The native library of the plate, a second one.</summary>

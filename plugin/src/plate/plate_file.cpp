@@ -1,0 +1,74 @@
+#include "plugin/src/plate/plate_file.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+namespace hrt::plate {
+namespace {
+
+constexpr std::string_view mark = "  \"checksum\": \"";
+constexpr std::size_t max_bytes = 1'000'000;
+
+// FNV-1a of 64 bits.
+std::string hash_of(std::string_view text) {
+  std::uint64_t hash = 0xCBF29CE484222325;
+  for (const char byte : text) hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001B3;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return digits.data();
+}
+
+[[noreturn]] void refuse(const std::string& path, const std::string& why) {
+  throw std::invalid_argument("plate file " + path + " " + why);
+}
+
+std::string content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  if (!file) refuse(path, "cannot be read");
+  if (text.size() > max_bytes) refuse(path, "is longer than 1000000 bytes");
+  return text;
+}
+
+}  // namespace
+
+std::string with_checksum(std::string_view text) {
+  return std::string(text) + std::string(mark) + hash_of(text) + "\"\n}\n";
+}
+
+bool is_plate_file(std::string_view name) {
+  return name.ends_with(".json");
+}
+
+PlateFile read_plate_file(const std::string& path) {
+  const std::string text = content_of(path);
+  const std::size_t end = text.rfind(mark);
+  if (end == std::string::npos) refuse(path, "has no checksum: it is not of hrt-plate commission");
+  if (with_checksum(std::string_view(text).substr(0, end)) != text)
+    refuse(path, "was changed: its checksum is wrong. Commission the plate anew");
+  const auto json = nlohmann::json::parse(text, nullptr, false);
+  try {
+    if (json.at("format") != "haptic plate 1") refuse(path, "is not of format \"haptic plate 1\"");
+    PlateFile file{.device = json.at("device"), .description = json.at("description")};
+    const auto& session = json.at("session");
+    file.speed_deg_s = session.at("plate_max_speed_deg_s");
+    file.latency_ms = json.at("measured").at("latency_ms").at(0);
+    file.error_deg = json.at("max_error_deg");
+    const auto is_within = [](double value, double low, double high) {
+      return value >= low && value <= high;
+    };
+    if (!is_within(file.speed_deg_s, 0.1, 1e5) || !is_within(file.latency_ms, 0.0, 1000.0) ||
+        !is_within(file.error_deg, 0.0, 360.0))
+      refuse(path, "holds a number out of range");
+    return file;
+  } catch (const nlohmann::json::exception& wrong) {
+    refuse(path, std::string("misses something: ") + wrong.what());
+  }
+}
+
+}  // namespace hrt::plate

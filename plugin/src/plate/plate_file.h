@@ -1,0 +1,26 @@
+// What `hrt-plate commission` has measured of a plate, in the file that hrt_plate_open() takes.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace hrt::plate {
+
+struct PlateFile {
+  std::string device;       ///< the name to open
+  std::string description;  ///< of the device that was measured: with firmware and serial number
+  double speed_deg_s = 0.0;
+  double latency_ms = 0.0;  ///< without the line
+  double error_deg = 0.0;   ///< beyond which a plate at rest does not behave as measured
+};
+
+/// The text before the checksum, and the checksum of it: the file's last member.
+std::string with_checksum(std::string_view text);
+
+/// True for a name that ends with ".json".
+bool is_plate_file(std::string_view name);
+
+/// Throws std::invalid_argument with one line that says what is wrong.
+PlateFile read_plate_file(const std::string& path);
+
+}  // namespace hrt::plate

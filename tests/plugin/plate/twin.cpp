@@ -1,0 +1,79 @@
+#include "tests/plugin/plate/twin.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto max_step = 500us;
+constexpr auto pulse_holds = 24ms;  // a frame, and a bit
+
+}  // namespace
+
+void Twin::set_goal(std::optional<double> goal_deg, Time now) {
+  const std::optional<double> last_deg = coming_.empty() ? goal_deg_ : coming_.back().place_deg;
+  if (goal_deg == last_deg) return;
+  coming_.push_back({now + traits_.dead_time, goal_deg});
+}
+
+void Twin::run_until(Time now) {
+  while (now_ < now) {
+    const Time step_end = std::min<Time>(now, now_ + max_step);
+    const double seconds = std::chrono::duration<double>(step_end - now_).count();
+    now_ = step_end;
+    for (; !coming_.empty() && coming_.front().acts <= now_; coming_.pop_front())
+      goal_deg_ = coming_.front().place_deg;
+    step(seconds);
+  }
+}
+
+double Twin::full_speed_deg_s() const {
+  return std::min(limit_deg_s_, traits_.speed_deg_s * supply * (1.0 - traits_.load));
+}
+
+void Twin::step(double seconds) {
+  const double error_deg = goal_deg_ ? *goal_deg_ - motor_deg_ : 0.0;
+  double wanted_deg_s = 0.0;
+  if (!is_jammed && std::abs(error_deg) > traits_.dead_band_deg)
+    wanted_deg_s = std::copysign(
+        std::min(full_speed_deg_s(), std::sqrt(2.0 * traits_.acceleration_deg_s2 * std::abs(error_deg))),
+        error_deg);
+  const double change_deg_s = traits_.acceleration_deg_s2 * seconds;
+  speed_deg_s_ += std::clamp(wanted_deg_s - speed_deg_s_, -change_deg_s, change_deg_s);
+  // Within the dead band friction holds it.
+  if (is_jammed || std::abs(error_deg) <= traits_.dead_band_deg) speed_deg_s_ = 0.0;
+  double way_deg = speed_deg_s_ * seconds;
+  if (way_deg * error_deg > 0.0 && std::abs(way_deg) > std::abs(error_deg)) {
+    way_deg = error_deg;
+    speed_deg_s_ = 0.0;
+  }
+  motor_deg_ = std::clamp(motor_deg_ + way_deg, traits_.lower_stop_deg, traits_.upper_stop_deg);
+  const double play_deg = traits_.backlash_deg / 2.0;
+  plate_deg_ = std::clamp(plate_deg_, motor_deg_ - play_deg, motor_deg_ + play_deg);
+  max_speed_deg_s_ = std::max(max_speed_deg_s_, std::abs(speed_deg_s_));
+  max_turn_deg_ = std::max(max_turn_deg_, std::abs(plate_deg_));
+}
+
+double Twin::reading_deg() {
+  if (traits_.noise_deg == 0.0) return plate_deg_;
+  return plate_deg_ + std::normal_distribution<double>(0.0, traits_.noise_deg)(random_);
+}
+
+void HobbyTwin::take_pulse(double width_us, Time now) {
+  pulsed_ = now;
+  set_goal((width_us - 1500.0) * 180.0 / span_us, now);
+}
+
+void HobbyTwin::run_until(Time now) {
+  if (pulsed_ && now - *pulsed_ > pulse_holds) {
+    Twin::run_until(*pulsed_ + pulse_holds);
+    set_goal(std::nullopt, *pulsed_ + pulse_holds);
+    pulsed_.reset();
+  }
+  Twin::run_until(now);
+}
+
+}  // namespace hrt::plate

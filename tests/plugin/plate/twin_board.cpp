@@ -1,0 +1,84 @@
+#include "tests/plugin/plate/twin_board.h"
+
+namespace hrt::plate {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto frame = 20ms;
+
+thread_local TwinBoard* speaking = nullptr;  // its firmware is running
+
+}  // namespace
+
+bool TwinBoard::send_line(const char* line, std::uint8_t length) {
+  if (!speaking->has_room) return false;
+  const std::string_view text(line, length);
+  if (text.starts_with("STOPPED heartbeat")) ++speaking->heartbeat_stops_;
+  const Traits& traits = speaking->traits_;
+  if (traits.answers && (traits.reports || !text.starts_with("AT "))) speaking->output_ += text;
+  return true;
+}
+
+void TwinBoard::save(const std::uint8_t*) {
+  ++speaking->saves_;
+  speaking->is_saving_ = true;
+}
+
+TwinBoard::TwinBoard(Traits traits)
+    : servo(traits.servo, traits.place_deg), traits_(std::move(traits)), output_(traits_.noise) {
+  restart();
+}
+
+void TwinBoard::restart() {
+  static constexpr PlateBoard board{send_line, save};
+  plate_start(&plate_, &board, &traits_.settings);
+}
+
+void TwinBoard::hear(std::string_view bytes, Time now) {
+  run_until(now);
+  if (now < traits_.boot) return;
+  speaking = this;
+  for (const char byte : bytes) {
+    plate_hear(&plate_, byte);
+    const auto line = reader_.take(byte);
+    const auto body = line ? decode_line(*line) : std::nullopt;
+    if (!body) continue;
+    const bool is_numbered = body->size() > 9 && (*body)[body->size() - 6] == ' ';
+    heard_.emplace_back(is_numbered ? body->substr(0, body->size() - 6) : *body);
+  }
+}
+
+void TwinBoard::run_until(Time now) {
+  while (now_ < now) {
+    const Time next = (now_ / 1ms + 1) * 1ms;
+    const bool ticks = next <= now;
+    now_ = std::min(now, next);
+    servo.run_until(now_);
+    if (ticks && now_ >= traits_.boot) tick();
+  }
+}
+
+void TwinBoard::tick() {
+  speaking = this;
+  const double pin_mv = has_sensor ? servo.sensor_mv() : 0.0;
+  inputs_.adc = static_cast<std::int16_t>(std::clamp(std::lround(pin_mv * 1023.0 / 5000.0), 0L, 1023L));
+  plate_tick(&plate_, &inputs_);
+  if (std::exchange(is_saving_, false)) {
+    traits_.settings = plate_.settings;
+    plate_saved(&plate_, true);
+  }
+  const std::uint16_t ticks = plate_pulse_ticks(&plate_);
+  if (now_ % frame == 0ms && ticks != 0) servo.take_pulse(ticks / 2.0, now_);
+}
+
+std::vector<std::string> TwinBoard::take_lines() {
+  std::vector<std::string> lines;
+  LineReader reader;
+  for (const char byte : take_output())
+    if (const auto line = reader.take(byte))
+      if (const auto body = decode_line(*line)) lines.emplace_back(*body);
+  return lines;
+}
+
+}  // namespace hrt::plate

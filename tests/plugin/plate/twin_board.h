@@ -1,0 +1,102 @@
+// The firmware, compiled for this machine, with the twin of a hobby servo at its pin.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "plugin/src/plate/plate_line.h"
+#include "samples/plate/firmware/plate.h"
+#include "tests/plugin/plate/emulated_line.h"
+#include "tests/plugin/plate/twin.h"
+
+namespace hrt::plate {
+
+/// The defaults, except these, in whole units.
+inline Settings settings_with(const std::vector<std::pair<Setting, std::int32_t>>& changes) {
+  Settings settings = settings_default();
+  for (const auto& [setting, value] : changes) settings.value[setting] = 100 * value;
+  return settings;
+}
+
+/// Of a plate that was commissioned: a sensor, and a range of -90 to 90 degrees.
+inline Settings commissioned() {
+  return settings_with({{SETTING_MIN_DEG, -90},
+                        {SETTING_MAX_DEG, 90},
+                        {SETTING_ADC_LEAST, 205},
+                        {SETTING_ADC_MOST, 818},
+                        {SETTING_SERIAL, 7}});
+}
+
+class TwinBoard {
+ public:
+  using Time = Twin::Time;
+  struct Traits {
+    Settings settings = commissioned();
+    TwinTraits servo = {};
+    double place_deg = 0.0;
+    std::string noise;                  ///< that comes before the first answer
+    bool answers = true;                ///< false: it never says a word
+    bool reports = true;                ///< false: it never says where it is
+    std::chrono::milliseconds boot{0};  ///< deaf and mute for so long
+    std::chrono::nanoseconds byte_time{87'000};
+  };
+
+  TwinBoard() : TwinBoard(Traits{}) {}
+  explicit TwinBoard(Traits traits);
+
+  // ---- As EmulatedLine needs it.
+  void hear(std::string_view bytes, Time now);
+  void run_until(Time now);
+  std::string take_output() { return std::exchange(output_, {}); }
+  Time byte_time() const { return traits_.byte_time; }
+  static Time answer_delay() { return {}; }
+  Time now() const { return now_; }
+
+  // ---- As tests without a line do.
+  void say(std::string_view body) { hear(encode_line(body), now_); }
+  void run_for(Time time) { run_until(now_ + time); }
+  /// The bodies of the lines that it has sent since the last call.
+  std::vector<std::string> take_lines();
+
+  /// Sends this body as a line.
+  void send(const std::string& body) { output_ += encode_line(body); }
+  void fall_silent() { traits_.answers = false; }
+  /// Forgets its host and its place.
+  void restart();
+  void press(bool pressed) { inputs_.emergency_open = pressed; }
+
+  /// Bodies of valid lines heard so far, without sequence numbers.
+  const std::vector<std::string>& heard() const { return heard_; }
+  bool is_following() const { return plate_.state == PLATE_FOLLOWING; }
+  bool has_pulses() const { return plate_.pulses; }
+  int heartbeat_stops() const { return heartbeat_stops_; }
+  double orientation_deg() const { return servo.plate_deg(); }
+  Plate& plate() { return plate_; }
+  int saves() const { return saves_; }
+
+  HobbyTwin servo;
+  bool has_room = true;    ///< for lines to the host
+  bool has_sensor = true;  ///< else its pin is open
+
+ private:
+  static bool send_line(const char* line, std::uint8_t length);
+  static void save(const std::uint8_t* bytes);
+  void tick();
+
+  Traits traits_;
+  Plate plate_{};
+  PlateInputs inputs_{};
+  LineReader reader_;
+  std::string output_;
+  Time now_{0};
+  std::vector<std::string> heard_;
+  int heartbeat_stops_ = 0, saves_ = 0;
+  bool is_saving_ = false;
+};
+
+using TwinLine = EmulatedLine<TwinBoard>;
+
+}  // namespace hrt::plate

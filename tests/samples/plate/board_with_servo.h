@@ -1,0 +1,34 @@
+// The board in simavr with the twin of a hobby servo at its pins.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "tests/plugin/plate/twin_board.h"
+#include "tests/samples/plate/emulated_board.h"
+
+namespace hrt::plate {
+
+/// EEPROM that holds these settings.
+inline std::vector<std::uint8_t> eeprom_with(const Settings& settings) {
+  std::vector<std::uint8_t> memory(1024, 0xFF);
+  settings_pack(&settings, memory.data());
+  return memory;
+}
+
+struct BoardWithServo : EmulatedBoard {
+  explicit BoardWithServo(const TwinTraits& traits = {}, double place_deg = 0.0,
+                          const std::vector<std::uint8_t>& eeprom = eeprom_with(commissioned()))
+      : EmulatedBoard(eeprom), servo(traits, place_deg) {
+    on_pulse = [this](const Pulse& pulse) { servo.take_pulse(pulse.width_us(), pulse.start + pulse.width); };
+    on_millisecond = [this] {
+      servo.run_until(now());
+      set_feedback_mv(static_cast<std::uint32_t>(std::lround(servo.sensor_mv())));
+    };
+  }
+
+  HobbyTwin servo;
+};
+
+}  // namespace hrt::plate
