@@ -473,18 +473,6 @@ TEST_F(CalibrationTest, BadResultsAreRefusedAndChangeNothing) {
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 
-TEST_F(CalibrationTest, IsWhatTheProfileThenSays) {
-  const hrt_calibration_result result = all_known();
-  ASSERT_OK(hrt_calibration_apply(session, &result));
-  char text[4096];
-  uint64_t length = 0;
-  ASSERT_OK(hrt_profile_save(session, sizeof text, text, &length));
-  create(session_config());
-  ASSERT_OK(hrt_profile_load(session, text, length));
-  EXPECT_EQ(config().bias_deg, -3.0);
-  EXPECT_EQ(config().tracker_noise_m, 0.001);
-}
-
 constexpr hrt_interval known(double value, double width) {
   return {value, value - width / 2.0, value + width / 2.0, 1, 0};
 }

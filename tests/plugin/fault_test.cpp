@@ -29,18 +29,6 @@ namespace {
 
 class FaultTest : public SessionTest {
  protected:
-  void SetUp() override {
-    SessionTest::SetUp();
-    hrt_host host = hrt_host_init();
-    host.context = this;
-    host.log = hear;
-    ASSERT_OK(hrt_set_host(&host));
-  }
-  void TearDown() override {
-    SessionTest::TearDown();
-    EXPECT_OK(hrt_set_host(nullptr));
-  }
-
   // A slide of a second; the controller fails in its second half if asked to.
   hrt_reach_summary reach(bool fails) {
     for (int i = 0; i < 100; ++i) {
@@ -60,15 +48,10 @@ class FaultTest : public SessionTest {
     return end();
   }
 
-  static void hear(void* context, uint32_t level, const char* text) {
-    EXPECT_EQ(level, static_cast<uint32_t>(HRT_LOG_ERROR));
-    static_cast<FaultTest*>(context)->log_ += std::string(text) + "\n";
-  }
-
   std::int64_t time_ns_ = 0;
   int faults_ = 0;
   double held_deg_ = 0.0;
-  std::string log_;
+  Log log_;
 };
 
 TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
@@ -77,17 +60,17 @@ TEST_F(FaultTest, PlateIsHeldFlagsSaySoAndTheLogOnce) {
   EXPECT_NE(reach(true).flags & HRT_COMMAND_FAULT, 0u);
   EXPECT_GT(faults_, 10);
   EXPECT_EQ(config_of(session).person_covariance[0], before.person_covariance[0]) << "it taught something";
-  EXPECT_EQ(log_, "") << "a call of a reach is real-time";
+  EXPECT_EQ(log_.text, "") << "a call of a reach is real-time";
   ASSERT_OK(hrt_session_set(session, &before));
-  EXPECT_EQ(log_,
-            "session " + std::to_string(session.value) +
+  EXPECT_EQ(log_.text,
+            std::to_string(HRT_LOG_ERROR) + " session " + std::to_string(session.value) +
                 ": a defect of the library made a value of a command or summary not finite; the plate was "
                 "held, and the reach taught nothing\n");
   begin_reach();
   reach(true);
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
-  EXPECT_EQ(std::count(log_.begin(), log_.end(), '\n'), 1);
+  EXPECT_EQ(std::count(log_.text.begin(), log_.text.end(), '\n'), 1);
 }
 
 TEST_F(FaultTest, DestroyedSessionLogsIt) {
@@ -95,7 +78,7 @@ TEST_F(FaultTest, DestroyedSessionLogsIt) {
   reach(true);
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
-  EXPECT_NE(log_.find("a defect of the library"), std::string::npos);
+  EXPECT_NE(log_.text.find("a defect of the library"), std::string::npos);
 }
 
 TEST_F(FaultTest, SoundControllerLogsNothing) {
@@ -104,7 +87,7 @@ TEST_F(FaultTest, SoundControllerLogsNothing) {
   ASSERT_OK(hrt_session_destroy(session));
   session.value = 0;
   EXPECT_EQ(faults_, 0);
-  EXPECT_EQ(log_, "");
+  EXPECT_EQ(log_.text, "");
 }
 
 }  // namespace

@@ -50,6 +50,24 @@ inline hrt_session_config paper_config() {
   return config;
 }
 
+/// Hears the library's log while it lives: "LEVEL text", a line each.
+class Log {
+ public:
+  Log() {
+    hrt_host host = hrt_host_init();
+    host.context = this;
+    host.log = [](void* context, std::uint32_t level, const char* line) {
+      static_cast<Log*>(context)->text += std::to_string(level) + " " + line + "\n";
+    };
+    EXPECT_OK(hrt_set_host(&host));
+  }
+  ~Log() { EXPECT_OK(hrt_set_host(nullptr)); }
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  std::string text;  // a recording's thread may add to it until the recording has stopped
+};
+
 inline hrt_target_config target_config(std::uint32_t role, double direction_deg, const char* name = "") {
   hrt_target_config config = hrt_target_config_init();
   config.role = role;

@@ -4,8 +4,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -47,8 +45,7 @@ TEST_F(LocaleTest, ProfilesKeepTheirNumbers) {
   EXPECT_NE(profile.find("\"sensory_variance_deg2\":2.7,"), std::string::npos) << profile;
   create(session_config());
   ASSERT_OK(hrt_profile_load(session, profile.data(), profile.size()));
-  auto loaded = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &loaded, nullptr));
+  const hrt_session_config loaded = config_of(session);
   EXPECT_EQ(std::memcmp(&loaded, &config, sizeof config), 0);
 }
 

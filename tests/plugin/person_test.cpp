@@ -128,31 +128,6 @@ TEST_F(PersonTest, DefaultSessionLeadsAPersonToTheRealTarget) {
   }
 }
 
-TEST_F(PersonTest, DefaultSessionLeadsMostUnknownPeople) {
-  int reached = 0, able = 0;
-  for (std::uint32_t index = 0; able < 20; ++index) {
-    const PersonCondition condition = drawn_person("linear", 1.5, index);
-    if (!can_hold(condition)) continue;
-    ++able;
-    create(servo_config());
-    reached += std::abs(lead(condition, index).bearing_error_deg) <= 1.5;
-  }
-  EXPECT_GE(reached, 18);
-}
-
-// Mirror symmetry: left and right exchanged, every angle changes its sign.
-TEST_F(PersonTest, MirroredReachIsMirrored) {
-  PersonCondition condition = steady_person();
-  create(servo_config());
-  const Led left = lead(condition);
-  std::swap(condition.real_direction_deg, condition.virtual_direction_deg);
-  create(servo_config());
-  const Led right = lead(condition);
-  ASSERT_EQ(left.commands.size(), right.commands.size());
-  for (std::size_t i = 0; i < left.commands.size(); ++i)
-    ASSERT_NEAR(left.commands[i].plate_orientation_deg, -right.commands[i].plate_orientation_deg, 1e-6);
-}
-
 // To turn a finger to the right of where it is felt to go, the ridges shift what is felt to the left: the
 // normal stands to the left of the motion. A person known to feel a shift of 0.2 t, and an error of 5 at
 // most, needs no more than 75 degrees of it.
@@ -203,44 +178,6 @@ TEST_F(PersonTest, DurationThatIsGivenIsExpected) {
     reach.duration_s = refused_s;
     expect_error(hrt_reach_begin(session, &reach), HRT_ERROR_OUT_OF_RANGE, "duration_s");
   }
-}
-
-TEST_F(PersonTest, CarriedPersonIsLedBetterOnTheFifthReach) {
-  double first_deg2 = 0.0, fifth_deg2 = 0.0;
-  int people = 0;
-  for (std::uint32_t index = 0; people < 20; ++index) {
-    const PersonCondition condition = drawn_person("habit-5", 1.5, index);
-    if (!can_hold(condition)) continue;
-    ++people;
-    create(servo_config());
-    for (std::uint32_t reach = 0; reach < 5; ++reach) {
-      const double error_deg = lead(condition, 100 * index + reach).bearing_error_deg;
-      if (reach == 0) first_deg2 += error_deg * error_deg;
-      if (reach == 4) fifth_deg2 += error_deg * error_deg;
-    }
-  }
-  EXPECT_LT(fifth_deg2, 0.5 * first_deg2);
-}
-
-// A calibration's bias spares the reach to learn it: the target is 3 degrees further right, or left, for
-// them.
-TEST_F(PersonTest, KnownBiasBringsPeopleNearer) {
-  double known_deg2 = 0.0, unknown_deg2 = 0.0;
-  int people = 0;
-  for (std::uint32_t index = 0; people < 20; ++index) {
-    const PersonCondition condition = drawn_person("bias-3", 1.0, index);
-    if (!can_hold(condition)) continue;
-    ++people;
-    hrt_session_config config = servo_config();
-    create(config);
-    const double unknown_deg = lead(condition, index).bearing_error_deg;
-    config.bias_deg = condition.person.bias_deg;
-    create(config);
-    const double known_deg = lead(condition, index).bearing_error_deg;
-    unknown_deg2 += unknown_deg * unknown_deg;
-    known_deg2 += known_deg * known_deg;
-  }
-  EXPECT_LT(known_deg2, 0.9 * unknown_deg2);
 }
 
 // What a reach has learnt is in the configuration: the summary's values, widened.

@@ -1,13 +1,9 @@
 // What plugin/PROCESS.md says of the library in the host's process.
 #include <algorithm>
-#include <atomic>
 #include <cfenv>
-#include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <string>
-#include <vector>
 
 #if defined(__SSE2__)
 #include <xmmintrin.h>
@@ -15,6 +11,8 @@
 #if defined(HRT_MEASURES_MEMORY)
 #include <pthread.h>
 #include <sys/mman.h>
+
+#include "tests/plugin/counting_allocator.h"
 #endif
 
 #include "tests/plugin/fixture.h"
@@ -69,61 +67,33 @@ TEST(Process, FlushingToZeroChangesNoBitAndStays) {
 #if defined(HRT_MEASURES_MEMORY)
 
 // In bytes, on 64-bit machines.
-constexpr std::size_t max_of_session = 14'000;
-constexpr std::size_t max_of_target = 300;
-constexpr std::size_t max_of_recording = 7'100'000;
+constexpr long max_of_session = 14'000;
+constexpr long max_of_target = 300;
+constexpr long max_of_recording = 7'100'000;
 constexpr std::size_t max_real_time_stack = 32'000;
 constexpr std::size_t max_stack = 64'000;
 
-/// An allocator that counts bytes.
-class ByteCounter {
- public:
-  ByteCounter() {
-    hrt_host host = hrt_host_init();
-    host.context = this;
-    host.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
-      auto* block = static_cast<std::size_t*>(std::malloc(size + 16));
-      *block = size;
-      static_cast<ByteCounter*>(context)->held += size;
-      return block + 2;
-    };
-    host.release = [](void* context, void* memory) {
-      auto* block = static_cast<std::size_t*>(memory) - 2;
-      static_cast<ByteCounter*>(context)->held -= *block;
-      std::free(block);
-    };
-    EXPECT_OK(hrt_set_host(&host));
-  }
-  ~ByteCounter() { EXPECT_OK(hrt_set_host(nullptr)); }
-  ByteCounter(const ByteCounter&) = delete;
-  ByteCounter& operator=(const ByteCounter&) = delete;
-  ByteCounter(ByteCounter&&) = delete;
-  ByteCounter& operator=(ByteCounter&&) = delete;
-
-  std::atomic<std::size_t> held{0};
-};
-
 TEST(Process, MemoryIsAsDocumented) {
-  ByteCounter memory;
+  const CountingAllocator memory;
   const hrt_session_config config = session_config();
   hrt_session session{};
   ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-  RecordProperty("session", static_cast<int>(memory.held));
-  EXPECT_LE(memory.held, max_of_session);
-  const std::size_t before_target = memory.held;
+  RecordProperty("session", static_cast<int>(memory.bytes));
+  EXPECT_LE(memory.bytes, max_of_session);
+  const long before_target = memory.bytes;
   const hrt_target_config target = target_config(HRT_TARGET_REAL, 1.0, "a name too long for its string");
   hrt_target id{};
   ASSERT_OK(hrt_target_add(session, &target, &id));
-  RecordProperty("target", static_cast<int>(memory.held - before_target));
-  EXPECT_LE(memory.held - before_target, max_of_target);
-  const std::size_t before_recording = memory.held;
+  RecordProperty("target", static_cast<int>(memory.bytes - before_target));
+  EXPECT_LE(memory.bytes - before_target, max_of_target);
+  const long before_recording = memory.bytes;
   const std::string path = testing::TempDir() + "hrt_process.csv";
   ASSERT_OK(hrt_recording_start(session, path.c_str()));
-  RecordProperty("recording", static_cast<int>(memory.held - before_recording));
-  EXPECT_LE(memory.held - before_recording, max_of_recording);
+  RecordProperty("recording", static_cast<int>(memory.bytes - before_recording));
+  EXPECT_LE(memory.bytes - before_recording, max_of_recording);
   ASSERT_OK(hrt_session_destroy(session));
   std::remove(path.c_str());
-  EXPECT_EQ(memory.held, 0u);
+  EXPECT_EQ(memory.bytes, 0);
 }
 
 constexpr unsigned char paint = 0xa5;

@@ -42,8 +42,7 @@ TEST_F(ProfileTest, ComesBackToTheLastBit) {
   const std::string text = save(session);
   create(session_config());
   ASSERT_OK(load(session, text));
-  auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &back, nullptr));
+  const hrt_session_config back = config_of(session);
   EXPECT_EQ(back.tactile_weight, config.tactile_weight);
   EXPECT_EQ(back.motor_variance_deg2, config.motor_variance_deg2);
   EXPECT_EQ(back.horizon, 3u) << "a profile is the participant's, not the session's";
@@ -68,8 +67,7 @@ TEST_F(ProfileTest, FieldsThatAProfileLacksStay) {
       session,
       R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2,"tactile_weight_sd":0.02,)"
       R"("motor_variance_deg2":0.6,"sensory_variance_deg2":0.2,"initial_variance_deg2":0.1})"));
-  auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &back, nullptr));
+  const hrt_session_config back = config_of(session);
   EXPECT_EQ(back.tactile_weight, 0.2);
   EXPECT_EQ(back.motor_variance_deg2, 0.6);
   EXPECT_EQ(back.bias_deg, 1.5);
@@ -121,20 +119,6 @@ hrt_conditions conditions(const char* plate, const char* tracker, std::int64_t t
 
 class ConditionsTest : public ProfileTest {
  protected:
-  void SetUp() override {
-    ProfileTest::SetUp();
-    hrt_host host = hrt_host_init();
-    host.context = &log;
-    host.log = [](void* lines, std::uint32_t level, const char* text) {
-      *static_cast<std::string*>(lines) += std::to_string(level) + " " + text + "\n";
-    };
-    ASSERT_OK(hrt_set_host(&host));
-  }
-  void TearDown() override {
-    ProfileTest::TearDown();
-    EXPECT_OK(hrt_set_host(nullptr));
-  }
-
   void set(const hrt_conditions& now) { ASSERT_OK(hrt_profile_set_conditions(session, &now)); }
   hrt_conditions measured() {
     auto out = output<hrt_conditions>();
@@ -147,7 +131,7 @@ class ConditionsTest : public ProfileTest {
     ASSERT_OK(hrt_calibration_apply(session, &result));
   }
 
-  std::string log;
+  Log log;
 };
 
 TEST_F(ConditionsTest, AreThoseOfTheCalibrationAndComeBackWithTheProfile) {
@@ -173,25 +157,26 @@ TEST_F(ConditionsTest, OthersThanOfTheProfileAreWarnedOf) {
   set(conditions("desk 1", "Ultraleap"));
   calibrate();
   const std::string text = save(session);
-  EXPECT_EQ(log, "");
+  EXPECT_EQ(log.text, "");
   set(conditions("desk 2", "Ultraleap"));
   EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE);
-  EXPECT_NE(log.find("measured with another plate, \"desk 1\";"), std::string::npos) << log;
-  log.clear();
+  EXPECT_NE(log.text.find("measured with another plate, \"desk 1\";"), std::string::npos) << log.text;
+  log.text.clear();
   set(conditions("desk 1", "Quest"));
   ASSERT_OK(load(session, text));
   EXPECT_EQ(measured().differing, HRT_CONDITION_TRACKER);
-  EXPECT_NE(log.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log;
+  EXPECT_NE(log.text.find("measured with another tracker, \"Ultraleap\";"), std::string::npos) << log.text;
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, HRT_CONDITION_PLATE | HRT_CONDITION_TRACKER);
-  EXPECT_NE(log.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos) << log;
-  log.clear();
+  EXPECT_NE(log.text.find("another plate, \"desk 1\", and tracker, \"Ultraleap\";"), std::string::npos)
+      << log.text;
+  log.text.clear();
   set(conditions("", ""));
   EXPECT_EQ(measured().differing, 0u) << "unknown is not another";
   ASSERT_OK(load(session, R"({"format":"haptic retargeting profile","version":1,"tactile_weight":0.2})"));
   set(conditions("desk 2", "Quest"));
   EXPECT_EQ(measured().differing, 0u) << "a profile without conditions";
-  EXPECT_EQ(log, "");
+  EXPECT_EQ(log.text, "");
   calibrate();
   EXPECT_STREQ(measured().plate, "desk 2");
 }

@@ -1,6 +1,5 @@
 // Reaches of the paper's person through the C ABI.
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 #include "core/paper_simulation/participant.h"
@@ -251,8 +250,7 @@ TEST_F(ReachTest, AdaptationLearnsTheShareOfTouchAndCarriesIt) {
   EXPECT_GT(first.tactile_weight_sd, 0.0);
   EXPECT_LT(first.tactile_weight_sd, 0.05);
   EXPECT_NEAR(first.paper_miss_deg, 0.0, 0.5);
-  auto learnt = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &learnt, nullptr));
+  const hrt_session_config learnt = config_of(session);
   EXPECT_EQ(learnt.tactile_weight, first.tactile_weight);
   EXPECT_EQ(learnt.tactile_weight_sd, std::max(first.tactile_weight_sd, 0.01));
 
@@ -273,23 +271,6 @@ TEST_F(ReachTest, StopsKeepThePlateBetweenThem) {
     const double plate_deg = update(direction_sample(i * step_ns, 32.0 - 0.4 * i)).plate_orientation_deg;
     EXPECT_GE(plate_deg, -90.0);
     EXPECT_LE(plate_deg, 90.0);
-  }
-}
-
-// The only equivalents of 5 to 95 between these stops are those two half turns on and more.
-TEST_F(ReachTest, StopsMayBeTurnsAway) {
-  hrt_session_config config = paper_config();
-  config.plate_lower_stop_deg = 3400.0;
-  config.plate_upper_stop_deg = 3600.0;
-  create(config);
-  begin_reach();
-  for (int i = 0; i < 10; ++i) {
-    hrt_sample sample = direction_sample(i * step_ns, 0.0);
-    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-    sample.plate_orientation_deg = 3600.0 - i;
-    const double plate_deg = update(sample).plate_orientation_deg;
-    EXPECT_GE(plate_deg, 3400.0);
-    EXPECT_LE(plate_deg, 3600.0);
   }
 }
 
@@ -370,45 +351,6 @@ TEST_F(ReachTest, GoesOnWhenItsTargetsAreRemoved) {
   ASSERT_OK(hrt_target_remove(session, real));
   ASSERT_OK(hrt_target_remove(session, virtual_target));
   EXPECT_EQ(update(direction_sample(0, 0.0)).step, 0);
-}
-
-// Mirror symmetry: left and right exchanged, every angle changes its sign.
-TEST_F(ReachTest, MirroredReachIsMirrored) {
-  double left[30];
-  ASSERT_OK(begin(add(HRT_TARGET_REAL, -4.0), add(HRT_TARGET_VIRTUAL, 7.0)));
-  for (int i = 0; i < 30; ++i)
-    left[i] = update(direction_sample(i * step_ns, 10.0 - i)).plate_orientation_deg;
-  end();
-  hrt_reach_config reach = hrt_reach_config_init();
-  reach.real_target = add(HRT_TARGET_REAL, 4.0);
-  reach.virtual_target = add(HRT_TARGET_VIRTUAL, -7.0);
-  reach.flags = HRT_REACH_PLATE_ORIENTATION;
-  ASSERT_OK(hrt_reach_begin(session, &reach));
-  for (int i = 0; i < 30; ++i)
-    EXPECT_NEAR(update(direction_sample(i * step_ns, i - 10.0)).plate_orientation_deg, -left[i], 1e-10);
-}
-
-// The square of so small a noise is less than the least double.
-TEST_F(ReachTest, TinyTrackerNoiseGivesFiniteCommands) {
-  for (const double noise_m : {1e-300, 1e-170, 1e-165, 1e-162, 1e-12}) {
-    hrt_session_config config = paper_config();
-    config.tracker_noise_m = noise_m;
-    config.adaptation = HRT_ADAPTATION_CARRIED;
-    create(config);
-    begin_reach();
-    for (int i = 0; i < 200; ++i) {
-      const hrt_command command =
-          update(position_sample(std::int64_t{i} * 11'111'111, 0.0002 * (i % 3), 0.0004 * i - 0.05));
-      ASSERT_TRUE(std::isfinite(command.plate_orientation_deg)) << noise_m;
-      ASSERT_TRUE(std::isfinite(command.tactile_weight) && std::isfinite(command.finger_direction_deg))
-          << noise_m;
-    }
-    ASSERT_TRUE(std::isfinite(end().tactile_weight)) << noise_m;
-    auto carried = output<hrt_session_config>();
-    ASSERT_OK(hrt_session_get(session, &carried, nullptr));
-    EXPECT_TRUE(std::isfinite(carried.tactile_weight)) << noise_m;
-    EXPECT_EQ(carried.tracker_noise_m, noise_m);
-  }
 }
 
 }  // namespace

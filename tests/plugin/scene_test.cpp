@@ -55,8 +55,7 @@ TEST_F(SceneAbiTest, ReturnsTheContentOfTheScene) {
 
 TEST_F(SceneAbiTest, RegistersPlateAndTargetsInOneCall) {
   const std::vector<hrt_target> ids = register_all();
-  auto config = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &config, nullptr));
+  const hrt_session_config config = config_of(session);
   auto info = output<hrt_scene_info>();
   ASSERT_OK(hrt_scene_get_info(scene, &info));
   EXPECT_EQ(std::memcmp(config.plate_rotation, info.plate_rotation, sizeof info.plate_rotation), 0);
@@ -82,16 +81,14 @@ TEST_F(SceneAbiTest, RegistersAllOrNothing) {
   ASSERT_OK(hrt_scene_get_info(scene, &info));
   ASSERT_OK(hrt_scene_get_target(scene, info.target_count - 1, &last));
   add(HRT_TARGET_REAL, 0.0, last.name);
-  auto before = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &before, nullptr));
+  const hrt_session_config before = config_of(session);
   expect_error(hrt_scene_register(scene, session, 0, nullptr), HRT_ERROR_NAME_TAKEN, last.name);
   hrt_target small[1];
   expect_error(hrt_scene_register(scene, session, 1, small), HRT_ERROR_BUFFER_TOO_SMALL, "capacity is 1");
   uint64_t count = 0;
   ASSERT_OK(hrt_target_list(session, 0, 0, nullptr, &count));
   EXPECT_EQ(count, 1u);
-  auto after = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &after, nullptr));
+  const hrt_session_config after = config_of(session);
   EXPECT_EQ(std::memcmp(&before, &after, sizeof before), 0);
 }
 

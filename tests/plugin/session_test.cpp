@@ -94,8 +94,7 @@ TEST_F(SessionTest, ConfigComesBackAsGiven) {
   config.horizon = 7;
   config.tactile_weight = 0.2;
   ASSERT_OK(hrt_session_set(session, &config));
-  auto back = output<hrt_session_config>();
-  ASSERT_OK(hrt_session_get(session, &back, nullptr));
+  const hrt_session_config back = config_of(session);
   EXPECT_EQ(std::memcmp(&back, &config, sizeof config), 0);
 }
 

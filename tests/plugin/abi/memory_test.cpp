@@ -1,62 +1,19 @@
 // The library's memory: all of it from the host's allocator, any of it refused.
-#include <malloc.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "core/paper_simulation/paper_slide.h"
+#include "tests/plugin/counting_allocator.h"
 #include "tests/plugin/fixture.h"
 
 namespace hrt::test {
 namespace {
-
-/// An allocator that counts, and that fails at the n-th request, or from it on, or beyond a budget of bytes.
-class CountingAllocator {
- public:
-  CountingAllocator() {
-    hrt_host host = hrt_host_init();
-    host.context = this;
-    host.allocate = [](void* context, std::size_t size, std::size_t) -> void* {
-      auto& self = *static_cast<CountingAllocator*>(context);
-      const long request = ++self.requests;
-      if (request == self.fail_at || (self.fail_on && self.fail_at > 0 && request > self.fail_at))
-        return nullptr;
-      if (self.bytes + static_cast<long>(size) > self.budget) return nullptr;
-      void* memory = std::malloc(size);
-      ++self.held;
-      self.bytes += static_cast<long>(malloc_usable_size(memory));
-      self.peak = std::max(self.peak.load(), self.bytes.load());
-      return memory;
-    };
-    host.release = [](void* context, void* memory) {
-      auto& self = *static_cast<CountingAllocator*>(context);
-      --self.held;
-      self.bytes -= static_cast<long>(malloc_usable_size(memory));
-      std::free(memory);
-    };
-    EXPECT_OK(hrt_set_host(&host));
-  }
-  ~CountingAllocator() { EXPECT_OK(hrt_set_host(nullptr)); }
-  CountingAllocator(const CountingAllocator&) = delete;
-  CountingAllocator& operator=(const CountingAllocator&) = delete;
-  CountingAllocator(CountingAllocator&&) = delete;
-  CountingAllocator& operator=(CountingAllocator&&) = delete;
-
-  std::atomic<long> requests{0};
-  std::atomic<long> held{0};
-  std::atomic<long> fail_at{0};
-  std::atomic<bool> fail_on{false};
-  std::atomic<long> bytes{0};
-  std::atomic<long> peak{0};
-  std::atomic<long> budget{std::numeric_limits<long>::max()};
-};
 
 // A life of a session, in steps that each must succeed, or fail for want of memory and change nothing.
 hrt_result live(hrt_session* session) {

@@ -86,8 +86,6 @@ class FullDisk {
   ~FullDisk() { EXPECT_EQ(setrlimit(RLIMIT_FSIZE, &before_), 0); }
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;
-  FullDisk(FullDisk&&) = delete;
-  FullDisk& operator=(FullDisk&&) = delete;
 
  private:
   rlimit before_{};
@@ -99,25 +97,6 @@ TEST_F(RecordingTest, DiskThatIsFullAtTheStartIsReported) {
   begin_reach();
   update(direction_sample(0, 0.0));
 }
-
-// Hears the log while it lives.
-class Log {
- public:
-  Log() {
-    hrt_host host = hrt_host_init();
-    host.context = this;
-    host.log = [](void* context, uint32_t, const char* line) {
-      static_cast<Log*>(context)->text += std::string(line) + "\n";
-    };
-    EXPECT_OK(hrt_set_host(&host));
-  }
-  ~Log() { EXPECT_OK(hrt_set_host(nullptr)); }
-  Log(const Log&) = delete;
-  Log& operator=(const Log&) = delete;
-  Log(Log&&) = delete;
-  Log& operator=(Log&&) = delete;
-  std::string text;  // to be read once the recording has stopped
-};
 
 // The log is set while the session lives, and names session and file.
 TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
@@ -137,7 +116,8 @@ TEST_F(RecordingTest, DiskThatBecomesFullIsReportedAndControlGoesOn) {
   EXPECT_EQ(status.system_error, EFBIG);
   EXPECT_GT(status.rows_lost, 0u);
   EXPECT_GE(status.rows_written + status.rows_lost, 5'002u);
-  EXPECT_TRUE(log.text.starts_with("session " + std::to_string(session.value) + ", " + path().substr(0, 64)))
+  EXPECT_TRUE(log.text.starts_with(std::to_string(HRT_LOG_ERROR) + " session " +
+                                   std::to_string(session.value) + ", " + path().substr(0, 64)))
       << log.text;
   EXPECT_TRUE(log.text.ends_with(": the recording ends here, control continues: File too large\n"))
       << log.text;
