@@ -1,7 +1,4 @@
-// XR_EXT_hand_tracking, with XR_EXT_hand_joints_motion_range and XR_EXT_hand_tracking_data_source.
-#include <algorithm>
-#include <optional>
-
+// XR_EXT_hand_tracking.
 #include "samples/mock_runtime/abi/chain.h"
 #include "samples/mock_runtime/api/space.h"
 #include "samples/mock_runtime/world/hand_model.h"
@@ -9,79 +6,22 @@
 namespace hrt::mock {
 namespace {
 
-using DataSources = std::vector<XrHandTrackingDataSourceEXT>;
-
 class HandTracker : public Object {
  public:
   static constexpr XrObjectType object_type = XR_OBJECT_TYPE_HAND_TRACKER_EXT;
-  HandTracker(Session* session, XrHandEXT side, std::optional<DataSources> requested)
-      : Object(object_type, session), hand(side), sources(std::move(requested)) {}
+  HandTracker(Session* session, XrHandEXT side) : Object(object_type, session), hand(side) {}
   Session& session() const { return static_cast<Session&>(*parent()); }
 
-  bool takes(XrHandTrackingDataSourceEXT source) const {
-    return !sources || sources->empty() ||
-           std::find(sources->begin(), sources->end(), source) != sources->end();
-  }
-
   XrHandEXT hand;
-  std::optional<DataSources> sources;  // none: the application did not name any
 };
 
-// XR_EXT_hand_tracking_data_source: the sources that an application names.
-std::optional<DataSources> requested_sources(const Instance& instance, const void* next) {
-  const auto* info =
-      chained<XrHandTrackingDataSourceInfoEXT>(next, XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT);
-  if (info == nullptr || !instance.enabled(Extension::data_source)) return std::nullopt;
-  if (info->requestedDataSourceCount > 0) require_pointer(info->requestedDataSources, "requestedDataSources");
-  DataSources sources;
-  for (std::uint32_t i = 0; i < info->requestedDataSourceCount; ++i) {
-    const XrHandTrackingDataSourceEXT source = info->requestedDataSources[i];
-    require(source == XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT ||
-                source == XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT,
-            XR_ERROR_VALIDATION_FAILURE, "no such data source");
-    require(std::find(sources.begin(), sources.end(), source) == sources.end(), XR_ERROR_VALIDATION_FAILURE,
-            "a data source is requested twice");
-    sources.push_back(source);
-  }
-  return sources;
-}
-
-// XR_EXT_hand_joints_motion_range: whether the fingers must fit around a controller.
-bool conforms(const Instance& instance, const void* next) {
-  const auto* info = chained<XrHandJointsMotionRangeInfoEXT>(next, XR_TYPE_HAND_JOINTS_MOTION_RANGE_INFO_EXT);
-  if (info == nullptr || !instance.enabled(Extension::motion_range)) return false;
-  require(info->handJointsMotionRange == XR_HAND_JOINTS_MOTION_RANGE_UNOBSTRUCTED_EXT ||
-              info->handJointsMotionRange == XR_HAND_JOINTS_MOTION_RANGE_CONFORMING_TO_CONTROLLER_EXT,
-          XR_ERROR_VALIDATION_FAILURE, "no such motion range");
-  return info->handJointsMotionRange == XR_HAND_JOINTS_MOTION_RANGE_CONFORMING_TO_CONTROLLER_EXT;
-}
-
-bool holds_controller(const Session& session, XrHandEXT hand) {
-  const auto device =
-      session.input.devices.find(hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right");
-  return device != session.input.devices.end() && device->second.active;
-}
-
-// Around a controller's handle.
-constexpr Fingers grasp{.curl = std::array{0.3, 0.4, 0.55, 0.6, 0.6}};
-
-// The hand in the world. Around a controller its fingers are bent otherwise, with the wrist in its place.
-HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fingers, bool around_controller) {
-  HandJoints joints = place_hand(shape_hand(side, fingers), state.index_tip_m, state.orientation);
-  if (!around_controller) return joints;
-  const Pose wrist = {state.orientation, joints[XR_HAND_JOINT_WRIST_EXT].pose.position_m};
-  HandJoints held = shape_hand(side, grasp);
-  for (HandJoint& joint : held) joint.pose = wrist * joint.pose;
-  return held;
+HandJoints joints_of(XrHandEXT side, const HandState& state, const Fingers& fingers) {
+  return place_hand(shape_hand(side, fingers), state.index_tip_m, state.orientation);
 }
 
 // Joints that are not given have no valid bit.
 void write_joints(const RecordedJoints& joints, XrHandJointLocationsEXT& locations,
-                  XrHandJointVelocitiesEXT* velocities, XrHandTrackingDataSourceStateEXT* state) {
-  if (state != nullptr) {
-    state->isActive = joints.active ? XR_TRUE : XR_FALSE;
-    state->dataSource = static_cast<XrHandTrackingDataSourceEXT>(joints.source);
-  }
+                  XrHandJointVelocitiesEXT* velocities) {
   locations.isActive = joints.active ? XR_TRUE : XR_FALSE;
   for (std::size_t i = 0; i < XR_HAND_JOINT_COUNT_EXT; ++i) {
     locations.jointLocations[i] =
@@ -96,22 +36,17 @@ RecordedJoints simulated_joints(const HandTracker& tracker, const Space& base,
                                 const XrHandJointsLocateInfoEXT& info) {
   Session& session = tracker.session();
   World& world = session.world();
-  const bool around_controller =
-      conforms(session.instance(), info.next) && holds_controller(session, tracker.hand);
   // "isActive [...] is false [if] the hand tracker did not detect the hand input or the application lost
   // input focus."
   const bool focused = session.state() == XR_SESSION_STATE_FOCUSED;
   const auto hand = world.hand(tracker.hand, info.time);
   const auto base_in_world = base.in_world(info.time);
-  const auto source = world.hand_source(tracker.hand) == HandSource::controller
-                          ? XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT
-                          : XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT;
-  RecordedJoints given{focused && hand && base_in_world && tracker.takes(source), source, {}, {}};
+  RecordedJoints given{focused && hand && base_in_world, {}, {}};
   if (!given.active) return given;
   const Pose from_world = inverse(*base_in_world);
-  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers, around_controller);
+  const HandJoints joints = joints_of(tracker.hand, *hand, hand->fingers);
   // Where bending fingers alone would bring them.
-  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon, around_controller);
+  const HandJoints soon = joints_of(tracker.hand, *hand, hand->fingers_soon);
   const XrSpaceLocationFlags position_tracked =
       base.stands_in_room() && !base.can_see_room() ? 0 : XR_SPACE_LOCATION_POSITION_TRACKED_BIT;
   const Velocities kind = world.velocities();
@@ -149,9 +84,7 @@ void create_hand_tracker(XrSession handle, const XrHandTrackerCreateInfoEXT* inf
   require(info->handJointSet == XR_HAND_JOINT_SET_DEFAULT_EXT, XR_ERROR_VALIDATION_FAILURE,
           "no such joint set");
   require(runtime().script.hand_tracking, XR_ERROR_FEATURE_UNSUPPORTED, "the system has no hand tracking");
-  auto sources = requested_sources(session.instance(), info->next);
-  *tracker = handle_of<XrHandTrackerEXT>(
-      runtime().registry.create<HandTracker>(&session, info->hand, std::move(sources)));
+  *tracker = handle_of<XrHandTrackerEXT>(runtime().registry.create<HandTracker>(&session, info->hand));
 }
 
 void destroy_hand_tracker(XrHandTrackerEXT handle) {
@@ -177,14 +110,9 @@ void locate_hand_joints(XrHandTrackerEXT handle, const XrHandJointsLocateInfoEXT
   }
 
   Session& session = tracker.session();
-  auto* state =
-      chained<XrHandTrackingDataSourceStateEXT>(locations->next, XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT);
-  if (!session.instance().enabled(Extension::data_source)) state = nullptr;
-  require(state == nullptr || tracker.sources, XR_ERROR_VALIDATION_FAILURE,
-          "the tracker was created without XrHandTrackingDataSourceInfoEXT");
   const RecordedJoints joints = session.player ? session.player->joints(tracker.hand, base.name, info->time)
                                                : simulated_joints(tracker, base, *info);
-  write_joints(joints, *locations, velocities, state);
+  write_joints(joints, *locations, velocities);
 }
 
 }  // namespace hrt::mock

@@ -18,17 +18,6 @@ bool is_text(const char (&array)[size]) {
   return array[0] != '\0' && std::memchr(array, '\0', size) != nullptr;
 }
 
-// What XR_EXT_hand_tracking's extensions extend must be there. OpenXR 1.1 and XR_KHR_maintenance1 have an
-// error of its own for that.
-void require_dependencies(const Instance& instance) {
-  const bool extends_hands =
-      instance.enabled(Extension::motion_range) || instance.enabled(Extension::data_source);
-  const bool has_error = instance.version_1_1() || instance.enabled(Extension::maintenance1);
-  require(!extends_hands || instance.enabled(Extension::hand_tracking),
-          has_error ? XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED : XR_ERROR_VALIDATION_FAILURE,
-          "an extension of XR_EXT_hand_tracking is enabled without it");
-}
-
 }  // namespace
 
 void Instance::enable(const char* name) {
@@ -76,7 +65,6 @@ void create_instance(const XrInstanceCreateInfo* info, XrInstance* handle) {
   try {
     for (std::uint32_t i = 0; i < info->enabledExtensionCount; ++i)
       instance.enable(info->enabledExtensionNames[i]);
-    require_dependencies(instance);
   } catch (...) {
     runtime().registry.destroy(instance);
     throw;

@@ -96,11 +96,6 @@ void Session::happen(const ScriptEvent& event) {
   if (const auto* input_event = std::get_if<InputEvent>(&event.what))
     for (const auto& [source, value] : input_event->values)
       input.devices[input_event->device].values[source] = value;
-  if (const auto* presence = std::get_if<PresenceEvent>(&event.what);
-      presence && presence->present != user_present_) {
-    user_present_ = presence->present;
-    report_presence();
-  }
   if (std::holds_alternative<RepeatState>(event.what)) report_state();
   if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
   if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
@@ -129,13 +124,6 @@ void Session::happen(const DeviceEvent& event) {
   Device& device = input.devices[event.device];
   device.active = !event.profile.empty();
   if (device.active) device.profile = instance().paths.intern(event.profile);
-}
-
-void Session::report_presence() {
-  if (!instance().enabled(Extension::user_presence)) return;
-  instance().push_event(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT,
-                                                          nullptr, handle_of<XrSession>(*this),
-                                                          XrBool32{user_present_}});
 }
 
 void Session::happen(const Recenter& recenter) {
@@ -203,11 +191,9 @@ void begin_session(XrSession handle, const XrSessionBeginInfo* info) {
   session.frames.waited = session.frames.begun = false;
   session.frames.since_begin = 0;
   if (session.player && session.player->follow(StateCall::begin)) return;
-  if (session.graphics != nullptr) return session.report_presence();  // the states follow frames
+  if (session.graphics != nullptr) return;  // the states follow frames
   session.enter(XR_SESSION_STATE_SYNCHRONIZED);
   if (runtime().script.focus_frame == 0) session.go_to(XR_SESSION_STATE_FOCUSED);
-  // "The runtime must queue this event upon a successful call to xrBeginSession".
-  session.report_presence();
 }
 
 void request_exit_session(XrSession handle) {

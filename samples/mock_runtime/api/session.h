@@ -41,9 +41,6 @@ class Session : public Object {
   /// loss is pending.
   void go_to(XrSessionState state);
 
-  /// Queues the event of XR_EXT_user_presence, if it is enabled.
-  void report_presence();
-
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
 
@@ -65,7 +62,6 @@ class Session : public Object {
   void play_due_events();
 
   XrSessionState state_ = XR_SESSION_STATE_UNKNOWN;
-  bool user_present_ = true;
   XrTime created_;
   std::vector<ScriptEvent> events_;  // still to come
   World world_;

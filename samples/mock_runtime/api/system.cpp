@@ -39,10 +39,6 @@ void get_system_properties(XrInstance handle, XrSystemId system, XrSystemPropert
                                                                XR_TYPE_SYSTEM_HAND_TRACKING_PROPERTIES_EXT);
       hands != nullptr && instance.enabled(Extension::hand_tracking))
     hands->supportsHandTracking = runtime().script.hand_tracking ? XR_TRUE : XR_FALSE;
-  if (auto* presence = chained<XrSystemUserPresencePropertiesEXT>(
-          properties->next, XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT);
-      presence != nullptr && instance.enabled(Extension::user_presence))
-    presence->supportsUserPresence = XR_TRUE;
 }
 
 void enumerate_environment_blend_modes(XrInstance handle, XrSystemId system, XrViewConfigurationType type,

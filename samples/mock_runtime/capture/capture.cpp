@@ -2,7 +2,6 @@
 
 #include <openxr/openxr_reflection.h>
 
-#include <algorithm>
 #include <cstring>
 #include <iterator>
 
@@ -153,9 +152,6 @@ void Capture::event(XrResult result, XrInstance, const XrEventDataBuffer* buffer
     case XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING:
       record.add("instance_loss").add(as.operator()<XrEventDataInstanceLossPending>().lossTime);
       break;
-    case static_cast<int>(XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT):
-      record.add("presence").add(as.operator()<XrEventDataUserPresenceChangedEXT>().isUserPresent == XR_TRUE);
-      break;
     case XR_TYPE_EVENT_DATA_EVENTS_LOST:
       record.add("events_lost").add(as.operator()<XrEventDataEventsLost>().lostEventCount);
       break;
@@ -286,9 +282,7 @@ void Capture::joints(XrResult, XrHandTrackerEXT tracker, const XrHandJointsLocat
   Record record = of_session("joints");
   record.add(info->time).add(hand->second).add(in->second);
   const bool active = locations->isActive == XR_TRUE;
-  const auto* source = chained<const XrHandTrackingDataSourceStateEXT>(
-      static_cast<const void*>(locations->next), XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT);
-  record.add(active).add(source == nullptr ? 0 : static_cast<int>(source->dataSource));
+  record.add(active).add(0);
   if (active) {
     record.open();
     for (std::uint32_t i = 0; i < locations->jointCount; ++i) {

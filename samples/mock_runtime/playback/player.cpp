@@ -139,9 +139,6 @@ std::vector<XrEventDataBuffer> Player::take_events(XrSession session) {
       case XR_TYPE_EVENT_DATA_INTERACTION_PROFILE_CHANGED:
         put.operator()<XrEventDataInteractionProfileChanged>();
         break;
-      case static_cast<int>(XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT):
-        put.operator()<XrEventDataUserPresenceChangedEXT>();
-        break;
       default:
         break;
     }
@@ -201,7 +198,7 @@ RecordedJoints Player::joints(XrHandEXT hand, const SpaceName& base, XrTime time
       session_.joints, time,
       [&](const auto& key) { return key.first == hand && spaces[key.second].same_origin(base); },
       [&](const auto& key) { return same(spaces[key.second].pose, base.pose); });
-  if (found == session_.joints.end()) return {false, 0, {}, {}};
+  if (found == session_.joints.end()) return {false, {}, {}};
   RecordedJoints joints = read(found->second, time);
   const SpaceName& recorded = spaces[found->first.second];
   if (same(recorded.pose, base.pose)) return joints;

@@ -125,7 +125,8 @@ std::size_t read_space(Fields& fields, const Recording& recording) {
 }
 
 RecordedJoints read_joints(Fields& fields) {
-  RecordedJoints joints{fields.boolean(), fields.whole<std::int32_t>(), {}, {}};
+  RecordedJoints joints{fields.boolean(), {}, {}};
+  fields.whole<std::int32_t>();
   if (!joints.active) return joints;
   fields.nested([&](Fields& each) {
     while (each.more() && joints.locations.size() < max_joints)
@@ -204,9 +205,6 @@ std::optional<XrEventDataBuffer> read_event(Fields& fields) {
   if (kind == "instance_loss")
     return as_buffer(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
                                                     fields.whole<XrTime>()});
-  if (kind == "presence")
-    return as_buffer(XrEventDataUserPresenceChangedEXT{XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT, nullptr,
-                                                       nullptr, XrBool32{fields.boolean()}});
   if (kind == "events_lost")
     return as_buffer(
         XrEventDataEventsLost{XR_TYPE_EVENT_DATA_EVENTS_LOST, nullptr, fields.whole<std::uint32_t>()});

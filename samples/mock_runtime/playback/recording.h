@@ -15,7 +15,7 @@
 //   ["converted", session, time]
 //   ["timespec", session, time, the same by the machine's clock]
 //   ["event", session, calls before it, frames since the latest of these, kind, ...]
-//   ["joints", session, time, hand, base space, active, data source,
+//   ["joints", session, time, hand, base space, active, 0,
 //      [flags, pose, radius of each], [velocities]]
 //   ["located", session, time, space, base space, flags, pose, velocity flags, [linear, angular]]
 //   ["views", session, time, base space, flags, [pose, field of view of each]]
@@ -60,7 +60,6 @@ struct SpaceName {
 
 struct RecordedJoints {
   bool active;
-  std::int32_t source;  ///< XrHandTrackingDataSourceEXT; 0: not asked for
   std::vector<XrHandJointLocationEXT> locations;
   std::vector<XrHandJointVelocityEXT> velocities;  ///< empty: not asked for
 };

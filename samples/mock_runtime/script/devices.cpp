@@ -73,9 +73,6 @@ Fingers read_fingers(Members& members, Fingers fingers) {
 void read_hand(Members& members, HandSettings& hand) {
   // Paths and slides are there to be seen.
   hand.tracked = members.boolean("tracked", hand.tracked || members.has("path") || members.has("slides"));
-  if (members.has("data_source"))
-    hand.source = members.choice<HandSource>(
-        "data_source", {{"unobstructed", HandSource::unobstructed}, {"controller", HandSource::controller}});
   members.object("slides", [&](Members& slides) {
     hand.slides = {slides.vector("start_m", 10.0), slides.number("direction_deg", 0.0, -180.0, 180.0),
                    slides.number("length_m", 0.1, 0.001, 10.0), slides.nanoseconds("rest_ms", 500.0)};

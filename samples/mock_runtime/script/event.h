@@ -43,10 +43,6 @@ struct InputEvent {
   std::string device;
   std::vector<std::pair<std::string, float>> values;  ///< of sources: "/user/hand/left/input/trigger/value"
 };
-/// The user puts the headset on or takes it off.
-struct PresenceEvent {
-  bool present = true;
-};
 /// Of the next frame that the application ends.
 struct TakePicture {};
 struct RepeatState {};
@@ -60,8 +56,8 @@ struct ScriptEvent {
   std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
   std::int64_t time_ns;  ///< after the session was created
   std::uint64_t reach;   ///< at the end of this reach of the session, from 1; 0: at frame or time_ns
-  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, PresenceEvent,
-               TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>
+  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, TakePicture, RepeatState,
+               LoseSession, LoseInstance, InstanceLossPending>
       what;
 };
 

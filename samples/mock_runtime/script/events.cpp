@@ -64,7 +64,6 @@ const Names<decltype(ScriptEvent::what)>& event_kinds() {
       {"recenter", Recenter{}},
       {"interaction_profile", DeviceEvent{}},
       {"input", InputEvent{}},
-      {"user_presence", PresenceEvent{}},
       {"take_picture", TakePicture{}},
       {"repeat_session_state", RepeatState{}},
       {"lose_session", LoseSession{}},
@@ -95,10 +94,6 @@ ScriptEvent read_event(Members& members) {
   if (auto* device = std::get_if<DeviceEvent>(&event.what))
     *device = {read_device(members), read_profile(members)};
   if (auto* input = std::get_if<InputEvent>(&event.what)) *input = read_input(members);
-  if (auto* presence = std::get_if<PresenceEvent>(&event.what)) {
-    members.at("present");
-    presence->present = members.boolean("present", true);
-  }
   if (auto* recenter = std::get_if<Recenter>(&event.what)) *recenter = read_recenter(members);
   if (auto* hand = std::get_if<HandEvent>(&event.what)) {
     const bool lost = hand->fault == HandFault::lose_tracking;

@@ -33,9 +33,6 @@ struct FingerKeyframe {
   Fingers fingers;
 };
 
-/// What a hand is tracked by: XR_EXT_hand_tracking_data_source.
-enum class HandSource { unobstructed, controller };
-
 /// Slides over the placed plate, one after the other, that nobody instructs; in plate coordinates.
 struct SlideSettings {
   Eigen::Vector3d start_m;  ///< of the index tip joint
@@ -48,7 +45,6 @@ struct HandSettings {
   bool tracked = false;
   std::vector<Keyframe> path;  ///< of the index fingertip, and of the wrist's axes, in LOCAL; empty: at rest
   std::vector<FingerKeyframe> fingers;  ///< at the times of the path; empty: it points
-  HandSource source = HandSource::unobstructed;
   std::optional<SlideSettings> slides;
 };
 

@@ -72,7 +72,6 @@ class World {
   const ControllerSettings& controller_settings(XrHandEXT hand) const {
     return settings_.controllers[hand == XR_HAND_LEFT_EXT ? 0 : 1];
   }
-  HandSource hand_source(XrHandEXT hand) const { return settings_of(hand).source; }
 
   /// The origins of the reference spaces.
   Origins origins;

@@ -1,5 +1,4 @@
-// Devices that a script moves and an unmodified application sees: head, controllers, fingers, presence.
-#include <algorithm>
+// Devices that a script moves and an unmodified application sees: head, controllers, fingers.
 #include <cmath>
 
 #include "tests/samples/mock_runtime/support.h"
@@ -19,10 +18,8 @@ class MockDevices : public MockRuntime {
   MockDevices()
       : MockRuntime({XR_MND_HEADLESS_EXTENSION_NAME, XR_EXT_HAND_TRACKING_EXTENSION_NAME,
                      XR_EXT_CONFORMANCE_AUTOMATION_EXTENSION_NAME, XR_HRTX_RIDGED_PLATE_EXTENSION_NAME,
-                     XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_HAND_JOINTS_MOTION_RANGE_EXTENSION_NAME,
-                     XR_EXT_HAND_TRACKING_DATA_SOURCE_EXTENSION_NAME, XR_EXT_USER_PRESENCE_EXTENSION_NAME,
-                     XR_EXT_LOCAL_FLOOR_EXTENSION_NAME, XR_KHR_LOCATE_SPACES_EXTENSION_NAME,
-                     XR_EXT_PALM_POSE_EXTENSION_NAME}) {}
+                     XR_HRTX_MOCK_CONTROL_EXTENSION_NAME, XR_EXT_LOCAL_FLOOR_EXTENSION_NAME,
+                     XR_KHR_LOCATE_SPACES_EXTENSION_NAME, XR_EXT_PALM_POSE_EXTENSION_NAME}) {}
 
   // The joints of the right hand, one second after the session began.
   Hand hand_with(const std::string& keyframe) {
@@ -251,94 +248,6 @@ TEST_F(MockDevices, BendingFingersHaveTheirVelocities) {
     EXPECT_GT(std::abs(rate), 0.01F);
     EXPECT_NEAR(now.velocities[joint].linearVelocity.y, rate, 2e-3F) << joint;
   }
-}
-
-// XR_EXT_hand_joints_motion_range: around a held controller the fingers differ, and the wrist does not.
-TEST_F(MockDevices, FingersConformToAControllerWhereThereIsOne) {
-  for (const bool held : {false, true}) {
-    begin_with(
-        held ? R"({"controllers": {"right": {"profile": "/interaction_profiles/khr/simple_controller"}}})"
-             : "{}");
-    const XrTime time = frame();
-    const Hand free = locate_hand(hand, local, time);
-    const auto conforming = [&](XrHandJointsMotionRangeEXT range, Hand& in) {
-      const XrHandJointsMotionRangeInfoEXT motion{XR_TYPE_HAND_JOINTS_MOTION_RANGE_INFO_EXT, nullptr, range};
-      const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, &motion, local, time};
-      XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, nullptr, XR_FALSE,
-                                        XR_HAND_JOINT_COUNT_EXT, in.joints.data()};
-      return functions->locate_hand_joints(hand, &info, &locations);
-    };
-    Hand around;
-    ASSERT_XR(XR_SUCCESS, conforming(XR_HAND_JOINTS_MOTION_RANGE_CONFORMING_TO_CONTROLLER_EXT, around));
-    const auto moved_m = [&](std::size_t joint) {
-      return distance_m(free.joints[joint].pose, around.joints[joint].pose);
-    };
-    EXPECT_LT(moved_m(XR_HAND_JOINT_WRIST_EXT), 1e-6);
-    EXPECT_EQ(moved_m(XR_HAND_JOINT_INDEX_TIP_EXT) > 0.01, held);
-    EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, conforming(static_cast<XrHandJointsMotionRangeEXT>(3), around));
-    ASSERT_XR(XR_SUCCESS, xrDestroySession(session));
-  }
-}
-
-TEST_F(MockDevices, HandsOfASourceAreGivenToTrackersOfThatSource) {
-  begin_with(R"({"hands": {"right": {"data_source": "controller"}}})");
-  const auto create = [&](std::vector<XrHandTrackingDataSourceEXT> sources, XrHandTrackerEXT& tracker) {
-    const XrHandTrackingDataSourceInfoEXT wanted{XR_TYPE_HAND_TRACKING_DATA_SOURCE_INFO_EXT, nullptr,
-                                                 static_cast<std::uint32_t>(sources.size()), sources.data()};
-    const XrHandTrackerCreateInfoEXT info{XR_TYPE_HAND_TRACKER_CREATE_INFO_EXT, &wanted, XR_HAND_RIGHT_EXT,
-                                          XR_HAND_JOINT_SET_DEFAULT_EXT};
-    return functions->create_hand_tracker(session, &info, &tracker);
-  };
-  XrHandTrackerEXT tracker = XR_NULL_HANDLE;
-  for (const auto source :
-       {XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT, XR_HAND_TRACKING_DATA_SOURCE_UNOBSTRUCTED_EXT}) {
-    ASSERT_XR(XR_SUCCESS, create({source}, tracker));
-    XrHandTrackingDataSourceStateEXT state{XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT};
-    std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-    XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &state, XR_FALSE,
-                                      XR_HAND_JOINT_COUNT_EXT, joints.data()};
-    const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, frame()};
-    ASSERT_XR(XR_SUCCESS, functions->locate_hand_joints(tracker, &info, &locations));
-    const bool given = source == XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT;
-    EXPECT_EQ(locations.isActive, static_cast<XrBool32>(given));
-    EXPECT_EQ(state.isActive, static_cast<XrBool32>(given));
-    EXPECT_EQ(state.dataSource, XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT);
-  }
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, create({static_cast<XrHandTrackingDataSourceEXT>(7)}, tracker));
-  // "If the tracker was not created with XrHandTrackingDataSourceInfoEXT [...] XR_ERROR_VALIDATION_FAILURE".
-  XrHandTrackingDataSourceStateEXT state{XR_TYPE_HAND_TRACKING_DATA_SOURCE_STATE_EXT};
-  std::array<XrHandJointLocationEXT, XR_HAND_JOINT_COUNT_EXT> joints{};
-  XrHandJointLocationsEXT locations{XR_TYPE_HAND_JOINT_LOCATIONS_EXT, &state, XR_FALSE,
-                                    XR_HAND_JOINT_COUNT_EXT, joints.data()};
-  const XrHandJointsLocateInfoEXT info{XR_TYPE_HAND_JOINTS_LOCATE_INFO_EXT, nullptr, local, frame()};
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, functions->locate_hand_joints(hand, &info, &locations));
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE,
-            create({XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT, XR_HAND_TRACKING_DATA_SOURCE_CONTROLLER_EXT},
-                   tracker));
-}
-
-// "The runtime must queue this event upon a successful call to xrBeginSession".
-TEST_F(MockDevices, PresenceIsReportedAtTheBeginningAndAtChanges) {
-  apply(R"({"events": [{"frame": 2, "do": "user_presence", "present": false},
-                       {"frame": 3, "do": "user_presence", "present": false},
-                       {"frame": 4, "do": "user_presence", "present": true}]})");
-  XrSystemUserPresencePropertiesEXT presence{XR_TYPE_SYSTEM_USER_PRESENCE_PROPERTIES_EXT};
-  XrSystemProperties properties{XR_TYPE_SYSTEM_PROPERTIES, &presence};
-  ASSERT_XR(XR_SUCCESS, xrGetSystemProperties(instance, system, &properties));
-  EXPECT_EQ(presence.supportsUserPresence, static_cast<XrBool32>(XR_TRUE));
-  create_session();
-  std::vector<bool> reported;
-  const auto read = [&] {
-    while (const auto event =
-               next_event<XrEventDataUserPresenceChangedEXT>(XR_TYPE_EVENT_DATA_USER_PRESENCE_CHANGED_EXT))
-      reported.push_back(event->isUserPresent == XR_TRUE);
-  };
-  focus();
-  read();
-  EXPECT_EQ(reported, std::vector<bool>({true}));
-  for (int i = 0; i < 4; ++i) frame();
-  read();
-  EXPECT_EQ(reported, std::vector<bool>({true, false, true}));
 }
 
 // The log: thread, handles, arguments, results and reasons.

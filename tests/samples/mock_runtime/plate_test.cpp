@@ -2,9 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 
-#include "core/paper_simulation/participant.h"
 #include "core/simulation/person.h"
 #include "tests/samples/mock_runtime/support.h"
 
@@ -52,35 +50,6 @@ class Hash {
  private:
   std::uint64_t hash_ = 0xCBF29CE484222325;
 };
-
-// The paper's model, made by hand: 30 steps of 1/30 of the path, noise of seed 1, reach 0. The person draws
-// once a millisecond for continuous steering, and once a step.
-TEST_F(MockPlate, FingertipFollowsThePaperModelWithThePlateAsItFeelsIt) {
-  place_plate();
-  ASSERT_XR(XR_SUCCESS, functions->set_plate_orientation(session, 40.0));
-  frame();
-  instruct(10.0);
-  XrTime last = 0;
-  while (!truth().isDone) last = frame();
-
-  SimulatedParticipant participant(Participant{}, 10.0);
-  Draws draws(1, 1, 0, 0);
-  double x_m = 0.0;
-  double z_m = 0.05;
-  for (std::uint32_t step = 0; step < 30; ++step) {
-    const double direction = participant.finger_direction_deg() * std::numbers::pi / 180.0;
-    x_m -= std::sin(direction) * 0.1 / 30.0;
-    z_m -= std::cos(direction) * 0.1 / 30.0;
-    for (int millisecond = 0; millisecond < 100; ++millisecond) draws.normal();
-    participant.step(40.0, draws.normal());
-  }
-  const XrReachTruthHRTX end = truth();
-  EXPECT_NEAR(end.trueDirection, participant.finger_direction_deg(), 1e-9);
-  const XrVector3f tip = index_tip(last);
-  EXPECT_NEAR(static_cast<double>(tip.x), x_m, 1e-6);
-  EXPECT_NEAR(static_cast<double>(tip.y), 0.007, 1e-6);
-  EXPECT_NEAR(static_cast<double>(tip.z), z_m, 1e-6);
-}
 
 // Every key of a person reaches the simulated one, who is made by hand here; the plate turns at every frame.
 TEST_F(MockPlate, FingertipIsThatOfThePersonInTheScript) {

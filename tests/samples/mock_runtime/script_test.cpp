@@ -109,7 +109,6 @@ TEST_F(MockScript, ScriptThatIsNotValidIsRefusedWithTheReason) {
        "script.events[0].value must be a number from -1 to 1"},
       {R"({"events": [{"frame": 1, "do": "input", "device": "left", "source": "menu/click"}]})",
        "script.events[0].value is missing"},
-      {R"({"events": [{"frame": 1, "do": "user_presence"}]})", "script.events[0].present is missing"},
       {R"({"focus_frame": -1})", "script.focus_frame must be a whole number from 0"},
   };
   for (const auto& [script, why] : cases) {
@@ -410,28 +409,6 @@ TEST_F(MockScript, ParticipantsTakeTurnsAndTheSeedDecidesTheirNoise) {
   EXPECT_EQ(final_directions(R"({"seed": 1})"), first);
   EXPECT_NE(final_directions(R"({"seed": 2})"), first);
   EXPECT_NE(first[0], first[1]);
-}
-
-// Weights of touch are uniform in their range over seeds, and one seed's participant keeps theirs.
-TEST_F(MockScript, SeedDrawsTheParticipant) {
-  begin_with(R"({"participants": [{"tactile_weight": [0.1, 0.3]}, {"tactile_weight": 0.25}]})");
-  const auto weight = [&] {
-    begin_reach();
-    return truth().tactileWeight;
-  };
-  constexpr int seeds = 500;
-  double sum = 0.0;
-  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
-    ASSERT_XR(XR_SUCCESS, functions->set_seed(session, seed, 0));
-    const double drawn = weight();
-    EXPECT_GE(drawn, 0.1);
-    EXPECT_LE(drawn, 0.3);
-    EXPECT_EQ(weight(), 0.25);
-    EXPECT_EQ(weight(), drawn);
-    sum += drawn;
-  }
-  // The mean's deviation is 0.2 / sqrt(12 * 500): four of them.
-  EXPECT_NEAR(sum / seeds, 0.2, 4.0 * 0.2 / std::sqrt(12.0 * seeds));
 }
 
 // Half of the people of each of two kinds; what one key sets leaves the other draws as they are.

@@ -171,23 +171,6 @@ TEST_F(MockPromoted, PosesOfThePalmAreThereWithTheirExtensions) {
     }
 }
 
-// XR_KHR_maintenance1: XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED_KHR, which is core in 1.1, and its name.
-TEST_F(MockPromoted, MissingDependenciesHaveAnErrorOfTheirOwn) {
-  const auto number = static_cast<XrResult>(-1000710001);
-  EXPECT_XR(XR_ERROR_VALIDATION_FAILURE, create({"XR_EXT_hand_joints_motion_range"}));
-  EXPECT_XR(number, create({"XR_EXT_hand_joints_motion_range", "XR_KHR_maintenance1"}));
-  EXPECT_XR(number, create({"XR_EXT_hand_tracking_data_source"}, XR_MAKE_VERSION(1, 1, 0)));
-  ASSERT_XR(XR_SUCCESS,
-            create({"XR_KHR_maintenance1", "XR_EXT_hand_joints_motion_range", "XR_EXT_hand_tracking"}));
-  char name[XR_MAX_RESULT_STRING_SIZE];
-  const auto to_string = fetch_direct<PFN_xrResultToString>(instance, "xrResultToString");
-  ASSERT_XR(XR_SUCCESS, to_string(instance, number, name));
-  EXPECT_STREQ(name, "XR_ERROR_EXTENSION_DEPENDENCY_NOT_ENABLED");
-  ASSERT_XR(XR_SUCCESS, to_string(instance, static_cast<XrResult>(-1000710000), name));
-  EXPECT_STREQ(name, "XR_ERROR_PERMISSION_INSUFFICIENT");
-  destroy_direct();
-}
-
 // Each extension that OpenXR 1.1 promotes can be withheld.
 TEST_F(MockPromoted, CanBeWithheld) {
   const TemporaryFolder folder;
