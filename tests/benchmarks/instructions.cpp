@@ -71,8 +71,6 @@ class Frames {
   ~Frames() { api.session_destroy(session_); }
   Frames(const Frames&) = delete;
   Frames& operator=(const Frames&) = delete;
-  Frames(Frames&&) = delete;
-  Frames& operator=(Frames&&) = delete;
 
   hrt_result update(const hrt_sample& sample) { return api.reach_update(session_, &sample, &command_); }
   double plate_deg() const { return command_.plate_orientation_deg; }
