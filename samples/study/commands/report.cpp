@@ -26,7 +26,6 @@ void run(const Options& options) {
   std::vector<Figure> figures = path_figures(options.table.seed);
   figures.insert(figures.begin(), ridges_figure(simulate_ridges({.seed = options.table.seed})));
   figures.push_back(table1_figure(table));
-  figures.push_back(authority_figure(table));
   for (const Figure& figure : figures) workshop.draw(figure);
   const std::string page = "report.html";
   workshop.write(page, html_page(table1_text(table), figures));
@@ -41,8 +40,8 @@ void run(const Options& options) {
 void add_report(CLI::App& app) {
   const auto options = std::make_shared<Options>();
   CLI::App& command = add_command(
-      app, "report", "Figs. 1c and 4 to 8, Table I and authority as SVG, and a page of them.",
-      R"(Makes fig1c, fig4 to fig8, table1 and authority (.svg) and report.html, which shows them. Needs gnuplot. Files
+      app, "report", "Figs. 1c and 4 to 8 and Table I as SVG, and a page of them.",
+      R"(Makes fig1c, fig4 to fig8 and table1 (.svg) and report.html, which shows them. Needs gnuplot. Files
 of these names are replaced.
 
 Examples:

@@ -24,9 +24,6 @@ std::vector<Figure> path_figures(std::uint64_t seed);
 /// Table I, paper and model side by side.
 Figure table1_figure(const Table1& table);
 
-/// The gaps that can be held over the tactile weight, with the paper's conditions.
-Figure authority_figure(const Table1& table);
-
 /// Of a label: numbers with minus signs for hyphens.
 std::string with_minus_signs(std::string text);
 

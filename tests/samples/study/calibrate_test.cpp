@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
 #include <fstream>
 #include <map>
 
@@ -145,17 +143,6 @@ TEST(StudyCalibrate, FindsTheSimulatedParticipant) {
   EXPECT_TRUE(has(picture, "</svg>"));
   EXPECT_TRUE(has(picture, "Residuals"));
   EXPECT_EQ(entries(folder.path), (std::vector<std::string>{"me.csv", "me.svg", "profile.json"}));
-}
-
-TEST(StudyCalibrate, ReportsWhatTheDataCannotDetermine) {
-  const TemporaryFolder folder;
-  const std::string data = folder / "me.csv";
-  ASSERT_EQ(run_study({"participants", "--tracker-noise", "2", "--trials", "2", "--out", data}).exit_code, 0);
-  const StudyRun run = run_study({"calibrate", data, "--profile", folder / "profile.json"});
-  ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_TRUE(has(run.out, "simulated people only"));
-  const json profile = json::parse(read_file(folder.path / "profile.json"));
-  EXPECT_FALSE(profile.contains("sensory_variance_deg2"));
 }
 
 // The same person on two days, and another one.

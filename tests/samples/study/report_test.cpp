@@ -8,8 +8,8 @@
 namespace hrt::study {
 namespace {
 
-const std::vector<std::string> all_files{"authority.svg", "fig1c.svg", "fig4.svg",    "fig5.svg",  "fig6.svg",
-                                         "fig7.svg",      "fig8.svg",  "report.html", "table1.svg"};
+const std::vector<std::string> all_files{"fig1c.svg", "fig4.svg", "fig5.svg",    "fig6.svg",
+                                         "fig7.svg",  "fig8.svg", "report.html", "table1.svg"};
 
 TEST(StudyReport, MakesEveryFigureAndAPageThatShowsThem) {
   const TemporaryFolder folder;
