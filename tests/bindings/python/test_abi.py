@@ -4,10 +4,7 @@ import ctypes
 import importlib
 import re
 import sys
-from typing import Any
 
-import numpy as np
-import pytest
 from conftest import BINDINGS, ROOT
 
 import haptic_retargeting as hrt
@@ -65,56 +62,3 @@ def test_the_comment_of_a_group_is_the_enumerations() -> None:
                              (_abi.Control, "Source of the plate's commands.")):
         assert (enumeration.__doc__ or "").startswith(doc)
     assert "WARNING: " not in (_abi.LogLevel.__doc__ or "")
-
-
-CONFIGS = [struct for struct in model.structs
-           if f"{struct.name}_default" in {function.name for function in model.functions}]
-
-
-def default_of(struct_name: str) -> _abi.Struct:
-    config = getattr(_abi, python_name(struct_name))()
-    assert getattr(library(), f"{struct_name}_default")(ctypes.byref(config), ctypes.sizeof(config)) == _abi.OK
-    return config
-
-
-@pytest.mark.parametrize("struct", CONFIGS, ids=lambda struct: struct.name)
-def test_documented_defaults_are_the_librarys(struct: Any) -> None:
-    values = {constant.name: constant.value for constant in model.constants}
-    config = default_of(struct.name)
-    compared = 0
-    for field in struct.fields:
-        documented = field.numbers.default
-        if documented is None or field.name in ("struct_size", "reserved"):
-            assert field.name in ("struct_size", "reserved", "name", "real_target", "virtual_target"), field.name
-            continue
-        expected = [values[documented]] if isinstance(documented, str) else [float(number) for number in documented]
-        given = np.atleast_1d(np.array(getattr(config, field.name), float))
-        assert given.tolist() == np.broadcast_to(expected, given.shape).tolist(), field.name
-        compared += 1
-    assert compared >= 3
-
-
-def session_takes(**fields: float) -> bool:
-    try:
-        hrt.Session(**fields).close()
-    except (hrt.Error, ValueError) as error:
-        assert next(iter(fields)) in str(error), f"{fields}: {error}"
-        return False
-    return True
-
-
-def test_documented_ranges_are_the_librarys() -> None:
-    needed = {"plate_latency_ns": {"step_period_ns": 10**9}}  # at most 8 step periods
-    compared = 0
-    for field in model.struct("hrt_session_config").fields:
-        limits = field.numbers
-        if limits.lower is None or limits.upper is None or field.length or "stop" in field.name:  # stops depend on each other
-            continue
-        kind = float if field.type.name == "double" else int
-        others = needed.get(field.name, {})
-        for limit, outwards in ((kind(limits.lower), -1), (kind(limits.upper), 1)):
-            beyond = float(np.nextafter(limit, outwards * np.inf)) if kind is float else limit + outwards
-            assert session_takes(**{field.name: limit}, **others), f"{field.name} of {limit} is refused"
-            assert not session_takes(**{field.name: beyond}, **others), f"{field.name} of {beyond} is accepted"
-            compared += 1
-    assert compared >= 40
