@@ -20,8 +20,6 @@ class Caller {
   ~Caller() { hrt_session_destroy(session_); }
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
-  Caller(Caller&&) = delete;
-  Caller& operator=(Caller&&) = delete;
 
   Answer call(const Call& call) {
     values_.clear();

@@ -48,8 +48,6 @@ class Caller {
   }
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
-  Caller(Caller&&) = delete;
-  Caller& operator=(Caller&&) = delete;
 
   void call() {
     switch (bytes_.ConsumeIntegralInRange(0, 26)) {

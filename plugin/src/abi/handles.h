@@ -35,8 +35,6 @@ class HandleTable {
     }
     Lease(const Lease&) = delete;
     Lease& operator=(const Lease&) = delete;
-    Lease(Lease&&) = delete;
-    Lease& operator=(Lease&&) = delete;
 
     hrt_result result() const { return result_; }
     Object& operator*() const { return *object_; }

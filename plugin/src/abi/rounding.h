@@ -20,8 +20,6 @@ class NearestRounding {
   }
   NearestRounding(const NearestRounding&) = delete;
   NearestRounding& operator=(const NearestRounding&) = delete;
-  NearestRounding(NearestRounding&&) = delete;
-  NearestRounding& operator=(NearestRounding&&) = delete;
 
  private:
 #if defined(__SSE2__)  // the mode of what computes here; fegetround() would ask the other unit

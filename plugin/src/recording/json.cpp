@@ -52,8 +52,6 @@ class ObjectWriter {
   ~ObjectWriter() { out_ << "}"; }
   ObjectWriter(const ObjectWriter&) = delete;
   ObjectWriter& operator=(const ObjectWriter&) = delete;
-  ObjectWriter(ObjectWriter&&) = delete;
-  ObjectWriter& operator=(ObjectWriter&&) = delete;
 
   void operator()(std::string_view key, const auto& value) {
     out_ << separator_ << "\"" << key << "\":";

@@ -20,8 +20,6 @@ class RecordedCalibration {
   ~RecordedCalibration();
   RecordedCalibration(const RecordedCalibration&) = delete;
   RecordedCalibration& operator=(const RecordedCalibration&) = delete;
-  RecordedCalibration(RecordedCalibration&&) = delete;
-  RecordedCalibration& operator=(RecordedCalibration&&) = delete;
 
   hrt_result begin_trial(double plate_orientation_deg);
   hrt_result add_sample(const hrt_sample& sample);

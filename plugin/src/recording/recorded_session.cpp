@@ -18,8 +18,6 @@ class TargetRollback {
   }
   TargetRollback(const TargetRollback&) = delete;
   TargetRollback& operator=(const TargetRollback&) = delete;
-  TargetRollback(TargetRollback&&) = delete;
-  TargetRollback& operator=(TargetRollback&&) = delete;
 
   hrt_result add(const hrt_target_config& checked_config) {
     ids_.push_back(0);

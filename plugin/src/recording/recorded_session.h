@@ -24,8 +24,6 @@ class RecordedSession {
   ~RecordedSession();
   RecordedSession(const RecordedSession&) = delete;
   RecordedSession& operator=(const RecordedSession&) = delete;
-  RecordedSession(RecordedSession&&) = delete;
-  RecordedSession& operator=(RecordedSession&&) = delete;
 
   const Session& session() const { return session_; }
 

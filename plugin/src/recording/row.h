@@ -42,8 +42,6 @@ class Row {
   }
   Row(const Row&) = delete;
   Row& operator=(const Row&) = delete;
-  Row(Row&&) = delete;
-  Row& operator=(Row&&) = delete;
 
   template <class Value>
   void put(std::size_t at, const Value& value) {

@@ -24,8 +24,6 @@ class StreamedCalibration {
   ~StreamedCalibration();
   StreamedCalibration(const StreamedCalibration&) = delete;
   StreamedCalibration& operator=(const StreamedCalibration&) = delete;
-  StreamedCalibration(StreamedCalibration&&) = delete;
-  StreamedCalibration& operator=(StreamedCalibration&&) = delete;
 
   /// What a caller gave has been read, not checked.
   hrt_result begin_trial(double plate_orientation_deg);
