@@ -57,7 +57,7 @@ static LineError check(char* text, uint8_t length) {
   if (star == 0 || length != star + 1 + SUM_DIGITS) return LINE_BAD_SUM;
   char sum[SUM_DIGITS];
   put_sum(sum, text, star);
-  for (uint8_t i = 0; i < SUM_DIGITS; ++i)
+  for (int i = 0; i < SUM_DIGITS; ++i)
     if (text[star + 1 + i] != sum[i]) return LINE_BAD_SUM;
   text[star] = 0;
   return LINE_OK;

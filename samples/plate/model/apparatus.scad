@@ -4,7 +4,7 @@
 //
 // README.md lists the parts. Any dimension of parameters.scad may be set in the same way: -D ridge_spacing_mm=8
 
-part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
+part = "all";  // [all, plate, hub, retainer, deck, drum, servo_mount, bridge, object, object_cup, strip, xl330_mount, xl330_retainer, bearing, servo, horn, xl330, xl330_horn, tables]
 servo_is = "xl330";  // [xl330, hobby] in "all"
 
 include <parameters.scad>
@@ -16,6 +16,7 @@ include <deck.scad>
 include <drum.scad>
 include <servo_mount.scad>
 include <bridge.scad>
+include <registration.scad>
 include <bought.scad>
 include <xl330.scad>
 
@@ -29,6 +30,8 @@ parts = [
   ["servo_mount", mount_bottom_z, false],
   ["bridge", head_top_z, true],
   ["object", object_bottom_z, false],
+  ["object_cup", object_bottom_z, false],
+  ["strip", strip_top_z, true],
   ["xl330_mount", mount_bottom_z, false],
   ["xl330_retainer", bearing_bottom_z, true],
 ];
@@ -44,6 +47,8 @@ module installed(name) {
   else if (name == "servo_mount") servo_mount();
   else if (name == "bridge") bridge();
   else if (name == "object") object();
+  else if (name == "object_cup") object_cup();
+  else if (name == "strip") strip();
   else if (name == "bearing") bearing();
   else if (name == "servo") servo();
   else if (name == "horn") horn();
@@ -55,7 +60,7 @@ module installed(name) {
 }
 
 if (part == "all") {
-  left_out = servo_is == "xl330" ? of_hobby_servo : of_xl330;
+  left_out = concat(["object_cup", "strip"], servo_is == "xl330" ? of_hobby_servo : of_xl330);
   for (name = concat([for (row = parts) row[0]], ["bearing", "servo", "horn", "xl330", "xl330_horn"]))
     if (search([name], left_out)[0] == []) installed(name);
 } else if (part == "tables") {

@@ -76,6 +76,18 @@ object_gap_mm = 2;
 reach_length_mm = 100;
 object_directions_deg = [-10, -5, 0, 5, 10];
 
+/* [Registration: cup and strip] */
+// Of a fingertip in the cup, and in the strip's channel.
+cup_radius_mm = 9;
+cup_width_mm = 14;
+strip_channel_mm = 18;
+// Of the object that the strip leads to.
+strip_direction_deg = 0;
+strip_wall_mm = 3;
+strip_mm = 6;
+// In which the channel narrows to the object.
+strip_lead_mm = 6;
+
 /* [Hidden] */
 // Corners of a large circle, a multiple of 4, so that diameters along X and Y are exact; and of a hole.
 facets = 120;
@@ -200,4 +212,5 @@ assert(horn_diameter_mm + slide_fit_mm < retainer_screw_circle_mm - m3_head_mm,
        "horn_diameter_mm must leave room for the retainer's screws");
 assert(rim_gap_mm <= 4, "rim_gap_mm must be 4 or less: wider gaps admit a fingertip");
 assert(object_gap_mm >= 1 && object_gap_mm <= 4, "object_gap_mm must be 1 to 4: wider gaps admit a fingertip");
+assert(cup_width_mm < 2 * cup_radius_mm, "cup_width_mm must be below twice cup_radius_mm");
 assert(facets % 4 == 0, "facets must be a multiple of 4");

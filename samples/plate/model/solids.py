@@ -90,6 +90,7 @@ SCREWS = {
     "xl330_retainer": Screws("xl330_retainer", "hub", 16, -28, on_circle(16, 4), counted=False),
     "xl330_mount": Screws("xl330_mount", "deck", 30, -47.5, POSTS, counted=False),
     "object": Screws("bridge", "object", -16, 49, [(0, 50)]),
+    "object_cup": Screws("bridge", "object_cup", -16, 49, [(0, 50)], counted=False),
     "bridge": Screws("deck", "bridge", 16, -11, [at_direction(86, -20), at_direction(86, 20)]),
     "drum": Screws("drum", "deck", 16, -31, on_circle(88, 6)),
 }

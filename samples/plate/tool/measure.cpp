@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "plugin/src/plate/plate_failure.h"
 #include "samples/format.h"
@@ -41,10 +42,14 @@ std::chrono::milliseconds limit_of_turn(const Device& device, double orientation
   return settle_limit + std::chrono::milliseconds(std::llround(turn_s * 1000.0));
 }
 
+// A plate that turns on feels the same half a turn further.
+std::pair<double, double> sweep_range_deg(const DeviceLimits& limits) {
+  return {std::max(-180.0, limits.min_deg), std::min(180.0, limits.max_deg)};
+}
+
 void sweep(Device& device, Measurements& found) {
-  // A plate that turns on feels the same half a turn further.
-  const double min_deg = std::max(-180.0, found.limits.min_deg),
-               max_deg = std::min(180.0, found.limits.max_deg);
+  const auto [low_deg, high_deg] = sweep_range_deg(found.limits);
+  const double min_deg = low_deg, max_deg = high_deg;
   const int count = std::max(4, static_cast<int>(std::ceil((max_deg - min_deg) / sweep_step_deg)));
   const auto visit = [&](int i, bool upwards) {
     // Unevenly, so that the steps of the sensor's converter are met at all their phases.
@@ -173,8 +178,8 @@ Measurements measure(Device& device, const std::function<void(const std::string&
   found.device = device.description();
   found.limits = device.limits();
   found.round_trip = device.round_trip().value_or(0ns);
-  note("Sweeping from " + std::to_string(std::lround(found.limits.min_deg)) + " to " +
-       std::to_string(std::lround(found.limits.max_deg)) + " deg and back");
+  const auto [min_deg, max_deg] = sweep_range_deg(found.limits);
+  note(format("Sweeping from %.0f to %.0f deg and back", min_deg, max_deg));
   sweep(device, found);
   found.backlash_deg = backlash_of(found.sweep);
   note("Returning to 0");

@@ -12,7 +12,7 @@ namespace hrt::plate {
 
 /// What the person entered.
 struct Entry {
-  std::optional<std::string> line = {};
+  std::optional<std::string> line;
   bool ended = false;  ///< nothing will follow
 };
 

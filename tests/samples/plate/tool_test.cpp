@@ -314,6 +314,17 @@ TEST(PlateCommission, MeasuresADynamixel) {
   }
 }
 
+// The guide's recommended servo, whole: what is printed, and the file.
+TEST(PlateCommission, WritesTheFileOfADynamixel) {
+  EmulatedDynamixel servo(1, 1190);
+  const TemporaryFolder folder;
+  const Outcome outcome =
+      run_with(servo, {"commission", "dynamixel:board", "--out", folder / "plate.json"}, entered({""}));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(is_in_guide(outcome.out, ""));
+  EXPECT_EQ(read_plate_file(folder / "plate.json").description, "Dynamixel XL330-M077, id 1, firmware 52");
+}
+
 TEST(PlateFile, IsRefusedUnlessItIsWhole) {
   Measurements found;
   found.device = "protocol 2, firmware 1.0.0, serial number 000007";

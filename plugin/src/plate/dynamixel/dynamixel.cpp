@@ -256,7 +256,7 @@ class Servo : public Device {
   void take_position(std::int64_t step) {
     orientation_deg_ = deg_of(step);
     reported_ = now();
-    watch_->reported(reported_, *orientation_deg_);
+    watch_->reported(reported_, orientation_deg_);
   }
 
   // The host paused for longer than the watchdog allows: the servo has stopped, and takes no goal.
