@@ -50,7 +50,7 @@ class Caller {
   Caller& operator=(const Caller&) = delete;
 
   void call() {
-    switch (bytes_.ConsumeIntegralInRange(0, 26)) {
+    switch (bytes_.ConsumeIntegralInRange(0, 27)) {
       case 0:
         return create();
       case 1:
@@ -94,6 +94,8 @@ class Caller {
         return check_registration();
       case 26:
         return bytes_.ConsumeBool() ? fingertip() : latency();
+      case 27:
+        return set_up();
       default:
         return update();
     }
@@ -371,10 +373,38 @@ class Caller {
     require(out.latency_ns >= 0 && out.lower_ns <= out.latency_ns);
   }
 
+  // Touches and slides of a finger that stays and goes, at places of the fuzzer's.
+  void set_up() {
+    const hrt_session of = session();
+    hrt_setup_config config = hrt_setup_config_init();
+    disturb(config);
+    const uint32_t what = bytes_.ConsumeIntegralInRange(0u, 127u);
+    check(hrt_setup_begin(of, what, bytes_.ConsumeBool() ? &config : nullptr));
+    hrt_setup_step step = hrt_setup_step_init();
+    hrt_setup_result result = hrt_setup_result_init();
+    const uint32_t flags = bytes_.ConsumeBool() ? HRT_SAMPLE_PLATE_POSITION : HRT_SAMPLE_WORLD_POSITION;
+    for (int place = bytes_.ConsumeIntegralInRange(0, 30); place > 0; --place) {
+      hrt_sample sample{};
+      sample.struct_size = sizeof sample;
+      sample.flags = flags;
+      for (double& coordinate_m : sample.finger_position_m)
+        coordinate_m = bytes_.ConsumeFloatingPointInRange(-0.1, 0.1);
+      disturb(sample);
+      for (int i = 0; i < 80; ++i) {
+        sample.time_ns = time_ns_ += 11'000'000;
+        check(hrt_setup_update(of, &sample, &step));
+      }
+      require(std::isfinite(step.place_m[0] + step.place_m[2] + step.plate_orientation_deg));
+      check(hrt_setup_finish(of, &result));
+      require(std::isfinite(result.registration_turn_sd_deg + result.check_distance_m));
+    }
+    if (bytes_.ConsumeBool()) check(hrt_setup_cancel(of));
+  }
+
   void update() {
     hrt_sample sample{};
     sample.struct_size = sizeof sample;
-    sample.flags = bytes_.ConsumeBool() ? bytes_.ConsumeIntegralInRange(0u, 64u) : HRT_SAMPLE_PLATE_POSITION;
+    sample.flags = bytes_.ConsumeBool() ? bytes_.ConsumeIntegralInRange(0u, 128u) : HRT_SAMPLE_PLATE_POSITION;
     time_ns_ += bytes_.ConsumeIntegralInRange(0, 1 << 28);
     sample.time_ns = bytes_.ConsumeIntegralInRange(0, 15) ? time_ns_ : bytes_.ConsumeIntegral<int64_t>();
     sample.finger_direction_deg = bytes_.ConsumeFloatingPointInRange(-181.0, 181.0);

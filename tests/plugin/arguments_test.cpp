@@ -230,6 +230,16 @@ void ArgumentsTest::try_set_up() {
   REFUSES(hrt_fingertip_place, &fingertip, &joint, &sample);
   REFUSES(hrt_latency_fit, &sample, 1, &latency);
 
+  const hrt_setup_config loop = hrt_setup_config_init();
+  auto step = output<hrt_setup_step>();
+  auto found = output<hrt_setup_result>();
+  REFUSES_BUT(({"config"}), hrt_setup_begin, session, HRT_SETUP_CALIBRATION, &loop);
+  ASSERT_OK(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &loop));
+  REFUSES(hrt_setup_update, session, &sample, &step);
+  REFUSES(hrt_setup_finish, session, &found);
+  REFUSES(hrt_setup_cancel, hrt_session{0});
+  ASSERT_OK(hrt_setup_cancel(session));
+
   hrt_scene scene{};
   std::array<hrt_target, 64> targets{};
   auto info = output<hrt_scene_info>();

@@ -113,6 +113,16 @@ TEST_F(SessionTest, RangesOfACalibration) {
             (Names{"lower_plate_deg", "upper_plate_deg"}));
 }
 
+TEST_F(SessionTest, RangesOfASetup) {
+  const auto take = [&](const hrt_setup_config& config) {
+    const hrt_result result = hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &config);
+    return result == HRT_OK ? hrt_setup_cancel(session) : result;
+  };
+  // The upper end is at least 40 degrees above the lower one.
+  EXPECT_EQ(try_ranges<hrt_setup_config>([](const std::string&) { return hrt_setup_config_init(); }, take),
+            (Names{"lower_plate_deg", "upper_plate_deg"}));
+}
+
 TEST(Ranges, OfAPerson) {
   const auto take = [](const hrt_person_config& config) {
     hrt_person person{7};

@@ -190,6 +190,27 @@ class RealTimeTest : public SessionTest {
     return wrong;
   }
 
+  /// A set-up, begun before: touches without end, and every refusal.
+  int set_up() const {
+    int wrong = 0;
+    const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
+    auto step = output<hrt_setup_step>();
+    const hrt_sample early = position_sample(-1, 0.0, 0.0), direction = direction_sample(0, 0.0);
+    std::uint32_t instructions = 0;
+    for (std::int64_t i = 0; i < 6000; ++i) {
+      // To and fro between the start and 80 mm ahead of it, with rests of a second.
+      const double phase = std::fmod(static_cast<double>(i) / 100.0, 4.0);
+      const double share = phase < 1.0 ? 0.0 : phase < 2.0 ? phase - 1.0 : phase < 3.0 ? 1.0 : 4.0 - phase;
+      const hrt_sample sample = position_sample(i * 10'000'000, 0.0, -0.05 + 0.08 * share);
+      expect(hrt_setup_update(session, &sample, &step), HRT_OK);
+      instructions |= 1u << step.instruction;
+    }
+    expect(hrt_setup_update(session, &early, &step), HRT_ERROR_TIME_REVERSED);
+    expect(hrt_setup_update(session, &direction, &step), HRT_ERROR_TIME_REVERSED);
+    expect(hrt_setup_update(session, nullptr, &step), HRT_ERROR_NULL_ARGUMENT);
+    return wrong + (step.done < 5) + ((instructions & 1u << HRT_STEP_SLIDE) == 0);
+  }
+
   hrt_calibration full_of(std::uint32_t trials, std::uint32_t samples) const {
     hrt_calibration_config config = hrt_calibration_config_init();
     config.max_trials = trials;
@@ -224,6 +245,11 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
     wrong = call_everything() + calibrate(calibration);
     watching = false;
   }).join();
+  ASSERT_OK(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr));
+  watching = true;
+  wrong += set_up();
+  watching = false;
+  ASSERT_OK(hrt_setup_cancel(session));
   EXPECT_OK(hrt_calibration_destroy(calibration));
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(allocations, 0);
@@ -262,11 +288,18 @@ TEST_F(RealTimeTest, MakesNoSystemCall) {
   ASSERT_TRUE(WIFSIGNALED(guarded) && WTERMSIG(guarded) == SIGSYS) << "the test does not see system calls";
 
   const hrt_calibration calibration = full_of(10, 100);
-  const int status =
+  const int status = status_without_system_calls(
+      [&] {
+        if (hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr) != HRT_OK) _exit(98);
+      },
+      [&] { return set_up(); });
+  const int reaching =
       status_without_system_calls([] {}, [&] { return call_everything() + calibrate(calibration); });
   EXPECT_OK(hrt_calibration_destroy(calibration));
-  ASSERT_FALSE(WIFSIGNALED(status)) << "ended by signal " << WTERMSIG(status);
-  EXPECT_EQ(WEXITSTATUS(status), 0);
+  for (const int ended : {status, reaching}) {
+    ASSERT_FALSE(WIFSIGNALED(ended)) << "ended by signal " << WTERMSIG(ended);
+    EXPECT_EQ(WEXITSTATUS(ended), 0);
+  }
 }
 
 // The same while all of it is recorded; the ring overflows on the way.

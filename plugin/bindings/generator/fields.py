@@ -16,13 +16,14 @@ _CPP = {"char": "char", "int32_t": "std::int32_t", "uint32_t": "std::uint32_t", 
 _RECORDED = (
     ("", ("time_ns",)),
     ("hrt_sample", {"flags": "sample_flags", "finger_direction_deg": "sample_direction_deg", "finger_position_m": "sample_{}_m",
-                    "plate_orientation_deg": "measured_plate_deg", "plate_position_m": "plate_{}_m", "plate_rotation": "plate_q{}"}),
+                    "plate_orientation_deg": "measured_plate_deg", "plate_position_m": "plate_{}_m", "plate_rotation": "plate_q{}",
+                    "joint_rotation": "joint_q{}"}),
     ("", ("reach_flags", "real_target", "virtual_target", "duration_s", "refused_argument", "struct_size", "real_direction_deg",
           "virtual_direction_deg", "real_distance_m", "start_right_m", "start_away_m")),
     ("hrt_command", {"flags": "command_flags"}),
     ("hrt_reach_summary", {"flags": "summary_flags", "final_direction_deg": "finger_direction_deg",
                            "distance_to_target_m": "distance_to_go_m", "duration_s": "duration_learnt_s"}),
-    ("", ("calibration", "calibration_result")),
+    ("", ("calibration", "calibration_result", "setup")),
 )
 
 

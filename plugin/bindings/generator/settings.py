@@ -8,16 +8,17 @@ from abi import Abi, Field
 
 STRUCT = "hrt_session_config"
 POSE = ("plate_position_m", "plate_rotation")
+FOUND = ("fingertip_offset_m",)  # by a set-up
 
 
 def shown(abi: Abi) -> list[Field]:
-    fields = [f for f in abi.struct(STRUCT).fields if f.name not in ("struct_size", "reserved", *POSE)]
+    fields = [f for f in abi.struct(STRUCT).fields if f.name not in ("struct_size", "reserved", *POSE, *FOUND)]
     return [f for f in fields if f.length in (0, 3)]
 
 
 def hidden(abi: Abi) -> list[Field]:
     """What is to be kept when a configuration is made from the settings."""
-    return [f for f in abi.struct(STRUCT).fields if f.length not in (0, 3) and f.name not in POSE]
+    return [f for f in abi.struct(STRUCT).fields if (f.length not in (0, 3) or f.name in FOUND) and f.name not in POSE]
 
 
 def section(field: Field) -> str:

@@ -47,6 +47,9 @@ typedef struct hrt_reach_config {
 /** plate_position_m and plate_rotation, for WORLD_POSITION. Otherwise the session's configuration has
  * them. */
 #define HRT_SAMPLE_PLATE_POSE UINT32_C(32)
+/** joint_rotation, with WORLD_POSITION: finger_position_m is that of a joint, and the skin is
+ * hrt_session_config::fingertip_offset_m from it. */
+#define HRT_SAMPLE_JOINT_ROTATION UINT32_C(64)
 
 /** One sample of the tracked finger. Set it to zero, then set `struct_size` and the known fields. Only the
  * fields that `flags` names are read. */
@@ -68,6 +71,9 @@ typedef struct hrt_sample {
   double plate_position_m[3];
   /** Length 1 within 0.001. */
   double plate_rotation[4];
+  /** Rotation of the tracked joint: the unit quaternion x, y, z, w from its axes to the world's. Length 1
+   *  within 0.001. */
+  double joint_rotation[4];
 } hrt_sample;
 
 /** hrt_command::flags. */

@@ -199,6 +199,9 @@ typedef struct hrt_session_config {
   /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In profiles if
    * tracker_correlated_noise_m is not 0. */
   double tracker_correlation_s;
+  /** From the tracked joint to the skin that touches, in the joint's axes; of samples with
+   * HRT_SAMPLE_JOINT_ROTATION. Found by a set-up; each hand has its own. Each within 1. Default 0. */
+  double fingertip_offset_m[3];
 } hrt_session_config;
 
 /** Creates a session. `version` is HRT_VERSION: a program that was built with the headers of another version
@@ -212,7 +215,8 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
 #define HRT_STATE_REACHING UINT32_C(2) /**< a reach is under way */
 /** A trial of a calibration that was created from this session is under way. */
 #define HRT_STATE_CALIBRATING UINT32_C(4)
-#define HRT_STATE_RECORDING UINT32_C(8) /**< the calls of the session are recorded */
+#define HRT_STATE_RECORDING UINT32_C(8)   /**< the calls of the session are recorded */
+#define HRT_STATE_SETTING_UP UINT32_C(16) /**< a set-up is under way: no reach can begin */
 
 /** Returns the configuration and what the session is about: HRT_STATE_*; later versions may set further bits.
  * A null output is skipped. Set `out_config->struct_size` before the call. INVALID_HANDLE: there is no such

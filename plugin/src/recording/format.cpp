@@ -6,6 +6,7 @@
 
 #include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
+#include "plugin/src/recording/setup_format.h"
 
 namespace hrt::plugin {
 namespace {
@@ -254,6 +255,7 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
     out->call = ReachEnded{};
     return HRT_OK;
   }
+  if (is_setup_call(cells[0])) return read_setup_call(cells, out);
   if (is_calibration_call(cells[0])) return read_calibration_call(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
               "\"; allowed: begin, update, retarget, cancel, end", calibration_calls);

@@ -11,6 +11,7 @@
 #include "core/reach/reach.h"
 #include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/reach.h"
+#include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/recording/json.h"
 
@@ -97,6 +98,22 @@ struct CalibrationSolved {
   hrt_calibration_result result;  ///< only if the call succeeded
 };
 
+struct SetupBegun {
+  std::uint32_t what;
+  hrt_setup_config config;
+};
+
+struct SetupUpdated {
+  hrt_sample sample;
+  hrt_setup_step step;  ///< only if the call succeeded
+};
+
+struct SetupFinished {
+  hrt_setup_result result;  ///< only if the call succeeded
+};
+
+struct SetupCancelled {};
+
 /// A call of which an argument was null or had a size that is none: nothing of it was read.
 struct Refused {
   enum class Argument : std::uint8_t { config, sample, out_command, out_summary };
@@ -109,7 +126,7 @@ struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, ReachCancelled,
                ReachEnded, Refused, CalibrationChanged, TrialBegun, TrialSampled, TrialEnded, TrialCancelled,
-               AngleChosen, CalibrationSolved>
+               AngleChosen, CalibrationSolved, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
       call;
 };
 
@@ -129,6 +146,7 @@ inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
 inline constexpr std::string_view calibration_comment = "# calibration ";
+inline constexpr std::string_view setup_comment = "# setup ";
 inline constexpr std::string_view lost_comment = "# lost ";
 inline constexpr std::string_view end_comment = "# end ";
 
@@ -156,6 +174,7 @@ class FileColumns {
 /// others.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
+hrt_result read_setup_begun(std::string_view rest, SetupBegun* out);
 hrt_result read_calibration_changed(std::string_view rest, CalibrationChanged* out);
 
 }  // namespace hrt::plugin

@@ -15,6 +15,7 @@
 #include "plugin/src/recording/json_number.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session_config.h"
+#include "plugin/src/session/session_setup.h"
 #include "plugin/src/session/streamed_calibration.h"
 #include "plugin/src/session/targets.h"
 
@@ -251,6 +252,18 @@ void write_target(const hrt_target_config& target, JsonText& out) {
 
 void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
   write_object(config, out);
+}
+
+void write_setup_config(const hrt_setup_config& config, JsonText& out) {
+  write_object(config, out);
+}
+
+hrt_result read_setup_config(std::string_view text, hrt_setup_config* out) {
+  hrt_setup_config config = defaults<hrt_setup_config>;
+  HRT_RETURN_IF_FAILED(read_object("set-up", text, &config));
+  HRT_RETURN_IF_FAILED(check_setup_config(config));
+  *out = config;
+  return HRT_OK;
 }
 
 hrt_result read_config(std::string_view text, hrt_session_config* out) {

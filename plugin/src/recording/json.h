@@ -6,6 +6,7 @@
 #include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/profile.h"
 #include "haptic_retargeting/session.h"
+#include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/target.h"
 #include "plugin/src/abi/text.h"
 
@@ -29,6 +30,10 @@ void write_calibration_config(const hrt_calibration_config& config, JsonText& ou
 /// Reads what write_calibration_config() wrote, and no other field; those that are missing take their
 /// defaults. Checked.
 hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out);
+
+/// A set-up's configuration, likewise.
+void write_setup_config(const hrt_setup_config& config, JsonText& out);
+hrt_result read_setup_config(std::string_view text, hrt_setup_config* out);
 
 /// Reads what write_config() wrote, likewise.
 hrt_result read_config(std::string_view text, hrt_session_config* out);

@@ -129,6 +129,33 @@ hrt_result RecordedSession::end(hrt_reach_summary* summary) {
   return result;
 }
 
+hrt_result RecordedSession::begin_setup(std::uint32_t what, const hrt_setup_config& config) {
+  HRT_RETURN_IF_FAILED(session_.begin_setup(what, config));
+  record([&] { return Record{.call = SetupBegun{what, config}}; });
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::update_setup(const hrt_sample& sample, hrt_setup_step* step) {
+  const hrt_result result = session_.update_setup(sample, step);
+  record([&] { return Record{result, SetupUpdated{sample, *step}}; });
+  return result;
+}
+
+hrt_result RecordedSession::finish_setup(hrt_setup_result* out) {
+  const hrt_result result = session_.finish_setup(out);
+  record([&] { return Record{result, SetupFinished{*out}}; });
+  if (result != HRT_OK) return result;
+  registration_logged_ = false;
+  if (out->done & (HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST)) conditions.measured_now();
+  return HRT_OK;
+}
+
+hrt_result RecordedSession::cancel_setup() {
+  const hrt_result result = session_.cancel_setup();
+  record([&] { return Record{result, SetupCancelled{}}; });
+  return result;
+}
+
 hrt_result RecordedSession::refuse(hrt_result result, Refused::Argument argument, const void* given) {
   record([&] {
     Refused refused{argument, 0};
@@ -171,10 +198,11 @@ void RecordedSession::log_conditions(std::uint64_t handle) const {
 std::uint32_t RecordedSession::state() const {
   const Targets& targets = session_.targets;
   const bool ready = targets.real_count() > 0 && targets.virtual_count() > 0;
-  return (session_.reaching() ? HRT_STATE_REACHING
-          : ready             ? HRT_STATE_READY
-                              : 0) |
-         (trials_->load() > 0 ? HRT_STATE_CALIBRATING : 0) | (recorder_ ? HRT_STATE_RECORDING : 0);
+  return (session_.reaching()               ? HRT_STATE_REACHING
+          : ready && !session_.setting_up() ? HRT_STATE_READY
+                                            : 0) |
+         (trials_->load() > 0 ? HRT_STATE_CALIBRATING : 0) |
+         (session_.setting_up() ? HRT_STATE_SETTING_UP : 0) | (recorder_ ? HRT_STATE_RECORDING : 0);
 }
 
 hrt_result RecordedSession::start_recording(const char* path, std::uint64_t handle) {

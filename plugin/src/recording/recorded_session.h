@@ -41,6 +41,10 @@ class RecordedSession {
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
   hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
+  hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);
+  hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* step);
+  hrt_result finish_setup(hrt_setup_result* result);
+  hrt_result cancel_setup();
   /// A call of which `argument` could not be read or written, for `result`. Returns `result`.
   hrt_result refuse(hrt_result result, Refused::Argument argument, const void* given);
 

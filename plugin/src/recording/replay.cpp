@@ -95,6 +95,7 @@ class Replay {
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
     if (starts_with_and_drops(line, calibration_comment)) return take_calibration(line);
+    if (starts_with_and_drops(line, setup_comment)) return take_setup(line);
     if (starts_with_and_drops(line, end_comment)) {
       take_end(line);
     } else if (line.starts_with(lost_comment)) {
@@ -159,6 +160,13 @@ class Replay {
     return calibrations_.change(session_->config(), changed);
   }
 
+  hrt_result take_setup(std::string_view rest) {
+    HRT_RETURN_IF_FAILED(check_session());
+    SetupBegun begun{};
+    HRT_RETURN_IF_FAILED(read_setup_begun(rest, &begun));
+    return session_->begin_setup(begun.what, begun.config);
+  }
+
   hrt_result take_row(std::string_view line) {
     if (!columns_.known()) return columns_.read_names(line);
     HRT_RETURN_IF_FAILED(check_session());
@@ -211,6 +219,11 @@ class Replay {
   }
   void call_again(ReachCancelled&, hrt_result* result) { *result = session_->cancel(); }
   void call_again(ReachEnded& call, hrt_result* result) { *result = session_->end(&call.summary); }
+  void call_again(SetupUpdated& call, hrt_result* result) {
+    *result = session_->update_setup(call.sample, &call.step);
+  }
+  void call_again(SetupFinished& call, hrt_result* result) { *result = session_->finish_setup(&call.result); }
+  void call_again(SetupCancelled&, hrt_result* result) { *result = session_->cancel_setup(); }
   static void call_again(const Refused& call, hrt_result* result) {
     if (*result == HRT_ERROR_NULL_ARGUMENT) return;
     *result = check_size(call);
@@ -222,6 +235,7 @@ class Replay {
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const PlateStands&, hrt_result*) {}
   static void call_again(const CalibrationChanged&, hrt_result*) {}
+  static void call_again(const SetupBegun&, hrt_result*) {}
 
   hrt_target target(std::uint64_t number) const {
     const auto found = target_ids_.find(number);

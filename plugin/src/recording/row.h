@@ -101,6 +101,7 @@ inline void put_sample(const hrt_sample& sample, Row& row) {
     if (name == "finger_position_m") return has(HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_WORLD_POSITION);
     if (name == "plate_orientation_deg") return has(HRT_SAMPLE_PLATE_ORIENTATION);
     if (name == "plate_position_m" || name == "plate_rotation") return has(HRT_SAMPLE_PLATE_POSE);
+    if (name == "joint_rotation") return has(HRT_SAMPLE_JOINT_ROTATION);
     return true;
   });
 }

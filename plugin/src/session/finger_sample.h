@@ -3,6 +3,7 @@
 
 #include "core/reach/finger_sample.h"
 #include "haptic_retargeting/reach.h"
+#include "scene/geometry.h"
 
 namespace hrt::plugin {
 
@@ -12,6 +13,9 @@ inline constexpr std::uint32_t finger_flags =
 
 /// Fails naming the first field that is out of its range.
 hrt_result check_sample(const hrt_sample& sample);
+
+/// Where the skin that touches is, in the frame of the checked sample.
+Vec3 skin_m(const hrt_session_config& config, const hrt_sample& checked_sample);
 
 /// What the core makes of a checked sample; sets those flags of a command that the sample alone decides.
 FingerSample observe(const hrt_session_config& config, const hrt_sample& checked_sample,

@@ -56,6 +56,7 @@ Session::Session(const hrt_session_config& checked_config)
     : config_(checked_config), retargeter_(to_core(checked_config)) {}
 
 hrt_result Session::check_no_reach() const {
+  if (setup_) return fail(HRT_ERROR_WRONG_STATE, "a set-up is under way; finish or cancel it first");
   return reaching_ ? fail(HRT_ERROR_WRONG_STATE, "a reach is under way; end it first") : HRT_OK;
 }
 
@@ -217,6 +218,40 @@ hrt_command Session::command(std::uint32_t flags) const {
       .misfit = command.nis,
       .miss_sd_deg = command.bearing_error_sd_deg,
   };
+}
+
+hrt_result Session::check_setup() const {
+  return setup_ ? HRT_OK : fail(HRT_ERROR_WRONG_STATE, "no set-up is under way; begin one first");
+}
+
+hrt_result Session::begin_setup(std::uint32_t what, const hrt_setup_config& config) {
+  HRT_RETURN_IF_FAILED(check_no_reach());
+  HRT_RETURN_IF_FAILED(check_setup_config(config));
+  HRT_RETURN_IF_FAILED(SessionSetup::check(config_, what));
+  setup_ = std::make_unique<SessionSetup>(config_, what, config, plate_orientation_deg_);
+  return HRT_OK;
+}
+
+hrt_result Session::update_setup(const hrt_sample& sample, hrt_setup_step* step) {
+  HRT_RETURN_IF_FAILED(check_setup());
+  HRT_RETURN_IF_FAILED(setup_->update(config_, sample, step));
+  plate_orientation_deg_ = step->plate_orientation_deg;
+  return HRT_OK;
+}
+
+hrt_result Session::finish_setup(hrt_setup_result* result) {
+  HRT_RETURN_IF_FAILED(check_setup());
+  HRT_RETURN_IF_FAILED(setup_->finish(&config_, result));
+  registration_doubted_ = false;
+  retargeter_ = Retargeter(to_core(config_));
+  if (setup_->is_over()) setup_.reset();
+  return HRT_OK;
+}
+
+hrt_result Session::cancel_setup() {
+  HRT_RETURN_IF_FAILED(check_setup());
+  setup_.reset();
+  return HRT_OK;
 }
 
 hrt_result Session::end(hrt_reach_summary* out_summary) {

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/retargeter.h"
 #include "haptic_retargeting/reach.h"
 #include "plugin/src/session/session_config.h"
+#include "plugin/src/session/session_setup.h"
 #include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
@@ -29,9 +31,17 @@ class Session {
   hrt_result retarget(hrt_target real_target, hrt_target virtual_target);
   hrt_result cancel();
   hrt_result end(hrt_reach_summary* summary);
+  /// Nor a set-up.
   hrt_result check_no_reach() const;
   hrt_result check_reach() const;
   bool reaching() const { return reaching_; }
+
+  hrt_result begin_setup(std::uint32_t what, const hrt_setup_config& config);
+  hrt_result update_setup(const hrt_sample& sample, hrt_setup_step* step);
+  /// Not real-time, as begin_setup() and cancel_setup().
+  hrt_result finish_setup(hrt_setup_result* result);
+  hrt_result cancel_setup();
+  bool setting_up() const { return setup_ != nullptr; }
   /// A value of some command or summary was not finite (HRT_COMMAND_FAULT).
   bool has_failed() const { return failed_; }
   /// A command under this configuration was flagged HRT_COMMAND_REGISTRATION.
@@ -48,12 +58,14 @@ class Session {
   hrt_result start_at(const PlatePoint& finger);
   bool is_registration_doubtful(std::int64_t time_ns) const;
   hrt_command command(std::uint32_t finger_flags) const;
+  hrt_result check_setup() const;
   hrt_reach_summary to_c(const ReachSummary& summary) const;
   void carry(const FingerEstimate& estimate);
 
   hrt_session_config config_;
   Retargeter retargeter_;
-  Pair pair_{};  // as the targets were when the reach was given them
+  std::unique_ptr<SessionSetup> setup_;  // null: none is under way
+  Pair pair_{};                          // as the targets were when the reach was given them
   PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;

@@ -146,7 +146,7 @@ TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
   expect_refused(replaced(text, "\ncalibration_end_trial,0", "\ncalibration_finish,0"),
                  "the row's call is \"calibration_finish\"; allowed: begin, update, retarget, cancel, end, "
                  "calibration_begin_trial");
-  expect_refused(replaced(text, ",1,\n", ",7,\n"), "calibration 7 is not there");
+  expect_refused(replaced(text, ",1,,\n", ",7,,\n"), "calibration 7 is not there");
   expect_refused(replaced(text, "# calibration added 1", "# calibration added 2"),
                  "calibration 1 is not there");
   expect_refused(replaced(text, "# calibration destroyed 1", "# calibration destroyed 2"),
@@ -159,7 +159,7 @@ TEST_F(CalibrationRecordingTest, TamperedRowsAreFoundOrRefusedByName) {
   expect_refused(replaced(text, "\"max_trials\":20", "\"trials_at_most\":20"),
                  "\"trials_at_most\" is not a field of a calibration");
   expect_refused(replaced(text, ",calibration,calibration_result", ",calibration"),
-                 "the row has 67 columns; 66 are needed");
+                 "the row has 72 columns; 71 are needed");
   const std::string added = "# calibration added 1";
   const std::string line =
       text.substr(text.find(added), text.find('\n', text.find(added)) + 1 - text.find(added));

@@ -69,7 +69,7 @@ TEST_F(RecordingTest, RetargetsAndCancelledReachesReplayToTheSameBits) {
     std::istringstream row(text.substr(at + 1, text.find('\n', at + 1) - at - 1));
     std::vector<std::string> cells;
     for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
-    constexpr std::size_t real_distance_column = 24, start_away_column = 26;
+    constexpr std::size_t real_distance_column = 28, start_away_column = 30;
     EXPECT_EQ(cells[real_distance_column].empty(), cells[2] != "0") << cells[2];
     if (cells[2] != "0") continue;
     ++starts;

@@ -33,13 +33,14 @@ from .registration import (
 )
 from .scene import Scene
 from .session import Session, Target
+from .setup import SetUp
 
 __version__ = ".".join(str(number) for number in _abi.VERSION)
 
 __all__ = [
     "Calibration", "check_touch", "COMMAND", "commands", "compare_calibrations", "Error", "fit_fingertip", "fit_latency",
     "library_version", "Person", "place_fingertip", "Reach", "ReachRecord", "read_recording", "Recording", "RecordingError", "register",
-    "registration_advice", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "Target",
+    "registration_advice", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "SetUp", "Target",
     "target_place", "world_to_plate",
 ]
 __all__ += _abi.__all__

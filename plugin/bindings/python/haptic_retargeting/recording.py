@@ -47,7 +47,7 @@ _BEGIN_COLUMNS = ("real_direction_deg", "virtual_direction_deg", "real_distance_
 _INTEGERS: dict[str, type[np.signedinteger[Any] | np.unsignedinteger[Any]]] = {
     "result": np.int32, "time_ns": np.int64, "sample_flags": np.uint32, "command_flags": np.uint32, "step": np.int64}
 _TEXTS = ("call", "refused_argument")
-_OPTIONAL_TEXTS = ("calibration_result",)
+_OPTIONAL_TEXTS = ("calibration_result", "setup")
 _CALLS = ("begin", "update", "retarget", "cancel", "end")
 
 _NEEDED_COLUMNS = (*_TEXTS, *_INTEGERS, *sum(_SAMPLE_COLUMNS.values(), ()), *_BEGIN_COLUMNS)
@@ -181,7 +181,7 @@ def _number(name: str, cell: str) -> float | None:
 def _take(row: _Row, config: SessionConfig | None, reaches: list[_Rows]) -> None:
     if config is None:
         raise ValueError("a row before the configuration")
-    if str(row["call"]).startswith("calibration_"):
+    if str(row["call"]).startswith(("calibration_", "setup_")):
         return  # replay() repeats them
     if row["call"] not in _CALLS:
         raise ValueError(f"the row's call is {row['call']!r}; allowed: {', '.join(_CALLS)}")

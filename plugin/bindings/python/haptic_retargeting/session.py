@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 from . import _abi
 from ._abi import (
     AssignFlag, CalibrationResult, Conditions, Gap, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
-    TargetConfig, TouchCheck,
+    SetupFlag, TargetConfig, TouchCheck,
 )
 from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
@@ -25,6 +25,7 @@ from ._struct import short
 from .arrays import Array, expect_samples
 from .reach import Pace, Reach, handle_of
 from .record import RunRecord, target_place
+from .setup import SetUp
 
 
 class Target(TargetKeywords):
@@ -250,7 +251,12 @@ class Session(SessionKeywords, Closing):
         if status.rows_lost != 0:
             raise RuntimeError(f"{os.fspath(path)} lacks {status.rows_lost} calls: the disk was too slow")
 
-    # The participant
+    # The participant and the plate
+
+    def set_up(self, what: SetupFlag = SetupFlag.ALL_MISSING, **fields: Any) -> SetUp:
+        """Begins a set-up: a loop that asks the user for touches and slides, and applies what they show. The keywords are
+        the fields of SetupConfig."""
+        return SetUp(self, what, fields)
 
     @property
     def profile(self) -> dict[str, Any]:

@@ -1,0 +1,172 @@
+#include "core/setup/setup.h"
+
+#include <algorithm>
+
+namespace hrt {
+namespace {
+
+constexpr std::uint32_t slide_parts_of_setup = setup_calibration | setup_retest;
+constexpr std::uint32_t touch_parts = setup_fingertip | setup_registration | setup_check;
+// Four seconds at 250 Hz, on average.
+constexpr std::size_t samples_a_slide = 1000;
+// Beyond 0.8 a person with a usual weight comes to move along the ridges.
+constexpr std::array<double, first_slides> shares{-0.4, 0.8,  0.0, -0.8, 0.4, -0.6, 0.2, -0.2,
+                                                  0.6,  -0.7, 0.3, -0.3, 0.7, -0.5, 0.5, -0.1};
+
+Eigen::Vector3d place_of(const PlatePoint& point) {
+  return {point.right_m, 0.0, -point.away_m};
+}
+
+}  // namespace
+
+double planned_share(int i) {
+  const double share = shares[static_cast<std::size_t>(i % first_slides)];
+  return i / first_slides % 2 == 0 ? share : -share;
+}
+
+Setup::Setup(const SetupConfig& config)
+    : config_(config), left_(config.parts), plate_orientation_deg_(config.plate_orientation_deg) {
+  if (left_ & slide_parts_of_setup)
+    slides_.emplace(config.max_slides, samples_a_slide * static_cast<std::size_t>(config.max_slides));
+  begin_part();
+}
+
+SetupPart Setup::part() const {
+  return static_cast<SetupPart>(left_ & (~left_ + 1));
+}
+
+void Setup::begin_part() {
+  const int per_mark = config_.mark_count * config_.touches_per_mark;
+  touches_.begin(has_part(setup_fingertip) ? finger_attitudes : has_part(setup_registration) ? per_mark : 1);
+  carrying_ = false;
+  if (has_part(slide_parts_of_setup)) {
+    if (slides_->count() < wanted_slides_) next_slide();
+  } else if (has_part(touch_parts)) {
+    plate_orientation_deg_ = 0.0;  // a mark on the plate is where it is at this orientation only
+  }
+}
+
+void Setup::next_slide() {
+  const double middle_deg = 0.5 * (config_.lower_plate_deg + config_.upper_plate_deg);
+  const double half_deg = 0.5 * (config_.upper_plate_deg - config_.lower_plate_deg);
+  plate_orientation_deg_ = middle_deg + half_deg * planned_share(slides_->count());
+  slides_->begin(plate_orientation_deg_);
+  watch_.begin(config_.start, config_.slide_distance_m, plate_orientation_deg_);
+}
+
+bool Setup::slides_are_full() const {
+  return wanted_slides_ >= config_.max_slides || slides_->full();
+}
+
+bool Setup::finish_is_due() const {
+  if (left_ == 0) return true;
+  if (has_part(touch_parts)) return touches_.complete();
+  if (has_part(setup_latency)) return carrying_ && carried_.complete();
+  return slides_->count() >= wanted_slides_ || slides_->full();
+}
+
+void Setup::close() {
+  left_ &= ~part();
+  problem_ = SetupProblem::none;
+  wanted_slides_ = first_slides;
+  begin_part();
+}
+
+void Setup::repeat(SetupProblem problem) {
+  problem_ = problem;
+  if (has_part(slide_parts_of_setup))
+    wanted_slides_ = std::min(wanted_slides_ + more_slides, config_.max_slides);
+  begin_part();
+}
+
+bool Setup::can_show(const SetupSample& sample) const {
+  if (has_part(setup_fingertip)) return !sample.in_plate && sample.joint_rotation;
+  if (has_part(setup_registration | setup_check)) return !sample.in_plate;
+  if (has_part(setup_latency)) return sample.on_plate.plate_orientation_deg.has_value();
+  return true;
+}
+
+void Setup::update(const SetupSample& sample) {
+  while (config_.only_possible && left_ != 0 && sample.tracked_m && !can_show(sample)) close();
+  if (finish_is_due()) return;
+  if (has_part(touch_parts)) {
+    const int before = touches_.count();
+    touches_.observe(sample);
+    if (touches_.count() > before && !touches_.complete()) problem_ = SetupProblem::none;
+  } else if (has_part(setup_latency)) {
+    carry(sample);
+  } else {
+    slide(sample);
+  }
+}
+
+void Setup::carry(const SetupSample& sample) {
+  if (!carrying_) {
+    touches_.observe(sample);
+    if (!touches_.complete()) return;
+    carrying_ = true;
+    carried_.begin(sample.time_ns, plate_orientation_deg_);
+  }
+  carried_.observe(sample);
+  if (carried_.problem() == SetupProblem::none) return;
+  carrying_ = false;
+  problem_ = carried_.problem();
+  touches_.begin(1);
+}
+
+void Setup::slide(const SetupSample& sample) {
+  const bool kept = watch_.observe(sample);
+  const bool sliding = watch_.phase() == SlideWatch::Phase::slide;
+  if (watch_.is_first() || (!kept && !sliding)) slides_->drop();
+  if (kept) slides_->add(sample.on_plate);
+  if (!watch_.has_left()) slides_->shorten_rest();
+  if (sliding || watch_.problem() != SetupProblem::none) problem_ = watch_.problem();
+  if (watch_.phase() != SlideWatch::Phase::done) return;
+  slides_->end();
+  problem_ = SetupProblem::none;
+  if (!finish_is_due()) next_slide();
+}
+
+void Setup::describe_slide(SetupStep* step) const {
+  step->done = slides_->count();
+  step->of = wanted_slides_;
+  step->place_m = place_of(config_.start);
+  if (watch_.phase() == SlideWatch::Phase::rest_at_start) {
+    step->instruction = Instruction::rest_at_start;
+  } else if (watch_.phase() == SlideWatch::Phase::slide) {
+    step->instruction = Instruction::slide;
+    step->place_m = place_of(point_ahead(config_.start, 0.0, config_.slide_distance_m));
+  }
+}
+
+SetupStep Setup::step() const {
+  SetupStep step{.part = part(),
+                 .instruction = Instruction::wait,
+                 .problem = problem_,
+                 .number = touches_.count(),
+                 .done = touches_.count(),
+                 .of = touches_.wanted(),
+                 .place_m = Eigen::Vector3d::Zero(),
+                 .plate_orientation_deg = plate_orientation_deg_};
+  if (has_part(slide_parts_of_setup)) {
+    describe_slide(&step);
+  } else if (has_part(setup_latency)) {
+    step.place_m = place_of(config_.carried);
+    step.instruction = carrying_ ? Instruction::hold_still : Instruction::touch_mark;
+    step.done = carrying_ ? carried_.done_s() : 0;
+    step.of = CarriedFinger::of_s();
+    if (carrying_) step.plate_orientation_deg = carried_.plate_orientation_deg();
+  } else if (left_ != 0) {
+    const int mark = has_part(setup_fingertip) ? 0
+                     : has_part(setup_check)   ? config_.check_mark
+                                               : touches_.count() % config_.mark_count;
+    if (!has_part(setup_fingertip)) step.number = mark;
+    step.place_m = config_.marks_m[static_cast<std::size_t>(mark)];
+    step.instruction = touches_.holding() ? Instruction::hold_still : Instruction::touch_mark;
+    if (touches_.lost()) step.problem = SetupProblem::lost;
+  }
+  if (finish_is_due()) step.instruction = Instruction::finish;
+  return step;
+}
+
+}  // namespace hrt

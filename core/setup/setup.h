@@ -1,0 +1,96 @@
+// Setting up in one loop: it asks the person for touches, rests and slides, sees them done, and has what is
+// to be fitted. The fits are apart, since they take time: setup_fit.h.
+#pragma once
+
+#include <array>
+
+#include "core/plate/registration.h"
+#include "core/setup/carried_finger.h"
+#include "core/setup/mark_touches.h"
+#include "core/setup/slide_store.h"
+#include "core/setup/slide_watch.h"
+
+namespace hrt {
+
+struct SetupConfig {
+  static constexpr int max_marks = 8;
+
+  std::uint32_t parts = 0;  ///< SetupPart
+  /// Parts that the samples cannot show are left out.
+  bool only_possible = false;
+  /// In plate coordinates. The first one is touched for the fingertip.
+  std::array<Eigen::Vector3d, max_marks> marks_m;
+  int mark_count = 0;  ///< 3 to max_marks
+  int touches_per_mark = 1;
+  int check_mark = 0;
+  RegistrationConfig registration;
+  PlatePoint start;
+  double slide_distance_m = 0.1;  ///< straight ahead
+  PlatePoint carried;             ///< where the finger rests while the plate turns under it
+  double lower_plate_deg = -75.0;
+  double upper_plate_deg = 75.0;
+  double enough_weight_width = 0.02;  ///< of the 95 % interval of w_T
+  int max_slides = 40;                ///< at least `first_slides`
+  double plate_orientation_deg = 0.0;
+};
+
+/// Slides before the first fit, and between two.
+inline constexpr int first_slides = 16;
+inline constexpr int more_slides = 8;
+
+/// Its memory is taken at construction; update() takes none, and is bounded in time.
+class Setup {
+ public:
+  explicit Setup(const SetupConfig& config);
+
+  /// Samples in the order of their times.
+  void update(const SetupSample& sample);
+  SetupStep step() const;
+
+  const SetupConfig& config() const { return config_; }
+  /// What is left to be done, SetupPart; the first one is under way.
+  std::uint32_t left() const { return left_; }
+  SetupPart part() const;
+  /// The part under way has all that it needs, or nothing is left.
+  bool finish_is_due() const;
+  /// Whether the sample has what the part under way needs.
+  bool can_show(const SetupSample& sample) const;
+
+  /// After the fit of the part under way: it is done with, or it is to be repeated, for more slides.
+  void close();
+  void repeat(SetupProblem problem);
+  /// No more slides can be asked for.
+  bool slides_are_full() const;
+
+  const MarkTouches& touches() const { return touches_; }
+  const CarriedFinger& carried() const { return carried_; }
+  const SlideStore& slides() const { return *slides_; }
+
+ private:
+  void begin_part();
+  void next_slide();
+  void slide(const SetupSample& sample);
+  void carry(const SetupSample& sample);
+  bool has_part(std::uint32_t parts) const { return (part() & parts) != 0; }
+  void describe_slide(SetupStep* step) const;
+
+  SetupConfig config_;
+  std::uint32_t left_;
+  SetupProblem problem_ = SetupProblem::none;
+  MarkTouches touches_;
+  CarriedFinger carried_;
+  bool carrying_ = false;
+  SlideWatch watch_;
+  std::optional<SlideStore> slides_;
+  int wanted_slides_ = first_slides;
+  double plate_orientation_deg_;
+};
+
+/// The plate's angle for slide `i`, as a share of half the range about its middle: sides alternate, and no
+/// angle comes twice in the first `first_slides`.
+double planned_share(int i);
+
+/// Ways to hold the finger on one mark, so that the joint turns about two axes.
+inline constexpr int finger_attitudes = 6;
+
+}  // namespace hrt

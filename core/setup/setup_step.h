@@ -1,0 +1,68 @@
+// What a set-up sees of the finger, and what it asks of the person and the plate.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+
+#include "core/reach/finger_sample.h"
+
+namespace hrt {
+
+/// The parts of a set-up, as bits, in the order in which they are done: each uses what those before it found.
+enum SetupPart : std::uint32_t {
+  setup_fingertip = 1,     ///< the skin beside the tracked joint
+  setup_registration = 2,  ///< the plate's pose, from touches of marks
+  setup_check = 4,         ///< whether that pose is still true
+  setup_latency = 8,       ///< of the tracker, from a finger that the plate carries
+  setup_calibration = 16,  ///< the person, from slides
+  setup_retest = 32,       ///< the same, compared with what was believed of the person
+};
+
+enum class Instruction : std::uint32_t {
+  wait,           ///< the plate turns: lift the finger
+  touch_mark,     ///< lift, and touch the mark `SetupStep::number`
+  hold_still,     ///< on the mark
+  rest_at_start,  ///< come to the start and rest
+  slide,          ///< slide to `SetupStep::place_m`, and rest there
+  finish,         ///< nothing: the fit is due
+};
+
+/// What was wrong with the last try.
+enum class SetupProblem : std::uint32_t {
+  none,
+  too_fast,      ///< the slide took less than 0.4 s or so
+  too_slow,      ///< the slide took more than 8 s
+  stopped,       ///< the finger rested before it was half way, or elsewhere
+  left_plate,    ///< it was lifted, or went over the rim
+  lost,          ///< the tracker lost it
+  moved,         ///< the plate turned within the slide
+  plate,         ///< the plate has not turned to where it was asked within 5 s
+  disagrees,     ///< the touches do not fit the marks, or the mark is elsewhere
+  upside_down,   ///< by the touches the plate lies upside down
+  undetermined,  ///< the fit does not know enough: more is needed
+};
+
+struct SetupSample {
+  std::int64_t time_ns = 0;  ///< not before the last one's
+  /// The finger in the tracker's frame; none: lost.
+  std::optional<Eigen::Vector3d> tracked_m;
+  /// That frame is the plate's: its pose is not needed.
+  bool in_plate = false;
+  std::optional<Eigen::Matrix3d> joint_rotation;
+  FingerSample on_plate;  ///< by the pose of the plate that is known so far
+  bool off_plate = false;
+};
+
+struct SetupStep {
+  SetupPart part;
+  Instruction instruction;
+  SetupProblem problem;
+  int number;  ///< of the mark, or of the way to hold the finger, from 0
+  int done;    ///< touches or slides
+  int of;
+  Eigen::Vector3d place_m;  ///< where the finger is to go, in plate coordinates
+  double plate_orientation_deg;
+};
+
+}  // namespace hrt

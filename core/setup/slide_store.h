@@ -1,0 +1,45 @@
+// The slides of a calibration as they are made.
+#pragma once
+
+#include <vector>
+
+#include "core/calibrate/slide_track.h"
+#include "core/reach/finger_sample.h"
+
+namespace hrt {
+
+/// Takes its memory at construction; add(), drop() and begin() take none. Keeps at most 250 positions a
+/// second.
+class SlideStore {
+ public:
+  SlideStore(int max_slides, std::size_t max_samples);
+
+  /// Begins a slide over a plate at `plate_orientation_deg`.
+  void begin(double plate_orientation_deg);
+  /// False if there is no room.
+  bool add(const FingerSample& sample);
+  /// Forgets the samples of the slide under way.
+  void drop();
+  /// Forgets all but the last second of a long rest before the slide under way.
+  void shorten_rest();
+  void end() { under_way_ = false; }
+
+  /// That have ended.
+  int count() const { return static_cast<int>(slides_.size()) - (under_way_ ? 1 : 0); }
+  bool full() const { return samples_.size() == samples_.capacity(); }
+  /// Those that have ended. Allocates.
+  std::vector<CalibrationTrial> trials() const;
+
+ private:
+  struct Slide {
+    double plate_orientation_deg;
+    std::size_t first_sample;
+  };
+  std::vector<Slide> slides_;
+  std::vector<TimedPoint> samples_;
+  std::vector<double> plate_deg_;
+  bool under_way_ = false;
+  double now_plate_deg_ = 0.0;
+};
+
+}  // namespace hrt

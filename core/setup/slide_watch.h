@@ -1,0 +1,50 @@
+// One slide: the plate turns, the finger rests at the start, leaves it, and rests further on; or what went
+// wrong.
+#pragma once
+
+#include "core/setup/setup_step.h"
+#include "core/setup/still_finger.h"
+
+namespace hrt {
+
+/// No heap, no lock, no exception.
+class SlideWatch {
+ public:
+  enum class Phase : std::uint8_t { plate_turns, rest_at_start, slide, done };
+
+  /// Asks for a slide straight ahead.
+  void begin(const PlatePoint& start, double distance_m, double plate_orientation_deg);
+  /// True if the sample is of the rest before the slide, or of the slide. If it is the first one, those
+  /// before it are not.
+  bool observe(const SetupSample& sample);
+
+  Phase phase() const { return phase_; }
+  bool is_first() const { return first_; }
+  bool has_left() const { return left_ns_.has_value(); }
+  SetupProblem problem() const { return problem_; }
+  /// Asks for the same again.
+  void again(SetupProblem problem);
+
+ private:
+  void await_plate(const SetupSample& sample);
+  bool await_rest(const SetupSample& sample);
+  bool follow(const SetupSample& sample);
+  void come_to(const PlatePoint& place, std::int64_t time_ns);
+  bool plate_is_off(const SetupSample& sample, double tolerance_deg) const;
+
+  PlatePoint start_;
+  double distance_m_ = 0.0;
+  double plate_orientation_deg_ = 0.0;
+  Phase phase_ = Phase::done;
+  SetupProblem problem_ = SetupProblem::none;
+  bool first_ = false;
+  bool resting_ = false;  // within reach of the start: its samples are kept
+  StillFinger still_;
+  PlatePoint rest_;  // at the start
+  std::optional<std::int64_t> asked_ns_;
+  std::optional<std::int64_t> left_ns_;
+  int beyond_ = 0;  // samples in a row
+  std::int64_t seen_ns_ = 0;
+};
+
+}  // namespace hrt

@@ -1,0 +1,43 @@
+#include "haptic_retargeting/setup.h"
+
+#include "generated/fields.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/api/sessions.h"
+
+using namespace hrt::plugin;
+
+hrt_result hrt_setup_begin(hrt_session session, uint32_t what, const hrt_setup_config* config) noexcept {
+  return with_session("hrt_setup_begin", session, [&](RecordedSession& s) -> hrt_result {
+    s.log_findings(session.value);
+    hrt_setup_config known;
+    HRT_RETURN_IF_FAILED(read_configuration("config", config, &known));
+    return s.begin_setup(what, known);
+  });
+}
+
+hrt_result hrt_setup_update(hrt_session session, const hrt_sample* sample,
+                            hrt_setup_step* out_step) noexcept {
+  return with_session("hrt_setup_update", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_step", out_step));
+    hrt_sample known{};
+    HRT_RETURN_IF_FAILED(read_struct("sample", sample, &known));
+    hrt_setup_step step{};
+    HRT_RETURN_IF_FAILED(s.update_setup(known, &step));
+    write_struct(step, out_step);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) noexcept {
+  return with_session("hrt_setup_finish", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_result", out_result));
+    hrt_setup_result result{};
+    HRT_RETURN_IF_FAILED(s.finish_setup(&result));
+    write_struct(result, out_result);
+    return HRT_OK;
+  });
+}
+
+hrt_result hrt_setup_cancel(hrt_session session) noexcept {
+  return with_session("hrt_setup_cancel", session, [](RecordedSession& s) { return s.cancel_setup(); });
+}

@@ -1,0 +1,281 @@
+#include "plugin/src/session/session_setup.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "core/plate/plate_limits.h"
+#include "core/setup/setup_fit.h"
+#include "generated/fields.h"
+#include "plugin/src/abi/checks.h"
+#include "plugin/src/session/finger_sample.h"
+#include "plugin/src/session/found_config.h"
+#include "plugin/src/session/session_config.h"
+
+namespace hrt::plugin {
+namespace {
+
+constexpr std::uint32_t all_parts = 63;
+constexpr std::uint32_t slide_parts_asked = HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST;
+constexpr double min_range_deg = 40.0;
+constexpr double max_slide_m = 0.1;
+constexpr double min_slide_room_m = 0.05;
+constexpr double rim_margin_m = 0.01;
+// Nearer to the centre the plate hardly carries a finger.
+constexpr double min_carried_m = 0.03;
+
+static_assert(setup_fingertip == HRT_SETUP_FINGERTIP && setup_registration == HRT_SETUP_REGISTRATION &&
+              setup_check == HRT_SETUP_CHECK && setup_latency == HRT_SETUP_LATENCY &&
+              setup_calibration == HRT_SETUP_CALIBRATION && setup_retest == HRT_SETUP_RETEST);
+static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH &&
+              static_cast<std::uint32_t>(Instruction::slide) == HRT_STEP_SLIDE &&
+              static_cast<std::uint32_t>(SetupProblem::undetermined) == HRT_PROBLEM_UNDETERMINED &&
+              static_cast<std::uint32_t>(SetupProblem::left_plate) == HRT_PROBLEM_LEFT_PLATE);
+static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HRT_MARK_NUMBERS &&
+              MarkTouches::max_touches >= 5 * HRT_MARKS_MAX);
+
+std::uint32_t missing(const hrt_session_config& session) {
+  return (is_not_zero(session.fingertip_offset_m) ? 0 : HRT_SETUP_FINGERTIP) |
+         ((session.flags & HRT_SESSION_REGISTERED) != 0 ? 0 : HRT_SETUP_REGISTRATION) |
+         (session.tracker_latency_ns != 0 ? 0 : HRT_SETUP_LATENCY) |
+         (knows_person(session) ? 0 : HRT_SETUP_CALIBRATION);
+}
+
+// Straight ahead, on the plate.
+double room_ahead_m(const hrt_session_config& session) {
+  const PlatePoint start = start_of(session);
+  const double square_m2 = session.plate_radius_m * session.plate_radius_m - start.right_m * start.right_m;
+  return std::sqrt(std::max(0.0, square_m2)) - start.away_m - rim_margin_m;
+}
+
+// The start, and places on the rim a third of a right angle from the line across: none opposite the start.
+void set_marks(const hrt_session_config& session, const hrt_setup_config& given, SetupConfig* config) {
+  const double(&start_m)[3] = session.start_position_m;
+  const double r = session.plate_radius_m;
+  const double x = r * std::sqrt(0.75);
+  const double usual_m[][3] = {{start_m[0], start_m[1], start_m[2]},
+                               {0.0, 0.0, r},
+                               {x, 0.0, 0.5 * r},
+                               {x, 0.0, -0.5 * r},
+                               {-x, 0.0, -0.5 * r},
+                               {-x, 0.0, 0.5 * r}};
+  config->mark_count = static_cast<int>(given.mark_count == 0 ? std::size(usual_m) : given.mark_count);
+  for (int i = 0; i < config->mark_count; ++i) {
+    const double* mark_m = given.mark_count == 0 ? usual_m[i] : given.marks_m + 3 * i;
+    config->marks_m[static_cast<std::size_t>(i)] = {mark_m[0], mark_m[1], mark_m[2]};
+  }
+  config->check_mark = std::min(static_cast<int>(given.check_mark), config->mark_count - 1);
+}
+
+SetupConfig to_setup(const hrt_session_config& session, std::uint32_t what, const hrt_setup_config& given,
+                     double plate_orientation_deg) {
+  SetupConfig config;
+  config.only_possible = what == HRT_SETUP_ALL_MISSING;
+  config.parts = config.only_possible ? missing(session) : what;
+  set_marks(session, given, &config);
+  config.touches_per_mark = static_cast<int>(given.touches_per_mark);
+  config.registration = {.touch_sd_m = given.touch_sd_m,
+                         .fit_scale = given.fit_scale != 0,
+                         .up = {given.up[0], given.up[1], given.up[2]}};
+  config.start = start_of(session);
+  config.slide_distance_m = std::min(max_slide_m, room_ahead_m(session));
+  if (config.only_possible && config.slide_distance_m < min_slide_room_m)
+    config.parts &= ~std::uint32_t{HRT_SETUP_CALIBRATION};
+  config.carried = config.start;
+  if (std::hypot(config.start.right_m, config.start.away_m) < min_carried_m)
+    config.carried = {.right_m = 0.0, .away_m = -0.7 * session.plate_radius_m};
+  config.lower_plate_deg = given.lower_plate_deg;
+  config.upper_plate_deg = given.upper_plate_deg;
+  config.enough_weight_width = given.enough_weight_width;
+  config.max_slides = static_cast<int>(given.max_slides);
+  config.plate_orientation_deg = plate_orientation_deg;
+  return config;
+}
+
+hrt_interval as_found(const Interval& interval) {
+  return {interval.value, interval.lower, interval.upper, interval.known ? 1u : 0u, 0};
+}
+
+void describe(const Calibration& calibration, hrt_setup_result* result) {
+  result->slides_used = static_cast<std::uint32_t>(calibration.count(SlideVerdict::used));
+  const LackOfFit& lack = calibration.lack_of_fit;
+  result->lack_of_fit = (lack.angle_p < min_fit_p ? HRT_LACK_OF_FIT_ANGLE : 0) |
+                        (lack.order_p < min_fit_p ? HRT_LACK_OF_FIT_ORDER : 0) |
+                        (lack.path_p < min_fit_p ? HRT_LACK_OF_FIT_PATH : 0);
+  result->illusion =
+      lack.angle_p < min_fit_p ? HRT_ILLUSION_NONE : static_cast<std::uint32_t>(calibration.illusion.family);
+  result->tactile_weight = as_found(calibration.tactile_weight);
+  result->bias_deg = as_found(calibration.bias_deg);
+  result->max_gap_deg = as_found(calibration.max_gap_deg);
+}
+
+// What the fit found, described and written into the configuration. False if it is nothing to be applied.
+bool take(const SetupFit& fit, hrt_session_config* session, hrt_setup_result* result) {
+  if (fit.fingertip) {
+    for (int i = 0; i < 3; ++i) session->fingertip_offset_m[i] = fit.fingertip->offset_m(i);
+    result->fingertip_sd_m = fit.fingertip->sd_m.maxCoeff();
+  } else if (fit.registration) {
+    write_registration(*fit.registration, fit.touched_ns, session);
+    result->registration_residual_m = fit.registration->residual_m;
+    constexpr double deg_per_radian = 57.29577951308232;
+    result->registration_turn_sd_deg =
+        deg_per_radian * std::sqrt(std::max(0.0, fit.registration->covariance(1, 1)));
+  } else if (fit.check) {
+    result->check_distance_m = fit.check->distance_m;
+    if (fit.check->holds)
+      session->registration_time_ns = fit.touched_ns;
+    else
+      session->flags &= ~HRT_SESSION_REGISTERED;
+    return fit.check->holds;
+  } else if (fit.latency) {
+    const TrackerLatency& latency = *fit.latency;
+    session->tracker_latency_ns = std::max<std::int64_t>(0, std::llround(1e9 * latency.latency_s));
+    result->latency_s = {latency.latency_s, latency.lower_s, latency.upper_s, 1, 0};
+  } else if (fit.calibration) {
+    describe(*fit.calibration, result);
+    if (fit.part == setup_retest) result->differing = differing_from(*session, *fit.calibration);
+    write_calibration(*fit.calibration, session);
+    return fit.calibration->tactile_weight.known;
+  } else {
+    return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+hrt_result check_setup_config(const hrt_setup_config& config) {
+  HRT_RETURN_IF_FAILED(check_fields(config));
+  if (config.upper_plate_deg - config.lower_plate_deg < min_range_deg)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "upper_plate_deg is ", config.upper_plate_deg,
+                "; allowed: at least 40 above lower_plate_deg, ", config.lower_plate_deg);
+  if (config.mark_count > 0 && config.check_mark >= config.mark_count)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "check_mark is ", config.check_mark,
+                "; allowed: less than mark_count, ", config.mark_count);
+  return HRT_OK;
+}
+
+hrt_result SessionSetup::check(const hrt_session_config& session, std::uint32_t what) {
+  constexpr std::uint32_t either[] = {slide_parts_asked, HRT_SETUP_REGISTRATION | HRT_SETUP_CHECK};
+  const bool both = std::any_of(std::begin(either), std::end(either),
+                                [&](std::uint32_t parts) { return (what & parts) == parts; });
+  if (what != HRT_SETUP_ALL_MISSING && (what == 0 || (what & ~all_parts) != 0 || both))
+    return fail(HRT_ERROR_OUT_OF_RANGE, "what is ", what,
+                "; allowed: bits of HRT_SETUP_*, without CALIBRATION and RETEST or REGISTRATION and CHECK "
+                "together, or ALL_MISSING");
+  if ((what & HRT_SETUP_CHECK) != 0 && (session.flags & HRT_SESSION_REGISTERED) == 0)
+    return fail(HRT_ERROR_WRONG_STATE, "the plate is not registered, so there is nothing to check");
+  if ((what & slide_parts_asked) != 0 && room_ahead_m(session) < min_slide_room_m)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "start_position_m leaves ", room_ahead_m(session),
+                " m for a slide straight ahead; allowed: at least ", min_slide_room_m);
+  return HRT_OK;
+}
+
+SessionSetup::SessionSetup(const hrt_session_config& session, std::uint32_t what,
+                           const hrt_setup_config& checked_config, double plate_orientation_deg)
+    : touch_sd_m_(checked_config.touch_sd_m),
+      setup_(to_setup(session, what, checked_config, plate_orientation_deg)),
+      plate_orientation_deg_(plate_orientation_deg) {
+  result_.struct_size = sizeof result_;
+}
+
+SetupSample SessionSetup::seen(const hrt_session_config& session, const hrt_sample& sample) const {
+  hrt_session_config config = session;
+  if (setup_.part() == setup_fingertip)
+    std::memset(config.fingertip_offset_m, 0, sizeof config.fingertip_offset_m);
+  std::uint32_t flags = 0;
+  SetupSample seen{.time_ns = sample.time_ns,
+                   .tracked_m = {},
+                   .in_plate = (sample.flags & HRT_SAMPLE_PLATE_POSITION) != 0,
+                   .joint_rotation = {},
+                   .on_plate = observe(config, sample, &flags)};
+  seen.off_plate = (flags & HRT_COMMAND_OFF_PLATE) != 0;
+  if ((sample.flags & finger_flags) != 0 && (sample.flags & HRT_SAMPLE_LIFTED) == 0) {
+    const Vec3 at_m = skin_m(config, sample);
+    seen.tracked_m = Eigen::Vector3d(at_m.x, at_m.y, at_m.z);
+  }
+  if (sample.flags & HRT_SAMPLE_JOINT_ROTATION) {
+    const double(&q)[4] = sample.joint_rotation;
+    seen.joint_rotation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized().toRotationMatrix();
+  }
+  return seen;
+}
+
+hrt_result SessionSetup::check_shown(const hrt_sample& sample, const SetupSample& seen) const {
+  if (sample.flags & HRT_SAMPLE_DIRECTION)
+    return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
+                "; allowed: PLATE_POSITION or WORLD_POSITION, or none");
+  if (setup_.config().only_possible || setup_.left() == 0 || !seen.tracked_m || setup_.can_show(seen))
+    return HRT_OK;
+  const char* needed = setup_.part() == setup_fingertip ? "WORLD_POSITION with JOINT_ROTATION"
+                       : setup_.part() == setup_latency ? "a position with PLATE_ORIENTATION"
+                                                        : "WORLD_POSITION";
+  return fail(HRT_ERROR_OUT_OF_RANGE, "flags is ", sample.flags,
+              "; allowed in this part of the set-up: ", needed);
+}
+
+hrt_setup_step SessionSetup::to_c(const SetupStep& step, const hrt_session_config& session) {
+  const PlateStops stops = to_core(session).plate.stops;
+  if (step.part == setup_latency && step.instruction == Instruction::hold_still) {
+    // To and fro, without a swing of half a turn.
+    const double turns = half_turns_between_stops(-20.0, 20.0, 0.0, stops);
+    plate_orientation_deg_ = clamped(step.plate_orientation_deg + 180.0 * turns, stops);
+  } else {
+    plate_orientation_deg_ =
+        nearest_equivalent_deg(step.plate_orientation_deg, plate_orientation_deg_, stops);
+  }
+  hrt_setup_step out{.struct_size = sizeof(hrt_setup_step),
+                     .instruction = static_cast<std::uint32_t>(step.instruction),
+                     .part = step.part,
+                     .problem = static_cast<std::uint32_t>(step.problem),
+                     .done = static_cast<std::uint32_t>(step.done),
+                     .of = static_cast<std::uint32_t>(step.of),
+                     .number = static_cast<std::uint32_t>(step.number),
+                     .reserved = 0,
+                     .place_m = {step.place_m.x(), step.place_m.y(), step.place_m.z()},
+                     .plate_orientation_deg = plate_orientation_deg_,
+                     .text = {}};
+  write_step_text(step, out.text);
+  return out;
+}
+
+hrt_result SessionSetup::update(const hrt_session_config& session, const hrt_sample& sample,
+                                hrt_setup_step* out) {
+  HRT_RETURN_IF_FAILED(check_sample(sample));
+  if (sampled_ && sample.time_ns < last_time_ns_)
+    return fail(HRT_ERROR_TIME_REVERSED, "time_ns is ", sample.time_ns, "; allowed: from the last sample's, ",
+                last_time_ns_);
+  const SetupSample shown = seen(session, sample);
+  HRT_RETURN_IF_FAILED(check_shown(sample, shown));
+  setup_.update(shown);
+  sampled_ = true;
+  last_time_ns_ = sample.time_ns;
+  *out = to_c(setup_.step(), session);
+  return HRT_OK;
+}
+
+hrt_result SessionSetup::finish(hrt_session_config* session, hrt_setup_result* out) {
+  const SetupStep step = setup_.step();
+  if (!setup_.finish_is_due())
+    return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
+                " are done; allowed once a step says HRT_STEP_FINISH");
+  if (setup_.left() != 0) {
+    const SetupFit fit = finish_part(&setup_, registration_of(*session, touch_sd_m_));
+    if (fit.slides > 0) result_.slides = static_cast<std::uint32_t>(fit.slides);
+    hrt_session_config next = *session;
+    const ThreadError before = thread_error;
+    const bool found = take(fit, &next, &result_);
+    if (check_session_config(next) == HRT_OK) {
+      *session = next;
+      if (found) result_.done |= fit.part;
+    } else {
+      thread_error = before;  // people who cannot be: nothing was found
+    }
+  }
+  result_.left = setup_.left();
+  *out = result_;
+  return HRT_OK;
+}
+
+}  // namespace hrt::plugin

@@ -1,0 +1,36 @@
+"""A set-up as a loop: a simulated person is calibrated by it."""
+
+import pytest
+
+import haptic_retargeting as hrt
+
+
+def test_simulated_person_is_calibrated_by_the_loop() -> None:
+    with hrt.Session() as session, hrt.Person(1, tactile_weight=0.2, tracker_noise_m=0.0005) as person:
+        ahead = session.add_virtual("ahead", direction_deg=0)
+        plate_deg, began, frame, texts = 0.0, False, 0, set()
+        with session.set_up(hrt.SetupFlag.CALIBRATION) as setup:
+            person.begin(session, ahead)
+            while not setup.over and frame < 40_000:
+                frame += 1
+                step = setup.update(person.move(frame * 11_111_111, plate_deg))
+                plate_deg = step.plate_orientation_deg
+                texts.add(step.text)
+                # The next slide begins with a rest at the start.
+                if step.instruction == hrt.Step.REST_AT_START and not began:
+                    person.begin(session, ahead)
+                began = step.instruction == hrt.Step.REST_AT_START
+        result = setup.result
+        assert setup.over and result.done == hrt.SetupFlag.CALIBRATION and 16 <= result.slides <= 40
+        assert result.tactile_weight.lower - 0.01 < 0.2 < result.tactile_weight.upper + 0.01
+        assert session.config.tactile_weight == result.tactile_weight.value
+        assert b"Put your finger to the start and let it rest." in texts
+
+
+def test_leaving_the_context_cancels() -> None:
+    with hrt.Session() as session:
+        with session.set_up(hrt.SetupFlag.REGISTRATION, touches_per_mark=2):
+            assert session.state == hrt.StateFlag.SETTING_UP
+        assert session.state == 0
+        with pytest.raises(hrt.Error, match="touches_per_mark is 9; allowed: 1 to 5"):
+            session.set_up(hrt.SetupFlag.REGISTRATION, touches_per_mark=9)

@@ -1,0 +1,196 @@
+// What a set-up recognises: rests, touches, slides, and what is wrong with them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+#include "core/setup/setup.h"
+
+namespace hrt {
+namespace {
+
+constexpr std::int64_t ms = 1'000'000;
+constexpr PlatePoint start{0.0, -0.05};
+
+SetupSample at(std::int64_t time_ms, double right_m, double away_m) {
+  SetupSample sample{.time_ns = time_ms * ms, .tracked_m = Eigen::Vector3d(right_m, 0.0, -away_m)};
+  sample.on_plate = {.time_ns = sample.time_ns,
+                     .observation = Observation::position,
+                     .position = {right_m, away_m},
+                     .plate_orientation_deg = 0.0};
+  return sample;
+}
+
+SetupSample lost(std::int64_t time_ms) {
+  SetupSample sample{.time_ns = time_ms * ms};
+  sample.on_plate = {.time_ns = sample.time_ns, .plate_orientation_deg = 0.0};
+  return sample;
+}
+
+TEST(StillFinger, RestsOnceItHasStayed) {
+  StillFinger finger;
+  for (int t = 0; t <= 690; t += 10) finger.observe(t * ms, {0.1, 0.0, 0.0});
+  EXPECT_FALSE(finger.rest(7));
+  finger.observe(700 * ms, {0.1, 0.0, 0.0});
+  ASSERT_TRUE(finger.rest(7));
+  EXPECT_NEAR(finger.rest(7)->x(), 0.1, 1e-12);
+  EXPECT_FALSE(finger.rest(8));
+}
+
+// The halves of 0.6 s have middles that are 0.3 s apart.
+TEST(StillFinger, DoesNotRestWhileItCreeps) {
+  for (const double speed_m_s : {0.008, 0.009}) {
+    StillFinger finger;
+    for (int t = 0; t <= 600; t += 10) finger.observe(t * ms, {speed_m_s * t * 1e-3, 0.0, 0.0});
+    EXPECT_EQ(finger.rest(6).has_value(), speed_m_s < 0.0086) << speed_m_s;
+  }
+}
+
+TEST(StillFinger, BeginsAnewAfterAGap) {
+  StillFinger finger;
+  for (int t = 0; t <= 700; t += 10) finger.observe(t * ms, {0.1, 0.0, 0.0});
+  finger.observe(1010 * ms, {0.1, 0.0, 0.0});
+  EXPECT_FALSE(finger.rest(2));
+}
+
+TEST(MarkTouches, TakeAFingerThatCameAndStayed) {
+  MarkTouches touches;
+  touches.begin(2);
+  int t = 0;
+  for (; t <= 900; t += 10) touches.observe(at(t, 0.0, 0.0));
+  EXPECT_EQ(touches.count(), 0) << "it has rested there before it was asked";
+  for (; t <= 1800; t += 10) touches.observe(at(t, 0.02, 0.0));
+  ASSERT_EQ(touches.count(), 1);
+  EXPECT_NEAR(touches[0].touched_m.x(), 0.02, 1e-9);
+  for (; t <= 2700; t += 10) touches.observe(at(t, 0.02, 0.0));
+  EXPECT_EQ(touches.count(), 1) << "the same rest";
+  for (; t <= 2800; t += 10) touches.observe(lost(t));
+  for (; t <= 3600; t += 10) touches.observe(at(t, 0.02, 0.0));
+  EXPECT_TRUE(touches.complete()) << "it was away, and may have come back";
+}
+
+class SlideWatchTest : public ::testing::Test {
+ protected:
+  SlideWatchTest() {
+    watch.begin(start, 0.1, 0.0);
+    for (; t < 700; t += 10) watch.observe(at(t, 0.0, -0.05));
+    EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
+  }
+
+  /// Goes to `away_m` in the time.
+  void go(double right_m, double away_m, int duration_ms) {
+    for (const int began = t; t <= began + duration_ms; t += 10) {
+      const double share = static_cast<double>(t - began) / duration_ms;
+      watch.observe(at(t, share * right_m, -0.05 + share * (away_m + 0.05)));
+    }
+  }
+  void stay(double right_m, double away_m, int duration_ms) {
+    for (const int began = t; t <= began + duration_ms; t += 10) watch.observe(at(t, right_m, away_m));
+  }
+  void expect_problem(SetupProblem problem) const {
+    EXPECT_EQ(watch.problem(), problem);
+    EXPECT_NE(watch.phase(), SlideWatch::Phase::slide);
+    EXPECT_NE(watch.phase(), SlideWatch::Phase::done);
+  }
+
+  SlideWatch watch;
+  int t = 0;
+};
+
+TEST_F(SlideWatchTest, EndsWithARest) {
+  go(0.0, 0.05, 1000);
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
+  stay(0.0, 0.05, 700);
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::done);
+}
+
+TEST_F(SlideWatchTest, AShortPauseIsNoEnd) {
+  go(0.0, -0.02, 400);
+  stay(0.0, -0.02, 800);
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
+  stay(0.0, -0.02, 1200);
+  expect_problem(SetupProblem::stopped);
+}
+
+TEST_F(SlideWatchTest, ElsewhereIsNoEnd) {
+  go(0.06, -0.04, 1000);
+  stay(0.06, -0.04, 2000);
+  expect_problem(SetupProblem::stopped);
+}
+
+TEST_F(SlideWatchTest, TooFast) {
+  go(0.0, 0.05, 150);
+  stay(0.0, 0.05, 600);
+  expect_problem(SetupProblem::too_fast);
+}
+
+TEST_F(SlideWatchTest, TooSlow) {
+  go(0.0, 0.05, 9400);
+  expect_problem(SetupProblem::too_slow);
+}
+
+TEST_F(SlideWatchTest, Lifted) {
+  go(0.0, 0.0, 500);
+  for (int i = 0; i < 20; ++i, t += 10) {
+    SetupSample sample = at(t, 0.0, 0.0);
+    sample.on_plate.observation = Observation::lifted;
+    watch.observe(sample);
+  }
+  expect_problem(SetupProblem::left_plate);
+}
+
+TEST_F(SlideWatchTest, Lost) {
+  go(0.0, 0.0, 500);
+  for (int i = 0; i < 40; ++i, t += 10) watch.observe(lost(t));
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide) << "a dropout";
+  for (int i = 0; i < 20; ++i, t += 10) watch.observe(lost(t));
+  expect_problem(SetupProblem::lost);
+}
+
+TEST_F(SlideWatchTest, ThePlateMoves) {
+  go(0.0, 0.0, 500);
+  SetupSample sample = at(t, 0.0, 0.0);
+  sample.on_plate.plate_orientation_deg = 184.0;
+  watch.observe(sample);
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide) << "half a turn feels the same";
+  sample.on_plate.plate_orientation_deg = 6.0;
+  watch.observe(sample);
+  expect_problem(SetupProblem::moved);
+}
+
+TEST_F(SlideWatchTest, OneWildPositionIsNoSlide) {
+  watch.observe(at(t, 0.0, 0.05));
+  stay(0.0, -0.05, 2000);
+  EXPECT_EQ(watch.phase(), SlideWatch::Phase::slide);
+  EXPECT_FALSE(watch.has_left());
+}
+
+TEST(Setup, PlannedAnglesAlternateAndDiffer) {
+  for (int i = 0; i < first_slides; ++i) {
+    EXPECT_LE(std::abs(planned_share(i)), 0.8);
+    if (i > 0 && planned_share(i) * planned_share(i - 1) != 0.0) {
+      EXPECT_LT(planned_share(i) * planned_share(i - 1), 0.0) << i;
+    }
+    for (int k = 0; k < i; ++k) EXPECT_NE(planned_share(i), planned_share(k));
+    EXPECT_EQ(planned_share(i + first_slides), -planned_share(i));
+  }
+}
+
+// A person who rests at the start for minutes fills no memory.
+TEST(SlideStore, KeepsTheLastOfALongRest) {
+  SlideStore store(16, 600);
+  store.begin(0.0);
+  for (int t = 0; t < 60'000; t += 4) {
+    ASSERT_TRUE(store.add(at(t, 0.0, 0.0).on_plate));
+    store.shorten_rest();
+  }
+  store.end();
+  const auto trials = store.trials();
+  ASSERT_EQ(trials.size(), 1u);
+  EXPECT_GE(trials[0].samples.size(), 250u);
+  EXPECT_EQ(trials[0].samples.size(), trials[0].plate_deg.size());
+  EXPECT_EQ(trials[0].samples.back().time_ns, 59'996 * ms);
+}
+
+}  // namespace
+}  // namespace hrt

@@ -1,0 +1,157 @@
+// A simulated person who does what a set-up asks for: touches marks, rests, slides, and is carried by the
+// plate. The plate stands somewhere in the world, under a tracker that sees a joint beside the skin, late and
+// with noise.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/math/trigonometry.h"
+#include "core/plate/plate_model.h"
+#include "core/simulation/people.h"
+#include "tests/plugin/fixture.h"
+
+namespace hrt::test {
+
+class GuidedPerson {
+ public:
+  /// Person `index` of the family with a linear illusion.
+  explicit GuidedPerson(std::uint32_t index)
+      : condition(draw_person(people_families().front(), 1.5, 77, index)),
+        draws_(78, 0, index, 0),
+        index_(index) {
+    condition.person.habit_deg = 0.0;
+  }
+
+  PersonCondition condition;
+  Eigen::Matrix3d rotation =
+      (Eigen::AngleAxisd(0.7, Eigen::Vector3d::UnitY()) * Eigen::AngleAxisd(-0.1, Eigen::Vector3d::UnitX()))
+          .toRotationMatrix();
+  Eigen::Vector3d position_m{0.3, 0.9, -0.4};
+  Eigen::Vector3d offset_m{0.002, -0.008, -0.012};  ///< from the joint to the skin, in its axes
+  double touch_sd_m = 0.0015;
+  double noise_m = 0.001;
+  int latency_ms = 40;
+  bool in_plate = false;  ///< the tracker has plate coordinates, and no joint
+
+  /// What tracker and servo report a frame after the last one.
+  hrt_sample follow(const hrt_setup_step& step) {
+    if (step.part != last_.part || step.done != last_.done || step.instruction != last_.instruction)
+      turn_to(step);
+    last_ = step;
+    plate_.command(step.plate_orientation_deg);
+    for (const std::int64_t until = time_ms_ + 11; time_ms_ < until;) {
+      plate_.advance(++time_ms_ * 1'000'000);
+      advance();
+      seen_.push_back({skin_m_, attitude_});
+    }
+    return sample();
+  }
+
+  std::int64_t time_ns() const { return time_ms_ * 1'000'000; }
+  /// The finger is off the plate, in the middle of what it does, for so long.
+  void lift(int duration_ms) { lifted_until_ms_ = time_ms_ + duration_ms; }
+
+ private:
+  struct Held {
+    Eigen::Vector3d skin_m;
+    Eigen::Matrix3d attitude;
+  };
+
+  Eigen::Vector3d error_m(double sd_m) {
+    return {sd_m * draws_.normal(), sd_m * draws_.normal(), sd_m * draws_.normal()};
+  }
+
+  static Eigen::Matrix3d attitude(std::uint32_t number) {
+    const double lean[] = {0.0, 0.0, 0.6, -0.6, 0.0, 0.0}, steep[] = {0.1, 0.9, 0.3, 0.3, 0.2, 0.2},
+                 turn[] = {0.0, 0.0, 0.0, 0.0, 0.7, -0.7};
+    return (Eigen::AngleAxisd(turn[number % 6], Eigen::Vector3d::UnitY()) *
+            Eigen::AngleAxisd(lean[number % 6], Eigen::Vector3d::UnitZ()) *
+            Eigen::AngleAxisd(-steep[number % 6], Eigen::Vector3d::UnitX()))
+        .toRotationMatrix();
+  }
+
+  void turn_to(const hrt_setup_step& step) {
+    const Eigen::Vector3d place_m(step.place_m[0], step.place_m[1], step.place_m[2]);
+    const bool was_touching =
+        last_.instruction == HRT_STEP_TOUCH_MARK || last_.instruction == HRT_STEP_HOLD_STILL;
+    const bool is_new = step.part != last_.part || step.done != last_.done || !was_touching;
+    if (step.instruction == HRT_STEP_SLIDE) {
+      Person sliding = condition.person;
+      sliding.start_direction_deg += 2.0 * draws_.normal();
+      slide_.emplace(sliding, PlatePoint{skin_m_.x(), -skin_m_.z()}, 0.0, 0.1,
+                     Draws(79, PersonStream::steering, index_, slides_++));
+      moves_ms_ = time_ms_ + 300;
+    } else if (step.instruction == HRT_STEP_WAIT) {
+      goal_m_ = {0.0, 0.05, 0.06};
+      slide_.reset();
+      moves_ms_ = time_ms_ + 200;
+    } else if (step.instruction == HRT_STEP_TOUCH_MARK && is_new) {
+      goal_m_ = place_m + error_m(touch_sd_m);
+      attitude_ = attitude(step.part == HRT_SETUP_FINGERTIP ? step.number : 0);
+      skin_m_.y() = 0.05;
+      slide_.reset();
+      moves_ms_ = time_ms_ + 300;
+    } else if (step.instruction == HRT_STEP_REST_AT_START) {
+      goal_m_ = place_m + Eigen::Vector3d(touch_sd_m * draws_.normal(), 0.0, touch_sd_m * draws_.normal());
+      slide_.reset();
+      moves_ms_ = time_ms_ + 300;
+    }
+    carried_deg_ = plate_.orientation_deg();
+  }
+
+  void advance() {
+    if (slide_) {
+      if (time_ms_ > moves_ms_ && !slide_->done()) slide_->advance(plate_.orientation_deg());
+      skin_m_ = {slide_->position().right_m, 0.0, -slide_->position().away_m};
+    } else if (last_.part == HRT_SETUP_LATENCY && last_.instruction == HRT_STEP_HOLD_STILL) {
+      const double turn_rad = 0.017453292519943295 * (plate_.orientation_deg() - carried_deg_);
+      skin_m_ = Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitY()) * skin_m_;
+      carried_deg_ = plate_.orientation_deg();
+    } else if (time_ms_ >= moves_ms_) {
+      skin_m_ = goal_m_;
+    }
+  }
+
+  hrt_sample sample() {
+    auto sample = output<hrt_sample>();
+    sample.time_ns = time_ns();
+    sample.flags = HRT_SAMPLE_PLATE_ORIENTATION;
+    sample.plate_orientation_deg = plate_.orientation_deg();
+    const auto late = static_cast<std::size_t>(std::max<std::int64_t>(0, time_ms_ - 1 - latency_ms));
+    const Held& held = seen_[late];
+    const Eigen::Vector3d noise = error_m(noise_m);
+    if (time_ms_ < lifted_until_ms_) sample.flags |= HRT_SAMPLE_LIFTED;
+    Eigen::Vector3d seen_m = held.skin_m + noise;
+    if (in_plate) {
+      sample.flags |= HRT_SAMPLE_PLATE_POSITION;
+    } else {
+      const Eigen::Matrix3d joint = rotation * held.attitude;
+      const Eigen::Quaterniond q(joint);
+      seen_m = rotation * seen_m + position_m - joint * offset_m;
+      sample.flags |= HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
+      for (int i = 0; i < 4; ++i) sample.joint_rotation[i] = q.coeffs()(i);
+    }
+    for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = seen_m(i);
+    return sample;
+  }
+
+  Draws draws_;
+  std::uint32_t index_;
+  std::uint32_t slides_ = 0;
+  PlateModel plate_{PlateDynamics{.max_speed_deg_s = 400.0, .latency_ns = 30'000'000}, 0.0};
+  hrt_setup_step last_{};
+  std::int64_t time_ms_ = 0;
+  std::int64_t moves_ms_ = 0;
+  std::int64_t lifted_until_ms_ = 0;
+  double carried_deg_ = 0.0;
+  Eigen::Vector3d skin_m_{0.0, 0.1, 0.2};
+  Eigen::Vector3d goal_m_{0.0, 0.1, 0.2};
+  Eigen::Matrix3d attitude_ = attitude(0);
+  std::optional<SlidingPerson> slide_;
+  std::vector<Held> seen_;
+};
+
+}  // namespace hrt::test

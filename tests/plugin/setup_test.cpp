@@ -1,0 +1,346 @@
+// Set-ups through the C ABI: a simulated person is led through them, and does wrong things on the way.
+#include "haptic_retargeting/setup.h"
+
+#include <chrono>
+#include <functional>
+#include <string>
+
+#include "tests/plugin/guided_person.h"
+#include "tests/plugin/recording/recording_fixture.h"
+
+namespace hrt::test {
+namespace {
+
+constexpr std::uint32_t everything =
+    HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION | HRT_SETUP_LATENCY | HRT_SETUP_CALIBRATION;
+
+hrt_setup_result cancelled_result() {
+  auto result = output<hrt_setup_result>();
+  result.left = ~0u;
+  return result;
+}
+
+class SetupTest : public RecordingTest {
+ protected:
+  void SetUp() override {
+    RecordingTest::SetUp();
+    create(session_config());
+  }
+
+  hrt_setup_step update(GuidedPerson& person, const hrt_setup_step& step) {
+    const hrt_sample sample = person.follow(step);
+    auto next = output<hrt_setup_step>();
+    EXPECT_OK(hrt_setup_update(session, &sample, &next));
+    problems |= 1u << next.problem;
+    return next;
+  }
+
+  /// Until the set-up is over, or `watch` returns false; then its result has everything left.
+  hrt_setup_result run(
+      GuidedPerson& person,
+      const std::function<bool(const hrt_setup_step&)>& watch = [](const auto&) { return true; }) {
+    auto step = output<hrt_setup_step>();
+    for (int frame = 0; frame < 40'000; ++frame) {
+      step = update(person, step);
+      EXPECT_NE(step.text[0], '\0');
+      if (!watch(step)) return cancelled_result();
+      if (step.instruction != HRT_STEP_FINISH) continue;
+      auto result = output<hrt_setup_result>();
+      EXPECT_OK(hrt_setup_finish(session, &result));
+      if (result.left == 0) return result;
+    }
+    ADD_FAILURE() << "it does not end: " << step.text;
+    return cancelled_result();
+  }
+
+  void begin_setup(std::uint32_t what, const hrt_setup_config* config = nullptr) {
+    ASSERT_OK(hrt_setup_begin(session, what, config));
+  }
+
+  std::uint32_t problems = 0;  // a bit of each HRT_PROBLEM_* that a step had
+};
+
+GuidedPerson quiet_person() {
+  GuidedPerson person(1);
+  person.condition.person = Person{};
+  person.condition.person.noise_deg2_per_s = 0.0;
+  person.touch_sd_m = person.noise_m = 0.0;
+  person.latency_ms = 0;
+  return person;
+}
+
+double turn_error_deg(const hrt_session_config& config, const GuidedPerson& person) {
+  const double(&q)[4] = config.plate_rotation;
+  const Eigen::Matrix3d found = Eigen::Quaterniond(q[3], q[0], q[1], q[2]).toRotationMatrix();
+  const Eigen::Vector3d ahead = found.transpose() * (person.rotation * Eigen::Vector3d(0.0, 0.0, -1.0));
+  return atan2_deg(-ahead.x(), -ahead.z());
+}
+
+// 20 people: each number within what it says of itself.
+TEST_F(SetupTest, FindsAllThatIsMissing) {
+  int fingertips = 0, turns = 0, latencies = 0, weights = 0, biases = 0;
+  double squares = 0.0;
+  constexpr int people = 20;
+  for (std::uint32_t i = 0; i < people; ++i) {
+    create(session_config());
+    GuidedPerson person(i);
+    begin_setup(HRT_SETUP_ALL_MISSING);
+    const hrt_setup_result result = run(person);
+    const hrt_session_config config = config_of(session);
+    EXPECT_EQ(result.done & ~std::uint32_t{HRT_SETUP_CALIBRATION},
+              everything & ~std::uint32_t{HRT_SETUP_CALIBRATION})
+        << i;
+    const Eigen::Vector3d tip_m(config.fingertip_offset_m[0], config.fingertip_offset_m[1],
+                                config.fingertip_offset_m[2]);
+    fingertips += (tip_m - person.offset_m).norm() < 3.0 * result.fingertip_sd_m;
+    const double turn_deg = turn_error_deg(config, person);
+    turns += std::abs(turn_deg) < 2.0 * result.registration_turn_sd_deg;
+    squares += std::pow(turn_deg / result.registration_turn_sd_deg, 2);
+    const double late_s = 1e-3 * person.latency_ms;
+    latencies += result.latency_s.lower - 0.004 < late_s && late_s < result.latency_s.upper + 0.004;
+    // The illusion is linear; a frame that is turned turns the bias.
+    const hrt_interval& weight = result.tactile_weight;
+    const double true_weight = person.condition.person.illusion.tactile_weight;
+    weights += weight.known && weight.lower <= true_weight && true_weight <= weight.upper;
+    const double bias_deg = person.condition.person.bias_deg + turn_deg;
+    biases += result.bias_deg.known && result.bias_deg.lower <= bias_deg && bias_deg <= result.bias_deg.upper;
+    std::printf(
+        "%2u: turn %5.2f of %.2f deg, latency %.3f to %.3f s, weight %.3f in %.3f to %.3f, bias %.1f in %.1f "
+        "to %.1f, "
+        "%u slides, lack %u\n",
+        i, turn_deg, result.registration_turn_sd_deg, result.latency_s.lower, result.latency_s.upper,
+        true_weight, weight.lower, weight.upper, bias_deg, result.bias_deg.lower, result.bias_deg.upper,
+        result.slides, result.lack_of_fit);
+    if (weight.known) {
+      EXPECT_NEAR(config.tactile_weight, weight.value, 1e-12);
+      EXPECT_NE(config.person_covariance[0], 0.0);
+    }
+    EXPECT_NE(config.flags & HRT_SESSION_REGISTERED, 0u);
+  }
+  EXPECT_GE(fingertips, 18);
+  EXPECT_GE(turns, 17);
+  EXPECT_LT(squares / people, 2.0);
+  EXPECT_GE(latencies, 17);
+  EXPECT_GE(weights, 17);
+  EXPECT_GE(biases, 16);
+}
+
+// What samples cannot show is left out; what is there is not missing.
+TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
+  GuidedPerson person = quiet_person();
+  person.in_plate = true;
+  hrt_session_config config = session_config();
+  config.tracker_latency_ns = 1;
+  config.person_mean[HRT_PERSON_WEIGHT] = 0.2;
+  config.person_mean[HRT_PERSON_GAIN] = 9.0;
+  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person_covariance[at] = 0.01;
+  create(config);
+  begin_setup(HRT_SETUP_ALL_MISSING);
+  std::uint32_t state = 0;
+  ASSERT_OK(hrt_session_get(session, nullptr, &state));
+  EXPECT_EQ(state, HRT_STATE_SETTING_UP);
+  const hrt_setup_result result = run(person);
+  EXPECT_EQ(result.done, 0u);
+  EXPECT_EQ(result.slides, 0u);
+  ASSERT_OK(hrt_session_get(session, nullptr, &state));
+  EXPECT_EQ(state, 0u);
+}
+
+TEST_F(SetupTest, WrongMovesAreNamedAndRepeated) {
+  GuidedPerson person = quiet_person();
+  person.in_plate = true;
+  begin_setup(HRT_SETUP_CALIBRATION);
+  int frames = 0;
+  std::uint32_t lifted_at = 0;
+  run(person, [&](const hrt_setup_step& step) {
+    frames = step.instruction == HRT_STEP_SLIDE ? frames + 1 : 0;
+    if (frames == 90 && step.done == 2 && lifted_at == 0) {  // a second: in the middle of the slide
+      person.lift(300);
+      lifted_at = step.done;
+    }
+    if (step.done == 4) person.condition.person.duration_s = 0.2;
+    if (problems & (1u << HRT_PROBLEM_TOO_FAST)) person.condition.person.duration_s = 1.5;
+    return step.done < 6;
+  });
+  EXPECT_EQ(problems, 1u << HRT_PROBLEM_NONE | 1u << HRT_PROBLEM_LEFT_PLATE | 1u << HRT_PROBLEM_TOO_FAST);
+  EXPECT_OK(hrt_setup_cancel(session));
+  EXPECT_EQ(hrt_setup_cancel(session), HRT_ERROR_WRONG_STATE);
+}
+
+// Touches the marks as asked; at first with left and right confused.
+TEST_F(SetupTest, SwappedMarksAreTouchedAgain) {
+  GuidedPerson person = quiet_person();
+  begin_setup(HRT_SETUP_REGISTRATION);
+  auto step = output<hrt_setup_step>();
+  auto result = output<hrt_setup_result>();
+  result.left = 1;
+  for (int frame = 0; result.left != 0 && frame < 10'000; ++frame) {
+    hrt_setup_step misheard = step;
+    if ((problems & (1u << HRT_PROBLEM_UPSIDE_DOWN | 1u << HRT_PROBLEM_DISAGREES)) == 0)
+      misheard.place_m[0] *= -1.0;
+    step = update(person, misheard);
+    if (step.instruction == HRT_STEP_FINISH) {
+      ASSERT_OK(hrt_setup_finish(session, &result));
+    }
+  }
+  EXPECT_EQ(problems, 1u << HRT_PROBLEM_NONE | 1u << HRT_PROBLEM_UPSIDE_DOWN);
+  EXPECT_EQ(result.done, HRT_SETUP_REGISTRATION);
+  EXPECT_NEAR(turn_error_deg(config_of(session), person), 0.0, 0.01);
+
+  // The plate is where it was; then it is not.
+  begin_setup(HRT_SETUP_CHECK);
+  EXPECT_EQ(run(person).done, HRT_SETUP_CHECK);
+  problems = 0;
+  person.position_m.x() += 0.03;
+  begin_setup(HRT_SETUP_CHECK);
+  result = run(person);
+  EXPECT_EQ(result.done, 0u);
+  EXPECT_NEAR(result.check_distance_m, 0.03, 0.002);
+  EXPECT_NE(problems & 1u << HRT_PROBLEM_DISAGREES, 0u) << "a second touch decides";
+  EXPECT_EQ(config_of(session).flags & HRT_SESSION_REGISTERED, 0u);
+  expect_error(hrt_setup_begin(session, HRT_SETUP_CHECK, nullptr), HRT_ERROR_WRONG_STATE, "not registered");
+}
+
+TEST_F(SetupTest, ALostFingerBeginsItsTouchAgain) {
+  GuidedPerson person = quiet_person();
+  begin_setup(HRT_SETUP_REGISTRATION);
+  auto step = output<hrt_setup_step>();
+  while (step.instruction != HRT_STEP_HOLD_STILL) step = update(person, step);
+  hrt_sample lost = output<hrt_sample>();
+  lost.time_ns = person.time_ns();
+  ASSERT_OK(hrt_setup_update(session, &lost, &step));
+  EXPECT_EQ(step.problem, HRT_PROBLEM_LOST);
+  EXPECT_EQ(step.done, 0u);
+  while (step.done == 0) step = update(person, step);
+  EXPECT_EQ(step.problem, HRT_PROBLEM_NONE);
+}
+
+// Cancelled at any step, a set-up leaves what was found before, and can be begun again.
+TEST_F(SetupTest, CanBeCancelledAtEachStep) {
+  std::uint32_t seen = 0;
+  GuidedPerson person = quiet_person();
+  for (const std::uint32_t part : {HRT_SETUP_REGISTRATION, HRT_SETUP_LATENCY, HRT_SETUP_CALIBRATION}) {
+    for (std::uint32_t instruction = 0; instruction <= HRT_STEP_FINISH; ++instruction) {
+      create(session_config());
+      GuidedPerson fresh = person;
+      fresh.in_plate = part == HRT_SETUP_CALIBRATION;
+      begin_setup(part);
+      int frames = 0;
+      run(fresh, [&](const hrt_setup_step& step) {
+        return step.instruction != instruction && ++frames < 3000 && step.instruction != HRT_STEP_FINISH;
+      });
+      seen |= frames < 3000 ? 1u << instruction : 0;
+      auto command = output<hrt_command>();
+      const hrt_sample sample = position_sample(fresh.time_ns(), 0.0, 0.0);
+      const hrt_session_config config = session_config();
+      EXPECT_EQ(hrt_session_set(session, &config), HRT_ERROR_WRONG_STATE);
+      EXPECT_EQ(hrt_reach_update(session, &sample, &command), HRT_ERROR_WRONG_STATE);
+      ASSERT_OK(hrt_setup_cancel(session));
+      EXPECT_OK(hrt_session_set(session, &config));
+    }
+  }
+  EXPECT_EQ(seen, (2u << HRT_STEP_FINISH) - 1);
+}
+
+TEST_F(SetupTest, RetestFindsAnotherPerson) {
+  GuidedPerson person = quiet_person();
+  person.in_plate = true;
+  begin_setup(HRT_SETUP_CALIBRATION);
+  EXPECT_EQ(run(person).done, HRT_SETUP_CALIBRATION);
+  begin_setup(HRT_SETUP_RETEST);
+  EXPECT_EQ(run(person).differing, 0u);
+  person.condition.person.illusion.tactile_weight = 0.28;
+  begin_setup(HRT_SETUP_RETEST);
+  const hrt_setup_result result = run(person);
+  EXPECT_NE(result.differing & HRT_RETEST_TACTILE_WEIGHT, 0u);
+  EXPECT_NEAR(config_of(session).tactile_weight, 0.28, 0.02);
+}
+
+TEST_F(SetupTest, ReplaysToTheSameBits) {
+  GuidedPerson person(3);
+  ASSERT_OK(hrt_recording_start(session, path().c_str()));
+  begin_setup(HRT_SETUP_ALL_MISSING);
+  auto early = output<hrt_setup_result>();
+  EXPECT_EQ(hrt_setup_finish(session, &early), HRT_ERROR_WRONG_STATE);
+  run(person);
+  begin_setup(HRT_SETUP_CHECK);
+  ASSERT_OK(hrt_setup_cancel(session));
+  stop();
+  const std::string text = read(path());
+  const hrt_replay_report report = replay(text);
+  EXPECT_EQ(report.complete, 1u);
+  EXPECT_EQ(report.first_different_line, 0u);
+  EXPECT_GT(report.rows, 5000u);
+  // A bit of one sample shows.
+  std::string altered = text;
+  altered.replace(altered.find("weight=0"), 8, "weight=1");
+  EXPECT_NE(replay(altered).first_different_line, 0u);
+}
+
+TEST_F(SetupTest, RefusalsNameTheField) {
+  const auto refuse = [&](std::uint32_t what, void (*change)(hrt_setup_config&), const char* name) {
+    hrt_setup_config config = hrt_setup_config_init();
+    change(config);
+    expect_error(hrt_setup_begin(session, what, &config), HRT_ERROR_OUT_OF_RANGE, name);
+  };
+  refuse(HRT_SETUP_REGISTRATION, [](auto& c) { c.mark_count = 9; }, "mark_count is 9");
+  refuse(HRT_SETUP_REGISTRATION, [](auto& c) { c.marks_m[23] = std::nan(""); }, "marks_m[23] is NaN");
+  refuse(HRT_SETUP_REGISTRATION, [](auto& c) { c.mark_count = 3, c.check_mark = 3; }, "check_mark is 3");
+  refuse(HRT_SETUP_CALIBRATION, [](auto& c) { c.upper_plate_deg = -40.0; }, "upper_plate_deg is -40");
+  refuse(HRT_SETUP_CALIBRATION | HRT_SETUP_RETEST, [](auto&) {}, "what is 48");
+  refuse(HRT_SETUP_ALL_MISSING | HRT_SETUP_LATENCY, [](auto&) {}, "what is 72");
+  refuse(0, [](auto&) {}, "what is 0");
+
+  const hrt_sample sample = position_sample(5, 0.0, 0.0), earlier = position_sample(4, 0.0, 0.0);
+  auto step = output<hrt_setup_step>();
+  EXPECT_EQ(hrt_setup_update(session, &sample, &step), HRT_ERROR_WRONG_STATE);
+  begin_setup(HRT_SETUP_REGISTRATION);
+  expect_error(hrt_setup_update(session, &sample, &step), HRT_ERROR_OUT_OF_RANGE, "WORLD_POSITION");
+  ASSERT_OK(hrt_setup_cancel(session));
+  begin_setup(HRT_SETUP_CALIBRATION);
+  ASSERT_OK(hrt_setup_update(session, &sample, &step));
+  EXPECT_EQ(hrt_setup_update(session, &earlier, &step), HRT_ERROR_TIME_REVERSED);
+  const hrt_sample direction = direction_sample(5, 0.0);
+  expect_error(hrt_setup_update(session, &direction, &step), HRT_ERROR_OUT_OF_RANGE, "flags is 1");
+  hrt_sample joint = sample;
+  joint.flags |= HRT_SAMPLE_JOINT_ROTATION;
+  expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "JOINT_ROTATION");
+  joint.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
+  expect_error(hrt_setup_update(session, &joint, &step), HRT_ERROR_OUT_OF_RANGE, "joint_rotation is");
+  expect_error(hrt_setup_begin(session, HRT_SETUP_LATENCY, nullptr), HRT_ERROR_WRONG_STATE,
+               "set-up is under way");
+  ASSERT_OK(hrt_setup_cancel(session));
+  hrt_session_config config = session_config();
+  config.start_position_m[2] = -0.05;
+  create(config);
+  expect_error(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr), HRT_ERROR_OUT_OF_RANGE,
+               "start_position_m");
+}
+
+// No update takes long enough to be felt in a frame. The limit is far above what is measured, for busy
+// machines.
+TEST_F(SetupTest, UpdatesAreShort) {
+  using Clock = std::chrono::steady_clock;
+  GuidedPerson person(5);
+  begin_setup(HRT_SETUP_ALL_MISSING);
+  auto step = output<hrt_setup_step>();
+  std::vector<double> us;
+  while (us.size() < 8000) {
+    const hrt_sample sample = person.follow(step);
+    const Clock::time_point began = Clock::now();
+    ASSERT_OK(hrt_setup_update(session, &sample, &step));
+    us.push_back(std::chrono::duration<double, std::micro>(Clock::now() - began).count());
+    auto result = output<hrt_setup_result>();
+    if (step.instruction == HRT_STEP_FINISH) {
+      ASSERT_OK(hrt_setup_finish(session, &result));
+      if (result.left == 0) break;
+    }
+  }
+  std::sort(us.begin(), us.end());
+  std::printf("%zu updates: median %.1f us, 99.9 %% below %.1f us, worst %.1f us\n", us.size(),
+              us[us.size() / 2], us[us.size() * 999 / 1000], us.back());
+  EXPECT_LT(us[us.size() * 99 / 100], 1000.0);
+}
+
+}  // namespace
+}  // namespace hrt::test
