@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/plate/plate_frame.h"
+#include "core/simulation/person.h"
 #include "fixture.h"
 
 namespace hrt::test {
@@ -251,6 +252,42 @@ TEST_F(RetargetTest, RemovedTargetsStillStartAtTheFinger) {
   ASSERT_OK(hrt_target_remove(session, real));
   ASSERT_OK(hrt_target_remove(session, cup));
   EXPECT_NEAR(update(position_sample(0, 0.02, -0.02)).distance_to_go_m, std::hypot(0.01, 0.06), 1e-9);
+}
+
+// A person whose targets move by 3 cm to the left in the midst of the motion, through the C ABI.
+TEST_F(RetargetTest, BringsAPersonToTheMovedTarget) {
+  hrt_session_config config = session_config();
+  config.plate_max_speed_deg_s = 400.0;
+  create(config);
+  const PlatePoint start{0.0, -0.05};
+  const PlatePoint real_place = point_ahead(start, -5.0, 0.1), seen_place = point_ahead(start, 5.0, 0.1);
+  const hrt_target real = add_at(HRT_TARGET_REAL, real_place.right_m, real_place.away_m),
+                   cup = add_at(HRT_TARGET_VIRTUAL, seen_place.right_m, seen_place.away_m);
+  SlidingPerson person({.illusion = {.tactile_weight = 0.25}, .noise_deg2_per_s = 0.0, .duration_s = 2.0},
+                       start, 5.0, 0.1, {1, 0, 0, 0});
+  ASSERT_OK(begin(real, cup));
+  double plate_deg = 0.0;
+  for (std::int64_t t = 0; !person.done(); ++t) {
+    if (t > 500) person.advance(plate_deg);
+    if (t == 500 + 900) {
+      const hrt_target_config real_moved =
+                                  placed(HRT_TARGET_REAL, real_place.right_m - 0.03, real_place.away_m),
+                              cup_moved =
+                                  placed(HRT_TARGET_VIRTUAL, seen_place.right_m - 0.03, seen_place.away_m);
+      ASSERT_OK(hrt_target_set(session, real, &real_moved));
+      ASSERT_OK(hrt_target_set(session, cup, &cup_moved));
+      ASSERT_OK(hrt_reach_retarget(session, real, cup));
+      person.retarget({seen_place.right_m - 0.03, seen_place.away_m});
+    }
+    if (t % 10 == 0)
+      plate_deg = update(position_sample(t * ms, person.position().right_m, person.position().away_m))
+                      .plate_orientation_deg;
+  }
+  const PlatePoint moved{real_place.right_m - 0.03, real_place.away_m};
+  EXPECT_NEAR(bearing_deg(start, person.position()), bearing_deg(start, moved), 1.5);
+  const hrt_reach_summary summary = end();
+  EXPECT_EQ(summary.flags, 0u);
+  EXPECT_NEAR(summary.miss_deg, bearing_deg(start, person.position()) - bearing_deg(start, moved), 0.2);
 }
 
 }  // namespace
