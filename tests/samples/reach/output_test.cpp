@@ -109,7 +109,9 @@ TEST(ReachPlate, IsAtTheEndOfASerialLine) {
 
 // The controller plans with what the device says it can do, and so knows that it is late all the time.
 TEST(ReachPlate, IsPlannedWithAsItSaysItIs) {
-  PtyPlate device({.greeting = "PLATE 2 -90.00 90.00 5.00 10.00 measured"});
+  Settings slow = plate::commissioned();
+  slow.value[SETTING_SPEED_DEG_S] = 100 * 5;
+  PtyPlate device({.settings = slow});
   const Outcome outcome = run_scripted(real_time, {desk, "--target", "goblet", "--controller", "paper",
                                                    "--plate", "serial:" + device.device()});
   ASSERT_EQ(rows_of(outcome).size(), 1U) << outcome.err;
@@ -129,11 +131,11 @@ TEST(ReachPlate, IsUnpluggedOrFallsSilentInTheMiddleOfAReach) {
   for (const bool unplugged : {true, false}) {
     PtyPlate device;
     std::thread fault([&] {
-      eventually([&] { return device.moving_allowed(); });
+      eventually([&] { return device.is_following(); });
       if (unplugged)
         device.unplug();
       else
-        device.fall_silent();
+        device.with([](plate::TwinBoard& board) { board.fall_silent(); });
     });
     const std::string file = scratch_folder() + "/r.csv";
     const Outcome outcome = run_scripted(
@@ -152,14 +154,14 @@ TEST(ReachInterrupted, StopsThePlateAndKeepsWhatHasBeenMade) {
     const std::string folder = scratch_folder();
     Program program({desk, "--plate", "serial:" + device.device(), "--record", folder + "/r.csv"},
                     scripted_environment(real_time));
-    ASSERT_TRUE(eventually([&] { return device.moving_allowed(); }));
+    ASSERT_TRUE(eventually([&] { return device.is_following(); }));
     program.send_signal(signal);
     const Outcome outcome = program.wait();
     EXPECT_EQ(outcome.exit_code, 130);
     EXPECT_EQ(outcome.err, "hrt-reach: interrupted; the unfinished reach does not count\n");
     EXPECT_TRUE(has(outcome.out, "0 of 0 targets"));
     EXPECT_TRUE(eventually([&] { return device.heard().back() == "STOP"; }));
-    EXPECT_FALSE(device.moving_allowed());
+    EXPECT_FALSE(device.is_following());
     expect_replays(folder + "/r.csv");
   }
 }
