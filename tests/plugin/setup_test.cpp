@@ -206,7 +206,7 @@ TEST_F(SetupTest, ALostFingerBeginsItsTouchAgain) {
   begin_setup(HRT_SETUP_REGISTRATION);
   auto step = output<hrt_setup_step>();
   while (step.instruction != HRT_STEP_HOLD_STILL) step = update(person, step);
-  hrt_sample lost = output<hrt_sample>();
+  auto lost = output<hrt_sample>();
   lost.time_ns = person.time_ns();
   ASSERT_OK(hrt_setup_update(session, &lost, &step));
   EXPECT_EQ(step.problem, HRT_PROBLEM_LOST);

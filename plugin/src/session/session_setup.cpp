@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 
 #include "core/plate/plate_limits.h"
@@ -62,7 +63,7 @@ void set_marks(const hrt_session_config& session, const hrt_setup_config& given,
                                {-x, 0.0, 0.5 * r}};
   config->mark_count = static_cast<int>(given.mark_count == 0 ? std::size(usual_m) : given.mark_count);
   for (int i = 0; i < config->mark_count; ++i) {
-    const double* mark_m = given.mark_count == 0 ? usual_m[i] : given.marks_m + 3 * i;
+    const double* mark_m = given.mark_count == 0 ? usual_m[i] : given.marks_m + std::ptrdiff_t{3} * i;
     config->marks_m[static_cast<std::size_t>(i)] = {mark_m[0], mark_m[1], mark_m[2]};
   }
   config->check_mark = std::min(static_cast<int>(given.check_mark), config->mark_count - 1);
