@@ -252,7 +252,7 @@ TEST(PlateCommission, RefusesAPlateWithoutASensorAndAnAbsentPerson) {
   EXPECT_TRUE(std::filesystem::is_empty(folder.path));
 }
 
-// Speed, latency and backlash of 100 plates that nobody has seen: within 5 %, 3 ms, half a step of the
+// Speed, latency and backlash of 100 random plates: within 5 %, 3 ms, half a step of the
 // converter, or three of the stated standard errors. Truth: dead time and half a frame; gears and both sides
 // of the dead band.
 TEST(PlateCommission, IsRightOfAHundredTwins) {
