@@ -5,6 +5,7 @@
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
 #include "core/plate/frame_error.h"
+#include "core/retargeter.h"
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/session/finger_sample.h"
@@ -53,7 +54,9 @@ bool make_finite(hrt_reach_summary& summary) {
 }  // namespace
 
 Session::Session(const hrt_session_config& checked_config)
-    : config_(checked_config), retargeter_(to_core(checked_config)) {}
+    : config_(checked_config), retargeter_(std::make_unique<Retargeter>(to_core(checked_config))) {}
+
+Session::~Session() = default;
 
 hrt_result Session::check_no_reach() const {
   if (setup_) return fail(HRT_ERROR_WRONG_STATE, "a set-up is under way; finish or cancel it first");
@@ -68,7 +71,7 @@ hrt_result Session::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(check_no_reach());
   config_ = checked_config;
   registration_doubted_ = false;
-  retargeter_ = Retargeter(to_core(checked_config));
+  *retargeter_ = Retargeter(to_core(checked_config));
   return HRT_OK;
 }
 
@@ -110,7 +113,7 @@ hrt_result Session::begin(const hrt_reach_config& config) {
   reach.plate_orientation_deg = orientation_given ? config.plate_orientation_deg : plate_orientation_deg_;
   reach.duration_s = config.duration_s;
   HRT_RETURN_IF_FAILED(aim(pair, start_of(config_), &reach));
-  retargeter_.begin(reach);
+  retargeter_->begin(reach);
   plate_orientation_deg_ = reach.plate_orientation_deg;  // no command has been returned yet
   pair_ = pair;
   start_ = reach.start;
@@ -127,7 +130,7 @@ hrt_result Session::start_at(const PlatePoint& finger) {
   Reach reach = reach_;
   reach.plate_orientation_deg = plate_orientation_deg_;
   HRT_RETURN_IF_FAILED(aim(pair_, finger, &reach));
-  retargeter_.begin_here(reach);
+  retargeter_->begin_here(reach);
   start_ = finger;
   reach_ = reach;
   registration_poor_ = is_registration_poor(config_, reach_);
@@ -147,7 +150,7 @@ hrt_result Session::retarget(hrt_target real_target, hrt_target virtual_target) 
     return point_ahead(start_, bearing.direction_deg, bearing.distance_m);
   };
   pair_ = pair;
-  reach_ = retargeter_.retarget(place(pair.real), place(pair.virtual_target));
+  reach_ = retargeter_->retarget(place(pair.real), place(pair.virtual_target));
   registration_poor_ = is_registration_poor(config_, from_start);
   return HRT_OK;
 }
@@ -169,7 +172,7 @@ hrt_result Session::update(const hrt_sample& sample, hrt_command* out_command) {
   const FingerSample finger = observe(config_, sample, &flags);
   if (awaits_finger_ && finger.observation == Observation::position)
     HRT_RETURN_IF_FAILED(start_at(finger.position));
-  retargeter_.update(finger);
+  retargeter_->update(finger);
   sampled_ = true;
   last_time_ns_ = sample.time_ns;
   if (is_registration_doubtful(sample.time_ns)) {
@@ -189,7 +192,7 @@ bool Session::is_registration_doubtful(std::int64_t time_ns) const {
 }
 
 hrt_command Session::command(std::uint32_t flags) const {
-  const PlateCommand command = retargeter_.command();
+  const PlateCommand command = retargeter_->command();
   if (command.held) flags |= HRT_COMMAND_HELD;
   if (command.predicted) flags |= HRT_COMMAND_PREDICTED;
   if (command.unreachable) flags |= HRT_COMMAND_UNREACHABLE;
@@ -212,7 +215,7 @@ hrt_command Session::command(std::uint32_t flags) const {
       .distance_to_go_m = command.distance_to_go_m,
       .tactile_weight = command.tactile_weight,
       .tactile_weight_sd = command.tactile_weight_sd,
-      .time_to_go_s = retargeter_.leads_person() ? command.time_to_go_s : HRT_NOT_MOVING,
+      .time_to_go_s = retargeter_->leads_person() ? command.time_to_go_s : HRT_NOT_MOVING,
       .felt_error_deg = command.felt_error_deg,
       .predicted_miss_deg = command.predicted_miss_deg,
       .misfit = command.nis,
@@ -243,7 +246,7 @@ hrt_result Session::finish_setup(hrt_setup_result* result) {
   HRT_RETURN_IF_FAILED(check_setup());
   HRT_RETURN_IF_FAILED(setup_->finish(&config_, result));
   registration_doubted_ = false;
-  retargeter_ = Retargeter(to_core(config_));
+  *retargeter_ = Retargeter(to_core(config_));
   if (setup_->is_over()) setup_.reset();
   return HRT_OK;
 }
@@ -259,7 +262,7 @@ hrt_result Session::end(hrt_reach_summary* out_summary) {
   if (!sampled_)
     return fail(HRT_ERROR_INSUFFICIENT_DATA, "the reach has had no sample; hrt_reach_cancel() ends it");
   reaching_ = false;
-  const ReachSummary summary = retargeter_.summary();
+  const ReachSummary summary = retargeter_->summary();
   *out_summary = to_c(summary);
   if (!make_finite(*out_summary)) faulty_ = failed_ = true;
   if (faulty_) return HRT_OK;  // it teaches nothing
@@ -313,11 +316,11 @@ hrt_reach_summary Session::to_c(const ReachSummary& summary) const {
 }
 
 void Session::carry(const FingerEstimate& estimate) {
-  if (retargeter_.leads_person()) {
-    const auto learnt = retargeter_.learnt();
+  if (retargeter_->leads_person()) {
+    const auto learnt = retargeter_->learnt();
     if (!learnt) return;
     hrt_session_config next = config_;
-    const ReachSummary summary = retargeter_.summary();
+    const ReachSummary summary = retargeter_->summary();
     const bool missed = summary.unreachable || summary.off_target;
     write_person(carried(to_core(config_).person, *learnt, missed, unknown_person()), &next);
     // Impossible motions can give invalid beliefs: these are discarded.
@@ -329,7 +332,7 @@ void Session::carry(const FingerEstimate& estimate) {
     config_.motor_variance_deg2 = next.participant.motor_variance_deg2;
     config_.motor_variance_sd_deg2 = next.estimator.motor_variance_sd_deg2;
   }
-  retargeter_ = Retargeter(to_core(config_));
+  *retargeter_ = Retargeter(to_core(config_));
 }
 
 }  // namespace hrt::plugin

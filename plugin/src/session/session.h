@@ -4,11 +4,15 @@
 #include <cstdint>
 #include <memory>
 
-#include "core/retargeter.h"
+#include "core/reach/reach.h"
 #include "haptic_retargeting/reach.h"
 #include "plugin/src/session/session_config.h"
 #include "plugin/src/session/session_setup.h"
 #include "plugin/src/session/targets.h"
+
+namespace hrt {
+class Retargeter;
+}
 
 namespace hrt::plugin {
 
@@ -16,6 +20,7 @@ namespace hrt::plugin {
 class Session {
  public:
   explicit Session(const hrt_session_config& checked_config);
+  ~Session();
 
   const hrt_session_config& config() const { return config_; }
   /// Between reaches.
@@ -63,7 +68,8 @@ class Session {
   void carry(const FingerEstimate& estimate);
 
   hrt_session_config config_;
-  Retargeter retargeter_;
+  const std::unique_ptr<Retargeter>
+      retargeter_;                       // apart, so that who calls a session is not built anew with it
   std::unique_ptr<SessionSetup> setup_;  // null: none is under way
   Pair pair_{};                          // as the targets were when the reach was given them
   PlatePoint start_;
