@@ -53,7 +53,7 @@ _LEFT_OUT = (
     ("godot", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
     ("godot", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
      "the defaults hold several times the slides that a calibration needs"),
-    ("godot unreal web", "hrt_setup_begin hrt_setup_update hrt_setup_finish hrt_setup_cancel", "a set-up is in Python, C# and C"),
+    ("godot unreal", "hrt_setup_begin hrt_setup_update hrt_setup_finish hrt_setup_cancel", "a set-up is in Python, C# and C"),
     ("godot python unreal", "hrt_sample::joint_rotation", "a set-up's fingertip is found in C# and C"),
     ("godot unreal", "HRT_SAMPLE_JOINT_ROTATION", "likewise"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),

@@ -4,7 +4,7 @@ import type {
   hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_person_config,
   hrt_person_state, hrt_reach_summary,
   hrt_recording_status, hrt_registration, hrt_registration_config, hrt_replay_report, hrt_sample, hrt_scene_info,
-  hrt_scene_target, hrt_session_config, hrt_target_config, hrt_touch_check,
+  hrt_scene_target, hrt_session_config, hrt_setup_config, hrt_setup_result, hrt_setup_step, hrt_target_config, hrt_touch_check,
 } from "./abi.js";
 export * from "./abi.js";
 
@@ -144,6 +144,16 @@ export interface Session {
   confirmRegistration(registration: Registration, touch: Readonly<hrt_mark_touch>, timeNs: number | bigint): Output<hrt_touch_check>;
   createCalibration(config?: Input<hrt_calibration_config>): Calibration;
   applyCalibration(result: Output<hrt_calibration_result>): void;
+
+  /** Begins a set-up of HRT_SETUP_*: registration, fingertip, latency, calibration, retest, or all that is missing. */
+  beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
+  /** Reads `sample`; what to do now: show `text` and `place_m`, send `plate_orientation_deg` to the plate. Once a frame. */
+  updateSetup(): Output<hrt_setup_step>;
+  /** Fits and applies what was done, once a step says HRT_STEP_FINISH; updates continue unless `left` is 0. After slides up to
+   *  a second of work: not between two frames. */
+  finishSetup(): Output<hrt_setup_result>;
+  /** What was found before stays. */
+  cancelSetup(): void;
 
   /** Records all calls in memory, until stopRecording() returns them as CSV. */
   startRecording(): void;

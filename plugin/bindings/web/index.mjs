@@ -323,6 +323,16 @@ class Session {
     this.#memory.put("hrt_calibration_result", result, "hrt_calibration_apply", this.#handle);
   }
 
+  beginSetup(what = abi.HRT_SETUP_ALL_MISSING, config = {}) {
+    this.#memory.put("hrt_setup_config", config, "hrt_setup_begin", this.#handle, what);
+  }
+  updateSetup() {
+    writeSample(this.#memory.view, this.#input.at, this.sample);
+    return this.#memory.get("hrt_setup_step", "hrt_setup_update", this.#handle, this.#input.at);
+  }
+  finishSetup() { return this.#memory.get("hrt_setup_result", "hrt_setup_finish", this.#handle); }
+  cancelSetup() { this.#memory.call("hrt_setup_cancel", this.#handle); }
+
   startRecording() {
     this.#memory.withText(this.#path, (at) => this.#memory.call("hrt_recording_start", this.#handle, at));
   }
