@@ -76,7 +76,7 @@ inline void play(const char* path, bool has_codes, const std::function<Answer(co
     }
     if (gives != std::string::npos) expect(line.substr(gives + 4), answer);
   }
-  EXPECT_GT(played, 40);
+  EXPECT_GT(played, 30);
 }
 
 }  // namespace scenario

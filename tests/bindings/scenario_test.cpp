@@ -45,8 +45,6 @@ class Caller {
     if (call.name == "save_profile") return save();
     if (call.name == "load_profile")
       return load(call.arguments.contains("text") ? call.text("text") : profile_);
-    if (call.name == "touch") return touch(call);
-    if (call.name == "register") return fit();
     ADD_FAILURE() << call.name << " is no call of the scenario";
     return HRT_OK;
   }
@@ -129,32 +127,9 @@ class Caller {
 
   hrt_result load(const std::string& text) { return hrt_profile_load(session_, text.data(), text.size()); }
 
-  hrt_result touch(const Call& call) {
-    hrt_mark_touch touch{};
-    for (int i = 0; i < 3; ++i) {
-      touch.mark_m[i] = call.part("mark", i);
-      touch.touched_m[i] = call.part("at", i);
-    }
-    touches_.push_back(touch);
-    return HRT_OK;
-  }
-
-  hrt_result fit() {
-    const hrt_registration_config config = hrt_registration_config_init();
-    hrt_registration found = hrt_registration_init();
-    const hrt_result result =
-        hrt_registration_fit(&config, touches_.data(), touches_.size(), 0, nullptr, &found);
-    values_ = {{"verdict", found.verdict},
-               {"x", found.plate_position_m[0]},
-               {"y", found.plate_position_m[1]},
-               {"z", found.plate_position_m[2]}};
-    return result;
-  }
-
   hrt_session session_{};
   std::map<std::string, hrt_target> targets_;
   std::string profile_;
-  std::vector<hrt_mark_touch> touches_;
   std::map<std::string, double> values_;
 };
 

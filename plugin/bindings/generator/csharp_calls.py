@@ -9,19 +9,18 @@ import textwrap
 from abi import Abi, Function, Parameter, Type, pascal
 from csharp import Renderer, camel
 
-_CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_calibration": "HapticRetargetingCalibration",
-            "hrt_person": "HapticRetargetingPerson", "hrt_plate": "HapticRetargetingPlate"}
+_CLASSES = {"hrt_session": "HapticRetargetingSession", "hrt_person": "HapticRetargetingPerson",
+            "hrt_plate": "HapticRetargetingPlate"}
 _STATIC = "HapticRetargetingLibrary"
 # Whose names do not follow from those of the headers.
-_NAMES = {"hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets",
-          "hrt_registration_check": "CheckTouch", "hrt_registration_confirm": "ConfirmRegistration",
-          "hrt_fingertip_place": "PlaceFingertip", "hrt_calibration_compare": "CompareCalibrations"}
+_NAMES = {"hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets"}
 # What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
+_IN_A_SETUP = ("hrt_calibration_", "hrt_registration_", "hrt_fingertip_", "hrt_latency_")
 BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_set_host", "hrt_replay")
 
 
 def is_generated(function: Function) -> bool:
-    by_hand = function.name.endswith(BY_HAND) or function.name.startswith("hrt_scene_")
+    by_hand = function.name.endswith(BY_HAND) or function.name.startswith(("hrt_scene_", *_IN_A_SETUP))
     return function.returns_result and not by_hand
 
 

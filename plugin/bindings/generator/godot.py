@@ -7,13 +7,12 @@ from abi import Abi, Enumeration, Field, HeaderError, pascal
 
 # What a script gets as a Dictionary, by its table in fields.h.
 _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "gap": "hrt_gap",
-            "calibration": "hrt_calibration_result", "slide": "hrt_calibration_slide",
-            "comparison": "hrt_calibration_comparison", "registration": "hrt_registration",
-            "touch": "hrt_touch_check", "fingertip": "hrt_fingertip", "recording": "hrt_recording_status"}
-# Of no Dictionary: the node turns as the plate does, and keeps its covariance.
-_NO_KEYS = ("struct_size", "reserved", "plate_rotation", "covariance")
+            "step": "hrt_setup_step", "result": "hrt_setup_result", "conditions": "hrt_conditions",
+            "recording": "hrt_recording_status"}
+# Of no Dictionary and no property: the marks of a set-up are the start and five places on the rim.
+_NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 _KINDS = {"int32_t": "kInt32", "uint32_t": "kUint32", "int64_t": "kInt64", "uint64_t": "kInt64", "double": "kDouble",
-          "hrt_target": "kInt64"}
+          "hrt_target": "kInt64", "char": "kText"}
 # Of no property or Dictionary: methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
@@ -32,7 +31,9 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
         tables[name] = _table(abi, struct, [f for f in abi.struct(struct).fields
                                             if f.name not in _NO_KEYS])
     tables["device"] = _table(plate, "hrt_plate_report", [f for f in plate.struct("hrt_plate_report").fields
-                                                          if f.name != "struct_size" and f.type.name != "char"])
+                                                          if f.name not in _NO_KEYS])
+    tables["setup"] = _table(abi, "hrt_setup_config", [f for f in abi.struct("hrt_setup_config").fields
+                                                       if f.name not in _NO_KEYS], "setup_")
     return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
             "#include <cstring>\n\n"
             + _INTERVAL + "namespace hrt_godot {\nnamespace {\n\n"
@@ -48,15 +49,15 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
             + "}\n\n}  // namespace hrt_godot\n")
 
 
-def _table(abi: Abi, struct: str, fields: list[Field]) -> str:
-    return "".join(_row(abi, struct, field) for field in fields)
+def _table(abi: Abi, struct: str, fields: list[Field], prefix: str = "") -> str:
+    return "".join(_row(abi, struct, field, prefix) for field in fields)
 
 
-def _row(abi: Abi, struct: str, field: Field) -> str:
+def _row(abi: Abi, struct: str, field: Field, prefix: str) -> str:
     if field.type.name == "hrt_interval" and not field.length:
         return f"    INTERVAL({struct}, {field.name}),\n"
     kind = "kVector3" if (field.type.name, field.length) == ("double", 3) else _KINDS.get(field.type.name)
-    if kind is None or field.length not in (0, 3):
+    if kind is None or field.length not in (0, 3) and kind != "kText":
         raise HeaderError(f"{struct}::{field.name} is of a type that Godot's tables do not have; "
                           "generator/godot.py says which there are")
     choices = ""
@@ -64,7 +65,7 @@ def _row(abi: Abi, struct: str, field: Field) -> str:
         enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
         if not enumeration.flags:
             choices = f', "{_choices(enumeration)}"'
-    return f'    {{"{field.name}", FieldKind::{kind}, offsetof({struct}, {field.name}){choices}}},\n'
+    return f'    {{"{prefix}{field.name}", FieldKind::{kind}, offsetof({struct}, {field.name}){choices}}},\n'
 
 
 def _shown(abi: Abi) -> list[Enumeration]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from decimal import Decimal
 
 import comments
@@ -16,7 +16,8 @@ import settings
 from abi import Abi, Enumeration, Field, HeaderError, Struct, pascal
 
 _STRUCTS = {settings.STRUCT: "FHapticSettings", "hrt_command": "FHapticCommand", "hrt_reach_summary": "FHapticSummary",
-            "hrt_gap": "FHapticGap", "hrt_scene_target": "FHapticSceneTarget"}
+            "hrt_gap": "FHapticGap", "hrt_scene_target": "FHapticSceneTarget",
+            "hrt_setup_step": "FHapticSetupStep", "hrt_setup_result": "FHapticSetupResult"}
 # The component's transform has the first; the plugin keeps the others.
 _NOT_SHOWN = ("struct_size", "reserved", "plate_rotation", "covariance", "sd_m")
 # Arguments of the component.
@@ -74,7 +75,7 @@ class _Renderer:
     def members_of(self, struct: Struct) -> list[_Member]:
         if struct.name != settings.STRUCT:
             fields = [f for f in struct.fields if f.name not in _NOT_SHOWN]
-            return [self.member(struct, f) for f in fields]
+            return [m for f in fields for m in (self.interval(struct, f) if f.type.name == "hrt_interval" else [self.member(struct, f)])]
         members = []
         for f in (f for fields in settings.by_section(self.abi).values() for f in fields):
             if self.is_flags(f):
@@ -102,6 +103,22 @@ class _Renderer:
         type_, to, taken = self.conversion(field, yaw)
         return _Member(field, type_, name, to.format(f"S.{of_other}"), taken.format(f"C.{source}"),
                        self.default(field, type_, yaw))
+
+    def interval(self, struct: Struct, field: Field) -> list[_Member]:
+        """Value, ends and whether it is known: bias_deg is BiasYaw, BiasYawLower, BiasYawUpper, bBiasYawKnown."""
+        yaw = self.is_yaw(struct, field)
+        name = _words(field.name.removesuffix("_" + field.unit) if field.unit else field.name) + ("Yaw" if yaw else "")
+        ends = ("upper", "lower") if yaw else ("lower", "upper")
+        value = "Turned(C.{}.{})" if yaw else "C.{}.{}"
+
+        def member(end: str, part: str, doc: str) -> _Member:
+            part_of = replace(field, name=f"{field.name}_{end.lower()}", doc=doc)
+            if end == "Known":
+                return _Member(part_of, "bool", f"b{name}Known", "", f"C.{field.name}.known != 0", "false")
+            return _Member(part_of if end else field, "double", name + end, "", value.format(field.name, part), "0.0")
+
+        return [member("", "value", ""), member("Lower", ends[0], "Lower end of its 95 % interval."),
+                member("Upper", ends[1], "Upper end of its 95 % interval."), member("Known", "", "True if the data determine it.")]
 
     def conversion(self, field: Field, yaw: bool) -> tuple[str, str, str]:
         """The type in Unreal, and how it is converted to C and back."""

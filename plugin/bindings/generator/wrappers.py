@@ -19,7 +19,7 @@ _SOURCES = {
 }
 # Structs that a host's own code fills, field by field; the others are generated there.
 _FILLED = {
-    "godot": ("hrt_target_config", "hrt_reach_config", "hrt_sample", "hrt_calibration_config"),
+    "godot": ("hrt_target_config", "hrt_reach_config", "hrt_sample"),
     "unreal": ("hrt_target_config", "hrt_reach_config", "hrt_sample"),
     "python": ("hrt_reach_config", "hrt_sample"),
 }
@@ -35,27 +35,20 @@ _ALL = "godot python unity unreal web"
 _PLATE = "hrt_plate_open hrt_plate_set hrt_plate_stop hrt_plate_get hrt_plate_close hrt_plate_last_error"
 # Hosts, names, and why those hosts do without.
 _LEFT_OUT = (
-    ("godot", "hrt_person_create hrt_person_destroy hrt_person_begin hrt_person_move hrt_person_get_state", "not yet in a node"),
+    ("godot", "hrt_person_get_state", "update_simulated_finger() has the place"),
     (_ALL, "hrt_result_string", "an error has the text of hrt_last_error()"),
     ("godot python unreal web", "hrt_set_host", "what a recording has lost is reported when it stops"),
     ("godot", "hrt_scene_get_info hrt_scene_get_target", "find_target() has the ids, the node itself moves to the plate"),
     ("unity", "hrt_scene_get_target", "a registered target is read from the session"),
     ("godot unreal", "hrt_replay", "recordings are replayed in Python"),
     ("unreal", "hrt_target_list", "a Blueprint has the ids"),
-    ("unreal", "hrt_registration_check hrt_latency_fit hrt_target_assign "
-     "hrt_profile_get_conditions hrt_profile_set_conditions hrt_calibration_create hrt_calibration_destroy "
-     "hrt_calibration_begin_trial hrt_calibration_add_sample hrt_calibration_end_trial "
-     "hrt_calibration_next_angle hrt_calibration_solve hrt_calibration_get_residual hrt_calibration_apply "
-     "hrt_calibration_compare hrt_registration_fit hrt_registration_advice hrt_registration_apply hrt_registration_confirm "
-     "hrt_fingertip_fit hrt_fingertip_place hrt_person_get_state",
+    ("unreal", "hrt_target_assign hrt_profile_get_conditions hrt_profile_set_conditions hrt_person_get_state",
      "C++ calls the C interface with GetSession()"),
-    ("godot", "hrt_registration_check", "a touch of a mark before a reach confirms the registration"),
-    ("godot", "hrt_latency_fit", "a tracker's latency is a setting, found once in Python, JavaScript or C#"),
-    ("godot", "hrt_calibration_config::max_trials hrt_calibration_config::max_samples",
-     "the defaults hold several times the slides that a calibration needs"),
-    ("godot unreal", "hrt_setup_begin hrt_setup_update hrt_setup_finish hrt_setup_cancel", "a set-up is in Python, C# and C"),
-    ("godot python unreal", "hrt_sample::joint_rotation", "a set-up's fingertip is found in C# and C"),
-    ("godot unreal", "HRT_SAMPLE_JOINT_ROTATION", "likewise"),
+    ("godot unity unreal", "hrt_calibration_create hrt_calibration_destroy hrt_calibration_begin_trial hrt_calibration_add_sample "
+     "hrt_calibration_end_trial hrt_calibration_next_angle hrt_calibration_solve hrt_calibration_get_residual "
+     "hrt_calibration_apply hrt_calibration_compare hrt_registration_fit hrt_registration_advice hrt_registration_apply "
+     "hrt_registration_check hrt_registration_confirm hrt_latency_fit hrt_fingertip_fit hrt_fingertip_place", "a set-up has them"),
+    ("python", "hrt_sample::joint_rotation", "a set-up's fingertip is found in engines and C"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
     ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),
     ("unreal", _PLATE, "a game links libhrt_plate, and calls plate.h"),

@@ -117,14 +117,7 @@ void fill_dictionary(gde_dictionary* dictionary, const Record& record) {
     to_variant(&key, std::string(name));
     gde_variant* value = engine.dictionary_operator_index(dictionary, &key);
     engine.variant_destroy(value);
-    if (const Vector3* vector = std::get_if<Vector3>(&entry)) {
-      const EngineVector3 floats = narrow(*vector);
-      new_variant(value, GDE_VECTOR3, &floats);
-    } else if (const double* real = std::get_if<double>(&entry)) {
-      new_variant(value, GDE_FLOAT, real);
-    } else {
-      new_variant(value, GDE_INT, &std::get<int64_t>(entry));
-    }
+    to_variant(value, std::visit([](const auto& each) { return Value(each); }, entry));
     engine.variant_destroy(&key);
   }
 }
@@ -461,6 +454,7 @@ void initialize(void*, int32_t level) noexcept {
         name,
         {method.name, method.returns, {method.arguments.begin(), method.arguments.end()}, &method, nullptr});
   for (const Field& field : config_fields) register_property(name, field);
+  for (const Field& field : setup_fields) register_property(name, field);
   for (const Signal& signal : signals()) register_signal(name, signal);
   for (const Constant& constant : constants) register_constant(name, constant);
 }

@@ -46,6 +46,8 @@ Type type_of(const Field& field) {
       return Type::kReal;
     case FieldKind::kVector3:
       return Type::kVector3;
+    case FieldKind::kText:
+      return Type::kString;
     default:
       return Type::kInt;
   }
@@ -63,6 +65,8 @@ Value get_field(const void* object, const Field& field) {
       return read<Vector3>(object, field);
     case FieldKind::kInt64:
       return read<int64_t>(object, field);
+    case FieldKind::kText:
+      return std::string(static_cast<const char*>(object) + field.offset);
   }
   return {};
 }
@@ -98,6 +102,7 @@ Record to_record(const void* object, std::span<const Field> fields) {
   for (const Field& field : fields) {
     const Value value = get_field(object, field);
     if (const double* real = std::get_if<double>(&value)) record.emplace_back(field.name, *real);
+    if (const std::string* text = std::get_if<std::string>(&value)) record.emplace_back(field.name, *text);
     if (const int64_t* integer = std::get_if<int64_t>(&value)) record.emplace_back(field.name, *integer);
     if (const Vector3* vector = std::get_if<Vector3>(&value)) record.emplace_back(field.name, *vector);
   }

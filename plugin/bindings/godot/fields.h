@@ -14,7 +14,7 @@
 
 namespace hrt_godot {
 
-enum class FieldKind { kInt32, kUint32, kInt64, kDouble, kVector3 };
+enum class FieldKind { kInt32, kUint32, kInt64, kDouble, kVector3, kText };
 
 struct Field {
   const char* name;
@@ -34,18 +34,16 @@ Record to_record(const void* object, std::span<const Field> fields);
 /** The properties: hrt_session_config without the plate's pose, which is the node's own, and without its
  * fixed arrays, such as what is believed of the person, which profiles hold. */
 extern const std::span<const Field> config_fields;
+/** More properties: hrt_setup_config without its marks. */
+extern const std::span<const Field> setup_fields;
 extern const std::span<const Field> command_fields;
 extern const std::span<const Field> summary_fields;
 extern const std::span<const Field> gap_fields;
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
-extern const std::span<const Field> calibration_fields;
-extern const std::span<const Field> slide_fields;
-extern const std::span<const Field> comparison_fields;
-extern const std::span<const Field> registration_fields;
-extern const std::span<const Field> touch_fields;
-extern const std::span<const Field> fingertip_fields;
+extern const std::span<const Field> result_fields;
+extern const std::span<const Field> step_fields;
+extern const std::span<const Field> conditions_fields;
 extern const std::span<const Field> recording_fields;
-/** Of hrt_plate_report, its texts excepted. */
 extern const std::span<const Field> device_fields;
 
 struct Constant {

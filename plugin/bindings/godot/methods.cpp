@@ -4,7 +4,7 @@
 namespace hrt_godot {
 namespace {
 
-constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded};
+constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded, kSetupStep, kSetupFinished};
 
 constexpr Argument kPolarTarget[] = {
     {"name", Type::kString}, {"direction_deg", Type::kReal}, {"distance_m", Type::kReal}};
@@ -26,21 +26,14 @@ constexpr Argument kSample[] = {{"flags", Type::kInt},
                                 {"finger_y_m", Type::kReal},
                                 {"finger_z_m", Type::kReal},
                                 {"plate_orientation_deg", Type::kReal}};
-constexpr Argument kGoal[] = {{"goal_direction_deg", Type::kReal}};
-constexpr Argument kGoalAndRange[] = {{"goal_direction_deg", Type::kReal},
-                                      {"lower_plate_deg", Type::kReal},
-                                      {"upper_plate_deg", Type::kReal},
-                                      {"enough_weight_width", Type::kReal}};
-constexpr Argument kSlide[] = {{"slide", Type::kInt}};
 constexpr Argument kConditions[] = {
     {"plate", Type::kString}, {"tracker", Type::kString}, {"time_s", Type::kInt}};
 constexpr Argument kPlate[] = {{"plate_orientation_deg", Type::kReal}};
 constexpr Argument kExclusive[] = {{"exclusive", Type::kBool}};
 constexpr Argument kName[] = {{"name", Type::kString}};
-constexpr Argument kMark[] = {{"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}};
-constexpr Argument kMarkAndTime[] = {
-    {"mark_m", Type::kVector3}, {"touched_position", Type::kVector3}, {"time_ns", Type::kInt}};
-constexpr Argument kJoint[] = {{"joint", Type::kPose}};
+constexpr Argument kJoint[] = {{"joint", Type::kPose}, {"time_ns", Type::kInt}};
+constexpr Argument kWhat[] = {{"what", Type::kInt}};
+constexpr Argument kPerson[] = {{"virtual_target", Type::kInt}, {"seed", Type::kInt}};
 constexpr Argument kDevice[] = {{"device", Type::kString}};
 constexpr Argument kOrientation[] = {{"orientation_deg", Type::kReal}};
 constexpr Argument kJson[] = {{"json", Type::kString}};
@@ -57,6 +50,7 @@ const Method kMethods[] = {
     {"begin_with_plate_at", Type::kInt, kErrInvalidParameter, kPairAndPlate, &PlateNode::begin_with_plate_at},
     {"begin_for", Type::kInt, kErrInvalidParameter, kPairAndDuration, &PlateNode::begin_for},
     {"update", Type::kInt, kErrInvalidParameter, kFinger, &PlateNode::update},
+    {"update_joint", Type::kInt, kErrInvalidParameter, kJoint, &PlateNode::update_joint},
     {"update_lost", Type::kInt, kErrInvalidParameter, kTime, &PlateNode::update_lost},
     {"update_sample", Type::kInt, kErrInvalidParameter, kSample, &PlateNode::update_sample},
     {"retarget", Type::kInt, kErrInvalidParameter, kPair, &PlateNode::retarget},
@@ -70,28 +64,12 @@ const Method kMethods[] = {
     {"get_assigned", Type::kRecord, Record{}, kVirtualTarget, &PlateNode::get_assigned},
     {"load_scene", Type::kInt, kErrInvalidParameter, kPath, &PlateNode::load_scene},
     {"find_target", Type::kInt, kNoTarget, kName, &PlateNode::find_target},
-    {"begin_calibration", Type::kInt, kErrInvalidParameter, kGoal, &PlateNode::begin_calibration},
-    {"begin_calibration_within", Type::kInt, kErrInvalidParameter, kGoalAndRange,
-     &PlateNode::begin_calibration_within},
-    {"get_next_angle", Type::kRecord, Record{}, {}, &PlateNode::get_next_angle},
-    {"begin_trial", Type::kInt, kErrInvalidParameter, kPlate, &PlateNode::begin_trial},
-    {"add_trial_sample", Type::kInt, kErrInvalidParameter, kFinger, &PlateNode::add_trial_sample},
-    {"end_trial", Type::kInt, kErrInvalidParameter, {}, &PlateNode::end_trial},
-    {"cancel_trial", Type::kInt, kErrInvalidParameter, {}, &PlateNode::cancel_trial},
-    {"solve_calibration", Type::kRecord, Record{}, {}, &PlateNode::solve_calibration},
-    {"get_slide", Type::kRecord, Record{}, kSlide, &PlateNode::get_slide},
-    {"apply_calibration", Type::kInt, kErrInvalidParameter, {}, &PlateNode::apply_calibration},
-    {"compare_calibrations", Type::kRecord, Record{}, {}, &PlateNode::compare_calibrations},
-    {"end_calibration", Type::kInt, kErrInvalidParameter, {}, &PlateNode::end_calibration},
-    {"clear_touches", Type::kInt, kErrInvalidParameter, {}, &PlateNode::clear_touches},
-    {"add_mark_touch", Type::kInt, kErrInvalidParameter, kMark, &PlateNode::add_mark_touch},
-    {"fit_registration", Type::kRecord, Record{}, {}, &PlateNode::fit_registration},
-    {"get_registration_advice", Type::kString, std::string(), {}, &PlateNode::get_registration_advice},
-    {"apply_registration", Type::kInt, kErrInvalidParameter, kTime, &PlateNode::apply_registration},
-    {"confirm_registration", Type::kRecord, Record{}, kMarkAndTime, &PlateNode::confirm_registration},
-    {"add_joint_touch", Type::kInt, kErrInvalidParameter, kJoint, &PlateNode::add_joint_touch},
-    {"fit_fingertip", Type::kRecord, Record{}, {}, &PlateNode::fit_fingertip},
-    {"place_fingertip", Type::kVector3, kNowhere, kJoint, &PlateNode::place_fingertip},
+    {"begin_setup", Type::kInt, kErrInvalidParameter, kWhat, &PlateNode::begin_setup},
+    {"finish_setup", Type::kRecord, Record{}, {}, &PlateNode::finish_setup},
+    {"cancel_setup", Type::kInt, kErrInvalidParameter, {}, &PlateNode::cancel_setup},
+    {"is_setting_up", Type::kBool, false, {}, &PlateNode::is_setting_up},
+    {"begin_simulated_finger", Type::kInt, kErrInvalidParameter, kPerson, &PlateNode::begin_simulated_finger},
+    {"update_simulated_finger", Type::kVector3, kNowhere, kTime, &PlateNode::update_simulated_finger},
     {"load_profile", Type::kInt, kErrInvalidParameter, kJson, &PlateNode::load_profile},
     {"save_profile", Type::kString, std::string(), {}, &PlateNode::save_profile},
     {"set_conditions", Type::kInt, kErrInvalidParameter, kConditions, &PlateNode::set_conditions},
@@ -103,8 +81,6 @@ const Method kMethods[] = {
     {"turn_device", Type::kInt, kErrInvalidParameter, kOrientation, &PlateNode::turn_device},
     {"stop_device", Type::kInt, kErrInvalidParameter, {}, &PlateNode::stop_device},
     {"get_device_report", Type::kRecord, Record{}, {}, &PlateNode::get_device_report},
-    {"get_device_description", Type::kString, std::string(), {}, &PlateNode::get_device_description},
-    {"get_device_message", Type::kString, std::string(), {}, &PlateNode::get_device_message},
     {"close_device", Type::kInt, kErrInvalidParameter, {}, &PlateNode::close_device},
     {"get_version", Type::kString, std::string(), {}, &PlateNode::get_version},
 };

@@ -47,10 +47,11 @@ int64_t to_godot_error(hrt_result result) {
   return 47;  // ERR_BUG
 }
 
-PlateNode::PlateNode(Engine& engine) : engine_(engine), config_(hrt_session_config_init()) {}
+PlateNode::PlateNode(Engine& engine)
+    : engine_(engine), setup_config_(hrt_setup_config_init()), config_(hrt_session_config_init()) {}
 
 PlateNode::~PlateNode() {
-  if (calibration_.value) hrt_calibration_destroy(calibration_);
+  if (person_.value) hrt_person_destroy(person_);
   if (session_.value) hrt_session_destroy(session_);
 }
 
@@ -72,8 +73,14 @@ Value PlateNode::call(const Method& method, std::span<const Value> arguments) no
   return method.failure;
 }
 
+/** The struct that has the property. */
+const void* PlateNode::of(const Field& property) const {
+  const bool is_of_setup = &property >= setup_fields.data() && &property < &setup_fields.back() + 1;
+  return is_of_setup ? static_cast<const void*>(&setup_config_) : &config_;
+}
+
 void PlateNode::set(const Field& property, const Value& value) noexcept try {
-  if (set_field(&config_, property, value)) return;
+  if (set_field(const_cast<void*>(of(property)), property, value)) return;
   std::string text = std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
                      "; allowed: " + type_name(type_of(property));
   if (property.kind == FieldKind::kUint32) text += " from 0 to 4294967295";
@@ -90,18 +97,11 @@ bool PlateNode::ok(hrt_result result) {
   return false;
 }
 
-/** Whether an earlier call has filled a struct of this size; otherwise the user has been shown `text`. */
-bool PlateNode::is_fitted(uint32_t struct_size, const char* text) {
-  if (struct_size) return true;
-  result_ = HRT_ERROR_WRONG_STATE;
-  engine_.push_error(text);
-  return false;
-}
-
-/** Brings the session to the properties and the node's pose, between reaches. Properties are set one by one,
- *  when a scene loads for example, and are valid or not only together: this is where they are checked. */
+/** Brings the session to the properties and the node's pose, between reaches and set-ups. Properties are set
+ * one by one, when a scene loads for example, and are valid or not only together: this is where they are
+ * checked. */
 bool PlateNode::configure() {
-  if (reaching_) return true;
+  if (reaching_ || setting_up_) return true;
   if (!read_pose(config_.plate_position_m, config_.plate_rotation)) {
     engine_.push_error(kNotRigid);
     return false;
@@ -119,7 +119,7 @@ bool PlateNode::configure() {
   return true;
 }
 
-/** Shows why a sample was refused, once in a reach or trial for each reason: samples come in every frame. */
+/** Shows why a sample was refused, once in a reach or set-up for each reason: samples come in every frame. */
 void PlateNode::report_sample(size_t reason, const char* text) {
   if (!refused_.test(reason)) engine_.push_error(text);
   refused_.set(reason);
@@ -142,15 +142,9 @@ bool PlateNode::read_pose(double (&position_m)[3], double (&rotation)[4]) {
   return true;
 }
 
-/** Puts the node where the library has the plate: in floats, beside which the session keeps its doubles. */
-void PlateNode::move_to_plate() {
-  take_changes();
-  engine_.move_node(to_pose(configured_.plate_position_m, configured_.plate_rotation));
-  plate_pose_ = engine_.node_pose();
-}
-
-/** Takes what the plugin itself has changed of the configuration, which is what it has learnt of the user,
- * into the properties; others may have been set and wait. */
+/** Takes what the plugin itself has changed of the configuration into the properties, of which others may
+ * have been set and wait. Where it has moved the plate, the node moves too: in floats, beside which the
+ * session keeps its doubles. */
 void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
   if (!ok(hrt_session_get(session_, &configured_, nullptr))) return;
@@ -158,6 +152,12 @@ void PlateNode::take_changes() {
     if (is_different(&before, &configured_, field))
       set_field(&config_, field, get_field(&configured_, field));
   copy_hidden(configured_, config_);
+  if (std::memcmp(before.plate_position_m, configured_.plate_position_m, sizeof before.plate_position_m) ==
+          0 &&
+      std::memcmp(before.plate_rotation, configured_.plate_rotation, sizeof before.plate_rotation) == 0)
+    return;
+  engine_.move_node(to_pose(configured_.plate_position_m, configured_.plate_rotation));
+  plate_pose_ = engine_.node_pose();
 }
 
 // Each frame may turn a device that is being opened, or has failed: the reason of a failure is shown once.
@@ -184,14 +184,6 @@ Value PlateNode::stop_device(const Value*) {
 
 Value PlateNode::get_device_report(const Value*) {
   return device_.report();
-}
-
-Value PlateNode::get_device_description(const Value*) {
-  return device_.description();
-}
-
-Value PlateNode::get_device_message(const Value*) {
-  return device_.message();
 }
 
 Value PlateNode::close_device(const Value*) {

@@ -53,6 +53,8 @@ struct Signal {
 inline constexpr Signal kPlateCommanded{"plate_commanded", {"orientation_deg", Type::kReal}};
 inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
 inline constexpr Signal kReachEnded{"reach_ended", {"miss_deg", Type::kReal}};
+inline constexpr Signal kSetupStep{"setup_step", {"step", Type::kRecord}};
+inline constexpr Signal kSetupFinished{"setup_finished", {"result", Type::kRecord}};
 std::span<const Signal> signals();
 
 /** The engine, as the node needs it. */
@@ -87,7 +89,7 @@ class PlateNode {
 
   /** Checks number and types of the arguments, then calls. Throws nothing. */
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
-  Value get(const Field& property) const { return get_field(&config_, property); }
+  Value get(const Field& property) const { return get_field(of(property), property); }
   void set(const Field& property, const Value& value) noexcept;
 
   Value add_real_target(const Value* arguments);
@@ -100,6 +102,7 @@ class PlateNode {
   Value begin_with_plate_at(const Value* arguments);
   Value begin_for(const Value* arguments);
   Value update(const Value* arguments);
+  Value update_joint(const Value* arguments);
   Value update_lost(const Value* arguments);
   Value update_sample(const Value* arguments);
   Value retarget(const Value* arguments);
@@ -113,27 +116,12 @@ class PlateNode {
   Value get_assigned(const Value* arguments);
   Value load_scene(const Value* arguments);
   Value find_target(const Value* arguments);
-  Value begin_calibration(const Value* arguments);
-  Value begin_calibration_within(const Value* arguments);
-  Value get_next_angle(const Value* arguments);
-  Value begin_trial(const Value* arguments);
-  Value add_trial_sample(const Value* arguments);
-  Value end_trial(const Value* arguments);
-  Value cancel_trial(const Value* arguments);
-  Value solve_calibration(const Value* arguments);
-  Value get_slide(const Value* arguments);
-  Value apply_calibration(const Value* arguments);
-  Value compare_calibrations(const Value* arguments);
-  Value end_calibration(const Value* arguments);
-  Value clear_touches(const Value* arguments);
-  Value add_mark_touch(const Value* arguments);
-  Value fit_registration(const Value* arguments);
-  Value get_registration_advice(const Value* arguments);
-  Value apply_registration(const Value* arguments);
-  Value confirm_registration(const Value* arguments);
-  Value add_joint_touch(const Value* arguments);
-  Value fit_fingertip(const Value* arguments);
-  Value place_fingertip(const Value* arguments);
+  Value begin_setup(const Value* arguments);
+  Value finish_setup(const Value* arguments);
+  Value cancel_setup(const Value* arguments);
+  Value is_setting_up(const Value* arguments);
+  Value begin_simulated_finger(const Value* arguments);
+  Value update_simulated_finger(const Value* arguments);
   Value load_profile(const Value* arguments);
   Value save_profile(const Value* arguments);
   Value set_conditions(const Value* arguments);
@@ -145,46 +133,41 @@ class PlateNode {
   Value turn_device(const Value* arguments);
   Value stop_device(const Value* arguments);
   Value get_device_report(const Value* arguments);
-  Value get_device_description(const Value* arguments);
-  Value get_device_message(const Value* arguments);
   Value close_device(const Value* arguments);
   Value get_version(const Value* arguments);
 
  private:
+  const void* of(const Field& property) const;
   bool ok(hrt_result result);
-  bool is_fitted(uint32_t struct_size, const char* text);
   Value after_device(hrt_result result);
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
-  void move_to_plate();
   bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
   Value add_target(const hrt_target_config& config);
   Value begin_reach(const hrt_reach_config& config);
-  Value create_calibration(const hrt_calibration_config& config);
-  bool finger_sample(const Value* arguments, hrt_sample& out_sample);
+  bool finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample);
   Value send(const hrt_sample& sample);
+  Value guide(const hrt_sample& sample);
   void report_sample(size_t reason, const char* text);
   void take_changes();
 
   Engine& engine_;
   hrt_session session_{};
-  hrt_calibration calibration_{};
-  hrt_calibration_result user_{};    ///< struct_size 0: no calibration is solved
-  hrt_calibration_result before_{};  ///< of the calibration before; struct_size 0: none
+  hrt_person person_{};
+  int64_t seed_ = 0;  ///< of the person
   std::vector<hrt_gap> assigned_;
-  std::vector<hrt_mark_touch> mark_touches_;
-  std::vector<hrt_joint_touch> joint_touches_;
-  hrt_registration registration_{};  ///< struct_size 0: none is fitted
-  hrt_fingertip fingertip_{};        ///< struct_size 0: none is fitted
-  hrt_session_config config_;        ///< the properties and the node's pose
+  hrt_setup_config setup_config_;    ///< the properties of set-ups
+  hrt_session_config config_;        ///< the other properties and the node's pose
   hrt_session_config configured_{};  ///< what the session has of them
   std::optional<Pose> plate_pose_;   ///< the node's, where the library has placed it: doubles in floats
   hrt_command command_{};            ///< struct_size 0: none yet in this reach
   hrt_reach_summary summary_{};      ///< struct_size 0: no reach has ended
+  hrt_setup_step step_{};            ///< struct_size 0: none yet in this set-up
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
   bool reaching_ = false;
+  bool setting_up_ = false;
   PlateDevice device_;
-  std::bitset<128> refused_;  ///< samples of this reach or trial, by the reason
+  std::bitset<128> refused_;  ///< samples of this reach or set-up, by the reason
 };
 
 }  // namespace hrt_godot

@@ -31,7 +31,7 @@ Value PlateNode::set_conditions(const Value* arguments) {
 Value PlateNode::get_conditions(const Value*) {
   hrt_conditions measured = hrt_conditions_init();
   if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return Record{};
-  return Record{{"differing", int64_t{measured.differing}}, {"time_s", measured.time_s}};
+  return to_record(&measured, conditions_fields);
 }
 
 Value PlateNode::start_recording(const Value* arguments) {

@@ -1,4 +1,7 @@
 // A reach of the node: samples in, commands out.
+#include <algorithm>
+#include <array>
+
 #include "plate_node.h"
 
 #include "pose.h"
@@ -39,11 +42,11 @@ Value PlateNode::begin_reach(const hrt_reach_config& config) {
 }
 
 /** A sample of the fingertip in the world, with the plate where the node is. */
-bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
+bool PlateNode::finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample) {
   out_sample = hrt_sample_init();
   out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
-  out_sample.time_ns = to_int(arguments[1]);
-  copy(std::get<Vector3>(arguments[0]), out_sample.finger_position_m);
+  out_sample.time_ns = time_ns;
+  copy(place, out_sample.finger_position_m);
   if (const std::optional<double> orientation_deg = device_.orientation_deg()) {
     out_sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
     out_sample.plate_orientation_deg = *orientation_deg;
@@ -55,7 +58,19 @@ bool PlateNode::finger_sample(const Value* arguments, hrt_sample& out_sample) {
 
 Value PlateNode::update(const Value* arguments) {
   hrt_sample sample;
-  return finger_sample(arguments, sample) ? send(sample) : to_godot_error(result_);
+  return finger_sample(std::get<Vector3>(arguments[0]), to_int(arguments[1]), sample)
+             ? send(sample)
+             : to_godot_error(result_);
+}
+
+Value PlateNode::update_joint(const Value* arguments) {
+  const Pose& joint = std::get<Pose>(arguments[0]);
+  hrt_sample sample;
+  if (!finger_sample(joint.origin, to_int(arguments[1]), sample)) return to_godot_error(result_);
+  sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
+  const std::array<double, 4> rotation = to_quaternion(joint);
+  std::copy(rotation.begin(), rotation.end(), sample.joint_rotation);
+  return send(sample);
 }
 
 Value PlateNode::update_lost(const Value* arguments) {
@@ -87,6 +102,7 @@ Value PlateNode::update_sample(const Value* arguments) {
 Value PlateNode::send(const hrt_sample& filled) {
   hrt_sample sample = filled;
   sample.struct_size = sizeof sample;
+  if (setting_up_) return guide(sample);
   hrt_command command = hrt_command_init();
   result_ = hrt_reach_update(session_, &sample, &command);
   if (result_ != HRT_OK) {
@@ -131,6 +147,30 @@ Value PlateNode::get_command(const Value*) {
 
 Value PlateNode::get_summary(const Value*) {
   return summary_.struct_size ? to_record(&summary_, summary_fields) : Record{};
+}
+
+/** The same seed is the same person, in another reach. */
+Value PlateNode::begin_simulated_finger(const Value* arguments) {
+  const int64_t seed = to_int(arguments[1]);
+  if (!configure()) return to_godot_error(result_);
+  if (person_.value == 0 || seed != seed_) {
+    hrt_person person{};
+    if (!ok(hrt_person_create(nullptr, static_cast<uint64_t>(seed), &person))) return to_godot_error(result_);
+    if (person_.value) hrt_person_destroy(person_);
+    person_ = person;
+    seed_ = seed;
+  }
+  ok(hrt_person_begin(person_, session_, to_target(arguments[0])));
+  return to_godot_error(result_);
+}
+
+/** In place of update(): the place in the world where the tracker sees the finger. */
+Value PlateNode::update_simulated_finger(const Value* arguments) {
+  const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
+  hrt_sample sample = hrt_sample_init();
+  if (!ok(hrt_person_move(person_, to_int(arguments[0]), plate_deg, &sample))) return kNowhere;
+  if (std::get<int64_t>(send(sample)) != 0) return kNowhere;
+  return place(engine_.node_pose(), sample.finger_position_m);
 }
 
 }  // namespace hrt_godot

@@ -117,7 +117,7 @@ Value PlateNode::load_scene(const Value* arguments) {
   const bool registered = ok(hrt_scene_register(scene, session_, 0, nullptr));
   const hrt_result result = result_;
   hrt_scene_destroy(scene);
-  if (registered) move_to_plate();
+  if (registered) take_changes();
   return to_godot_error(result);
 }
 

@@ -51,6 +51,13 @@ Pose to_pose(const double (&position)[3], const double (&rotation)[4]) {
           .origin = {position[0], position[1], position[2]}};
 }
 
+Vector3 place(const Pose& pose, const double (&point)[3]) {
+  const auto [a, b, c] = point;
+  const auto& [x, y, z, at] = pose;
+  return {at.x + a * x.x + b * y.x + c * z.x, at.y + a * x.y + b * y.y + c * z.y,
+          at.z + a * x.z + b * y.z + c * z.z};
+}
+
 void copy(const Vector3& from, double (&to)[3]) {
   to[0] = from.x;
   to[1] = from.y;

@@ -13,6 +13,8 @@ bool is_rigid(const Pose& pose);
 std::array<double, 4> to_quaternion(const Pose& pose);
 /** The axes of a unit quaternion. */
 Pose to_pose(const double (&position)[3], const double (&rotation)[4]);
+/** Where a point of the pose's axes is in the world. */
+Vector3 place(const Pose& pose, const double (&point)[3]);
 void copy(const Vector3& from, double (&to)[3]);
 
 }  // namespace hrt_godot

@@ -28,8 +28,8 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-/** A Dictionary of numbers and places. Keys are string literals. */
-using Entry = std::variant<int64_t, double, Vector3>;
+/** A Dictionary of numbers, places and texts. Keys are string literals. */
+using Entry = std::variant<int64_t, double, Vector3, std::string>;
 using Record = std::vector<std::pair<const char*, Entry>>;
 
 /** The alternatives are in the order of Type. */

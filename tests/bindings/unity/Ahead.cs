@@ -1,5 +1,5 @@
 // What scripts do, where all code is compiled ahead and none can be made while it runs, as under IL2CPP: a
-// component's frames and events, what the library refuses, calibration, a call from one of the library's threads, and
+// component's frames and events, what the library refuses, set-ups, a call from one of the library's threads, and
 // the scripted reach. usage: Ahead.exe RECORDING_CSV
 using System;
 using System.IO;
@@ -15,7 +15,7 @@ static class Ahead
         try
         {
             RunFrames();
-            Calibrate();
+            SetUp();
             ScriptedReach reach = ScriptedReach.Run(File.ReadAllText(arguments[0]));
             string wrong = new Scripts().LeaveEverythingOpen(path);
             Expect(wrong == "", wrong);
@@ -67,19 +67,19 @@ static class Ahead
         component.gameObject.SetActive(false);
     }
 
-    static void Calibrate()
+    static void SetUp()
     {
         using (var session = new HapticRetargetingSession())
-        using (var calibration = new HapticRetargetingCalibration(session))
         {
+            session.BeginSetup(SetupFlags.Registration, SetupConfig.Default);
             try
             {
-                calibration.Solve();
-                Expect(false, "nothing is enough for a calibration");
+                session.FinishSetup();
+                Expect(false, "nothing was touched");
             }
             catch (HapticRetargetingException e)
             {
-                Expect(e.Result == Result.InsufficientData, e.Message);
+                Expect(e.Result == Result.WrongState, e.Message);
             }
         }
     }

@@ -33,7 +33,6 @@ namespace Hrt.HostTests
         public void OtherCallsOfFramesMakeNoGarbage()
         {
             using (var session = new HapticRetargetingSession())
-            using (var calibration = new HapticRetargetingCalibration(session))
             using (var person = new HapticRetargetingPerson(1))
             using (var plate = new HapticRetargetingPlate("serial:/nonexistent"))
             {
@@ -46,11 +45,10 @@ namespace Hrt.HostTests
                     session.EndReach();
                     person.Begin(session, seen);
                     person.Move(i, 0);
-                    calibration.BeginTrial(30);
-                    calibration.AddSample(StraightAhead(i));
-                    calibration.EndTrial(0);
                     plate.Get();
                 });
+                session.BeginSetup(SetupFlags.Calibration, SetupConfig.Default);
+                AssertNoGarbage(i => session.UpdateSetup(StraightAhead(i)));
             }
         }
 

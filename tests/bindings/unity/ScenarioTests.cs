@@ -11,7 +11,6 @@ namespace Hrt.HostTests
     public sealed class ScenarioTests
     {
         readonly Dictionary<string, TargetId> targets = new Dictionary<string, TargetId>();
-        readonly List<MarkTouch> touches = new List<MarkTouch>();
         HapticRetargetingSession session;
         Dictionary<string, string> arguments;
         string saved;
@@ -21,7 +20,7 @@ namespace Hrt.HostTests
         {
             string[] lines = File.ReadAllLines(Environment.GetEnvironmentVariable("HRT_SCENARIO"))
                 .Where(line => line != "" && line[0] != '#').ToArray();
-            Assert.Greater(lines.Length, 40);
+            Assert.Greater(lines.Length, 30);
             using (session = new HapticRetargetingSession())
                 foreach (string line in lines) Play(line);
         }
@@ -89,17 +88,6 @@ namespace Hrt.HostTests
                 case "load_profile":
                     session.LoadProfile(arguments.ContainsKey("text") ? arguments["text"] : saved);
                     return null;
-                case "touch":
-                    touches.Add(new MarkTouch { markM = Place("mark"), touchedM = Place("at") });
-                    return null;
-                case "register":
-                    Registration found =
-                        HapticRetargetingLibrary.FitRegistration(RegistrationConfig.Default, touches.ToArray(), out _);
-                    return new Dictionary<string, double>
-                    {
-                        { "verdict", (double)found.verdict }, { "x", found.platePositionM.x },
-                        { "y", found.platePositionM.y }, { "z", found.platePositionM.z }
-                    };
                 default:
                     throw new NotSupportedException(call);
             }

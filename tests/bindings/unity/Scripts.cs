@@ -3,7 +3,7 @@ using System.Threading;
 using Hrt;
 using UnityEngine;
 
-/// <summary>Scripts that put nothing away: all the sessions and calibrations that there can be, one of which records
+/// <summary>Scripts that put nothing away: all the sessions that there can be, one of which records
 /// until the disk is full, so that the library says so from a thread of its own. To be run where files can't grow
 /// beyond 1 MiB.</summary>
 sealed class Scripts : MarshalByRefObject
@@ -20,7 +20,6 @@ sealed class Scripts : MarshalByRefObject
         {
             sessions[i] = new HapticRetargetingSession();
             if (i == 0) sessions[i].StartRecording(path);
-            if (i < Constants.CalibrationsMax) new HapticRetargetingCalibration(sessions[i]).BeginTrial(30);
             sessions[i].BeginReach(sessions[i].AddTarget(TargetRole.Real, -5),
                                    sessions[i].AddTarget(TargetRole.Virtual, 5));
         }

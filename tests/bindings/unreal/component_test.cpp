@@ -306,30 +306,76 @@ TEST_F(Component, LoadsAScene) {
   EXPECT_EQ(ids.Num(), 4);
 }
 
-// What C++ does beyond the component's own calls: here a registration, which moves the component.
-TEST_F(Component, TakesWhatCallsOfCHaveChanged) {
-  const hrt_session session = component_.GetSession();
-  ASSERT_NE(session.value, 0u) << last_log();
-  hrt_registration found = hrt_registration_init();
-  const double marks[5][3] = {{0, 0, 0.05}, {0.076, 0, 0.044}, {0.076, 0, -0.044}, {-0.076, 0, -0.044}, {-0.076, 0, 0.044}};
-  hrt_mark_touch touches[5]{};
-  for (int i = 0; i < 5; ++i)
-    for (int axis = 0; axis < 3; ++axis) {
-      touches[i].mark_m[axis] = marks[i][axis];
-      touches[i].touched_m[axis] = marks[i][axis] + (axis == 1 ? 0.8 : 0.0);
+// A user touches the marks of a plate that stands elsewhere, with the skin beside the tracked joint.
+TEST_F(Component, IsMovedByASetupToWhereItIsTouched) {
+  const FTransform at(FQuat(FVector(0, 0, 1), 0.9), FVector(120, -45, 80));
+  const FVector offset(1.2, 0, -0.8);  // from the joint to the skin, in its axes
+  const FQuat ways[] = {FQuat(), FQuat(FVector(0, 1, 0), 0.9), FQuat(FVector(1, 0, 0), 0.7), FQuat(FVector(1, 0, 0), -0.7),
+                        FQuat(FVector(0, 0, 1), 0.7), FQuat(FVector(0, 0, 1), -0.7)};
+  FHapticSetupStep step;
+  int steps = 0, lifted = 0;
+  component_.OnSetupStepped.Add([&](const FHapticSetupStep& next) {
+    step = next;
+    ++steps;
+    if (next.Instruction == EHapticStep::TouchMark) lifted = 8;
+  });
+  const int32 both = static_cast<int32>(HRT_SETUP_FINGERTIP | HRT_SETUP_REGISTRATION);
+  EXPECT_FALSE(component_.BeginSetup(0));
+  ASSERT_TRUE(component_.BeginSetup(both)) << last_log();
+  FHapticSetupResult result;
+  EXPECT_FALSE(component_.FinishSetup(result));
+  for (int frame = 0; component_.IsSettingUp() && frame < 3000; ++frame) {
+    const FQuat way = step.Part == static_cast<int32>(HRT_SETUP_FINGERTIP) ? ways[step.Number % 6] : FQuat();
+    const FVector skin = at.TransformPosition(step.Place) + FVector(0, 0, --lifted > 0 ? 5 : 0);
+    const FVector joint = FTransform(way, skin).TransformPosition(offset * -1.0);
+    ASSERT_TRUE(component_.UpdateJoint(FTransform(way, joint), frame / 90.0)) << last_log();
+    if (step.Instruction == EHapticStep::Finish) {
+      ASSERT_TRUE(component_.FinishSetup(result)) << last_log();
     }
-  ASSERT_EQ(hrt_registration_fit(nullptr, touches, 5, 0, nullptr, &found), HRT_OK) << hrt_last_error();
-  ASSERT_EQ(hrt_registration_apply(session, &found, 5'000'000'000), HRT_OK) << hrt_last_error();
-  component_.TakeFromSession();
-  EXPECT_TRUE(component_.GetComponentTransform().Equals(FTransform(FQuat(), FVector(0, 0, 80)), 1e-6));
+  }
+  EXPECT_EQ(result.Done, both);
+  EXPECT_LT(steps, 100);
+  EXPECT_TRUE(component_.GetComponentTransform().Equals(at, 1e-2));
   EXPECT_TRUE(component_.Settings.bRegistered);
-  EXPECT_EQ(component_.Settings.RegistrationTime, 5);
-  hrt_touch_check check = hrt_touch_check_init();
-  EXPECT_EQ(hrt_registration_confirm(component_.GetSession(), &found, &touches[0], 6'000'000'000, &check), HRT_OK) << hrt_last_error();
-  EXPECT_EQ(check.holds, 1u) << "the session keeps the pose to the last bit";
-  component_.SetWorldTransform(somewhere());
+  EXPECT_EQ(Stub::ToUtf8(*step.Text), "One moment.");
+  ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CHECK))) << "the session keeps the pose to the last bit";
+  ASSERT_TRUE(component_.CancelSetup());
+  EXPECT_FALSE(component_.CancelSetup());
+  component_.SetWorldTransform(FTransform());
   EXPECT_NE(component_.GetSession().value, 0u);
   EXPECT_FALSE(component_.Settings.bRegistered) << "moved elsewhere";
+}
+
+// A loop asks a simulated person for slides.
+TEST_F(Component, CalibratesASimulatedFinger) {
+  component_.SetWorldTransform(somewhere());
+  FHapticTarget ahead;
+  ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("ahead"), 0, 10, ahead));
+  FHapticSetupStep step;
+  int slides = 0, turns = 0;
+  component_.OnSetupStepped.Add([&](const FHapticSetupStep& next) { step = next; });
+  component_.OnPlateCommanded.Add([&](double) { ++turns; });
+  ASSERT_TRUE(component_.BeginSetup(static_cast<int32>(HRT_SETUP_CALIBRATION)));
+  ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, ++slides));
+  FHapticSetupResult result;
+  FVector place;
+  for (int frame = 0; component_.IsSettingUp() && frame < 40000; ++frame) {
+    const bool rested = step.Instruction == EHapticStep::RestAtStart;
+    ASSERT_TRUE(component_.UpdateSimulatedFinger(frame / 90.0, place)) << last_log();
+    if (step.Instruction == EHapticStep::RestAtStart && !rested) {
+      ASSERT_TRUE(component_.BeginSimulatedFinger(ahead, 1));
+    }
+    if (step.Instruction == EHapticStep::Finish) {
+      ASSERT_TRUE(component_.FinishSetup(result));
+    }
+  }
+  EXPECT_EQ(result.Done, static_cast<int32>(HRT_SETUP_CALIBRATION));
+  EXPECT_GE(turns, 16);
+  EXPECT_TRUE(result.bTactileWeightKnown);
+  EXPECT_LE(result.BiasYawLower, result.BiasYaw);
+  EXPECT_LE(result.BiasYaw, result.BiasYawUpper);
+  EXPECT_EQ(component_.Settings.TactileWeight, result.TactileWeight);
+  EXPECT_EQ(component_.Settings.BiasYaw, result.BiasYaw);
 }
 
 TEST_F(Component, IsLedThroughByASimulatedFinger) {

@@ -1,4 +1,4 @@
-// The example of the Unreal plugin's README, run.
+// The examples of the Unreal plugin's README, run.
 
 #include <gtest/gtest.h>
 
@@ -19,6 +19,19 @@ TEST(UnrealReadme, BendsTheFinger) {
   // The cylinder: 10 cm from the start, 5 degrees to the right.
   EXPECT_TRUE(desk.Finger->GetComponentLocation().Equals(FVector(4.96, 0.87, 0), 0.6));
   EXPECT_EQ(desk.Ridges->GetRelativeRotation().Yaw, desk.Plate->GetCommand().PlateYaw);
+  desk.Plate->BeginDestroy();
+}
+
+TEST(UnrealReadme, AsksForTouches) {
+  ASetUpDesk desk;
+  desk.BeginPlay();
+  for (int frame = 0; frame < 200; ++frame) {
+    FPlatformTime::Now = 1000 + frame / 90.0;
+    desk.Finger->SetWorldLocation(FVector(frame < 20 ? 10 : -5, 0, 0));
+    desk.Tick(1 / 90.0f);
+  }
+  EXPECT_TRUE(desk.Plate->IsSettingUp());
+  EXPECT_NE(FLogCategory::Lines.back().find("touch mark 1 with the finger held steeply"), std::string::npos) << FLogCategory::Lines.back();
   desk.Plate->BeginDestroy();
 }
 

@@ -57,8 +57,8 @@ class ComponentCaller {
     if (name == "save_profile") return component_.SaveProfile(profile_);
     if (name == "load_profile")
       return component_.LoadProfile(call.arguments.contains("text") ? FString(Stub::ToUtf16(call.text("text")).c_str()) : profile_);
-    if (name == "touch") return touch(call);
-    return fit();
+    ADD_FAILURE() << name << " is no call of the scenario";
+    return false;
   }
 
   bool gap(const scenario::Call& call) {
@@ -75,29 +75,9 @@ class ComponentCaller {
     return true;
   }
 
-  /** With the C interface, as C++ in Unreal. */
-  bool fit() {
-    hrt_registration found = hrt_registration_init();
-    const hrt_result result = hrt_registration_fit(nullptr, touches_.data(), touches_.size(), 0, nullptr, &found);
-    values_ = {{"verdict", found.verdict}, {"x", found.plate_position_m[0]}, {"y", found.plate_position_m[1]},
-               {"z", found.plate_position_m[2]}};
-    return result == HRT_OK;
-  }
-
-  bool touch(const scenario::Call& call) {
-    hrt_mark_touch touch{};
-    for (int axis = 0; axis < 3; ++axis) {
-      touch.mark_m[axis] = call.part("mark", axis);
-      touch.touched_m[axis] = call.part("at", axis);
-    }
-    touches_.push_back(touch);
-    return true;
-  }
-
   UHapticRetargetingComponent& component_;
   std::map<std::string, FHapticTarget> targets_;
   FString profile_;
-  std::vector<hrt_mark_touch> touches_;
   std::map<std::string, double> values_;
 };
 

@@ -28,6 +28,6 @@ func _process(_delta: float) -> void:
 			XRHandTracker.HAND_JOINT_FLAG_POSITION_TRACKED
 	if seen:
 		var tip := tracker.get_hand_joint_transform(XRHandTracker.HAND_JOINT_INDEX_FINGER_TIP)
-		plate.update(origin.global_transform * tip.origin, time_ns)
+		plate.update_joint(origin.global_transform * tip, time_ns)
 	else:
 		plate.update_lost(time_ns)

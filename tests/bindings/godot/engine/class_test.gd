@@ -38,7 +38,7 @@ func test_registered() -> void:
 	check_equal(preload("res://addons/haptic_retargeting/constants.gd").COMMAND_SATURATED, HapticRetargeting.COMMAND_SATURATED,
 			"constants.gd")
 	for signal_of in ClassDB.class_get_signal_list("HapticRetargeting", true):
-		check(signal_of.name in ["plate_commanded", "flags_changed", "reach_ended"], signal_of.name)
+		check(signal_of.name in ["plate_commanded", "flags_changed", "reach_ended", "setup_step", "setup_finished"], signal_of.name)
 		check_equal(signal_of.args.size(), 1, "arguments of " + signal_of.name)
 
 func test_names() -> void:

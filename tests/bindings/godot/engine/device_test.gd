@@ -20,7 +20,7 @@ func test_refusals() -> void:
 	check_equal(plate.open_device("serial:/nonexistent"), OK, "open")
 	check_equal(eventually(plate, "state", HapticRetargeting.PLATE_STATE_FAILED).fault, HapticRetargeting.PLATE_FAULT_LINE, "fault")
 	var why := "the plate at /nonexistent cannot be opened: No such file or directory"
-	check_equal(plate.get_device_message(), why, "message")
+	check_equal(plate.get_device_report().message, why, "message")
 	check_equal(refused(why, plate.turn_device.bind(10.0)), ERR_UNAVAILABLE, "a turn of a failed device")
 	check_equal(plate.turn_device(10.0), ERR_UNAVAILABLE, "again, which is named once")
 	check_equal(plate.close_device(), OK, "close")
@@ -35,7 +35,7 @@ func test_turns() -> void:
 	for device: String in devices:
 		check_equal(plate.open_device(OS.get_environment(device)), OK, "open")
 		eventually(plate, "state", HapticRetargeting.PLATE_STATE_READY)
-		check_equal(plate.get_device_description(), devices[device], "description")
+		check_equal(plate.get_device_report().description, devices[device], "description")
 		var report := eventually(plate, "orientation_deg", -45.0, 135)  # which feels like -45
 		check_equal(report.fault, HapticRetargeting.PLATE_FAULT_NONE, "fault")
 		check_equal(report.command_deg, -45.0, "command")

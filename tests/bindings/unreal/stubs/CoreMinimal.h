@@ -23,6 +23,7 @@ using TCHAR = char16_t;
 #define UCLASS(...)
 #define UPROPERTY(...)
 #define UFUNCTION(...)
+#define UPARAM(...)
 
 namespace Stub
 {

@@ -30,6 +30,9 @@ namespace Hrt
         [Tooltip("The tracked fingertip. While it is inactive, or FingerTracked is false, the plate is held.")]
         public Transform finger;
 
+        [Tooltip("The finger is a tracked joint: a set-up finds where the skin is beside it.")]
+        public bool fingerIsJoint;
+
         [Tooltip("Where reaches start. None: on the plate, 5 cm from its centre towards the user.")]
         public Transform start;
 
@@ -55,19 +58,26 @@ namespace Hrt
 
         public event Action<ReachSummary> ReachEnded;
 
+        /// <summary>What the user is to do now, in a set-up, when it changes: show its text, and its place with
+        /// <see cref="PlaceOf"/>. At Step.Finish call <see cref="FinishSetup"/>.</summary>
+        public event Action<SetupStep> SetupStepped;
+
         // Of the session's targets. One Transform may be both: a cylinder that also stands for itself.
         readonly Dictionary<Transform, TargetId> realIds = new Dictionary<Transform, TargetId>();
         readonly Dictionary<Transform, TargetId> virtualIds = new Dictionary<Transform, TargetId>();
 
+        SetupStep setupStep;
         bool commanded;
         bool refused;
 
-        /// <summary>The session, from enabling to disabling: for its configuration, profile, recording and
-        /// calibration between reaches. Null while disabled. Its plate, start and targets are set from the
+        /// <summary>The session, from enabling to disabling: for its configuration, profile and recording
+        /// between reaches. Null while disabled. Its plate, start and targets are set from the
         /// Transforms when a reach begins.</summary>
         public HapticRetargetingSession Session { get; private set; }
 
         public bool IsReaching { get; private set; }
+
+        public bool IsSettingUp { get; private set; }
 
         /// <summary>The last command of the last reach.</summary>
         public Command LastCommand { get; private set; }
@@ -128,7 +138,44 @@ namespace Hrt
             return summary;
         }
 
-        /// <summary>The finger and the plate of this frame, as they go into a reach; for a calibration too.</summary>
+        /// <summary>Begins a set-up: of where the plate is, the skin beside a tracked joint, the tracker's latency, the
+        /// user. Until it is over, frames are its samples.</summary>
+        public void BeginSetup(SetupFlags what = SetupFlags.AllMissing)
+        {
+            HapticRetargetingSession session = EnabledSession();
+            session.Config = Placed(session.Config);
+            session.BeginSetup(what, SetupConfig.Default);
+            IsSettingUp = true;
+            commanded = false;
+            refused = false;
+        }
+
+        /// <summary>At Step.Finish: applies what was found, and moves the plate to where it was touched. Takes up to a
+        /// second. The set-up is over if nothing is left.</summary>
+        public SetupResult FinishSetup()
+        {
+            SetupResult result = EnabledSession().FinishSetup();
+            IsSettingUp = result.left != 0;
+            if ((result.done & SetupFlags.Registration) != 0)
+            {
+                SessionConfig found = Session.Config;
+                plate.position = Axes.ToUnity(found.platePositionM);
+                plate.rotation = Axes.ToUnity(found.plateRotation);
+            }
+            return result;
+        }
+
+        /// <summary>Ends the set-up. What was finished before stays.</summary>
+        public void CancelSetup()
+        {
+            EnabledSession().CancelSetup();
+            IsSettingUp = false;
+        }
+
+        /// <summary>A place of the plate's, such as a step's, in Unity's world.</summary>
+        public Vector3 PlaceOf(Double3 placeM) => plate.TransformPoint(Axes.ToUnity(placeM));
+
+        /// <summary>The finger and the plate of this frame, as they go into a reach and a set-up.</summary>
         public Sample ReadFinger()
         {
             var sample = new Sample { timeNs = (long)(Time.unscaledTimeAsDouble * 1e9) };
@@ -138,6 +185,11 @@ namespace Hrt
                 sample.fingerPositionM = Axes.FromUnity(finger.position);
                 sample.platePositionM = Axes.FromUnity(plate.position);
                 sample.plateRotation = Axes.FromUnity(plate.rotation);
+                if (fingerIsJoint)
+                {
+                    sample.flags |= SampleFlags.JointRotation;
+                    sample.jointRotation = Axes.FromUnity(finger.rotation);
+                }
             }
             if (MeasuredPlateOrientationDeg.HasValue)
             {
@@ -155,6 +207,7 @@ namespace Hrt
         void OnDisable()
         {
             IsReaching = false;
+            IsSettingUp = false;
             realIds.Clear();
             virtualIds.Clear();
             Session?.Dispose();
@@ -164,6 +217,7 @@ namespace Hrt
         void LateUpdate()
         {
             if (IsReaching) Step(ReadFinger());
+            if (IsSettingUp) Guide(ReadFinger());
         }
 
         // Makes no garbage: it runs each frame.
@@ -179,16 +233,41 @@ namespace Hrt
             Apply(command);
         }
 
+        internal void Guide(Sample sample)
+        {
+            SetupStep last = setupStep;
+            try
+            {
+                setupStep = Session.UpdateSetup(sample);
+            }
+            catch (HapticRetargetingException e)
+            {
+                if (!refused) Debug.LogError("Haptic retargeting: " + e.Message, this);
+                refused = true;
+                return;
+            }
+            bool first = !commanded;
+            commanded = true;
+            if (first || setupStep.plateOrientationDeg != last.plateOrientationDeg) Turn(setupStep.plateOrientationDeg);
+            if (first || setupStep.instruction != last.instruction || setupStep.part != last.part ||
+                setupStep.problem != last.problem || setupStep.done != last.done || setupStep.number != last.number)
+                SetupStepped?.Invoke(setupStep);
+        }
+
+        void Turn(double orientationDeg)
+        {
+            if (ridges != null) ridges.localRotation = Axes.RidgeRotation(orientationDeg);
+            onPlateOrientation.Invoke((float)orientationDeg);
+        }
+
         void Apply(Command command)
         {
             Command last = LastCommand;
             LastCommand = command;
-            if (ridges != null) ridges.localRotation = Axes.RidgeRotation(command.plateOrientationDeg);
             Commanded?.Invoke(command);
             bool first = !commanded;
             commanded = true;
-            if (first || command.plateOrientationDeg != last.plateOrientationDeg)
-                onPlateOrientation.Invoke((float)command.plateOrientationDeg);
+            if (first || command.plateOrientationDeg != last.plateOrientationDeg) Turn(command.plateOrientationDeg);
             CommandFlags flags = command.flags & ~CommandFlags.Held;
             if (first || flags != (last.flags & ~CommandFlags.Held)) FlagsChanged?.Invoke(flags);
         }

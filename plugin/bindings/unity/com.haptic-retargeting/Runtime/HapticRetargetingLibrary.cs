@@ -38,13 +38,6 @@ namespace Hrt
             }
         }
 
-        /// <summary>What to do about a verdict of <see cref="FitRegistration"/>, in one line for the user.</summary>
-        public static string RegistrationAdvice(RegistrationVerdict verdict)
-        {
-            Load();
-            return Utf8.Read(Native.hrt_registration_advice((uint)verdict));
-        }
-
         /// <summary>Comes before the first call into the library: refuses one that is missing or of another
         /// version, and takes its log.</summary>
         internal static void Load()

@@ -8,7 +8,7 @@ using UnityEngine.XR.Hands;
 namespace HrtSamples
 {
     /// <summary>
-    /// Puts this object at the tip of a tracked index finger, and reports a hand that is lost. Needs the package XR Hands,
+    /// Puts this object at the tip joint of a tracked index finger, and reports a hand that is lost. Needs the package XR Hands,
     /// 1.1 or later: the sample's assembly definition defines HRT_XR_HANDS where it is installed.
     /// </summary>
     public sealed class TrackedFinger : MonoBehaviour
@@ -20,10 +20,6 @@ namespace HrtSamples
 
         [Tooltip("Tracking space, such as the Camera Offset of an XR Origin. None: it is the world.")]
         public Transform origin;
-
-        /// <summary>The offset from the tracked joint to the skin, of HapticRetargetingLibrary.FitFingertip; null: the
-        /// skin is at the joint.</summary>
-        public Fingertip? Skin { get; set; }
 
 #if HRT_XR_HANDS
         readonly List<XRHandSubsystem> subsystems = new List<XRHandSubsystem>();
@@ -37,17 +33,9 @@ namespace HrtSamples
             retargeting.FingerTracked = hand.isTracked && hand.GetJoint(XRHandJointID.IndexTip).TryGetPose(out tip);
             if (!retargeting.FingerTracked) return;
             if (origin != null) tip = new Pose(origin.TransformPoint(tip.position), origin.rotation * tip.rotation);
+            transform.position = tip.position;
             transform.rotation = tip.rotation;
-            transform.position = Skin.HasValue ? SkinOf(tip, Skin.Value) : tip.position;
-        }
-
-        static Vector3 SkinOf(Pose tip, Fingertip fingertip)
-        {
-            var joint = new JointTouch
-            {
-                positionM = Axes.FromUnity(tip.position), rotation = Axes.FromUnity(tip.rotation)
-            };
-            return Axes.ToUnity(HapticRetargetingLibrary.PlaceFingertip(fingertip, joint).fingerPositionM);
+            retargeting.fingerIsJoint = true;
         }
 #else
         void Start()

@@ -269,6 +269,54 @@ namespace Hrt.Tests
             Assert.Greater(settings, 20);
         }
 
+        // A user touches the marks of a plate that is not where its Transform is, with the skin beside the tracked joint.
+        [Test]
+        public void ASetupMovesThePlateToWhereItIsTouched()
+        {
+            Vector3 at = component.plate.position, offset = new Vector3(0, -0.008f, 0.012f);
+            Quaternion turn = component.plate.rotation;
+            Vector3[] ways =
+            {
+                Vector3.zero, new Vector3(50, 0, 0), new Vector3(20, 0, 35), new Vector3(20, 0, -35), new Vector3(10, 40, 0),
+                new Vector3(10, -40, 0)
+            };
+            component.plate.position = Vector3.zero;
+            component.plate.rotation = Quaternion.identity;
+            component.fingerIsJoint = true;
+            var step = default(SetupStep);
+            var result = default(SetupResult);
+            int steps = 0, lifted = 0;
+            component.SetupStepped += next =>
+            {
+                step = next;
+                ++steps;
+                if (next.instruction == Step.TouchMark) lifted = 8;
+            };
+            component.BeginSetup(SetupFlags.Fingertip | SetupFlags.Registration);
+            Assert.Throws<HapticRetargetingException>(() => component.FinishSetup());
+            for (int frame = 0; component.IsSettingUp && frame < 3000; ++frame)
+            {
+                Vector3 euler = step.part == SetupFlags.Fingertip ? ways[step.number % 6] : Vector3.zero;
+                Quaternion way = Quaternion.Euler(euler.x, euler.y, euler.z);
+                Vector3 skin = at + turn * Axes.ToUnity(step.placeM) + Vector3.up * (--lifted > 0 ? 0.05f : 0);
+                component.finger.rotation = way;
+                component.finger.position = skin - way * offset;
+                component.Guide(At(frame * 11111111L));
+                if (step.instruction == Step.Finish) result = component.FinishSetup();
+            }
+            Assert.AreEqual(SetupFlags.Fingertip | SetupFlags.Registration, result.done);
+            Assert.That((component.plate.position - at).magnitude, Is.EqualTo(0).Within(1e-4));
+            Vector3 ahead = turn * Vector3.forward;
+            Assert.That((component.plate.rotation * Vector3.forward - ahead).magnitude, Is.EqualTo(0).Within(1e-3));
+            Assert.That(component.Session.Config.fingertipOffsetM.z, Is.EqualTo(-0.012).Within(1e-4));
+            Assert.Less(steps, 100);
+            Assert.That((component.PlaceOf(new Double3(0, 0, 0)) - at).magnitude, Is.EqualTo(0).Within(1e-4));
+
+            component.BeginSetup(SetupFlags.Check);
+            component.CancelSetup();
+            Assert.IsFalse(component.IsSettingUp);
+        }
+
         Sample At(long timeNs)
         {
             Sample sample = component.ReadFinger();

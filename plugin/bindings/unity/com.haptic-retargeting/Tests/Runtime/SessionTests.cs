@@ -87,25 +87,7 @@ namespace Hrt.Tests
         {
             Assert.Throws<ArgumentNullException>(() => session.LoadProfile(null));
             Assert.Throws<ArgumentNullException>(() => session.StartRecording(null));
-            Assert.Throws<ArgumentNullException>(() => new HapticRetargetingCalibration(null));
             StringAssert.Contains("\"tactile_weight\":0.2", session.SaveProfile());
-        }
-
-        [Test]
-        public void ACalibrationOutlivesItsSession()
-        {
-            using (var calibration = new HapticRetargetingCalibration(session))
-            {
-                session.Dispose();
-                calibration.BeginTrial(30);
-                calibration.AddSample(StraightAhead(0));
-                calibration.EndTrial(1);
-                var refusal = Assert.Throws<HapticRetargetingException>(() => calibration.Solve());
-                Assert.AreEqual(Result.InsufficientData, refusal.Result);
-                calibration.NextAngle(out uint enough);
-                Assert.AreEqual(0, enough);
-                Assert.Throws<ObjectDisposedException>(() => new HapticRetargetingCalibration(session));
-            }
         }
 
         // A person whom the plate bends; the same on every host, as its seed has it.
@@ -125,24 +107,32 @@ namespace Hrt.Tests
             }
         }
 
-        // Arrays: of a plate a metre up, whose marks are touched; and of samples, which are left as they were.
+        // A loop asks for slides; the next slide begins with a rest at the start.
         [Test]
-        public void ArraysOfStructsAreTaken()
+        public void ASimulatedPersonIsCalibrated()
         {
-            Double3[] marks = {new Double3(0, 0, 0.05), new Double3(0.07, 0, 0), new Double3(-0.07, 0, 0), new Double3(0, 0, -0.07)};
-            MarkTouch[] touches = Array.ConvertAll(
-                marks, mark => new MarkTouch { markM = mark, touchedM = new Double3(mark.x, mark.y + 1, mark.z) });
-            Registration found = HapticRetargetingLibrary.FitRegistration(RegistrationConfig.Default, touches, out double[] residuals);
-            Assert.AreEqual(RegistrationVerdict.Holds, found.verdict);
-            Assert.AreEqual(touches.Length, residuals.Length);
-            Assert.That(found.platePositionM.y, Is.EqualTo(1).Within(1e-9));
-            session.ApplyRegistration(found, 7);
-            Assert.AreEqual(7, session.Config.registrationTimeNs);
-            Assert.IsTrue(HapticRetargetingLibrary.RegistrationAdvice(RegistrationVerdict.TooFew).Length > 10);
-
-            Sample[] samples = {StraightAhead(0), StraightAhead(1)};
-            Assert.AreEqual(0, HapticRetargetingLibrary.FitLatency(samples).known);
-            Assert.AreEqual(0, samples[0].structSize);
+            TargetId ahead = session.AddTarget(TargetRole.Virtual, 0);
+            session.BeginSetup(SetupFlags.Calibration, SetupConfig.Default);
+            var refusal = Assert.Throws<HapticRetargetingException>(() => session.FinishSetup());
+            Assert.AreEqual(Result.WrongState, refusal.Result);
+            var result = new SetupResult { left = SetupFlags.Calibration };
+            var step = default(SetupStep);
+            using (var person = new HapticRetargetingPerson(new PersonConfig { tactileWeight = 0.2 }, 1))
+            {
+                person.Begin(session, ahead);
+                for (int frame = 0; result.left != 0 && frame < 40000; ++frame)
+                {
+                    bool rested = step.instruction == Step.RestAtStart;
+                    step = session.UpdateSetup(person.Move(frame * 11111111L, step.plateOrientationDeg));
+                    if (step.instruction == Step.RestAtStart && !rested) person.Begin(session, ahead);
+                    if (step.instruction == Step.Finish) result = session.FinishSetup();
+                }
+            }
+            Assert.AreEqual(SetupFlags.Calibration, result.done);
+            Assert.That(result.tactileWeight.value, Is.EqualTo(0.2).Within(0.03));
+            Assert.AreEqual(result.tactileWeight.value, session.Config.tactileWeight);
+            Assert.AreEqual("One moment.", step.text.ToString());
+            Assert.Throws<HapticRetargetingException>(() => session.CancelSetup());
         }
 
         [Test]

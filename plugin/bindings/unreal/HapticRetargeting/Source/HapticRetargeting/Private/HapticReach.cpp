@@ -6,6 +6,16 @@
 
 using namespace HapticConversions;
 
+namespace
+{
+	hrt_sample WithPlate(hrt_sample Sample, double PlateYaw)
+	{
+		Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+		Sample.plate_orientation_deg = Turned(PlateYaw);
+		return Sample;
+	}
+}
+
 bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
 {
 	if (!HasLibrary())
@@ -62,10 +72,25 @@ bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double T
 
 bool UHapticRetargetingComponent::UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time)
 {
-	hrt_sample Sample = FingerSample(Location, Time);
-	Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-	Sample.plate_orientation_deg = Turned(PlateYaw);
-	return UpdateSample(Sample);
+	return UpdateSample(WithPlate(FingerSample(Location, Time), PlateYaw));
+}
+
+hrt_sample UHapticRetargetingComponent::JointSample(const FTransform& Joint, double Time) const
+{
+	hrt_sample Sample = FingerSample(Joint.GetLocation(), Time);
+	Sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
+	ToQuaternion(Joint.GetRotation(), Sample.joint_rotation);
+	return Sample;
+}
+
+bool UHapticRetargetingComponent::UpdateJoint(const FTransform& Joint, double Time)
+{
+	return UpdateSample(JointSample(Joint, Time));
+}
+
+bool UHapticRetargetingComponent::UpdateJointAndPlate(const FTransform& Joint, double PlateYaw, double Time)
+{
+	return UpdateSample(WithPlate(JointSample(Joint, Time), PlateYaw));
 }
 
 bool UHapticRetargetingComponent::UpdateLost(double Time)
@@ -79,6 +104,10 @@ bool UHapticRetargetingComponent::UpdateSample(const hrt_sample& Filled)
 {
 	hrt_sample Sample = Filled;
 	Sample.struct_size = sizeof Sample;
+	if (bSettingUp)
+	{
+		return Guide(Sample);
+	}
 	hrt_command Decided = hrt_command_init();
 	if (!HAPTIC_CALL(hrt_reach_update(Session, &Sample, &Decided)))
 	{
@@ -159,7 +188,8 @@ bool UHapticRetargetingComponent::BeginSimulatedFinger(const FHapticTarget& Virt
 bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& OutLocation)
 {
 	hrt_sample Sample = hrt_sample_init();
-	if (!HAPTIC_CALL(hrt_person_move(Person, ToNanoseconds(Time), Command.plate_orientation_deg, &Sample)) || !UpdateSample(Sample))
+	const double PlateDeg = bSettingUp ? Step.plate_orientation_deg : Command.plate_orientation_deg;
+	if (!HAPTIC_CALL(hrt_person_move(Person, ToNanoseconds(Time), PlateDeg, &Sample)) || !UpdateSample(Sample))
 	{
 		return false;
 	}

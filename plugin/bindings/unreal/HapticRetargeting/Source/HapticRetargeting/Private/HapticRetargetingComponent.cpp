@@ -44,7 +44,7 @@ bool UHapticRetargetingComponent::Configure()
 	{
 		return false;
 	}
-	if (bReaching)
+	if (bReaching || bSettingUp)
 	{
 		return true;
 	}
@@ -136,7 +136,7 @@ void UHapticRetargetingComponent::CloseSession()
 	{
 		hrt_session_destroy(Session);
 		Session = {};
-		bReaching = false;
+		bReaching = bSettingUp = false;
 	}
 }
 

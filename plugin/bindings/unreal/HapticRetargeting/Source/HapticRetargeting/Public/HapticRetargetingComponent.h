@@ -14,6 +14,7 @@ DECLARE_LOG_CATEGORY_EXTERN(LogHapticRetargeting, Log, All);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticPlateCommanded, double, PlateYaw);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticFlagsChanged, int32, Flags);
 DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticReachEnded, const FHapticSummary&, Summary);
+DECLARE_DYNAMIC_MULTICAST_DELEGATE_OneParam(FHapticSetupStepped, const FHapticSetupStep&, Step);
 
 /**
  * Put it where the plate is: its transform is the plate's, X away from the user, Y right, Z up, and it may move. Do not
@@ -39,6 +40,11 @@ public:
 
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticReachEnded OnReachEnded;
+
+	/** In a set-up the user is to do something else now: show the text, and Place, which is in the component's axes. At
+	 *  Finish, call FinishSetup. */
+	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
+	FHapticSetupStepped OnSetupStepped;
 
 	/** Adds a target by its direction and distance in cm from the start. Names are unique, or empty. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
@@ -80,6 +86,14 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time);
 
+	/** A tracked joint of the finger, with its rotation: a set-up finds where the skin is beside it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool UpdateJoint(const FTransform& Joint, double Time);
+
+	/** As Update Joint, with the plate's yaw as its servo reports it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
+	bool UpdateJointAndPlate(const FTransform& Joint, double PlateYaw, double Time);
+
 	/** The tracker does not see the finger. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateLost(double Time);
@@ -101,6 +115,23 @@ public:
 	/** Of the running reach, or else the last. */
 	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting")
 	FHapticCommand GetCommand() const;
+
+	/** Begins a set-up of What: where the plate is, the skin beside a joint, the tracker's latency, the user. Until it is over,
+	 *  updates are its samples, and OnPlateCommanded turns the plate for it. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
+	bool BeginSetup(UPARAM(meta = (Bitmask, BitmaskEnum = "/Script/HapticRetargeting.EHapticSetupFlags")) int32 What);
+
+	/** At the step Finish: applies what was found, and moves the component to where the plate was touched. Takes up to a second.
+	 *  The set-up is over if nothing is left. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
+	bool FinishSetup(FHapticSetupResult& OutResult);
+
+	/** Ends the set-up. What was finished before stays. */
+	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Setup")
+	bool CancelSetup();
+
+	UFUNCTION(BlueprintPure, Category = "Haptic Retargeting|Setup")
+	bool IsSettingUp() const { return bSettingUp; }
 
 	/** A simulated person takes the finger's place, and the servo's: they mean to go to the virtual target, feel the plate and
 	 *  are bent by it. A model, and no measurement of people; the same seed is the same person. */
@@ -132,8 +163,8 @@ public:
 	/** For C++: a sample as the C interface has it, in the plate's coordinates, and the command likewise. */
 	bool UpdateSample(const hrt_sample& Sample);
 	const hrt_command& GetRawCommand() const { return Command; }
-	/** For C++: the session, for the calls of calibration.h, registration.h and study.h; its value is 0 if it is refused. After
-	 *  hrt_calibration_apply(), hrt_registration_apply() and their like call TakeFromSession(). */
+	/** For C++: the session, for the calls of the C headers; its value is 0 if it is refused. After one that changes the
+	 *  configuration, call TakeFromSession(). */
 	hrt_session GetSession();
 	/** Takes what C calls have changed into the settings; the component moves to where the session has the plate. */
 	void TakeFromSession();
@@ -151,6 +182,8 @@ private:
 	void PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const;
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
+	bool Guide(const hrt_sample& Sample);
+	hrt_sample JointSample(const FTransform& Joint, double Time) const;
 	void CloseSession();
 
 	hrt_session Session{};
@@ -160,6 +193,8 @@ private:
 	bool bPlacedByPlugin = false;
 	hrt_session_config Configured{};
 	hrt_command Command{};
+	hrt_setup_step Step{};
 	bool bReaching = false;
+	bool bSettingUp = false;
 	mutable bool bSaidMissing = false;
 };

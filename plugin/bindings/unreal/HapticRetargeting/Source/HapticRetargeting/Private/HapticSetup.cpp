@@ -1,0 +1,67 @@
+// A set-up of the component: samples in, what the user is to do out.
+#include "HapticRetargetingComponent.h"
+
+#include "HapticConversions.h"
+#include "HapticRetargetingModule.h"
+
+#include <cstring>
+
+using namespace HapticConversions;
+
+bool UHapticRetargetingComponent::BeginSetup(int32 What)
+{
+	if (!Configure() || !HAPTIC_CALL(hrt_setup_begin(Session, static_cast<uint32_t>(What), nullptr)))
+	{
+		return false;
+	}
+	Step = {};
+	bSettingUp = true;
+	return true;
+}
+
+/** A step is broadcast when it is another one; its plate's orientation, which may change in every frame, goes the way of a
+ *  reach's. */
+bool UHapticRetargetingComponent::Guide(const hrt_sample& Sample)
+{
+	hrt_setup_step Now = hrt_setup_step_init();
+	if (!HAPTIC_CALL(hrt_setup_update(Session, &Sample, &Now)))
+	{
+		return false;
+	}
+	hrt_setup_step Last = Step;
+	const bool bTurns = Last.struct_size == 0 || Last.plate_orientation_deg != Now.plate_orientation_deg;
+	Last.plate_orientation_deg = Now.plate_orientation_deg;
+	Step = Now;
+	if (bTurns)
+	{
+		OnPlateCommanded.Broadcast(Turned(Now.plate_orientation_deg));
+	}
+	if (std::memcmp(&Last, &Now, sizeof Now) != 0)
+	{
+		OnSetupStepped.Broadcast(FromSetupStep(Now));
+	}
+	return true;
+}
+
+bool UHapticRetargetingComponent::FinishSetup(FHapticSetupResult& OutResult)
+{
+	hrt_setup_result Result = hrt_setup_result_init();
+	if (!HAPTIC_CALL(hrt_setup_finish(Session, &Result)))
+	{
+		return false;
+	}
+	bSettingUp = Result.left != 0;
+	TakeFromSession();
+	OutResult = FromSetupResult(Result);
+	return true;
+}
+
+bool UHapticRetargetingComponent::CancelSetup()
+{
+	if (!HAPTIC_CALL(hrt_setup_cancel(Session)))
+	{
+		return false;
+	}
+	bSettingUp = false;
+	return true;
+}

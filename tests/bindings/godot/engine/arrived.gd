@@ -1,0 +1,8 @@
+# The finger of the document's first example: the hand is at the cylinder once the person has slid for 2.5 s.
+extends Node3D
+
+func _process(_delta: float) -> void:
+	var off_m := position.distance_to(Vector3(0.0087, 0, -0.0371))
+	if Time.get_ticks_msec() > 10000 or off_m < 0.006:
+		print("the hand is %.0f mm from the cylinder" % (off_m * 1000))
+		get_tree().quit(0 if off_m < 0.006 else 1)
