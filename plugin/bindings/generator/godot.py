@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import settings
-from abi import Abi, Enumeration, Field, HeaderError, pascal
+from abi import Abi, Enumeration, Field, pascal
 
 # What a script gets as a Dictionary, by its table in fields.h.
 _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "gap": "hrt_gap",
@@ -11,18 +11,10 @@ _RECORDS = {"command": "hrt_command", "summary": "hrt_reach_summary", "gap": "hr
             "recording": "hrt_recording_status"}
 # Of no Dictionary and no property: the marks of a set-up are the start and five places on the rim.
 _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
-_KINDS = {"int32_t": "kInt32", "uint32_t": "kUint32", "int64_t": "kInt64", "uint64_t": "kInt64", "double": "kDouble",
-          "hrt_target": "kInt64", "char": "kText"}
 # Of no property or Dictionary: methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
-_INTERVAL = r"""#define INTERVAL(type, name)                                        \
-  {#name, FieldKind::kDouble, offsetof(type, name.value)},          \
-  {#name "_lower", FieldKind::kDouble, offsetof(type, name.lower)}, \
-  {#name "_upper", FieldKind::kDouble, offsetof(type, name.upper)}, \
-  {#name "_known", FieldKind::kUint32, offsetof(type, name.known)}
-
-"""
+_PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # of an interval
 
 
 def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
@@ -35,8 +27,7 @@ def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
     tables["setup"] = _table(abi, "hrt_setup_config", [f for f in abi.struct("hrt_setup_config").fields
                                                        if f.name not in _NO_KEYS], "setup_")
     return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
-            "#include <cstring>\n\n"
-            + _INTERVAL + "namespace hrt_godot {\nnamespace {\n\n"
+            "#include <cstring>\n\nnamespace hrt_godot {\nnamespace {\n\n"
             + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
             + "constexpr Constant kConstants[] = {\n"
             + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
@@ -54,18 +45,15 @@ def _table(abi: Abi, struct: str, fields: list[Field], prefix: str = "") -> str:
 
 
 def _row(abi: Abi, struct: str, field: Field, prefix: str) -> str:
-    if field.type.name == "hrt_interval" and not field.length:
-        return f"    INTERVAL({struct}, {field.name}),\n"
-    kind = "kVector3" if (field.type.name, field.length) == ("double", 3) else _KINDS.get(field.type.name)
-    if kind is None or field.length not in (0, 3) and kind != "kText":
-        raise HeaderError(f"{struct}::{field.name} is of a type that Godot's tables do not have; "
-                          "generator/godot.py says which there are")
+    if field.type.name == "hrt_interval":
+        return "".join(f'    make_field<&{struct}::{field.name}, &hrt_interval::{part}>("{field.name}{end}"),\n'
+                       for end, part in _PARTS.items())
     choices = ""
     if field.enumeration:
         enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
         if not enumeration.flags:
             choices = f', "{_choices(enumeration)}"'
-    return f'    {{"{prefix}{field.name}", FieldKind::{kind}, offsetof({struct}, {field.name}){choices}}},\n'
+    return f'    make_field<&{struct}::{field.name}>("{prefix}{field.name}"{choices}),\n'
 
 
 def _shown(abi: Abi) -> list[Enumeration]:

@@ -66,6 +66,10 @@ std::string to_utf8(const gde_string& string) {
   return text;
 }
 
+Vector3 widen(float x, float y, float z) {
+  return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
+}
+
 /** A variant of a value of the engine's. */
 void new_variant(gde_variant* out, int32_t type, const void* value) {
   engine.get_variant_from_type_constructor(type)(out, value);
@@ -117,85 +121,40 @@ void fill_dictionary(gde_dictionary* dictionary, const Record& record) {
     to_variant(&key, std::string(name));
     gde_variant* value = engine.dictionary_operator_index(dictionary, &key);
     engine.variant_destroy(value);
-    to_variant(value, std::visit([](const auto& each) { return Value(each); }, entry));
+    to_variant(value, to_value(entry));
     engine.variant_destroy(&key);
   }
 }
 
-/** A new value of the type that is registered for it, where there was none. */
-void to_type(void* out, const Value& value) {
-  switch (type_of(value)) {
-    case Type::kNil:
-      break;
-    case Type::kBool:
-      *static_cast<gde_bool*>(out) = std::get<bool>(value);
-      break;
-    case Type::kInt:
-      std::memcpy(out, &std::get<int64_t>(value), sizeof(int64_t));
-      break;
-    case Type::kReal:
-      std::memcpy(out, &std::get<double>(value), sizeof(double));
-      break;
-    case Type::kString:
-      engine.string_new_with_utf8_chars(static_cast<gde_string*>(out), std::get<std::string>(value).c_str());
-      break;
-    case Type::kVector3: {
-      const EngineVector3 floats = narrow(std::get<Vector3>(value));
-      std::memcpy(out, &floats, sizeof floats);
-      break;
-    }
-    case Type::kRecord:
-      engine.variant_get_ptr_constructor(GDE_DICTIONARY, 0)(out, nullptr);
-      fill_dictionary(static_cast<gde_dictionary*>(out), std::get<Record>(value));
-      break;
-    case Type::kPose: {
-      const EngineTransform transform = to_transform(std::get<Pose>(value));
-      std::memcpy(out, &transform, sizeof transform);
-      break;
-    }
-  }
-}
-
-void destroy(void* value, Type type) {
-  if (type == Type::kString || type == Type::kRecord)
-    engine.variant_get_ptr_destructor(variant_type(type))(value);
-}
-
 /** The caller destroys it. */
 void to_variant(gde_variant* out, const Value& value) {
-  const Type type = type_of(value);
-  if (type == Type::kNil) return engine.variant_new_nil(out);
-  alignas(8) uint8_t bytes[sizeof(EngineTransform)];
-  to_type(bytes, value);
-  new_variant(out, variant_type(type), bytes);
-  destroy(bytes, type);
-}
-
-Value from_type(const void* value, Type type) {
-  switch (type) {
-    case Type::kBool:
-      return *static_cast<const gde_bool*>(value) != 0;
-    case Type::kInt:
-      return *static_cast<const int64_t*>(value);
-    case Type::kReal:
-      return *static_cast<const double*>(value);
-    case Type::kString:
-      return to_utf8(*static_cast<const gde_string*>(value));
-    case Type::kVector3: {
-      EngineVector3 floats;
-      std::memcpy(&floats, value, sizeof floats);
-      return widen(floats.x, floats.y, floats.z);
-    }
-    case Type::kPose: {
-      EngineTransform transform;
-      std::memcpy(&transform, value, sizeof transform);
-      return to_pose(transform);
-    }
-    case Type::kNil:
-    case Type::kRecord:
-      return {};
-  }
-  return {};
+  const int32_t type = variant_type(type_of(value));
+  std::visit(
+      [&]<typename T>(const T& each) {
+        if constexpr (std::is_same_v<T, std::monostate>) {
+          engine.variant_new_nil(out);
+        } else if constexpr (std::is_same_v<T, bool>) {
+          const gde_bool byte = each;
+          new_variant(out, type, &byte);
+        } else if constexpr (std::is_same_v<T, std::string>) {
+          new_variant(out, type, &EngineString(each.c_str()).get());
+        } else if constexpr (std::is_same_v<T, Vector3>) {
+          const EngineVector3 floats = narrow(each);
+          new_variant(out, type, &floats);
+        } else if constexpr (std::is_same_v<T, Pose>) {
+          const EngineTransform transform = to_transform(each);
+          new_variant(out, type, &transform);
+        } else if constexpr (std::is_same_v<T, Record>) {
+          gde_dictionary dictionary;
+          engine.variant_get_ptr_constructor(GDE_DICTIONARY, 0)(&dictionary, nullptr);
+          fill_dictionary(&dictionary, each);
+          new_variant(out, type, &dictionary);
+          engine.variant_get_ptr_destructor(GDE_DICTIONARY)(&dictionary);
+        } else {
+          new_variant(out, type, &each);
+        }
+      },
+      value);
 }
 
 /** Null for a type that no method of the class takes. */
@@ -210,7 +169,7 @@ Value to_value(const gde_variant& variant) {
     case GDE_STRING: {
       gde_string string = from_variant<gde_string>(variant, GDE_STRING);
       std::string text = to_utf8(string);
-      destroy(&string, Type::kString);
+      engine.variant_get_ptr_destructor(GDE_STRING)(&string);
       return text;
     }
     case GDE_STRING_NAME: {  // such as the name of a node
@@ -220,7 +179,7 @@ Value to_value(const gde_variant& variant) {
       engine.variant_get_ptr_constructor(GDE_STRING, GDE_STRING_OF_STRING_NAME)(&string, arguments);
       engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name);
       std::string text = to_utf8(string);
-      destroy(&string, Type::kString);
+      engine.variant_get_ptr_destructor(GDE_STRING)(&string);
       return text;
     }
     case GDE_VECTOR3: {
@@ -353,20 +312,27 @@ void call(void* callable, void* instance, const gde_variant* const* arguments, i
   }
 }
 
+/** As call(), with values of the registered types, by way of variants. */
 void ptrcall(void* data, void* instance, const void* const* arguments, void* out_return) noexcept {
-  if (!instance) return;
   const Callable& callable = *static_cast<const Callable*>(data);
-  try {
-    std::array<Value, kArgumentsMax> values;
-    const size_t size = callable.arguments.size();
-    for (size_t i = 0; i < size; ++i) values[i] = from_type(arguments[i], callable.arguments[i].type);
-    const Value result = callable(static_cast<Instance*>(instance)->node(), std::span(values.data(), size));
-    if (callable.returns == Type::kNil) return;
-    destroy(out_return, callable.returns);
-    to_type(out_return, result);
-  } catch (const std::exception& error) {
-    static_cast<Instance*>(instance)->push_error(error.what());
+  std::array<gde_variant, kArgumentsMax> variants;
+  std::array<const gde_variant*, kArgumentsMax> pointers;
+  const size_t count = callable.arguments.size();
+  for (size_t i = 0; i < count; ++i) {
+    new_variant(&variants[i], variant_type(callable.arguments[i].type), arguments[i]);
+    pointers[i] = &variants[i];
   }
+  gde_variant result;
+  engine.variant_new_nil(&result);
+  call(data, instance, pointers.data(), static_cast<int64_t>(count), &result, nullptr);
+  const int32_t type = variant_type(callable.returns);
+  if (type != GDE_NIL && engine.variant_get_type(&result) == type) {
+    if (callable.returns == Type::kString || callable.returns == Type::kRecord)
+      engine.variant_get_ptr_destructor(type)(out_return);
+    engine.get_variant_to_type_constructor(type)(out_return, &result);
+  }
+  engine.variant_destroy(&result);
+  for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
 }
 
 /** Descriptions of properties and arguments, and the strings that they point to. */
@@ -416,13 +382,13 @@ void register_callable(const EngineName& class_name, Callable callable) {
 void register_property(const EngineName& class_name, const Field& field) {
   const std::string setter = std::string("set_") + field.name;
   const std::string getter = std::string("get_") + field.name;
-  register_callable(class_name, {setter, Type::kNil, {{"value", type_of(field)}}, nullptr, &field});
-  register_callable(class_name, {getter, type_of(field), {}, nullptr, &field});
+  register_callable(class_name, {setter, Type::kNil, {{"value", field.type}}, nullptr, &field});
+  register_callable(class_name, {getter, field.type, {}, nullptr, &field});
   Descriptions property;
   const EngineName setter_name(setter.c_str());
   const EngineName getter_name(getter.c_str());
   engine.classdb_register_extension_class_property(library, &class_name.get(),
-                                                   property.add(field.name, type_of(field), field.choices),
+                                                   property.add(field.name, field.type, field.choices),
                                                    &setter_name.get(), &getter_name.get());
 }
 
@@ -450,12 +416,10 @@ void initialize(void*, int32_t level) noexcept {
   info.free_instance = free_instance;
   engine.classdb_register_extension_class5(library, &name.get(), &parent.get(), &info);
   for (const Method& method : methods())
-    register_callable(
-        name,
-        {method.name, method.returns, {method.arguments.begin(), method.arguments.end()}, &method, nullptr});
+    register_callable(name, {method.name, method.returns, method.arguments, &method, nullptr});
   for (const Field& field : config_fields) register_property(name, field);
   for (const Field& field : setup_fields) register_property(name, field);
-  for (const Signal& signal : signals()) register_signal(name, signal);
+  for (const Signal& signal : kSignals) register_signal(name, signal);
   for (const Constant& constant : constants) register_constant(name, constant);
 }
 

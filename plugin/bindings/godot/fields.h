@@ -6,45 +6,106 @@
 #include <haptic_retargeting/setup.h>
 #include <haptic_retargeting/study.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
+#include <utility>
 
 #include "value.h"
 
 namespace hrt_godot {
 
-enum class FieldKind { kInt32, kUint32, kInt64, kDouble, kVector3, kText };
-
 struct Field {
   const char* name;
-  FieldKind kind;
-  size_t offset;
+  Type type;
+  Entry (*get)(const void* object);
+  /** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
+  bool (*set)(void* object, const Value& value);
+  const char* allowed;  ///< values
   /** What the inspector offers, for a field with named values; else null. */
-  const char* choices = nullptr;
+  const char* choices;
 };
 
-Type type_of(const Field& field);
-Value get_field(const void* object, const Field& field);
-/** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
-bool set_field(void* object, const Field& field, const Value& value);
-bool is_different(const void* object, const void* other, const Field& field);
-Record to_record(const void* object, std::span<const Field> fields);
+/** A field of a struct, or a part of that field. */
+template <auto field, auto part>
+struct Access {
+  template <typename Struct, typename T>
+  static Struct struct_of(T Struct::*);
+  using Struct = decltype(struct_of(field));
+
+  template <typename Object>
+  static auto& of(Object& object) {
+    if constexpr (std::is_null_pointer_v<decltype(part)>)
+      return object.*field;
+    else
+      return object.*field.*part;
+  }
+  using T = std::remove_reference_t<decltype(of(std::declval<Struct&>()))>;
+  static constexpr bool is_place = std::is_same_v<T, double[3]>;
+  static constexpr Type type = std::is_same_v<T, double> ? Type::kReal
+                               : is_place                ? Type::kVector3
+                               : std::is_array_v<T>      ? Type::kString
+                                                         : Type::kInt;
+
+  static Entry get(const void* object) {
+    const auto& value = of(*static_cast<const Struct*>(object));
+    if constexpr (type == Type::kReal)
+      return value;
+    else if constexpr (is_place)
+      return Vector3{value[0], value[1], value[2]};
+    else if constexpr (type == Type::kString)
+      return std::string(value);
+    else if constexpr (std::is_same_v<T, hrt_target>)
+      return static_cast<int64_t>(value.value);
+    else
+      return static_cast<int64_t>(value);
+  }
+
+  static bool set(void* object, const Value& value) {
+    auto& into = of(*static_cast<Struct*>(object));
+    const int64_t* integer = std::get_if<int64_t>(&value);
+    if constexpr (is_place) {
+      const Vector3* place = std::get_if<Vector3>(&value);
+      if (place) into[0] = place->x, into[1] = place->y, into[2] = place->z;
+      return place;
+    } else if constexpr (type == Type::kReal) {
+      if (!integer && !std::holds_alternative<double>(value)) return false;
+      into = from_value<double>(value);
+      return true;
+    } else if constexpr (std::is_integral_v<T>) {
+      if (!integer || !std::in_range<T>(*integer)) return false;
+      into = static_cast<T>(*integer);
+      return true;
+    }
+    return false;
+  }
+};
+
+template <auto field, auto part = nullptr>
+constexpr Field make_field(const char* name, const char* choices = nullptr) {
+  using Own = Access<field, part>;
+  const bool is_unsigned = std::is_same_v<typename Own::T, uint32_t>;
+  return {
+      name,   Own::type, Own::get, Own::set, is_unsigned ? "int from 0 to 4294967295" : type_name(Own::type),
+      choices};
+}
+
+inline Record to_record(const void* object, std::span<const Field> fields) {
+  Record record;
+  record.reserve(fields.size());
+  for (const Field& field : fields) record.emplace_back(field.name, field.get(object));
+  return record;
+}
 
 /** The properties: hrt_session_config without the plate's pose, which is the node's own, and without its
  * fixed arrays, such as what is believed of the person, which profiles hold. */
 extern const std::span<const Field> config_fields;
 /** More properties: hrt_setup_config without its marks. */
 extern const std::span<const Field> setup_fields;
-extern const std::span<const Field> command_fields;
-extern const std::span<const Field> summary_fields;
-extern const std::span<const Field> gap_fields;
+extern const std::span<const Field> command_fields, summary_fields, gap_fields, step_fields,
+    conditions_fields, recording_fields, device_fields;
 /** Of an interval NAME the fields NAME, NAME_lower, NAME_upper and NAME_known. */
 extern const std::span<const Field> result_fields;
-extern const std::span<const Field> step_fields;
-extern const std::span<const Field> conditions_fields;
-extern const std::span<const Field> recording_fields;
-extern const std::span<const Field> device_fields;
 
 struct Constant {
   const char* enumeration;

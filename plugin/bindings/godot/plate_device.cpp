@@ -1,66 +1,54 @@
-#include "plate_device.h"
-
-#include "fields.h"
+// The device that turns the plate: libhrt_plate. Its calls wait for nothing, except open and close for up to
+// half a second.
+#include "plate_node.h"
 
 namespace hrt_godot {
 
-PlateDevice::~PlateDevice() {
-  hrt_plate_close(plate_);
+/** False without a device. Takes no memory. */
+bool PlateNode::read_device(hrt_plate_report& out) const {
+  out = {};
+  out.struct_size = sizeof out;
+  return device_.value != 0 && hrt_plate_get(device_, &out) == HRT_OK;
 }
 
-hrt_result PlateDevice::open(const std::string& name) {
-  if (const hrt_result closed = close(); closed != HRT_OK) return closed;
+// Each frame may turn a device that is being opened, or has failed: the reason of a failure is shown once.
+Error PlateNode::after_device(hrt_result result) {
+  result_ = result;
+  hrt_plate_report report;
+  if (result == HRT_ERROR_WRONG_STATE) {
+    if (!failure_is_known_ && read_device(report) && report.state == HRT_PLATE_STATE_FAILED) {
+      failure_is_known_ = true;
+      engine_.push_error(report.message);
+    }
+  } else if (result != HRT_OK) {
+    engine_.push_error(hrt_plate_last_error());
+  }
+  return error();
+}
+
+Error PlateNode::open_device(std::string device) {
+  if (const Error closed = close_device(); closed != Error::kOk) return closed;
   failure_is_known_ = false;
-  return hrt_plate_open(name.c_str(), nullptr, &plate_);
+  return after_device(hrt_plate_open(device.c_str(), nullptr, &device_));
 }
 
-hrt_result PlateDevice::turn_to(double orientation_deg) const {
-  return hrt_plate_set(plate_, orientation_deg);
+Error PlateNode::turn_device(double orientation_deg) {
+  return after_device(hrt_plate_set(device_, orientation_deg));
 }
 
-hrt_result PlateDevice::stop() const {
-  return hrt_plate_stop(plate_);
+Error PlateNode::stop_device() {
+  return after_device(hrt_plate_stop(device_));
 }
 
-hrt_result PlateDevice::close() {
-  const hrt_result closed = hrt_plate_close(plate_);
-  if (closed == HRT_OK) plate_ = {};
+Record PlateNode::get_device_report() {
+  hrt_plate_report report;
+  return read_device(report) ? to_record(&report, device_fields) : Record{};
+}
+
+Error PlateNode::close_device() {
+  const Error closed = after_device(hrt_plate_close(device_));
+  if (closed == Error::kOk) device_ = {};
   return closed;
-}
-
-bool PlateDevice::get(hrt_plate_report& out_report) const {
-  out_report = {};
-  out_report.struct_size = sizeof out_report;
-  return plate_.value != 0 && hrt_plate_get(plate_, &out_report) == HRT_OK;
-}
-
-Record PlateDevice::report() const {
-  hrt_plate_report report;
-  if (!get(report)) return {};
-  return to_record(&report, device_fields);
-}
-
-std::string PlateDevice::description() const {
-  hrt_plate_report report;
-  return get(report) ? report.description : "";
-}
-
-std::string PlateDevice::message() const {
-  hrt_plate_report report;
-  return get(report) ? report.message : "";
-}
-
-std::optional<double> PlateDevice::orientation_deg() const {
-  hrt_plate_report report;
-  if (!get(report) || (report.flags & HRT_PLATE_REPORT_ORIENTATION) == 0) return std::nullopt;
-  return report.orientation_deg;
-}
-
-bool PlateDevice::has_failed_anew() {
-  hrt_plate_report report;
-  if (failure_is_known_ || !get(report) || report.state != HRT_PLATE_STATE_FAILED) return false;
-  failure_is_known_ = true;
-  return true;
 }
 
 }  // namespace hrt_godot

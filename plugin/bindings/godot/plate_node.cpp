@@ -26,25 +26,26 @@ std::string signature(const Method& method) {
 
 }  // namespace
 
-int64_t to_godot_error(hrt_result result) {
-  constexpr std::pair<hrt_result, int64_t> errors[] = {
-      {HRT_OK, 0},                        // OK
-      {HRT_ERROR_WRONG_STATE, 2},         // ERR_UNAVAILABLE
-      {HRT_ERROR_OUT_OF_RANGE, 5},        // ERR_PARAMETER_RANGE_ERROR
-      {HRT_ERROR_OUT_OF_MEMORY, 6},       // ERR_OUT_OF_MEMORY
-      {HRT_ERROR_SYSTEM, 13},             // ERR_FILE_CANT_WRITE
-      {HRT_ERROR_LIMIT_REACHED, 20},      // ERR_CANT_CREATE
-      {HRT_ERROR_INSUFFICIENT_DATA, 30},  // ERR_INVALID_DATA
-      {HRT_ERROR_TIME_REVERSED, 30},
-      {HRT_ERROR_NULL_ARGUMENT, kErrInvalidParameter},
-      {HRT_ERROR_NAME_TAKEN, 32},      // ERR_ALREADY_EXISTS
-      {HRT_ERROR_INVALID_HANDLE, 33},  // ERR_DOES_NOT_EXIST
-      {HRT_ERROR_BAD_FORMAT, 43},      // ERR_PARSE_ERROR
-      {HRT_ERROR_BUSY, 44},            // ERR_BUSY
+/** Of the last call of the plugin. */
+Error PlateNode::error() const {
+  constexpr std::pair<hrt_result, Error> errors[] = {
+      {HRT_OK, Error::kOk},
+      {HRT_ERROR_WRONG_STATE, Error::kUnavailable},
+      {HRT_ERROR_OUT_OF_RANGE, Error::kParameterRange},
+      {HRT_ERROR_OUT_OF_MEMORY, Error::kOutOfMemory},
+      {HRT_ERROR_SYSTEM, Error::kFileCannotWrite},
+      {HRT_ERROR_LIMIT_REACHED, Error::kCannotCreate},
+      {HRT_ERROR_INSUFFICIENT_DATA, Error::kInvalidData},
+      {HRT_ERROR_TIME_REVERSED, Error::kInvalidData},
+      {HRT_ERROR_NULL_ARGUMENT, Error::kInvalidParameter},
+      {HRT_ERROR_NAME_TAKEN, Error::kAlreadyExists},
+      {HRT_ERROR_INVALID_HANDLE, Error::kDoesNotExist},
+      {HRT_ERROR_BAD_FORMAT, Error::kParse},
+      {HRT_ERROR_BUSY, Error::kBusy},
   };
   for (const auto& [ours, godots] : errors)
-    if (ours == result) return godots;
-  return 47;  // ERR_BUG
+    if (ours == result_) return godots;
+  return Error::kBug;
 }
 
 PlateNode::PlateNode(Engine& engine)
@@ -52,6 +53,7 @@ PlateNode::PlateNode(Engine& engine)
 
 PlateNode::~PlateNode() {
   if (person_.value) hrt_person_destroy(person_);
+  hrt_plate_close(device_);
   if (session_.value) hrt_session_destroy(session_);
 }
 
@@ -67,7 +69,7 @@ Value PlateNode::call(const Method& method, std::span<const Value> arguments) no
     engine_.push_error((text + "); it is " + signature(method)).c_str());
     return method.failure;
   }
-  return (this->*method.function)(arguments.data());
+  return method.function(*this, arguments.data());
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
   return method.failure;
@@ -80,10 +82,9 @@ const void* PlateNode::of(const Field& property) const {
 }
 
 void PlateNode::set(const Field& property, const Value& value) noexcept try {
-  if (set_field(const_cast<void*>(of(property)), property, value)) return;
-  std::string text = std::string(property.name) + " was given a value of type " + type_name(type_of(value)) +
-                     "; allowed: " + type_name(type_of(property));
-  if (property.kind == FieldKind::kUint32) text += " from 0 to 4294967295";
+  if (property.set(const_cast<void*>(of(property)), value)) return;
+  const std::string text = std::string(property.name) + " was given a value of type " +
+                           type_name(type_of(value)) + "; allowed: " + property.allowed;
   engine_.push_error(text.c_str());
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
@@ -149,8 +150,8 @@ void PlateNode::take_changes() {
   const hrt_session_config before = configured_;
   if (!ok(hrt_session_get(session_, &configured_, nullptr))) return;
   for (const Field& field : config_fields)
-    if (is_different(&before, &configured_, field))
-      set_field(&config_, field, get_field(&configured_, field));
+    if (const Entry now = field.get(&configured_); now != field.get(&before))
+      field.set(&config_, to_value(now));
   copy_hidden(configured_, config_);
   if (std::memcmp(before.plate_position_m, configured_.plate_position_m, sizeof before.plate_position_m) ==
           0 &&
@@ -160,37 +161,7 @@ void PlateNode::take_changes() {
   plate_pose_ = engine_.node_pose();
 }
 
-// Each frame may turn a device that is being opened, or has failed: the reason of a failure is shown once.
-Value PlateNode::after_device(hrt_result result) {
-  if (result == HRT_ERROR_WRONG_STATE) {
-    if (device_.has_failed_anew()) engine_.push_error(device_.message().c_str());
-  } else if (result != HRT_OK) {
-    engine_.push_error(hrt_plate_last_error());
-  }
-  return to_godot_error(result);
-}
-
-Value PlateNode::open_device(const Value* arguments) {
-  return after_device(device_.open(to_text(arguments[0])));
-}
-
-Value PlateNode::turn_device(const Value* arguments) {
-  return after_device(device_.turn_to(to_real(arguments[0])));
-}
-
-Value PlateNode::stop_device(const Value*) {
-  return after_device(device_.stop());
-}
-
-Value PlateNode::get_device_report(const Value*) {
-  return device_.report();
-}
-
-Value PlateNode::close_device(const Value*) {
-  return after_device(device_.close());
-}
-
-Value PlateNode::get_version(const Value*) {
+std::string PlateNode::get_version() {
   uint32_t major = 0, minor = 0, patch = 0;
   hrt_get_version(&major, &minor, &patch);
   return std::to_string(major) + '.' + std::to_string(minor) + '.' + std::to_string(patch);

@@ -3,43 +3,22 @@
 #pragma once
 
 #include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/plate.h>
 #include <haptic_retargeting/setup.h>
 #include <haptic_retargeting/study.h>
 
 #include <bitset>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "fields.h"
-#include "plate_device.h"
 #include "value.h"
 
 namespace hrt_godot {
 
 inline constexpr const char* kClassName = "HapticRetargeting";
-
-/** The value of Godot's enumeration Error for a result. */
-int64_t to_godot_error(hrt_result result);
-inline constexpr int64_t kErrInvalidParameter = 31;
-
-inline hrt_target to_target(const Value& value) {
-  return {static_cast<uint64_t>(to_int(value))};
-}
-
-/** What methods return that fail: no target; a place that update() refuses. */
-inline constexpr int64_t kNoTarget = 0;
-inline constexpr Vector3 kNowhere{std::numeric_limits<double>::quiet_NaN(), 0, 0};
-
-/** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
-inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
-constexpr size_t reason_of(hrt_result error) {
-  return static_cast<size_t>(-error) % kFlagsReason;
-}
-inline constexpr const char* kNotRigid =
-    "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
 
 struct Argument {
   const char* name;
@@ -55,7 +34,8 @@ inline constexpr Signal kFlagsChanged{"flags_changed", {"flags", Type::kInt}};
 inline constexpr Signal kReachEnded{"reach_ended", {"miss_deg", Type::kReal}};
 inline constexpr Signal kSetupStep{"setup_step", {"step", Type::kRecord}};
 inline constexpr Signal kSetupFinished{"setup_finished", {"result", Type::kRecord}};
-std::span<const Signal> signals();
+inline constexpr Signal kSignals[] = {kPlateCommanded, kFlagsChanged, kReachEnded, kSetupStep,
+                                      kSetupFinished};
 
 /** The engine, as the node needs it. */
 class Engine {
@@ -73,12 +53,24 @@ struct Method {
   const char* name;
   Type returns;
   Value failure;  ///< what a call returns that cannot be made
-  std::span<const Argument> arguments;
-  Value (PlateNode::*function)(const Value* arguments);
+  std::vector<Argument> arguments;
+  Value (*function)(PlateNode& node, const Value* arguments);
 };
 std::span<const Method> methods();
 /** Arguments that a call is looked at for; one more than any method has, so that too many are noticed. */
 inline constexpr size_t kArgumentsMax = 8;
+
+/** Why samples are refused: the plugin's errors, up to 99, then the node's own. */
+inline constexpr size_t kFlagsReason = 126, kPoseReason = 127;
+constexpr size_t reason_of(hrt_result error) {
+  return static_cast<size_t>(-error) % kFlagsReason;
+}
+inline constexpr const char* kNotRigid =
+    "the node is scaled, sheared or mirrored in the world; allowed: moved and turned, as a plate";
+
+inline hrt_target target_of(int64_t id) {
+  return {static_cast<uint64_t>(id)};
+}
 
 class PlateNode {
  public:
@@ -89,72 +81,83 @@ class PlateNode {
 
   /** Checks number and types of the arguments, then calls. Throws nothing. */
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
-  Value get(const Field& property) const { return get_field(of(property), property); }
+  Value get(const Field& property) const { return to_value(property.get(of(property))); }
   void set(const Field& property, const Value& value) noexcept;
 
-  Value add_real_target(const Value* arguments);
-  Value add_virtual_target(const Value* arguments);
-  Value add_real_target_at(const Value* arguments);
-  Value add_virtual_target_at(const Value* arguments);
-  Value move_target_to(const Value* arguments);
-  Value remove_target(const Value* arguments);
-  Value begin(const Value* arguments);
-  Value begin_with_plate_at(const Value* arguments);
-  Value begin_for(const Value* arguments);
-  Value update(const Value* arguments);
-  Value update_joint(const Value* arguments);
-  Value update_lost(const Value* arguments);
-  Value update_sample(const Value* arguments);
-  Value retarget(const Value* arguments);
-  Value cancel(const Value* arguments);
-  Value end(const Value* arguments);
-  Value is_reaching(const Value* arguments);
-  Value get_command(const Value* arguments);
-  Value get_summary(const Value* arguments);
-  Value get_gap(const Value* arguments);
-  Value assign_targets(const Value* arguments);
-  Value get_assigned(const Value* arguments);
-  Value load_scene(const Value* arguments);
-  Value find_target(const Value* arguments);
-  Value begin_setup(const Value* arguments);
-  Value finish_setup(const Value* arguments);
-  Value cancel_setup(const Value* arguments);
-  Value is_setting_up(const Value* arguments);
-  Value begin_simulated_finger(const Value* arguments);
-  Value update_simulated_finger(const Value* arguments);
-  Value load_profile(const Value* arguments);
-  Value save_profile(const Value* arguments);
-  Value set_conditions(const Value* arguments);
-  Value get_conditions(const Value* arguments);
-  Value start_recording(const Value* arguments);
-  Value get_recording_status(const Value* arguments);
-  Value stop_recording(const Value* arguments);
-  Value open_device(const Value* arguments);
-  Value turn_device(const Value* arguments);
-  Value stop_device(const Value* arguments);
-  Value get_device_report(const Value* arguments);
-  Value close_device(const Value* arguments);
-  Value get_version(const Value* arguments);
+  // What the methods of the same names in methods.cpp do; targets are ids.
+  int64_t add_real_target(std::string name, double direction_deg, double distance_m);
+  int64_t add_virtual_target(std::string name, double direction_deg, double distance_m);
+  int64_t add_real_target_at(std::string name, Vector3 world_position);
+  int64_t add_virtual_target_at(std::string name, Vector3 world_position);
+  Error move_target_to(int64_t target, Vector3 world_position);
+  Error remove_target(int64_t target);
+  Record get_gap(int64_t real, int64_t felt);
+  Error assign_targets(bool exclusive);
+  Record get_assigned(int64_t felt);
+  Error load_scene(std::string path);
+  int64_t find_target(std::string name);
+
+  Error begin(int64_t real, int64_t felt);
+  Error begin_with_plate_at(int64_t real, int64_t felt, double plate_orientation_deg);
+  Error begin_for(int64_t real, int64_t felt, double duration_s);
+  Error update(Vector3 world_position, int64_t time_ns);
+  Error update_joint(Pose joint, int64_t time_ns);
+  Error update_lost(int64_t time_ns);
+  Error update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m,
+                      double z_m, double plate_orientation_deg);
+  Error retarget(int64_t real, int64_t felt);
+  Error cancel();
+  Error end();
+  bool is_reaching() { return reaching_; }
+  Record get_command();
+  Record get_summary();
+  Error begin_simulated_finger(int64_t felt, int64_t seed);
+  Vector3 update_simulated_finger(int64_t time_ns);
+
+  Error begin_setup(int64_t what);
+  Record finish_setup();
+  Error cancel_setup();
+  bool is_setting_up() { return setting_up_; }
+
+  Error load_profile(std::string json);
+  std::string save_profile();
+  Error set_conditions(std::string plate, std::string tracker, int64_t time_s);
+  Record get_conditions();
+  Error start_recording(std::string path);
+  Record get_recording_status();
+  Error stop_recording();
+
+  Error open_device(std::string device);
+  Error turn_device(double orientation_deg);
+  Error stop_device();
+  Record get_device_report();
+  Error close_device();
+  std::string get_version();
 
  private:
   const void* of(const Field& property) const;
   bool ok(hrt_result result);
-  Value after_device(hrt_result result);
+  Error error() const;
   bool configure();
   bool read_pose(double (&position_m)[3], double (&rotation)[4]);
-  bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
-  Value add_target(const hrt_target_config& config);
-  Value begin_reach(const hrt_reach_config& config);
-  bool finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample);
-  Value send(const hrt_sample& sample);
-  Value guide(const hrt_sample& sample);
-  void report_sample(size_t reason, const char* text);
   void take_changes();
+  void report_sample(size_t reason, const char* text);
+
+  bool list_targets(uint32_t role, std::vector<hrt_target>& out_targets);
+  int64_t add_target(const hrt_target_config& config);
+  Error begin_reach(const hrt_reach_config& config);
+  bool finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample);
+  Error send(const hrt_sample& sample);
+  Error guide(const hrt_sample& sample);
+  bool read_device(hrt_plate_report& out_report) const;
+  Error after_device(hrt_result result);
 
   Engine& engine_;
   hrt_session session_{};
   hrt_person person_{};
   int64_t seed_ = 0;  ///< of the person
+  hrt_plate device_{};
+  bool failure_is_known_ = false;  ///< the device's
   std::vector<hrt_gap> assigned_;
   hrt_setup_config setup_config_;    ///< the properties of set-ups
   hrt_session_config config_;        ///< the other properties and the node's pose
@@ -166,7 +169,6 @@ class PlateNode {
   hrt_result result_ = HRT_OK;       ///< of the last call of the plugin
   bool reaching_ = false;
   bool setting_up_ = false;
-  PlateDevice device_;
   std::bitset<128> refused_;  ///< samples of this reach or set-up, by the reason
 };
 

@@ -3,56 +3,54 @@
 
 namespace hrt_godot {
 
-Value PlateNode::load_profile(const Value* arguments) {
-  const std::string& json = to_text(arguments[0]);
+Error PlateNode::load_profile(std::string json) {
   if (configure() && ok(hrt_profile_load(session_, json.data(), json.size()))) take_changes();
-  return to_godot_error(result_);
+  return error();
 }
 
-Value PlateNode::save_profile(const Value*) {
+std::string PlateNode::save_profile() {
   uint64_t length = 0;
-  if (!configure() || !ok(hrt_profile_save(session_, 0, nullptr, &length))) return std::string();
+  if (!configure() || !ok(hrt_profile_save(session_, 0, nullptr, &length))) return {};
   std::string json(length + 1, '\0');
-  if (!ok(hrt_profile_save(session_, json.size(), json.data(), &length))) return std::string();
+  if (!ok(hrt_profile_save(session_, json.size(), json.data(), &length))) return {};
   json.resize(length);
   return json;
 }
 
-Value PlateNode::set_conditions(const Value* arguments) {
+Error PlateNode::set_conditions(std::string plate, std::string tracker, int64_t time_s) {
   hrt_conditions now = hrt_conditions_init();
   // A name that is too long fills its field without a zero, which the plugin refuses.
-  to_text(arguments[0]).copy(now.plate, sizeof now.plate);
-  to_text(arguments[1]).copy(now.tracker, sizeof now.tracker);
-  now.time_s = to_int(arguments[2]);
+  plate.copy(now.plate, sizeof now.plate);
+  tracker.copy(now.tracker, sizeof now.tracker);
+  now.time_s = time_s;
   if (configure()) ok(hrt_profile_set_conditions(session_, &now));
-  return to_godot_error(result_);
+  return error();
 }
 
-Value PlateNode::get_conditions(const Value*) {
+Record PlateNode::get_conditions() {
   hrt_conditions measured = hrt_conditions_init();
-  if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return Record{};
+  if (!configure() || !ok(hrt_profile_get_conditions(session_, &measured))) return {};
   return to_record(&measured, conditions_fields);
 }
 
-Value PlateNode::start_recording(const Value* arguments) {
-  if (configure()) ok(hrt_recording_start(session_, to_text(arguments[0]).c_str()));
-  return to_godot_error(result_);
+Error PlateNode::start_recording(std::string path) {
+  if (configure()) ok(hrt_recording_start(session_, path.c_str()));
+  return error();
 }
 
-Value PlateNode::get_recording_status(const Value*) {
+Record PlateNode::get_recording_status() {
   hrt_recording_status status = hrt_recording_status_init();
-  if (!ok(hrt_recording_get_status(session_, &status))) return Record{};
+  if (!ok(hrt_recording_get_status(session_, &status))) return {};
   return to_record(&status, recording_fields);
 }
 
-Value PlateNode::stop_recording(const Value*) {
+Error PlateNode::stop_recording() {
   hrt_recording_status status = hrt_recording_status_init();
-  if (!ok(hrt_recording_stop(session_, &status))) return to_godot_error(result_);
-  if (status.rows_lost == 0) return int64_t{0};
+  if (!ok(hrt_recording_stop(session_, &status)) || status.rows_lost == 0) return error();
   engine_.push_error(
       ("the recording lacks " + std::to_string(status.rows_lost) + " calls: the disk was too slow or failed")
           .c_str());
-  return to_godot_error(HRT_ERROR_SYSTEM);
+  return Error::kFileCannotWrite;
 }
 
 }  // namespace hrt_godot

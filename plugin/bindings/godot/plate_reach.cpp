@@ -3,84 +3,84 @@
 #include <array>
 
 #include "plate_node.h"
-
 #include "pose.h"
 
 namespace hrt_godot {
+namespace {
 
-Value PlateNode::begin(const Value* arguments) {
+hrt_reach_config reach_of(int64_t real, int64_t felt) {
   hrt_reach_config config = hrt_reach_config_init();
-  config.real_target = to_target(arguments[0]);
-  config.virtual_target = to_target(arguments[1]);
-  return begin_reach(config);
+  config.real_target = target_of(real);
+  config.virtual_target = target_of(felt);
+  return config;
 }
 
-Value PlateNode::begin_with_plate_at(const Value* arguments) {
-  hrt_reach_config config = hrt_reach_config_init();
+}  // namespace
+
+Error PlateNode::begin(int64_t real, int64_t felt) {
+  return begin_reach(reach_of(real, felt));
+}
+
+Error PlateNode::begin_with_plate_at(int64_t real, int64_t felt, double plate_orientation_deg) {
+  hrt_reach_config config = reach_of(real, felt);
   config.flags = HRT_REACH_PLATE_ORIENTATION;
-  config.real_target = to_target(arguments[0]);
-  config.virtual_target = to_target(arguments[1]);
-  config.plate_orientation_deg = to_real(arguments[2]);
+  config.plate_orientation_deg = plate_orientation_deg;
   return begin_reach(config);
 }
 
-Value PlateNode::begin_for(const Value* arguments) {
-  hrt_reach_config config = hrt_reach_config_init();
-  config.real_target = to_target(arguments[0]);
-  config.virtual_target = to_target(arguments[1]);
-  config.duration_s = to_real(arguments[2]);
+Error PlateNode::begin_for(int64_t real, int64_t felt, double duration_s) {
+  hrt_reach_config config = reach_of(real, felt);
+  config.duration_s = duration_s;
   return begin_reach(config);
 }
 
-Value PlateNode::begin_reach(const hrt_reach_config& config) {
+Error PlateNode::begin_reach(const hrt_reach_config& config) {
   if (configure() && ok(hrt_reach_begin(session_, &config))) {
     reaching_ = true;
     command_ = {};
     refused_.reset();
   }
-  return to_godot_error(result_);
+  return error();
 }
 
 /** A sample of the fingertip in the world, with the plate where the node is. */
-bool PlateNode::finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample) {
-  out_sample = hrt_sample_init();
-  out_sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
-  out_sample.time_ns = time_ns;
-  copy(place, out_sample.finger_position_m);
-  if (const std::optional<double> orientation_deg = device_.orientation_deg()) {
-    out_sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-    out_sample.plate_orientation_deg = *orientation_deg;
+bool PlateNode::finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out) {
+  out = hrt_sample_init();
+  out.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+  out.time_ns = time_ns;
+  copy(place, out.finger_position_m);
+  hrt_plate_report report;
+  if (read_device(report) && (report.flags & HRT_PLATE_REPORT_ORIENTATION)) {
+    out.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
+    out.plate_orientation_deg = report.orientation_deg;
   }
-  if (read_pose(out_sample.plate_position_m, out_sample.plate_rotation)) return true;
+  if (read_pose(out.plate_position_m, out.plate_rotation)) return true;
   report_sample(kPoseReason, kNotRigid);
   return false;
 }
 
-Value PlateNode::update(const Value* arguments) {
+Error PlateNode::update(Vector3 world_position, int64_t time_ns) {
   hrt_sample sample;
-  return finger_sample(std::get<Vector3>(arguments[0]), to_int(arguments[1]), sample)
-             ? send(sample)
-             : to_godot_error(result_);
+  return finger_sample(world_position, time_ns, sample) ? send(sample) : error();
 }
 
-Value PlateNode::update_joint(const Value* arguments) {
-  const Pose& joint = std::get<Pose>(arguments[0]);
+Error PlateNode::update_joint(Pose joint, int64_t time_ns) {
   hrt_sample sample;
-  if (!finger_sample(joint.origin, to_int(arguments[1]), sample)) return to_godot_error(result_);
+  if (!finger_sample(joint.origin, time_ns, sample)) return error();
   sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
   const std::array<double, 4> rotation = to_quaternion(joint);
   std::copy(rotation.begin(), rotation.end(), sample.joint_rotation);
   return send(sample);
 }
 
-Value PlateNode::update_lost(const Value* arguments) {
+Error PlateNode::update_lost(int64_t time_ns) {
   hrt_sample sample{};
-  sample.time_ns = to_int(arguments[0]);
+  sample.time_ns = time_ns;
   return send(sample);
 }
 
-Value PlateNode::update_sample(const Value* arguments) {
-  const int64_t flags = to_int(arguments[0]);
+Error PlateNode::update_sample(int64_t flags, int64_t time_ns, double direction_deg, double x_m, double y_m,
+                               double z_m, double plate_orientation_deg) {
   constexpr int64_t kTaken =
       HRT_SAMPLE_DIRECTION | HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION | HRT_SAMPLE_LIFTED;
   if (flags & ~kTaken) {
@@ -88,18 +88,18 @@ Value PlateNode::update_sample(const Value* arguments) {
                   ("flags " + std::to_string(flags) +
                    "; allowed: sums of 1 direction, 2 position on the plate, 4 plate's orientation, 8 lifted")
                       .c_str());
-    return kErrInvalidParameter;
+    return Error::kInvalidParameter;
   }
   hrt_sample sample{};
   sample.flags = static_cast<uint32_t>(flags);
-  sample.time_ns = to_int(arguments[1]);
-  sample.finger_direction_deg = to_real(arguments[2]);
-  for (int i = 0; i < 3; ++i) sample.finger_position_m[i] = to_real(arguments[3 + i]);
-  sample.plate_orientation_deg = to_real(arguments[6]);
+  sample.time_ns = time_ns;
+  sample.finger_direction_deg = direction_deg;
+  copy({x_m, y_m, z_m}, sample.finger_position_m);
+  sample.plate_orientation_deg = plate_orientation_deg;
   return send(sample);
 }
 
-Value PlateNode::send(const hrt_sample& filled) {
+Error PlateNode::send(const hrt_sample& filled) {
   hrt_sample sample = filled;
   sample.struct_size = sizeof sample;
   if (setting_up_) return guide(sample);
@@ -107,69 +107,64 @@ Value PlateNode::send(const hrt_sample& filled) {
   result_ = hrt_reach_update(session_, &sample, &command);
   if (result_ != HRT_OK) {
     report_sample(reason_of(result_), hrt_last_error());
-    return to_godot_error(result_);
+    return error();
   }
   const uint32_t changed = (command.flags ^ command_.flags) & ~HRT_COMMAND_HELD;
   command_ = command;
   // Handlers may call this node again, so nothing is read from it after the first signal.
   if (changed) engine_.emit(kFlagsChanged, int64_t{command.flags});
   if (!(command.flags & HRT_COMMAND_HELD)) engine_.emit(kPlateCommanded, command.plate_orientation_deg);
-  return int64_t{0};
+  return Error::kOk;
 }
 
-Value PlateNode::retarget(const Value* arguments) {
-  ok(hrt_reach_retarget(session_, to_target(arguments[0]), to_target(arguments[1])));
-  return to_godot_error(result_);
+Error PlateNode::retarget(int64_t real, int64_t felt) {
+  ok(hrt_reach_retarget(session_, target_of(real), target_of(felt)));
+  return error();
 }
 
-Value PlateNode::cancel(const Value*) {
+Error PlateNode::cancel() {
   if (ok(hrt_reach_cancel(session_))) reaching_ = false;
-  return to_godot_error(result_);
+  return error();
 }
 
-Value PlateNode::end(const Value*) {
+Error PlateNode::end() {
   hrt_reach_summary summary = hrt_reach_summary_init();
-  if (!ok(hrt_reach_end(session_, &summary))) return to_godot_error(result_);
+  if (!ok(hrt_reach_end(session_, &summary))) return error();
   reaching_ = false;
   summary_ = summary;
   take_changes();  // under HRT_ADAPTATION_CARRIED there are some
   engine_.emit(kReachEnded, summary.miss_deg);
-  return int64_t{0};
+  return Error::kOk;
 }
 
-Value PlateNode::is_reaching(const Value*) {
-  return reaching_;
-}
-
-Value PlateNode::get_command(const Value*) {
+Record PlateNode::get_command() {
   return command_.struct_size ? to_record(&command_, command_fields) : Record{};
 }
 
-Value PlateNode::get_summary(const Value*) {
+Record PlateNode::get_summary() {
   return summary_.struct_size ? to_record(&summary_, summary_fields) : Record{};
 }
 
 /** The same seed is the same person, in another reach. */
-Value PlateNode::begin_simulated_finger(const Value* arguments) {
-  const int64_t seed = to_int(arguments[1]);
-  if (!configure()) return to_godot_error(result_);
+Error PlateNode::begin_simulated_finger(int64_t felt, int64_t seed) {
+  if (!configure()) return error();
   if (person_.value == 0 || seed != seed_) {
     hrt_person person{};
-    if (!ok(hrt_person_create(nullptr, static_cast<uint64_t>(seed), &person))) return to_godot_error(result_);
+    if (!ok(hrt_person_create(nullptr, static_cast<uint64_t>(seed), &person))) return error();
     if (person_.value) hrt_person_destroy(person_);
     person_ = person;
     seed_ = seed;
   }
-  ok(hrt_person_begin(person_, session_, to_target(arguments[0])));
-  return to_godot_error(result_);
+  ok(hrt_person_begin(person_, session_, target_of(felt)));
+  return error();
 }
 
 /** In place of update(): the place in the world where the tracker sees the finger. */
-Value PlateNode::update_simulated_finger(const Value* arguments) {
+Vector3 PlateNode::update_simulated_finger(int64_t time_ns) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
   hrt_sample sample = hrt_sample_init();
-  if (!ok(hrt_person_move(person_, to_int(arguments[0]), plate_deg, &sample))) return kNowhere;
-  if (std::get<int64_t>(send(sample)) != 0) return kNowhere;
+  if (!ok(hrt_person_move(person_, time_ns, plate_deg, &sample)) || send(sample) != Error::kOk)
+    return failure<Vector3>();
   return place(engine_.node_pose(), sample.finger_position_m);
 }
 
