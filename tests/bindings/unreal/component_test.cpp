@@ -141,7 +141,9 @@ TEST_F(Component, TakesAMeasuredPlate) {
   ASSERT_TRUE(component_.AddTarget(kReal, TEXT("real"), 5, 10, real));
   ASSERT_TRUE(component_.AddTarget(kVirtual, TEXT("felt"), -5, 10, felt));
   const auto run = [&](const std::function<bool(const FVector&, double, double)>& update) {
-    EXPECT_TRUE(component_.BeginReachAt(real, felt, 30, 2)) << last_log();
+    component_.bPlateIsMeasured = true;
+    component_.MeasuredPlateYaw = 30;
+    EXPECT_TRUE(component_.BeginReach(real, felt, 2)) << last_log();
     for (int frame = 0; frame <= 180; ++frame) {
       const double part = frame / 180.0;
       EXPECT_TRUE(update(FVector(-5 + 10 * part, 0.4 * part, 0.2), 30 - 70 * part, frame / 90.0)) << last_log();
@@ -151,7 +153,8 @@ TEST_F(Component, TakesAMeasuredPlate) {
     return command;
   };
   const hrt_command measured = run([&](const FVector& place, double plate_yaw, double time) {
-    return component_.UpdateFingerAndPlate(place, plate_yaw, time);
+    component_.MeasuredPlateYaw = plate_yaw;
+    return component_.UpdateFinger(place, time);
   });
   const hrt_command raw = run([&](const FVector& place, double plate_yaw, double time) {
     hrt_sample sample{};
@@ -162,12 +165,16 @@ TEST_F(Component, TakesAMeasuredPlate) {
     return component_.UpdateSample(sample);
   });
   const hrt_command without = run([&](const FVector& place, double, double time) {
+    component_.bPlateIsMeasured = false;
     return component_.UpdateFinger(place, time);
   });
   EXPECT_EQ(std::memcmp(&measured, &raw, sizeof raw), 0);
   EXPECT_NE(measured.plate_orientation_deg, without.plate_orientation_deg);
-  EXPECT_FALSE(component_.BeginReachAt(real, felt, kNan, 2));
-  EXPECT_FALSE(component_.BeginReachAt(real, felt, 0, 0.01));
+  component_.bPlateIsMeasured = true;
+  component_.MeasuredPlateYaw = kNan;
+  EXPECT_FALSE(component_.BeginReach(real, felt, 2));
+  component_.MeasuredPlateYaw = 0;
+  EXPECT_FALSE(component_.BeginReach(real, felt, 0.01));
   EXPECT_NE(last_log().find("duration_s"), std::string::npos) << last_log();
 }
 

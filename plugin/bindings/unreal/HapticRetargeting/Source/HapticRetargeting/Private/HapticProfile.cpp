@@ -27,12 +27,12 @@ bool UHapticRetargetingComponent::SaveProfile(FString& OutJson)
 bool UHapticRetargetingComponent::LoadProfile(const FString& Json)
 {
 	const std::string Text = TCHAR_TO_UTF8(*Json);
-	if (!Configure() || !HAPTIC_CALL(hrt_profile_load(Session, Text.data(), Text.size())))
+	const bool bLoaded = Configure() && HAPTIC_CALL(hrt_profile_load(Session, Text.data(), Text.size()));
+	if (bLoaded)
 	{
-		return false;
+		TakeFromSession();
 	}
-	TakeFromSession();
-	return true;
+	return bLoaded;
 }
 
 bool UHapticRetargetingComponent::StartRecording(const FString& Path)
@@ -43,13 +43,10 @@ bool UHapticRetargetingComponent::StartRecording(const FString& Path)
 bool UHapticRetargetingComponent::GetRecordingStatus(int64& OutRowsWritten, int64& OutRowsLost)
 {
 	hrt_recording_status Status = hrt_recording_status_init();
-	if (!HAPTIC_CALL(hrt_recording_get_status(Session, &Status)))
-	{
-		return false;
-	}
+	const bool bRecording = HAPTIC_CALL(hrt_recording_get_status(Session, &Status));
 	OutRowsWritten = static_cast<int64>(Status.rows_written);
 	OutRowsLost = static_cast<int64>(Status.rows_lost);
-	return true;
+	return bRecording;
 }
 
 bool UHapticRetargetingComponent::StopRecording()

@@ -6,46 +6,14 @@
 
 using namespace HapticConversions;
 
-namespace
+bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual, double Duration)
 {
-	hrt_sample WithPlate(hrt_sample Sample, double PlateYaw)
-	{
-		Sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-		Sample.plate_orientation_deg = Turned(PlateYaw);
-		return Sample;
-	}
-}
-
-bool UHapticRetargetingComponent::BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual)
-{
-	if (!HasLibrary())
-	{
-		return false;
-	}
 	hrt_reach_config Config = hrt_reach_config_init();
 	Config.real_target = ToTarget(Real);
 	Config.virtual_target = ToTarget(Virtual);
-	return Begin(Config);
-}
-
-bool UHapticRetargetingComponent::BeginReachAt(const FHapticTarget& Real, const FHapticTarget& Virtual, double PlateYaw,
-	double Duration)
-{
-	if (!HasLibrary())
-	{
-		return false;
-	}
-	hrt_reach_config Config = hrt_reach_config_init();
-	Config.real_target = ToTarget(Real);
-	Config.virtual_target = ToTarget(Virtual);
-	Config.flags = HRT_REACH_PLATE_ORIENTATION;
-	Config.plate_orientation_deg = Turned(PlateYaw);
+	Config.flags = bPlateIsMeasured ? HRT_REACH_PLATE_ORIENTATION : 0;
+	Config.plate_orientation_deg = Turned(MeasuredPlateYaw);
 	Config.duration_s = Duration;
-	return Begin(Config);
-}
-
-bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
-{
 	if (!Configure() || !HAPTIC_CALL(hrt_reach_begin(Session, &Config)))
 	{
 		return false;
@@ -58,8 +26,9 @@ bool UHapticRetargetingComponent::Begin(const hrt_reach_config& Config)
 hrt_sample UHapticRetargetingComponent::FingerSample(const FVector& Location, double Time) const
 {
 	hrt_sample Sample = hrt_sample_init();
-	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE;
+	Sample.flags = HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_PLATE_POSE | (bPlateIsMeasured ? HRT_SAMPLE_PLATE_ORIENTATION : 0);
 	Sample.time_ns = ToNanoseconds(Time);
+	Sample.plate_orientation_deg = Turned(MeasuredPlateYaw);
 	ToMetres(Location, Sample.finger_position_m);
 	PlatePose(Sample.plate_position_m, Sample.plate_rotation);
 	return Sample;
@@ -70,27 +39,12 @@ bool UHapticRetargetingComponent::UpdateFinger(const FVector& Location, double T
 	return UpdateSample(FingerSample(Location, Time));
 }
 
-bool UHapticRetargetingComponent::UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time)
-{
-	return UpdateSample(WithPlate(FingerSample(Location, Time), PlateYaw));
-}
-
-hrt_sample UHapticRetargetingComponent::JointSample(const FTransform& Joint, double Time) const
+bool UHapticRetargetingComponent::UpdateJoint(const FTransform& Joint, double Time)
 {
 	hrt_sample Sample = FingerSample(Joint.GetLocation(), Time);
 	Sample.flags |= HRT_SAMPLE_JOINT_ROTATION;
 	ToQuaternion(Joint.GetRotation(), Sample.joint_rotation);
-	return Sample;
-}
-
-bool UHapticRetargetingComponent::UpdateJoint(const FTransform& Joint, double Time)
-{
-	return UpdateSample(JointSample(Joint, Time));
-}
-
-bool UHapticRetargetingComponent::UpdateJointAndPlate(const FTransform& Joint, double PlateYaw, double Time)
-{
-	return UpdateSample(WithPlate(JointSample(Joint, Time), PlateYaw));
+	return UpdateSample(Sample);
 }
 
 bool UHapticRetargetingComponent::UpdateLost(double Time)
@@ -133,12 +87,9 @@ bool UHapticRetargetingComponent::RetargetReach(const FHapticTarget& Real, const
 
 bool UHapticRetargetingComponent::CancelReach()
 {
-	if (!HAPTIC_CALL(hrt_reach_cancel(Session)))
-	{
-		return false;
-	}
-	bReaching = false;
-	return true;
+	const bool bCancelled = HAPTIC_CALL(hrt_reach_cancel(Session));
+	bReaching = bReaching && !bCancelled;
+	return bCancelled;
 }
 
 bool UHapticRetargetingComponent::EndReach(FHapticSummary& OutSummary)
@@ -167,22 +118,17 @@ FHapticCommand UHapticRetargetingComponent::GetCommand() const
 
 bool UHapticRetargetingComponent::BeginSimulatedFinger(const FHapticTarget& Virtual, int64 Seed)
 {
-	hrt_person Created{};
-	if (!Configure() || !HAPTIC_CALL(hrt_person_create(nullptr, static_cast<uint64_t>(Seed), &Created)))
+	if (!Configure())
 	{
-		return false;
-	}
-	if (!HAPTIC_CALL(hrt_person_begin(Created, Session, ToTarget(Virtual))))
-	{
-		hrt_person_destroy(Created);
 		return false;
 	}
 	if (Person.value != 0)
 	{
 		hrt_person_destroy(Person);
+		Person = {};
 	}
-	Person = Created;
-	return true;
+	return HAPTIC_CALL(hrt_person_create(nullptr, static_cast<uint64_t>(Seed), &Person)) &&
+		HAPTIC_CALL(hrt_person_begin(Person, Session, ToTarget(Virtual)));
 }
 
 bool UHapticRetargetingComponent::UpdateSimulatedFinger(double Time, FVector& OutLocation)

@@ -60,22 +60,14 @@ bool UHapticRetargetingComponent::Configure()
 	}
 	hrt_session_config Config = ToConfig(Settings, GetComponentTransform(), Configured);
 	PlatePose(Config.plate_position_m, Config.plate_rotation);
-	if (Session.value == 0)
+	const bool bMade = Session.value == 0;
+	const bool bSame = !bMade && std::memcmp(&Config, &Configured, sizeof Config) == 0;
+	if (bSame || HAPTIC_CALL(bMade ? hrt_session_create(HRT_VERSION, &Config, &Session) : hrt_session_set(Session, &Config)))
 	{
-		if (!HAPTIC_CALL(hrt_session_create(HRT_VERSION, &Config, &Session)))
-		{
-			return false;
-		}
+		Configured = Config;
+		return true;
 	}
-	else if (std::memcmp(&Config, &Configured, sizeof Config) != 0)
-	{
-		if (!HAPTIC_CALL(hrt_session_set(Session, &Config)))
-		{
-			return false;
-		}
-	}
-	Configured = Config;
-	return true;
+	return false;
 }
 
 bool UHapticRetargetingComponent::IsAtPlate() const

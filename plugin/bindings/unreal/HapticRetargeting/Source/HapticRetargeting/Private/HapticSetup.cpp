@@ -58,10 +58,7 @@ bool UHapticRetargetingComponent::FinishSetup(FHapticSetupResult& OutResult)
 
 bool UHapticRetargetingComponent::CancelSetup()
 {
-	if (!HAPTIC_CALL(hrt_setup_cancel(Session)))
-	{
-		return false;
-	}
-	bSettingUp = false;
-	return true;
+	const bool bCancelled = HAPTIC_CALL(hrt_setup_cancel(Session));
+	bSettingUp = bSettingUp && !bCancelled;
+	return bCancelled;
 }

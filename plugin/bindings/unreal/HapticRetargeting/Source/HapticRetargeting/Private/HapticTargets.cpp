@@ -22,10 +22,6 @@ bool UHapticRetargetingComponent::Add(const hrt_target_config& Config, FHapticTa
 bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FString& Name, double Yaw, double Distance,
 	FHapticTarget& OutTarget)
 {
-	if (!HasLibrary())
-	{
-		return false;
-	}
 	hrt_target_config Config = ToTarget(Role, Name);
 	Config.direction_deg = Turned(Yaw);
 	Config.distance_m = Distance / 100.0;
@@ -35,10 +31,6 @@ bool UHapticRetargetingComponent::AddTarget(EHapticTargetRole Role, const FStrin
 bool UHapticRetargetingComponent::AddTargetAt(EHapticTargetRole Role, const FString& Name, const FVector& Location,
 	FHapticTarget& OutTarget)
 {
-	if (!HasLibrary())
-	{
-		return false;
-	}
 	hrt_target_config Config = ToTarget(Role, Name);
 	Config.place = HRT_PLACE_WORLD_POSITION;
 	ToMetres(Location, Config.position_m);

@@ -30,6 +30,14 @@ public:
 	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
 	FHapticSettings Settings;
 
+	/** The servo reports Measured Plate Yaw, before each update and each reach. Otherwise the plate is taken to follow its
+	 *  commands as its speed and latency allow. */
+	UPROPERTY(EditAnywhere, BlueprintReadWrite, Category = "Haptic Retargeting")
+	bool bPlateIsMeasured = false;
+
+	UPROPERTY(BlueprintReadWrite, Category = "Haptic Retargeting")
+	double MeasuredPlateYaw = 0.0;
+
 	/** The controller has decided: turn the plate here. */
 	UPROPERTY(BlueprintAssignable, Category = "Haptic Retargeting")
 	FHapticPlateCommanded OnPlateCommanded;
@@ -70,29 +78,17 @@ public:
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting|Scene")
 	bool LoadScene(const FString& Path, TArray<FHapticTarget>& OutTargets, TArray<FHapticSceneTarget>& OutDescriptions);
 
+	/** Duration is the expected one of the motion in seconds; 0: unknown. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual);
-
-	/** As Begin Reach, with the plate at Plate Yaw, as measured, and the expected duration of the motion in seconds; 0 if
-	 *  it is unknown. */
-	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool BeginReachAt(const FHapticTarget& Real, const FHapticTarget& Virtual, double PlateYaw, double Duration);
+	bool BeginReach(const FHapticTarget& Real, const FHapticTarget& Virtual, double Duration = 0.0);
 
 	/** The fingertip in the world, at a time in seconds that does not run backwards. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateFinger(const FVector& Location, double Time);
 
-	/** As Update Finger, with the plate's yaw as its servo reports it. */
-	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool UpdateFingerAndPlate(const FVector& Location, double PlateYaw, double Time);
-
 	/** A tracked joint of the finger, with its rotation: a set-up finds where the skin is beside it. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
 	bool UpdateJoint(const FTransform& Joint, double Time);
-
-	/** As Update Joint, with the plate's yaw as its servo reports it. */
-	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
-	bool UpdateJointAndPlate(const FTransform& Joint, double PlateYaw, double Time);
 
 	/** The tracker does not see the finger. */
 	UFUNCTION(BlueprintCallable, Category = "Haptic Retargeting")
@@ -176,14 +172,12 @@ private:
 	bool Succeeded(hrt_result Result) const;
 	bool HasLibrary() const;
 	bool Configure();
-	bool Begin(const hrt_reach_config& Config);
 	bool IsAtPlate() const;
 	void MoveToPlate();
 	void PlatePose(double (&OutPosition)[3], double (&OutRotation)[4]) const;
 	bool Add(const hrt_target_config& Config, FHapticTarget& OutTarget);
 	hrt_sample FingerSample(const FVector& Location, double Time) const;
 	bool Guide(const hrt_sample& Sample);
-	hrt_sample JointSample(const FTransform& Joint, double Time) const;
 	void CloseSession();
 
 	hrt_session Session{};
