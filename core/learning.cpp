@@ -61,7 +61,6 @@ PersonBelief carried(const PersonBelief& before, const PersonBelief& learnt, boo
     next.covariance.col(i) /= std::sqrt(excess);
   }
   if (missed && has_fallen(before, learnt)) forget_illusion(unknown, &next);
-  next.wander_sd_deg = std::min(later_wander_sd_deg, unknown.wander_sd_deg);
   return next;
 }
 

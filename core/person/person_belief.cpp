@@ -11,7 +11,6 @@ using T = PersonTrait;
 
 // Of weight and curve of an unknown person.
 constexpr double weight_curve_correlation = 0.85;
-constexpr double first_wander_sd_deg = 1.5;
 constexpr double known_weight_sd = 0.001;
 constexpr double known_bias_sd_deg = 0.05;
 constexpr double known_fading_sd = 0.01;
@@ -35,7 +34,6 @@ PersonBelief unknown_person(double tactile_weight, double tactile_weight_sd, dou
   belief.covariance = sd.cwiseProduct(sd).asDiagonal();
   belief.covariance(T::weight, T::curve) = belief.covariance(T::curve, T::weight) =
       weight_curve_correlation * sd(T::weight) * sd(T::curve);
-  belief.wander_sd_deg = first_wander_sd_deg;
   return belief;
 }
 
@@ -67,7 +65,6 @@ bool is_valid(const PersonBelief& belief) {
     if (!(belief.mean(i) >= person_traits[i].min && belief.mean(i) <= person_traits[i].max)) return false;
   }
   if (!belief.covariance.allFinite()) return false;
-  if (!(belief.wander_sd_deg > 0.0 && belief.wander_sd_deg <= 10.0)) return false;
   if (belief.covariance != belief.covariance.transpose()) return false;
   return belief.covariance.llt().info() == Eigen::Success;
 }

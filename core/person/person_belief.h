@@ -10,9 +10,8 @@ namespace hrt {
 struct PersonBelief {
   using Vector = Eigen::Matrix<double, PersonTrait::count, 1>;
   using Matrix = Eigen::Matrix<double, PersonTrait::count, PersonTrait::count>;
-  Vector mean;           ///< in the order of PersonTrait, as the covariance is
-  Matrix covariance;     ///< positive definite
-  double wander_sd_deg;  ///< of the fast part dr of the goal: larger on a person's first reach
+  Vector mean;        ///< in the order of PersonTrait, as the covariance is
+  Matrix covariance;  ///< positive definite
 };
 
 /// The prior of an unknown person. `tactile_weight` and its standard deviation are those of a linear
@@ -27,9 +26,6 @@ PersonBelief known_person(double tactile_weight, double bias_deg);
 /// A trait is known from now on, to within a standard deviation: alone of the others, and clamped to its
 /// range.
 void know(PersonBelief& belief, PersonTrait::Index trait, double mean, double sd);
-
-/// The fast part of the goal on a person's later reaches.
-inline constexpr double later_wander_sd_deg = 0.75;
 
 /// The weight that a linear illusion would have to shift the felt direction as much at 60 degrees; 0.001 to
 /// 0.499.

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "core/math/exponential.h"
-#include "core/person/arrival.h"
 #include "core/person/motion_fit.h"
 #include "core/reach/finger_sample.h"
 
@@ -144,11 +143,10 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     take_paused(sample);
     return true;
   }
-  const PersonState x = filter_.state();
+  const PersonNow now = filter_.now();
+  const PersonState& x = now.mean;
   const PlaceMm innovation{place.right_mm - x.right_mm - x.noise_right_mm,
                            place.away_mm - x.away_mm - x.noise_away_mm};
-  const Progress p = progress(x.evenness, x.phase);
-  const double speed_mm_s = path_mm_ * exponential(x.log_rate) * p.rate;
   const double nis = filter_.observe(place.right_mm, place.away_mm, gate);
   if (nis <= gate) {
     outliers_ = 0;
@@ -163,7 +161,7 @@ bool PersonEstimator::take(const TimedPlace& sample, const PlateTrace& plate) {
     last_innovation_ = innovation;
   }
   PlaceMm still{};
-  if (backlog_ == 0 && nis > 6.0 && speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
+  if (backlog_ == 0 && nis > 6.0 && now.speed_mm_s > min_pausing_speed_mm_s && stands_still(still)) {
     motion_ = FingerMotion::paused;
     pause_ = still;
     filter_.place_at(still.right_mm - origin().right_mm, still.away_mm - origin().away_mm);

@@ -6,21 +6,21 @@
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/person/arrival.h"
+#include "core/person/steering.h"
 
 namespace hrt {
 namespace {
 
 // Random walks, per second.
 constexpr double direction_density_deg2_s = 14.0;
-// A slow finger wanders more: the noise of its direction doubles at this speed.
-constexpr double slow_speed_mm_s = 20.0;
-constexpr double min_speed_mm_s = 5.0;
 constexpr double bias_density_deg2_s = 0.05;
 constexpr double illusion_density_s = 2e-5;
 constexpr double fading_density_s = 1e-4;
 constexpr double log_rate_density_s = 0.07;
 constexpr double place_density_mm2_s = 0.018;
 constexpr double place_share_s = 4e-4;  // of the speed squared: the pace is no law
+// Of the fast part of the goal.
+constexpr double wander_sd_deg = 0.75;
 constexpr double resting_density_mm2_s = 0.5;
 // Of a target that moves: the share of the turn that is uncertain, how much longer one motion gets,
 // and when another one begins.
@@ -28,8 +28,6 @@ constexpr double turn_sd_share = 0.5;
 constexpr double max_stretch = 1.5;
 constexpr double min_path_mm = 1.0;
 constexpr double another_motion_sd_s = 0.15;
-// Of the first direction about its share of the goal's.
-constexpr double first_direction_sd_deg = 2.0;
 
 constexpr PersonFilter::Index state_of[PersonTrait::count] = {
     PersonFilter::weight,  PersonFilter::curve,    PersonFilter::gain,
@@ -40,10 +38,7 @@ constexpr PersonFilter::Index state_of[PersonTrait::count] = {
 
 PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_deg, double path_mm,
                            const TrackerNoise& noise)
-    : virtual_direction_deg_(virtual_direction_deg),
-      path_mm_(path_mm),
-      noise_(noise),
-      wander_sd_deg_(belief.wander_sd_deg) {
+    : virtual_direction_deg_(virtual_direction_deg), path_mm_(path_mm), noise_(noise) {
   state_.setZero();
   covariance_.setZero();
   for (int i = 0; i < PersonTrait::count; ++i) {
@@ -52,7 +47,7 @@ PersonFilter::PersonFilter(const PersonBelief& belief, double virtual_direction_
       covariance_(state_of[i], state_of[j]) = belief.covariance(i, j);
   }
   keep_in_range();
-  covariance_(wander, wander) = wander_sd_deg_ * wander_sd_deg_;
+  covariance_(wander, wander) = wander_sd_deg * wander_sd_deg;
   covariance_(noise_right, noise_right) = covariance_(noise_away, noise_away) =
       noise_.correlated_mm * noise_.correlated_mm;
   begin(state_(log_rate), state_(evenness), 0.0, 0.0);
@@ -66,7 +61,7 @@ void PersonFilter::begin(double motion_log_rate, double motion_evenness, double 
   const double phase_sd = exponential(state_(log_rate)) * onset_sd_s;
   covariance_(phase, phase) = phase_sd * phase_sd;
   covariance_(right, right) = covariance_(away, away) = place_sd_mm * place_sd_mm;
-  const double goal = goal_deg();
+  const double goal = now().goal_deg;
   state_(direction) = state_(heading) * goal;
   // direction = heading G, and G = V + d + dr + c at the start.
   const double share = state_(heading);
@@ -76,15 +71,20 @@ void PersonFilter::begin(double motion_log_rate, double motion_evenness, double 
   covariance_.col(direction) =
       goal * covariance_.col(heading) +
       share * (covariance_.col(bias) + covariance_.col(wander) + covariance_.col(habit));
-  covariance_(direction, direction) += first_direction_sd_deg * first_direction_sd_deg;
 }
 
 double PersonFilter::goal_deg(double share, double wander_deg) const {
   return virtual_direction_deg_ + state_(bias) + wander_deg + state_(habit) * (1.0 - 2.0 * share);
 }
 
-double PersonFilter::goal_deg() const {
-  return goal_deg(progress(state_(evenness), state_(phase)).share, state_(wander));
+PersonNow PersonFilter::now() const {
+  const Progress pace = progress(state_(evenness), state_(phase));
+  const double speed_mm_s = mean_speed_mm_s() * pace.rate;
+  return {.mean = state(),
+          .pace = pace,
+          .speed_mm_s = speed_mm_s,
+          .goal_deg = goal_deg(pace.share, state_(wander)),
+          .illusion = illusion(speed_mm_s, path_mm_ * pace.share)};
 }
 
 Illusion PersonFilter::illusion(double speed_mm_s, double travelled_mm) const {
@@ -108,10 +108,11 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   const FeltShift g =
       felt_shift(illusion(travel_mm / seconds, path_mm_ * begun.share), felt_plate_deg - state_(direction));
   const double k = state_(gain);
-  const double felt_error_deg = state_(direction) + g.shift_deg - goal_deg(begun.share, state_(wander));
-  // The error decays at this rate while the plate rests; to second order in time.
-  const double decay_s = k * (1.0 - g.by_offset);
-  const double turn_deg = -k * felt_error_deg * seconds * (1.0 - 0.5 * decay_s * seconds);
+  const SteeringStep steering =
+      steer(k, state_(direction), g, goal_deg(begun.share, state_(wander)), seconds);
+  const double felt_error_deg = steering.felt_error_deg;
+  const double decay_s = steering.decay_s;
+  const double turn_deg = steering.turn_deg;
   const double sine = sin_deg(state_(direction) + 0.5 * turn_deg);
   const double cosine = cos_deg(state_(direction) + 0.5 * turn_deg);
 
@@ -151,23 +152,21 @@ void PersonFilter::move(double seconds, double felt_plate_deg) {
   state_(noise_right) *= noise_kept;
   state_(noise_away) *= noise_kept;
 
-  add_noise(seconds, {.speed_mm_s = travel_mm / seconds, .sine = sine, .cosine = cosine}, wander_kept,
-            noise_kept);
+  add_noise(seconds, {travel_mm, sine, cosine}, wander_kept, noise_kept);
 }
 
 // What the model leaves to chance in a step: random walks, and what is fresh of what decays.
 void PersonFilter::add_noise(double seconds, const Step& step, double wander_kept, double noise_kept) {
-  const double slowness = 1.0 + slow_speed_mm_s / std::max(step.speed_mm_s, min_speed_mm_s);
-  covariance_(direction, direction) += direction_density_deg2_s * slowness * seconds;
+  covariance_(direction, direction) += direction_density_deg2_s * seconds;
   covariance_(bias, bias) += bias_density_deg2_s * seconds;
   covariance_(weight, weight) += illusion_density_s * seconds;
   covariance_(curve, curve) += illusion_density_s * seconds;
   covariance_(fading, fading) += fading_density_s * seconds;
   covariance_(log_rate, log_rate) += log_rate_density_s * seconds;
-  const double along_mm2_s = place_share_s * step.speed_mm_s * step.speed_mm_s;
-  covariance_(right, right) += (place_density_mm2_s + along_mm2_s * step.sine * step.sine) * seconds;
-  covariance_(away, away) += (place_density_mm2_s + along_mm2_s * step.cosine * step.cosine) * seconds;
-  covariance_(wander, wander) += (1.0 - wander_kept * wander_kept) * wander_sd_deg_ * wander_sd_deg_;
+  const double along_mm2 = place_share_s * step.travel_mm * step.travel_mm / seconds;
+  covariance_(right, right) += place_density_mm2_s * seconds + along_mm2 * step.sine * step.sine;
+  covariance_(away, away) += place_density_mm2_s * seconds + along_mm2 * step.cosine * step.cosine;
+  covariance_(wander, wander) += (1.0 - wander_kept * wander_kept) * wander_sd_deg * wander_sd_deg;
   const double fresh_mm2 = (1.0 - noise_kept * noise_kept) * noise_.correlated_mm * noise_.correlated_mm;
   covariance_(noise_right, noise_right) += fresh_mm2;
   covariance_(noise_away, noise_away) += fresh_mm2;
@@ -269,7 +268,6 @@ double PersonFilter::shift_variance_deg2(const FeltShift& slopes, double by_bias
 
 PersonBelief PersonFilter::belief() const {
   PersonBelief belief;
-  belief.wander_sd_deg = wander_sd_deg_;
   for (int i = 0; i < PersonTrait::count; ++i) {
     belief.mean(i) = state_(state_of[i]);
     for (int j = 0; j < PersonTrait::count; ++j)

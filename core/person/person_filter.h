@@ -19,6 +19,7 @@
 #include <Eigen/Core>
 #include <cstring>
 
+#include "core/person/arrival.h"
 #include "core/person/illusion.h"
 #include "core/person/person_belief.h"
 #include "core/tracker/resting_finger.h"
@@ -45,6 +46,15 @@ inline constexpr const char* person_state_names[] = {
     "right_mm",       "away_mm",       "direction_deg", "phase", "log_rate",   "wander_deg",
     "noise_right_mm", "noise_away_mm", "weight",        "curve", "gain_per_s", "bias_deg",
     "habit_deg",      "evenness",      "heading",       "fading"};
+
+/// Finger and person at the filter's time, as a sample's plan and command read them.
+struct PersonNow {
+  PersonState mean;
+  Progress pace;
+  double speed_mm_s;
+  double goal_deg;    ///< G
+  Illusion illusion;  ///< at this speed
+};
 
 /// One motion. Places are millimetres from where the finger rested. No heap, no lock, no exception.
 class PersonFilter {
@@ -100,6 +110,7 @@ class PersonFilter {
   void loosen_clock(double seconds);
 
   PersonState state() const { return named(state_); }
+  PersonNow now() const;
   /// Standard deviations.
   PersonState deviation() const { return named(covariance_.diagonal().cwiseMax(0.0).cwiseSqrt()); }
   /// Of the finger's place along a unit vector.
@@ -120,7 +131,6 @@ class PersonFilter {
 
   /// G at a share of the path, with the fast part at `wander_deg`.
   double goal_deg(double share, double wander_deg) const;
-  double goal_deg() const;
 
   /// What this reach says of the person.
   PersonBelief belief() const;
@@ -132,9 +142,9 @@ class PersonFilter {
     std::memcpy(&state, vector.data(), sizeof state);
     return state;
   }
-  /// A step of the motion: its speed, and sine and cosine of its direction.
+  /// The finger's way in a step, and sine and cosine of its direction.
   struct Step {
-    double speed_mm_s;
+    double travel_mm;
     double sine;
     double cosine;
   };
@@ -144,7 +154,6 @@ class PersonFilter {
   double virtual_direction_deg_;
   double path_mm_;
   TrackerNoise noise_;
-  double wander_sd_deg_;
   State state_;
   Covariance covariance_;
 };

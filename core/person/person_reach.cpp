@@ -7,7 +7,6 @@
 #include "core/math/exponential.h"
 #include "core/math/time.h"
 #include "core/math/trigonometry.h"
-#include "core/person/arrival.h"
 
 namespace hrt {
 namespace {
@@ -17,7 +16,6 @@ constexpr double max_ns = 9e18;  // of an std::int64_t
 constexpr double last_phase = 0.97;
 // Before this share of the time a prediction of the miss says little.
 constexpr double first_judged_phase = 0.5;
-constexpr double max_slew_s = 0.25;
 // The gap counts as out of reach once the margin is below 0.3 degrees less 0.9 of its standard deviations:
 // few who can hold it are then said not to (hrt-study robustness counts both).
 constexpr double min_margin_deg = 0.3;
@@ -115,9 +113,7 @@ std::optional<PlatePoint> PersonReach::place() const {
 
 double PersonReach::speed_m_s() const {
   if (estimator_.motion() != FingerMotion::moving) return 0.0;
-  const PersonFilter& filter = estimator_.filter();
-  const Progress p = progress(filter.state().evenness, filter.state().phase);
-  return filter.path_mm() / mm_per_m * exponential(filter.state().log_rate) * p.rate;
+  return estimator_.filter().now().speed_mm_s / mm_per_m;
 }
 
 PlateCommand PersonReach::update(const FingerSample& sample) {
@@ -166,13 +162,8 @@ PersonReach::Decision PersonReach::decide(double now_s) {
   const double latency_s = 1e-9 * static_cast<double>(config_.plate.latency_ns);
   const double later_deg = plate_.orientation_at_deg(later_ns(*position_ns_, config_.plate.latency_ns));
   const std::optional<PersonFilter> retargeted = estimator_.after_retarget();
-  const ReachPlan plan =
-      plan_reach(config_.control, retargeted ? *retargeted : estimator_.filter(), estimator_.time_s(), aim(),
-                 {trace_, now_s, latency_s, later_deg, slew_s_});
-  // On average a turn is half done after half its time.
-  slew_s_ =
-      0.5 * std::min(std::abs(wrap_deg(plan.plate_deg - later_deg, 180.0)) / config_.plate.max_speed_deg_s,
-                     max_slew_s);
+  const ReachPlan plan = plan_reach(config_.control, retargeted ? *retargeted : estimator_.filter(),
+                                    estimator_.time_s(), aim(), {trace_, now_s, latency_s, later_deg});
   const ActiveBound bound = !plan.at_bound               ? ActiveBound::none
                             : plan.plate_deg < later_deg ? ActiveBound::lower
                                                          : ActiveBound::upper;
@@ -223,21 +214,19 @@ double PersonReach::bearing_error_sd_deg() const {
 }
 
 PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool decided) {
-  const PersonFilter& filter = estimator_.filter();
-  const PersonState x = filter.state();
+  const PersonNow now = estimator_.filter().now();
+  const PersonState& x = now.mean;
   const PlaceMm place_mm = estimator_.place();
   const PlatePoint place{place_mm.right_mm / mm_per_m, place_mm.away_mm / mm_per_m};
   const bool begun = estimator_.motion() != FingerMotion::resting;
   const bool moving = estimator_.motion() == FingerMotion::moving;
   const double to_go_m = begun || counts_.samples > 0 ? distance_m(place, target_) : reach_.real_distance_m;
-  const Progress p = progress(x.evenness, x.phase);
-  const Illusion illusion = filter.illusion(filter.mean_speed_mm_s() * p.rate, filter.path_mm() * p.share);
   const double felt_deg =
-      x.direction_deg + felt_shift(illusion, plate_.orientation_deg() - x.direction_deg).shift_deg;
+      x.direction_deg + felt_shift(now.illusion, plate_.orientation_deg() - x.direction_deg).shift_deg;
   const bool ends = begun && (!moving || x.phase >= last_phase);
   const double miss_deg = ends ? wrap_deg(bearing_deg(reach_.start, place) - reach_.real_direction_deg, 360.0)
                                : decision_.predicted_miss_deg;
-  const LinearIllusion linear = linear_illusion(filter.belief());
+  const LinearIllusion linear = linear_illusion(estimator_.filter().belief());
   return {
       .plate_orientation_deg = decision_.plate.orientation_deg,
       .finger_direction_deg = x.direction_deg,
@@ -250,7 +239,7 @@ PlateCommand PersonReach::publish(const FingerSample& sample, double now_s, bool
       .time_to_go_s = begun && x.phase >= last_phase ? 0.0
                       : moving                       ? time_to_go_s(now_s)
                                                      : -1.0,
-      .felt_error_deg = begun ? felt_deg - filter.goal_deg() : 0.0,
+      .felt_error_deg = begun ? felt_deg - now.goal_deg : 0.0,
       .predicted_miss_deg = miss_deg,
       .bearing_error_sd_deg = bearing_error_sd_deg(),
       .nis = estimator_.fit().nis,

@@ -89,7 +89,6 @@ class PersonReach {
   ReachSummary counts_;
   bool turned_ready_ = false;  // since the last sample
   double seen_s_ = 0.0;        // time of the last sample
-  double slew_s_ = 0.0;
   double square_felt_sum_deg2_ = 0.0;
   std::int64_t felt_samples_ = 0;
   std::int64_t counted_step_ = -1;

@@ -6,6 +6,7 @@
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
 #include "core/person/arrival.h"
+#include "core/person/steering.h"
 
 namespace hrt {
 namespace {
@@ -32,9 +33,8 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
                             const PlateOutlook& outlook) {
   const PersonState x = filter.state();
   const double rate = exponential(x.log_rate);
-  const double k = x.gain_s;
   const double arrives_s = outlook.now_s + outlook.latency_s;
-  const double step_s = (arrives_s + sensory_delay_s + outlook.slew_s - filter_s) / dead_time_steps;
+  const double step_s = (arrives_s + sensory_delay_s - filter_s) / dead_time_steps;
   const double wander_kept = exponential(-step_s / wander_s);
   Motion motion{.direction_deg = x.direction_deg,
                 .phase = x.phase,
@@ -55,10 +55,9 @@ Motion carry_over_dead_time(const PersonFilter& filter, double filter_s, double 
     const Progress p = progress(x.evenness, motion.phase + 0.5 * rate * step_s);
     illusion = filter.illusion(mean_mm_s * p.rate, filter.path_mm() * p.share);
     const FeltShift g = felt_shift(illusion, felt_plate_deg - motion.direction_deg);
-    const double felt_error_deg =
-        motion.direction_deg + g.shift_deg - filter.goal_deg(p.share, motion.wander_deg);
-    const double decay = k * step_s * std::max(0.0, 1.0 - g.by_offset);
-    const double turn_deg = -felt_error_deg * k * step_s / (1.0 + 0.5 * decay);
+    const double turn_deg =
+        steer(x.gain_s, motion.direction_deg, g, filter.goal_deg(p.share, motion.wander_deg), step_s)
+            .turn_deg;
     const double travel_mm = motion.phase >= 1.0 ? 0.0 : filter.path_mm() * rate * p.rate * step_s;
     motion.lateral_mm += travel_mm * sin_deg(motion.direction_deg + 0.5 * turn_deg - line_deg);
     motion.direction_deg += turn_deg;
@@ -80,7 +79,7 @@ Arrival arrive(const PersonFilter& filter, const Motion& from, double line_deg) 
   const double rate = exponential(x.log_rate);
   const double remaining_s = std::max(0.0, 1.0 - from.phase) / rate;
   const double step_s = remaining_s / arrival_nodes;
-  const double half_kept = exponential(-0.5 * x.gain_s * step_s);
+  const double half_kept = kept_error(x.gain_s, 0.5 * step_s);
   const double wander_kept = exponential(-step_s / wander_s);
   Arrival arrival{from.lateral_mm, 0.0};
   double direction_deg = from.direction_deg;
@@ -120,14 +119,13 @@ ReachPlan plan_reach(const ReachControlConfig& config, const PersonFilter& filte
   const double felt_limit_deg = std::max(config.max_felt_error_deg, std::abs(error_deg));
   shift_deg = std::clamp(shift_deg, -error_deg - felt_limit_deg, -error_deg + felt_limit_deg);
 
-  const double weight_sd = filter.deviation().weight;
   // At rest nothing is felt: the plate stands for the motion to come.
-  const double mean_mm_s = filter.mean_speed_mm_s();
-  Illusion cautious = filter.illusion(mean_mm_s * std::max(p.rate, min_speed_share), filter.path_mm());
-  cautious.weight = std::max(0.03, cautious.weight - weight_caution * weight_sd);
-  const double max_deg = max_shift(cautious, config.bound_deg).shift_deg;
+  Illusion illusion =
+      filter.illusion(filter.mean_speed_mm_s() * std::max(p.rate, min_speed_share), filter.path_mm());
+  illusion.weight = std::max(0.03, illusion.weight - weight_caution * filter.deviation().weight);
+  const double max_deg = max_shift(illusion, config.bound_deg).shift_deg;
   const double given_deg = std::clamp(shift_deg, -max_deg, max_deg);
-  return {.plate_deg = motion.direction_deg + offset_for_shift(cautious, given_deg, config.bound_deg),
+  return {.plate_deg = motion.direction_deg + offset_for_shift(illusion, given_deg, config.bound_deg),
           .felt_error_deg = error_deg + given_deg,
           .miss_mm = arrival.miss_mm + leverage * given_deg,
           .at_bound = given_deg != shift_deg};
@@ -140,8 +138,7 @@ double ready_orientation_deg(const ReachControlConfig& config, const PersonFilte
   for (int i = 0; i < 3; ++i) {
     PlateTrace trace;
     trace.add(0.0, ready_deg);
-    ready_deg =
-        plan_reach(config, resting, 0.0, aim, {trace, -sensory_delay_s, 0.0, ready_deg, 0.0}).plate_deg;
+    ready_deg = plan_reach(config, resting, 0.0, aim, {trace, -sensory_delay_s, 0.0, ready_deg}).plate_deg;
   }
   return ready_deg;
 }

@@ -39,7 +39,6 @@ struct PlateOutlook {
   double now_s;              ///< of the command, and of the trace's last entry
   double latency_s;          ///< until a command moves the plate
   double after_latency_deg;  ///< where it stands then, under the commands already given
-  double slew_s;             ///< that it is expected to turn for
 };
 
 struct ReachPlan {

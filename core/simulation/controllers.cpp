@@ -42,7 +42,6 @@ RetargeterConfig informed_controller(const PersonCondition& condition) {
   know(belief, T::log_rate, -logarithm(person.duration_s), 0.05);
   if (condition.virtual_direction_deg != 0.0)  // else a share of it is no direction
     know(belief, T::heading, person.start_direction_deg / condition.virtual_direction_deg, 0.1);
-  belief.wander_sd_deg = later_wander_sd_deg;
   return config;
 }
 

@@ -172,4 +172,4 @@ def _check_types(abi: Abi) -> None:
 
 
 def _plain(comment: str) -> str:
-    return " ".join(re.sub(r"^\s*\*? ?", "", line).strip() for line in comment.strip().splitlines())
+    return " ".join(re.sub(r"^\s*\*? ?|\s*\\$", "", line).strip() for line in comment.strip().splitlines())

@@ -37,7 +37,6 @@ PersonBelief person_of(const C& config) {
     return known_person(config.tactile_weight, config.bias_deg);
   PersonBelief belief = unknown_person(config.tactile_weight, config.tactile_weight_sd, config.bias_deg);
   if (!knows_person(config)) return belief;
-  belief.wander_sd_deg = later_wander_sd_deg;
   for (int i = 0; i < PersonTrait::count; ++i) belief.mean(i) = config.person_mean[i];
   belief.covariance = from_triangle<PersonTrait::count>(config.person_covariance);
   return belief;

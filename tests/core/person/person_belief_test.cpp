@@ -45,9 +45,6 @@ TEST(PersonBelief, RefusesWhatIsNoBelief) {
   correlated.covariance(T::weight, T::curve) *= 2.0;
   correlated.covariance(T::curve, T::weight) *= 2.0;
   EXPECT_FALSE(is_valid(correlated));
-  PersonBelief steady = person;
-  steady.wander_sd_deg = 0.0;
-  EXPECT_FALSE(is_valid(steady));
 }
 
 }  // namespace

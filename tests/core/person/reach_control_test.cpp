@@ -33,7 +33,7 @@ ReachPlan plan(const ReachControlConfig& config, const PersonFilter& filter, dou
                ReachAim aim = {0.0, 100.0}) {
   PlateTrace trace;
   trace.add(0.0, plate_deg);
-  return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg, 0.02});
+  return plan_reach(config, filter, 0.5, aim, {trace, 0.5, 0.03, plate_deg});
 }
 
 TEST(ReachControl, MirrorsWhatIsMirrored) {
@@ -67,7 +67,7 @@ TEST(ReachControl, KeepsTheBoundAboutTheMotion) {
       trace.add(0.0, 35.0);
       // Felt at once, so that the plan is about the direction of now.
       const ReachPlan planned = plan_reach({.bound_deg = bound_deg, .max_felt_error_deg = 90.0}, filter, 0.5,
-                                           {right_mm, 100.0}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0, 0.0});
+                                           {right_mm, 100.0}, {trace, 0.5 - sensory_delay_s, 0.0, 35.0});
       EXPECT_LE(std::abs(planned.plate_deg - filter.state().direction_deg), bound_deg + 1e-9);
       EXPECT_EQ(planned.at_bound, right_mm != 0.0 || bound_deg < 40.0) << bound_deg << ' ' << right_mm;
     }
@@ -89,7 +89,7 @@ TEST(ReachControl, BringsThePersonOfTheModelToTheTarget) {
       trace.add(0.0, plate_deg);
       double time_s = 0.0;
       while (person.state().phase < 1.0) {
-        const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg, 0.0});
+        const ReachPlan planned = plan_reach({}, person, time_s, aim, {trace, time_s, 0.0, plate_deg});
         plate_deg = planned.plate_deg;
         trace.add(time_s, plate_deg);
         person.move(step_s, trace.at(time_s + 0.5 * step_s - sensory_delay_s));
@@ -107,7 +107,7 @@ TEST(ReachControl, StandsReadyWhereTheFirstPlanWantsIt) {
   PlateTrace trace;
   trace.add(0.0, ready_deg);
   const ReachPlan first =
-      plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg, 0.0});
+      plan_reach({}, filter, 0.0, {0.0, 100.0}, {trace, -sensory_delay_s, 0.0, ready_deg});
   EXPECT_NEAR(first.plate_deg, ready_deg, 2.0);
   EXPECT_GT(ready_deg, 20.0);
 }
