@@ -17,12 +17,12 @@
 #include "samples/reach/output/status_line.h"
 #include "samples/reach/output/table.h"
 #include "samples/reach/run/attendant.h"
-#include "samples/reach/run/calibrate.h"
 #include "samples/reach/run/choice.h"
 #include "samples/reach/run/conditions.h"
 #include "samples/reach/run/make_plate.h"
 #include "samples/reach/run/reach.h"
 #include "samples/reach/run/registration_file.h"
+#include "samples/reach/run/set_up.h"
 #include "samples/reach/scene/scene_place.h"
 
 namespace hrt::reach {
@@ -46,10 +46,6 @@ class Run {
     if (!options.registered.empty()) registered_ = read_registration(options.registered);
     if (!options.profile.empty()) load_profile(plugin_, targets_.session, options.profile);
     recording_.emplace(plugin_, targets_.session, options.record);
-    if (!options.calibrate.empty()) {
-      const auto limit_ns = static_cast<XrDuration>(options.calibration_limit_s * 1e9);
-      calibration_.emplace(plugin_, targets_, limit_ns, options.seed);
-    }
   }
 
   ~Run() {
@@ -67,7 +63,7 @@ class Run {
       run_in_sessions();
     } catch (const Interrupted&) {
       put_in_order_now();
-      prompt_.say(calibration_ ? "hrt-reach: interrupted; no profile was written"
+      prompt_.say(calibrates() ? "hrt-reach: interrupted; no profile was written"
                                : "hrt-reach: interrupted; the unfinished reach does not count");
       code = ExitCode::interrupted;
     } catch (const std::exception& error) {
@@ -79,14 +75,15 @@ class Run {
       throw;
     }
     put_in_order_now();
-    code = calibration_ ? finish_calibration(code) : finish_reaches(code);
+    code = calibrates() ? finish_calibration(code) : finish_reaches(code);
     prompt_.finish();
     return code;
   }
 
  private:
-  bool is_done() const { return calibration_ ? calibrated_.has_value() : next_ == pairs_.size(); }
-  std::size_t slides_made() const { return calibration_ ? calibration_->slides() : next_; }
+  bool calibrates() const { return !options_.calibrate.empty(); }
+  bool is_done() const { return calibrates() ? calibrated_.has_value() : next_ == pairs_.size(); }
+  std::size_t slides_made() const { return calibration_ ? calibration_->done() : next_; }
 
   void run_in_sessions() {
     int losses = 0;
@@ -150,7 +147,7 @@ class Run {
       place_by_scene(session);
     if (simulation) simulation->place_plate(session.plate_space(), targets_.plate_radius_m);
     attendant.plate_is_placed();
-    if (calibration_) calibrated_ = calibration_->run(stage, std::cout);
+    if (calibrates()) calibrate(stage);
     attendant.reaches_begin();
     checked_ = true;  // by find_plate()
     while (!is_done()) make_next_reach(stage);
@@ -172,8 +169,23 @@ class Run {
           "a simulated user touches no marks: --register and --registered need --person, or a runtime "
           "without one");
     if (registered_) return check_plate(stage, *registered_);
-    registered_ = register_plate(stage, marks_, options_.fingertips);
-    write_registration(options_.register_to, *registered_);
+    registered_ = register_plate(stage, marks_, options_.fingertip);
+    write_registration(options_.register_to, *registered_, stage.session);
+  }
+
+  void calibrate(Stage& stage) {
+    if (!calibration_) {
+      hrt_setup_config config = hrt_setup_config_init();
+      config.max_slides = options_.max_slides;
+      calibration_.emplace(plugin_, targets_.session, HRT_SETUP_CALIBRATION, config);
+      stage.tell_user(
+          format("You will slide one fingertip straight ahead, again and again. Close your eyes, and slide "
+                 "towards what feels straight ahead. It takes 16 to %u slides and ends by itself; before "
+                 "each you may rest your hand for up to %.0f s.",
+                 options_.max_slides, options_.time_limit_s));
+    }
+    calibrated_ = calibration_->run(stage, &std::cout);
+    check_output();
   }
 
   // A reach without an end is reported, and the others are made all the same.
@@ -226,13 +238,17 @@ class Run {
 
   ExitCode finish_calibration(ExitCode code) {
     if (!calibrated_) return code;
-    print_calibration(std::cout, *calibrated_);
-    plugin_.check(plugin_.hrt_calibration_apply(targets_.session, &calibrated_->result));
+    hrt_session_config config{.struct_size = sizeof config};
+    plugin_.check(plugin_.hrt_session_get(targets_.session, &config, nullptr));
+    const std::string text = calibration_text(*calibrated_, config);
+    std::cout << "\n" << text;
+    if (calibrated_->done == 0)
+      throw Failure(ExitCode::calibration, "no calibration: the slides do not determine the user");
     save_profile(plugin_, targets_.session, options_.calibrate);
     recording_->finish();
     check_output();
-    prompt_.speak(calibration_in_words(*calibrated_));
-    return calibrated_->enough ? ExitCode::success : ExitCode::target_missed;
+    prompt_.speak(text);
+    return is_enough(*calibrated_) ? ExitCode::success : ExitCode::target_missed;
   }
 
   // During a failure, which a second one must not hide.
@@ -273,7 +289,7 @@ class Run {
     if (std::exchange(header_printed_, true)) return;
     std::cout << "OpenXR runtime: " << runtime.name() << ". " << origin() << "\n";
     if (const std::string device = plate.description(); !device.empty()) std::cout << device << "\n";
-    if (!calibration_) table_.print_header(std::cout);
+    if (!calibrates()) table_.print_header(std::cout);
     check_output();
     name_conditions(plugin_, targets_.session, options_.plate, runtime.name());
   }
@@ -297,8 +313,8 @@ class Run {
   bool header_printed_ = false;
   bool is_simulated_ = false;
   Tally tally_;
-  std::optional<GuidedCalibration> calibration_;  // in place of reaches
-  std::optional<CalibrationOutcome> calibrated_;
+  std::optional<SetUp> calibration_;  // in place of reaches
+  std::optional<hrt_setup_result> calibrated_;
 };
 
 }  // namespace

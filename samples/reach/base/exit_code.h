@@ -8,7 +8,7 @@ namespace hrt::reach {
 
 enum class ExitCode : int {
   success = 0,         ///< the fingertip ended inside every target that can be held
-  target_missed = 1,   ///< it ended outside of one; or a calibration ran out of time, and was written
+  target_missed = 1,   ///< it ended outside of one; or a calibration ran out of slides, and was written
   usage = 2,           ///< the command line
   plugin = 3,          ///< the plugin cannot be opened, or refused a call
   scene = 4,           ///< the scene cannot be loaded, or has no such target

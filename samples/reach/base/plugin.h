@@ -27,23 +27,12 @@ namespace hrt::reach {
   X(hrt_reach_update)                 \
   X(hrt_reach_cancel)                 \
   X(hrt_reach_end)                    \
-  X(hrt_registration_fit)             \
-  X(hrt_registration_advice)          \
-  X(hrt_registration_confirm)         \
-  X(hrt_registration_apply)           \
-  X(hrt_fingertip_fit)                \
-  X(hrt_fingertip_place)              \
   X(hrt_recording_start)              \
   X(hrt_recording_stop)               \
-  X(hrt_calibration_create)           \
-  X(hrt_calibration_destroy)          \
-  X(hrt_calibration_begin_trial)      \
-  X(hrt_calibration_add_sample)       \
-  X(hrt_calibration_end_trial)        \
-  X(hrt_calibration_next_angle)       \
-  X(hrt_calibration_solve)            \
-  X(hrt_calibration_get_residual)     \
-  X(hrt_calibration_apply)            \
+  X(hrt_setup_begin)                  \
+  X(hrt_setup_update)                 \
+  X(hrt_setup_finish)                 \
+  X(hrt_setup_cancel)                 \
   X(hrt_profile_save)                 \
   X(hrt_profile_load)                 \
   X(hrt_profile_set_conditions)       \

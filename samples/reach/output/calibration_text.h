@@ -1,18 +1,16 @@
-// What a calibration found, in words.
+// What a calibration found, in words and numbers.
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
-#include "samples/reach/run/calibrate.h"
+#include "samples/reach/base/plugin.h"
 
 namespace hrt::reach {
 
-/// The curve of the illusion with the numbers that follow from it, the other values with their intervals,
-/// lack of fit with what to do about it, and the slides that were left out. Slides are numbered from 1.
-void print_calibration(std::ostream& out, const CalibrationOutcome& outcome);
+/// The share of touch is known as well as a set-up asks by default.
+bool is_enough(const hrt_setup_result& result);
 
-/// What matters of it, to be spoken.
-std::string calibration_in_words(const CalibrationOutcome& outcome);
+/// Lines to be printed or spoken. `config`: the session's, with what was found.
+std::string calibration_text(const hrt_setup_result& result, const hrt_session_config& config);
 
 }  // namespace hrt::reach

@@ -16,14 +16,15 @@ constexpr const char* description =
 constexpr const char* exit_codes =
     R"(Exit codes:
   0  the fingertip ended inside every target that can be held
-  1  it ended outside of one; or a calibration ran out of time, and was written
+  1  it ended outside of one; or a calibration ran out of slides, and was written
   2  the command line is wrong
   3  the plugin cannot be opened, or refused
   4  the scene cannot be loaded, or has no such target
   5  no OpenXR runtime (XR_RUNTIME_JSON names its manifest), or one that does not start
   6  the runtime has no headless sessions or no hand tracking
   7  the runtime failed, was lost too often, ended the session, or kept it from running
-  8  in a reach no fingertip came to the start, or the reach did not end, in time; the others count
+  8  in a reach no fingertip came to the start, or the reach did not end, in time; the others count;
+     or what a set-up asked for was not done
   9  the plate's device failed
  10  a file, or the standard output, cannot be written
  11  the runtime did not return from a call in time
@@ -140,9 +141,9 @@ void add_place(CLI::App& app, Options& options) {
   app.add_option("--registered", options.registered,
                  "The plate is where this file has it; a touch of one mark checks that")
       ->excludes(anew);
-  app.add_flag("--fingertip", options.fingertips,
-               "When registering, find first where the skin of each --hand touches, from the joint that is\n"
-               "tracked, for hands that do not keep one attitude; the file keeps it")
+  app.add_flag("--fingertip", options.fingertip,
+               "When registering, find first where the skin of the --hand touches, from the joint that is\n"
+               "tracked, for a hand that does not keep one attitude; the file keeps it")
       ->needs(anew);
   app.add_flag("--check-each", options.check_each,
                "Ask for the touch that checks a registered plate before every reach, not only the first");
@@ -165,8 +166,8 @@ void add_files(CLI::App& app, Options& options) {
          "Guide the user through slides that show how they feel the ridges, in place of reaches, and\n"
          "write their profile into this file")
       ->excludes("--target", "--repeat", "--profile", "--tactile-weight");
-  app.add_option("--calibration-limit", options.calibration_limit_s, "Longest calibration, seconds [600]")
-      ->check(between(1.0, 36000.0, "a number from 1 to 36000"));
+  app.add_option("--max-slides", options.max_slides, "Most slides of a calibration [40]")
+      ->check(CLI::Range(16, 200));
 }
 
 void add_person(CLI::App& app, Options& options, Words& words) {
@@ -188,6 +189,8 @@ void take(const Words& words, Options& options) {
   if (words.hand == "left") options.hands = {Hand::left};
   if (words.hand == "right") options.hands = {Hand::right};
   if (words.hand == "either") options.hands = {Hand::right, Hand::left};
+  if (options.fingertip && options.hands.size() > 1)
+    throw CLI::ValidationError("--fingertip", "needs --hand left or right: each hand has its own skin");
 }
 
 }  // namespace
@@ -204,13 +207,13 @@ std::optional<int> parse_command_line(int argc, const char* const* argv, Options
   add_person(app, options, words);
   try {
     app.parse(argc, argv);
+    take(words, options);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
     std::cerr << "hrt-reach: " << error.what() << " (--help lists the options)\n";
     return static_cast<int>(ExitCode::usage);
   }
-  take(words, options);
   return std::nullopt;
 }
 

@@ -32,15 +32,15 @@ struct Options {
   bool for_people = true;                           ///< else the paper's controller
   std::optional<double> tactile_weight;             ///< none: the plugin's default, or the paper's 0.15
   double motor_variance_deg2 = 0.5;
-  std::filesystem::path register_to;  ///< registers the plate and keeps it here; empty: does not
-  std::filesystem::path registered;   ///< takes the plate from here; empty: from the scene
-  bool fingertips = false;            ///< registering finds where each hand's skin is, from its joint
-  bool check_each = false;            ///< a touch checks the plate before every reach
-  std::filesystem::path marks;        ///< that registering asks for; empty: the scene's start and rim
-  std::filesystem::path record;       ///< empty: none
-  std::filesystem::path profile;      ///< of the user; empty: an unknown user
-  std::filesystem::path calibrate;    ///< into this profile, in place of reaches; empty: reaches
-  double calibration_limit_s = 600.0;
+  std::filesystem::path register_to;   ///< registers the plate and keeps it here; empty: does not
+  std::filesystem::path registered;    ///< takes the plate from here; empty: from the scene
+  bool fingertip = false;              ///< registering finds where the hand's skin is, from its joint
+  bool check_each = false;             ///< a touch checks the plate before every reach
+  std::filesystem::path marks;         ///< that registering asks for; empty: the scene's start and rim
+  std::filesystem::path record;        ///< empty: none
+  std::filesystem::path profile;       ///< of the user; empty: an unknown user
+  std::filesystem::path calibrate;     ///< into this profile, in place of reaches; empty: reaches
+  std::uint32_t max_slides = 40;       ///< of a calibration
   std::optional<double> eye_height_m;  ///< above the floor, where the runtime knows of none
   std::string speak_with;              ///< program and arguments; empty: nobody speaks
   bool person = false;

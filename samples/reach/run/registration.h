@@ -2,31 +2,34 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 
-#include "samples/reach/run/reach.h"
+#include "samples/reach/run/stage.h"
 #include "samples/reach/scene/marks.h"
 
 namespace hrt::reach {
 
-/// A registered plate, in a reference space of the runtime.
+/// A registered plate, in a reference space of the runtime; numbers as the plugin has them.
 struct RegisteredPlate {
   XrReferenceSpaceType space;
-  hrt_registration registration;
+  double position_m[3];
+  double rotation[4];
+  double covariance[6];
   Mark check;  ///< touched before the reaches, to see whether the plate is where it was
-  /// Of each hand whose skin the touches were of.
-  std::array<hrt_fingertip, 2> fingertips{};
+  /// Whose skin the touches were of, if that was found; else they were of the joint.
+  std::optional<Hand> hand;
+  Point skin_m{};
 };
 
-/// Asks for a touch of each mark on the terminal, in the session's steady space, until they fit: three times
-/// at most. Places the session's plate space there. With `fingertips`, asks before for touches of the first
-/// mark by each of the stage's hands, in different attitudes, and from then on locates their skin. Throws
-/// Failure: ExitCode::registration if they never fit, no_hand if a touch does not come in time.
-RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertips);
+/// Asks for a touch of each mark, in the session's steady space, until they fit. Places the session's plate
+/// space there. With `fingertip`, asks before for touches of the first mark in different attitudes, and from
+/// then on locates the skin. Throws as SetUp::run().
+RegisteredPlate register_plate(Stage& stage, std::span<const Mark> marks, bool fingertip);
 
-/// Places the session's plate space where the plate was registered, locates the skin of its hands, and asks
-/// for a touch that checks it. Throws Failure: ExitCode::registration if the plate is elsewhere or the
-/// runtime lacks its space, no_hand.
+/// Places the session's plate space where the plate was registered, locates the skin of its hand, and asks
+/// for a touch that checks it. Throws as SetUp::run(); Failure (ExitCode::registration) if the plate is
+/// elsewhere or the runtime lacks its space.
 void check_plate(Stage& stage, const RegisteredPlate& plate);
 
 }  // namespace hrt::reach

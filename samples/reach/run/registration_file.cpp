@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int version = 1;
+constexpr int version = 2;
 constexpr const char* hand_names[] = {"left", "right"};
 
 // Numbers of a registered plate, by name.
@@ -26,21 +26,19 @@ struct Numbers {
   std::span<double> values;
 };
 std::vector<Numbers> numbers_of(RegisteredPlate& plate) {
-  hrt_registration& r = plate.registration;
-  return {{"position_m", r.plate_position_m},   {"rotation", r.plate_rotation},
-          {"scale", {&r.plate_scale, 1}},       {"covariance", r.covariance},
-          {"touch_sd_m", {&r.touch_sd_m, 1}},   {"residual_m", {&r.residual_m, 1}},
-          {"turn_sd_deg", {&r.turn_sd_deg, 1}}, {"check_m", plate.check.position_m}};
-}
-std::vector<Numbers> numbers_of(hrt_fingertip& fingertip) {
-  return {{"offset_m", fingertip.offset_m}, {"sd_m", fingertip.sd_m}};
+  std::vector<Numbers> all = {{"position_m", plate.position_m},
+                              {"rotation", plate.rotation},
+                              {"covariance", plate.covariance},
+                              {"check_m", plate.check.position_m}};
+  if (plate.hand) all.push_back({"skin_m", plate.skin_m});
+  return all;
 }
 
 void put(const std::vector<Numbers>& all, Json& json) {
   for (const auto& [name, values] : all) json[name] = std::vector<double>(values.begin(), values.end());
 }
 
-void take(const std::vector<Numbers>& all, const Json& json) {
+void take_numbers(const std::vector<Numbers>& all, const Json& json) {
   for (const auto& [name, values] : all) {
     const auto numbers = json.at(name).get<std::vector<double>>();
     if (numbers.size() != values.size())
@@ -51,7 +49,8 @@ void take(const std::vector<Numbers>& all, const Json& json) {
 }
 
 RegisteredPlate plate_of(const Json& json) {
-  if (json.at("version") != version) throw std::invalid_argument("version must be 1");
+  if (json.at("version") != version)
+    throw std::invalid_argument("version must be 2: register the plate anew (--register)");
   const std::string space = json.at("space");
   if (space != "STAGE" && space != "LOCAL") throw std::invalid_argument("space must be STAGE or LOCAL");
   RegisteredPlate plate{};
@@ -60,32 +59,28 @@ RegisteredPlate plate_of(const Json& json) {
   if (std::any_of(plate.check.name.begin(), plate.check.name.end(),
                   [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
     throw std::invalid_argument("check has a control character");
-  plate.registration.struct_size = sizeof plate.registration;
-  plate.registration.verdict = HRT_REGISTRATION_HOLDS;
-  plate.registration.left_out = -1;
-  take(numbers_of(plate), json);
-  for (std::size_t hand = 0; hand < plate.fingertips.size(); ++hand) {
-    if (!json.at("fingertips").contains(hand_names[hand])) continue;
-    hrt_fingertip& fingertip = plate.fingertips[hand];
-    fingertip.struct_size = sizeof fingertip;
-    fingertip.known = 1;
-    take(numbers_of(fingertip), json["fingertips"][hand_names[hand]]);
+  if (json.contains("hand")) {
+    const auto hand = std::find(std::begin(hand_names), std::end(hand_names), json["hand"]);
+    if (hand == std::end(hand_names)) throw std::invalid_argument("hand must be left or right");
+    plate.hand = static_cast<Hand>(hand - std::begin(hand_names));
   }
+  take_numbers(numbers_of(plate), json);
   return plate;
 }
 
 }  // namespace
 
-void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate) {
+void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate,
+                        const XrHeadlessSession& session) {
   RegisteredPlate copy = plate;
+  const auto [q, p] = session.now(plate.space, to_xr(plate.position_m, plate.rotation));
+  std::copy_n(std::array{p.x, p.y, p.z}.begin(), 3, copy.position_m);
+  std::copy_n(std::array{q.x, q.y, q.z, q.w}.begin(), 4, copy.rotation);
   Json json{{"version", version},
             {"space", plate.space == XR_REFERENCE_SPACE_TYPE_STAGE ? "STAGE" : "LOCAL"},
             {"check", plate.check.name}};
   put(numbers_of(copy), json);
-  json["fingertips"] = Json::object();
-  for (std::size_t hand = 0; hand < copy.fingertips.size(); ++hand)
-    if (copy.fingertips[hand].known != 0)
-      put(numbers_of(copy.fingertips[hand]), json["fingertips"][hand_names[hand]]);
+  if (plate.hand) json["hand"] = hand_names[static_cast<std::size_t>(*plate.hand)];
   // The name of a mark may be no UTF-8.
   const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   if (const int error = write_whole_file(file, text); error != 0)

@@ -7,8 +7,10 @@
 
 namespace hrt::reach {
 
-/// Replaces the file as a whole. Throws Failure (ExitCode::output).
-void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate);
+/// Replaces the file as a whole; the pose is in the present coordinates of its space. Throws Failure
+/// (ExitCode::output).
+void write_registration(const std::filesystem::path& file, const RegisteredPlate& plate,
+                        const XrHeadlessSession& session);
 
 /// Throws Failure (ExitCode::registration) naming the member. The plugin checks the numbers when they are
 /// used.

@@ -10,6 +10,19 @@ namespace {
 
 constexpr double rest_m = 0.004;  // a finger that has moved less is at rest
 
+Point cross(const Point& a, const Point& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// v + 2 q x (q x v + w v), of a unit quaternion (q, w).
+Point rotated(const std::array<double, 4>& r, const Point& v) {
+  const Point q{r[0], r[1], r[2]};
+  Point inner = cross(q, v);
+  for (std::size_t i = 0; i < 3; ++i) inner[i] += r[3] * v[i];
+  const Point outer = cross(q, inner);
+  return {v[0] + 2.0 * outer[0], v[1] + 2.0 * outer[1], v[2] + 2.0 * outer[2]};
+}
+
 }  // namespace
 
 std::string within_s(XrDuration limit_ns) {
@@ -20,17 +33,18 @@ double distance_along_plate_m(const Point& a, const Point& b) {
   return std::hypot(a[0] - b[0], a[2] - b[2]);
 }
 
+hrt_session_config config_of(const Stage& stage) {
+  hrt_session_config config{.struct_size = sizeof config};
+  stage.plugin.check(stage.plugin.hrt_session_get(stage.targets.session, &config, nullptr));
+  return config;
+}
+
 Fingertip locate(const Stage& stage, Hand hand, XrTime time) {
   Fingertip tip = stage.session.locate(hand, time);
-  const hrt_fingertip& skin = stage.fingertips[static_cast<std::size_t>(hand)];
-  if (!tip.tracked || skin.known == 0) return tip;
+  if (!tip.tracked || stage.skin_m == Point{}) return tip;
   if (!tip.rotation) return {};
-  hrt_joint_touch joint{};
-  std::copy(tip.position_m.begin(), tip.position_m.end(), joint.position_m);
-  std::copy(tip.rotation->begin(), tip.rotation->end(), joint.rotation);
-  hrt_sample placed{.struct_size = sizeof placed};
-  stage.plugin.check(stage.plugin.hrt_fingertip_place(&skin, &joint, &placed));
-  std::copy_n(placed.finger_position_m, 3, tip.position_m.begin());
+  const Point to_skin_m = rotated(*tip.rotation, stage.skin_m);
+  for (std::size_t i = 0; i < 3; ++i) tip.position_m[i] += to_skin_m[i];
   return tip;
 }
 

@@ -44,8 +44,8 @@ struct Stage {
   std::function<void(const std::string&)> hint;
   /// In every frame: what the user wants meanwhile. May throw, which ends what is being awaited.
   std::function<void(XrTime)> attend;
-  /// Of each hand, from the joint to the skin that touches, where it is known.
-  std::array<hrt_fingertip, 2> fingertips{};
+  /// From the joint to the skin that touches, in the joint's axes; 0: unknown.
+  Point skin_m{};
 };
 
 constexpr double tip_height_m = 0.008;         ///< of the joint, which is inside the finger, above the plate
@@ -57,6 +57,9 @@ double distance_along_plate_m(const Point& a, const Point& b);
 
 /// "within 30 s", for sentences.
 std::string within_s(XrDuration limit_ns);
+
+/// The session's configuration.
+hrt_session_config config_of(const Stage& stage);
 
 /// The fingertip: the skin that touches if its offset from the joint is known, else the joint.
 Fingertip locate(const Stage& stage, Hand hand, XrTime time);

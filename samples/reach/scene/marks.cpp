@@ -12,7 +12,7 @@ namespace hrt::reach {
 namespace {
 
 constexpr std::size_t min_marks = 3;
-constexpr std::size_t max_marks = 40;
+constexpr std::size_t max_marks = HRT_MARKS_MAX;
 constexpr std::size_t max_line = 200;
 constexpr double farthest_m = 1.0;
 
@@ -65,7 +65,7 @@ std::vector<Mark> read_marks(const std::filesystem::path& file) {
       coordinate_m = *value_m;
     }
     marks.push_back(mark);
-    if (marks.size() > max_marks) refuse(file, number, "there are more than 40 marks");
+    if (marks.size() > max_marks) refuse(file, number, "there are more than 8 marks");
   }
   if (marks.size() < min_marks) refuse(file, number, "there are fewer than 3 marks");
   return marks;

@@ -19,7 +19,7 @@ struct Mark {
 std::vector<Mark> marks_of(const TargetSet& targets);
 
 /// A CSV file with the columns name, x_m, y_m, z_m first and a header: samples/plate/model/marks.csv is one.
-/// At least 3 marks, each within 1 m, at most 40. Throws Failure (ExitCode::registration) naming the line.
+/// At least 3 marks, each within 1 m, at most 8. Throws Failure (ExitCode::registration) naming the line.
 std::vector<Mark> read_marks(const std::filesystem::path& file);
 
 }  // namespace hrt::reach

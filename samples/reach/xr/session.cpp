@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
@@ -120,10 +121,6 @@ void XrHeadlessSession::place_plate(XrReferenceSpaceType space, const XrPosef& p
   plate_base_ = space;
   plate_pose_ = pose;
   make_plate_space();
-}
-
-void XrHeadlessSession::begin_coordinates(XrReferenceSpaceType space) {
-  motion_.begin_anew(space);
 }
 
 void XrHeadlessSession::make_plate_space() {
@@ -280,8 +277,10 @@ Fingertip XrHeadlessSession::locate(Hand hand, XrTime time) {
   const XrQuaternionf& turn = tip.pose.orientation;
   Fingertip seen{
       .tracked = true, .position_m = {d(position.x), d(position.y), d(position.z)}, .rotation = {}};
-  if (tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT)
-    seen.rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
+  const std::array<double, 4> rotation = {d(turn.x), d(turn.y), d(turn.z), d(turn.w)};
+  const double square = std::inner_product(rotation.begin(), rotation.end(), rotation.begin(), 0.0);
+  if ((tip.locationFlags & XR_SPACE_LOCATION_ORIENTATION_VALID_BIT) && std::abs(square - 1.0) < 0.001)
+    seen.rotation = rotation;
   return seen;
 }
 

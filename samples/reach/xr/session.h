@@ -56,8 +56,8 @@ class XrHeadlessSession {
   void place_plate(XrReferenceSpaceType space, const XrPosef& pose);
   XrSpace plate_space() const { return plate_space_; }
 
-  /// The present coordinates of this space are its first ones from now on.
-  void begin_coordinates(XrReferenceSpaceType space);
+  /// The pose in the present coordinates of a space of what is at `pose` in its first ones.
+  XrPosef now(XrReferenceSpaceType space, const XrPosef& pose) const { return motion_.now(space, pose); }
 
   /// How often the runtime has moved the space in which the plate is placed.
   int recentrings() const { return recentrings_; }

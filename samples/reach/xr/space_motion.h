@@ -23,9 +23,6 @@ class SpaceMotion {
   /// The pose now of what stood at `pose_at_first` in the coordinates that the space had at first.
   XrPosef now(XrReferenceSpaceType space, const XrPosef& pose_at_first) const;
 
-  /// Makes the present coordinates of the space its first ones.
-  void begin_anew(XrReferenceSpaceType space) { first_.erase(space); }
-
  private:
   std::vector<XrEventDataReferenceSpaceChangePending> pending_;
   std::map<XrReferenceSpaceType, XrPosef> first_;  // the first coordinates' origin, in the present ones

@@ -158,6 +158,7 @@ TEST(ReachRefusal, IsOneSentenceAndAnExitCode) {
       {{desk, "--register", "plate.txt", "--registered", "plate.txt"}, 2, ""},
       {{desk, "--marks", "plate.txt"}, 2, ""},
       {{desk, "--fingertip"}, 2, ""},
+      {{desk, "--register", "plate.txt", "--fingertip", "--hand", "either"}, 2, "each hand has its own skin"},
       {{desk, "--speak-with", "no-such-voice --fast"},
        2,
        "\"no-such-voice\", which is to speak, is not a program"},
