@@ -24,8 +24,7 @@ Method bind(const char* name, std::array<const char*, sizeof...(Arguments)> name
                   [](PlateNode& node, [[maybe_unused]] const Value* values) {
                     return to_value((node.*function)(from_value<Arguments>(values[i])...));
                   }};
-  }
-  (std::index_sequence_for<Arguments...>{});
+  }(std::index_sequence_for<Arguments...>{});
 }
 
 #define METHOD(name, ...) bind<&PlateNode::name>(#name, {__VA_ARGS__}, &PlateNode::name)
