@@ -1,6 +1,10 @@
-"""Godot's tables: fields as properties and Dictionary keys, and the constants of scripts."""
+"""Godot's tables: fields as properties and Dictionary keys, the constants of scripts, and the class reference of both."""
 
 from __future__ import annotations
+
+import re
+from decimal import Decimal
+from xml.sax.saxutils import escape
 
 import settings
 from abi import Abi, Enumeration, Field, pascal
@@ -14,46 +18,82 @@ _NO_KEYS = ("struct_size", "reserved", "mark_count", "marks_m")
 # Of no property or Dictionary: methods return Godot's own errors.
 _NO_CONSTANTS = ("HRT_ERROR_", "HRT_LOG_")
 _ACRONYMS = {"MPC"}
+_SETUP = "hrt_setup_config"
+_UNITS = {"deg": "°", "deg_s": "°/s", "deg_s2": "°/s²", "deg2": "°²", "per_s": "/s"}
 _PARTS = {"": "value", "_lower": "lower", "_upper": "upper", "_known": "known"}  # of an interval
 
 
 def render_tables(abi: Abi, plate: Abi, notice: str) -> str:
-    tables = {"config": _table(abi, settings.STRUCT, settings.shown(abi))}
-    for name, struct in _RECORDS.items():
-        tables[name] = _table(abi, struct, [f for f in abi.struct(struct).fields
-                                            if f.name not in _NO_KEYS])
-    tables["device"] = _table(plate, "hrt_plate_report", [f for f in plate.struct("hrt_plate_report").fields
-                                                          if f.name not in _NO_KEYS])
-    tables["setup"] = _table(abi, "hrt_setup_config", [f for f in abi.struct("hrt_setup_config").fields
-                                                       if f.name not in _NO_KEYS], "setup_")
+    shown = settings.by_section(abi)
+    setup = [f for f in abi.struct(_SETUP).fields if f.name not in _NO_KEYS]
+    tables = {"config": "".join(_property(abi, settings.STRUCT, f, "", group) for group in shown for f in shown[group]),
+              "setup": "".join(_property(abi, _SETUP, f, "setup_", "Setup") for f in setup)}
+    tables |= {name: _table(abi, struct) for name, struct in _RECORDS.items()} | {"device": _table(plate, "hrt_plate_report")}
     return (f"// {notice}\n// clang-format off\n#include \"fields.h\"\n\n#include <haptic_retargeting/plate.h>\n\n"
             "#include <cstring>\n\nnamespace hrt_godot {\nnamespace {\n\n"
             + "".join(f"constexpr Field k{name.capitalize()}[] = {{\n{rows}}};\n\n" for name, rows in tables.items())
             + "constexpr Constant kConstants[] = {\n"
-            + "".join(f'    {{"{pascal(e.prefix.removeprefix("HRT_").strip("_"))}", "{m.name.removeprefix("HRT_")}", {m.value}, '
+            + "".join(f'    {{"{_enum(e)}", "{m.name.removeprefix("HRT_")}", {m.value}, '
                       f'{"true" if e.flags else "false"}}},\n' for e in _shown(abi) + _shown(plate) for m in e.members)
             + "};\n\n}  // namespace\n\n"
             + "".join(f"constinit const std::span<const Field> {name}_fields = k{name.capitalize()};\n" for name in tables)
-            + "constinit const std::span<const Constant> constants = kConstants;\n\n"
+            + "constinit const std::span<const Constant> constants = kConstants;\n"
+            + f'constinit const char* const class_reference = R"xml({_reference(abi, plate, setup)})xml";\n\n'
             + f"void copy_hidden(const {settings.STRUCT}& from, {settings.STRUCT}& to) {{\n"
             + "".join(f"  std::memcpy(to.{f.name}, from.{f.name}, sizeof to.{f.name});\n" for f in settings.hidden(abi))
             + "}\n\n}  // namespace hrt_godot\n")
 
 
-def _table(abi: Abi, struct: str, fields: list[Field], prefix: str = "") -> str:
-    return "".join(_row(abi, struct, field, prefix) for field in fields)
+def _table(abi: Abi, struct: str) -> str:
+    rows = ""
+    for field in (f for f in abi.struct(struct).fields if f.name not in _NO_KEYS):
+        parts = _PARTS if field.type.name == "hrt_interval" else {"": ""}
+        for end, part in parts.items():
+            member = f"&{struct}::{field.name}" + (f", &hrt_interval::{part}" if part else "")
+            rows += f'    make_field<{member}>("{field.name}{end}"),\n'
+    return rows
 
 
-def _row(abi: Abi, struct: str, field: Field, prefix: str) -> str:
-    if field.type.name == "hrt_interval":
-        return "".join(f'    make_field<&{struct}::{field.name}, &hrt_interval::{part}>("{field.name}{end}"),\n'
-                       for end, part in _PARTS.items())
-    choices = ""
+def _property(abi: Abi, struct: str, field: Field, prefix: str, group: str) -> str:
+    """With how the inspector shows it."""
+    hint, text, numbers = "kNone", "", field.numbers
     if field.enumeration:
         enumeration = next(e for e in abi.enumerations if e.prefix == field.enumeration)
-        if not enumeration.flags:
-            choices = f', "{_choices(enumeration)}"'
-    return f'    make_field<&{struct}::{field.name}>("{prefix}{field.name}"{choices}),\n'
+        hint, text = ("kFlags" if enumeration.flags else "kEnum"), _choices(enumeration)
+    elif numbers.lowest is not None and numbers.upper is not None and not field.length:
+        unit = _UNITS.get(field.unit, field.unit)
+        hint, text = "kRange", ",".join(f"{n.normalize():f}" for n in (numbers.lowest, numbers.upper, _step(field)))
+        text += f",suffix:{unit}" if unit else ""
+    return f'    make_field<&{struct}::{field.name}>("{prefix}{field.name}", Hint::{hint}, "{text}", "{group}"),\n'
+
+
+def _step(field: Field) -> Decimal:
+    """To which the inspector rounds."""
+    lowest, upper = field.numbers.lowest, field.numbers.upper
+    if field.type.name != "double":
+        return Decimal(1)
+    return min(abs(lowest) or 1, Decimal("0.001"), Decimal(10) ** ((upper - lowest).adjusted() - 6))
+
+
+def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
+    """The class reference of properties and constants, as the editor shows it."""
+    def doc(comment: str) -> str:
+        return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment.replace(" (base.h)", ""))))
+
+    members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
+    text = '<class name="HapticRetargeting" inherits="Node3D">\n<members>\n'
+    for name, f in members:
+        type_ = "Vector3" if f.length else "float" if f.type.name == "double" else "int"
+        text += f'<member name="{name}" type="{type_}" setter="set_{name}" getter="get_{name}">{doc(f.shared_doc)}</member>\n'
+    text += "</members>\n<constants>\n"
+    for e in _shown(abi) + _shown(plate):
+        for m in e.members:
+            text += f'<constant name="{m.name.removeprefix("HRT_")}" value="{m.value}" enum="{_enum(e)}">{doc(m.doc)}</constant>\n'
+    return text + "</constants>\n</class>\n"
+
+
+def _enum(enumeration: Enumeration) -> str:
+    return pascal(enumeration.prefix.removeprefix("HRT_").strip("_"))
 
 
 def _shown(abi: Abi) -> list[Enumeration]:
@@ -61,12 +101,12 @@ def _shown(abi: Abi) -> list[Enumeration]:
 
 
 def _choices(enumeration: Enumeration) -> str:
-    """As the inspector offers them: "MPC,Fixed Plate"; with its number where that is not the place: "Real:1"."""
+    """As the inspector offers them: "MPC,Fixed Plate"; with its number where that is not the place, and of flags: "Real:1"."""
     texts = []
     for i, member in enumerate(enumeration.distinct):
         short = enumeration.short(member)
         text = " ".join(word if word in _ACRONYMS else pascal(word) for word in short.split("_"))
-        texts.append(text if member.value == i else f"{text}:{member.value}")
+        texts.append(text if member.value == i and not enumeration.flags else f"{text}:{member.value}")
     return ",".join(texts)
 
 

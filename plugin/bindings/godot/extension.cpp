@@ -338,13 +338,13 @@ void ptrcall(void* data, void* instance, const void* const* arguments, void* out
 /** Descriptions of properties and arguments, and the strings that they point to. */
 class Descriptions {
  public:
-  gde_property* add(const char* name, Type type, const char* choices = nullptr) {
+  gde_property* add(const char* name, Type type, Hint hint = Hint::kNone, const char* hint_text = "") {
     const gde_string_name* engine_name = &names_.emplace_back(name).get();
     properties_.push_back({.type = variant_type(type),
                            .name = engine_name,
                            .class_name = &names_.emplace_back("").get(),
-                           .hint = choices ? GDE_HINT_ENUM : GDE_HINT_NONE,
-                           .hint_string = &strings_.emplace_back(choices ? choices : "").get(),
+                           .hint = static_cast<uint32_t>(hint),
+                           .hint_string = &strings_.emplace_back(hint_text).get(),
                            .usage = GDE_USAGE_DEFAULT});
     return &properties_.back();
   }
@@ -387,9 +387,23 @@ void register_property(const EngineName& class_name, const Field& field) {
   Descriptions property;
   const EngineName setter_name(setter.c_str());
   const EngineName getter_name(getter.c_str());
-  engine.classdb_register_extension_class_property(library, &class_name.get(),
-                                                   property.add(field.name, field.type, field.choices),
-                                                   &setter_name.get(), &getter_name.get());
+  engine.classdb_register_extension_class_property(
+      library, &class_name.get(), property.add(field.name, field.type, field.hint, field.hint_text),
+      &setter_name.get(), &getter_name.get());
+}
+
+void register_properties(const EngineName& class_name, std::span<const Field> fields) {
+  const EngineString no_prefix("");
+  std::string_view group;
+  for (const Field& field : fields) {
+    if (field.group != group) {
+      group = field.group;
+      const EngineString name(field.group);
+      engine.classdb_register_extension_class_property_group(library, &class_name.get(), &name.get(),
+                                                             &no_prefix.get());
+    }
+    register_property(class_name, field);
+  }
 }
 
 void register_constant(const EngineName& class_name, const Constant& constant) {
@@ -407,6 +421,7 @@ void register_signal(const EngineName& class_name, const Signal& signal) {
 }
 
 void initialize(void*, int32_t level) noexcept {
+  if (level == GDE_LEVEL_EDITOR) engine.editor_help_load_xml_from_utf8_chars(class_reference);
   if (level != GDE_LEVEL_SCENE) return;
   const EngineName name(kClassName);
   const EngineName parent("Node3D");
@@ -417,8 +432,8 @@ void initialize(void*, int32_t level) noexcept {
   engine.classdb_register_extension_class5(library, &name.get(), &parent.get(), &info);
   for (const Method& method : methods())
     register_callable(name, {method.name, method.returns, method.arguments, &method, nullptr});
-  for (const Field& field : config_fields) register_property(name, field);
-  for (const Field& field : setup_fields) register_property(name, field);
+  register_properties(name, config_fields);
+  register_properties(name, setup_fields);
   for (const Signal& signal : kSignals) register_signal(name, signal);
   for (const Constant& constant : constants) register_constant(name, constant);
 }

@@ -15,6 +15,9 @@
 
 namespace hrt_godot {
 
+/** How the inspector shows a property: numbers of Godot's PropertyHint. */
+enum class Hint : uint32_t { kNone = 0, kRange = 1, kEnum = 2, kFlags = 6 };
+
 struct Field {
   const char* name;
   Type type;
@@ -22,8 +25,10 @@ struct Field {
   /** False, and nothing changes, if the value is not of the field's type. Ranges are left to the plugin. */
   bool (*set)(void* object, const Value& value);
   const char* allowed;  ///< values
-  /** What the inspector offers, for a field with named values; else null. */
-  const char* choices;
+  // Of properties alone.
+  Hint hint;
+  const char* hint_text;
+  const char* group;
 };
 
 /** A field of a struct, or a part of that field. */
@@ -82,12 +87,12 @@ struct Access {
 };
 
 template <auto field, auto part = nullptr>
-constexpr Field make_field(const char* name, const char* choices = nullptr) {
+constexpr Field make_field(const char* name, Hint hint = Hint::kNone, const char* hint_text = "",
+                           const char* group = "") {
   using Own = Access<field, part>;
   const bool is_unsigned = std::is_same_v<typename Own::T, uint32_t>;
-  return {
-      name,   Own::type, Own::get, Own::set, is_unsigned ? "int from 0 to 4294967295" : type_name(Own::type),
-      choices};
+  const char* allowed = is_unsigned ? "int from 0 to 4294967295" : type_name(Own::type);
+  return {name, Own::type, Own::get, Own::set, allowed, hint, hint_text, group};
 }
 
 inline Record to_record(const void* object, std::span<const Field> fields) {
@@ -115,6 +120,9 @@ struct Constant {
 };
 /** Of properties and flags: COMMAND_SATURATED and its like. */
 extern const std::span<const Constant> constants;
+
+/** What the editor shows of properties and constants: XML. */
+extern const char* const class_reference;
 
 /** Copies the fixed arrays, which no property shows. */
 void copy_hidden(const hrt_session_config& from, hrt_session_config& to);

@@ -67,7 +67,6 @@ typedef struct {
 
 /* Of the constructors of a String, the one from a StringName. */
 enum { GDE_STRING_OF_STRING_NAME = 2 };
-enum { GDE_HINT_NONE = 0, GDE_HINT_ENUM = 2 };
 enum { GDE_USAGE_DEFAULT = 6 };
 enum { GDE_METHOD_NORMAL = 1 };
 
@@ -122,7 +121,7 @@ typedef struct {
   void* class_data;
 } gde_class;
 
-enum { GDE_LEVEL_SCENE = 2 };
+enum { GDE_LEVEL_SCENE = 2, GDE_LEVEL_EDITOR = 3 };
 
 typedef struct {
   int32_t minimum_level;
@@ -182,6 +181,13 @@ typedef void gde_fn_classdb_register_extension_class_signal(gde_library* library
                                                             const gde_string_name* name,
                                                             const gde_property* arguments,
                                                             int64_t argument_count);
+/* Properties that are registered after this are shown under the group. */
+typedef void gde_fn_classdb_register_extension_class_property_group(gde_library* library,
+                                                                    const gde_string_name* class_name,
+                                                                    const gde_string* group,
+                                                                    const gde_string* prefix);
+/* In an editor alone, at its level. */
+typedef void gde_fn_editor_help_load_xml_from_utf8_chars(const char* xml);
 typedef void gde_fn_classdb_unregister_extension_class(gde_library* library, const gde_string_name* name);
 
 /* X(name) for each of them. */
@@ -207,6 +213,8 @@ typedef void gde_fn_classdb_unregister_extension_class(gde_library* library, con
   X(classdb_register_extension_class_method)           \
   X(classdb_register_extension_class_property)         \
   X(classdb_register_extension_class_signal)           \
+  X(classdb_register_extension_class_property_group)   \
+  X(editor_help_load_xml_from_utf8_chars)              \
   X(classdb_unregister_extension_class)
 
 }  // extern "C"
