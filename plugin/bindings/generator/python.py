@@ -21,7 +21,6 @@ _KEYWORDS = {
     "SessionKeywords": ("hrt_session_config", (("__init__", "", "_create"), ("configure", "", "_configure"))),
     "TargetKeywords": ("hrt_target_config", (("configure", "", "_configure"),)),
     "PersonKeywords": ("hrt_person_config", (("__init__", "seed: int = 0, ", "_create"),)),
-    "CalibrationKeywords": ("hrt_calibration_config", (("__init__", "session: SessionKeywords, ", "_create"),)),
 }
 
 
@@ -71,7 +70,7 @@ def render_keywords(abi: Abi, notice: str) -> str:
             f"from ._abi import {', '.join(used)}\nfrom ._struct import Numbers\n\n\n"
             "def _given(arguments: dict[str, Any]) -> dict[str, Any]:\n"
             "    return {name: value for name, value in arguments.items()\n"
-            '            if value is not None and name not in ("self", "session", "seed")}\n')
+            '            if value is not None and name not in ("self", "seed")}\n')
     for name, (struct, methods) in _KEYWORDS.items():
         text += f'\n\nclass {name}:\n    """The fields of {names.structs[struct]}, by keyword."""\n'
         for method, before, to in methods:

@@ -145,10 +145,6 @@ def test_what_is_no_target_or_text_is_named(session: hrt.Session) -> None:
         session.target(5)
     with pytest.raises(TypeError, match="profile is a int"):
         session.load_profile(5)
-    with pytest.raises(TypeError, match="result is a dict: a CalibrationResult"):
-        session.apply_calibration({})
-    with pytest.raises(TypeError, match="session is 'me': a Session"):
-        hrt.Calibration("me")
     with pytest.raises(TypeError, match="ReachConfig.real_target is 7: a TargetHandle"):
         hrt._abi.ReachConfig(real_target=7)
     assert session.state == hrt.StateFlag.READY

@@ -1,12 +1,19 @@
 """A set-up as a loop: a simulated person is calibrated by it."""
 
+import re
+import runpy
+from pathlib import Path
+
 import pytest
+from conftest import BINDINGS
 
 import haptic_retargeting as hrt
 
 
-def test_simulated_person_is_calibrated_by_the_loop() -> None:
-    with hrt.Session() as session, hrt.Person(1, tactile_weight=0.2, tracker_noise_m=0.0005) as person:
+def test_simulated_person_is_calibrated_by_the_loop(tmp_path: Path) -> None:
+    path = tmp_path / "slides.csv"
+    with hrt.Session() as session, hrt.Person(1, tactile_weight=0.2, tracker_noise_m=0.0005) as person, session.recording(path):
+        session.set_conditions(plate="desk 1", tracker="Ultraleap", time_s=1_767_225_600)
         ahead = session.add_virtual("ahead", direction_deg=0)
         plate_deg, began, frame, texts = 0.0, False, 0, set()
         with session.set_up(hrt.SetupFlag.CALIBRATION) as setup:
@@ -25,6 +32,21 @@ def test_simulated_person_is_calibrated_by_the_loop() -> None:
         assert result.tactile_weight.lower - 0.01 < 0.2 < result.tactile_weight.upper + 0.01
         assert session.config.tactile_weight == result.tactile_weight.value
         assert b"Put your finger to the start and let it rest." in texts
+        assert session.profile["plate"] == "desk 1"
+        session.set_conditions(plate="desk 2")
+        assert session.conditions.differing == hrt.ConditionFlag.PLATE and session.conditions.plate == b"desk 1"
+    assert hrt.read_recording(path).reaches == []
+    report = hrt.replay(path)
+    assert report.complete and report.first_different_line == 0 and report.rows > frame
+
+
+def test_example_finds_the_simulated_person(capsys: pytest.CaptureFixture[str]) -> None:
+    runpy.run_path(str(BINDINGS / "python/examples/calibrate.py"))
+    rows = re.findall(r"^(\w+) +(\S+) +(\S+) \((\S+) to (\S+)\)$", capsys.readouterr().out, re.M)
+    assert {row[0] for row in rows} == {"tactile_weight", "bias_deg"}
+    for name, truth, value, lower, upper in rows:
+        # Each interval misses 1 time in 20; twice as wide, hardly ever.
+        assert abs(float(value) - float(truth)) <= float(upper) - float(lower), name
 
 
 def test_leaving_the_context_cancels() -> None:

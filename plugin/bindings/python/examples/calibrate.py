@@ -3,38 +3,31 @@
     usage: python3 calibrate.py
 """
 
-from typing import Any
-
-import numpy as np
-
 import haptic_retargeting as hrt
 
-TRUTH = {"tactile_weight": 0.2, "bias_deg": 2.0, "tracker_noise_m": 0.0005}
-FRAMES = 220  # of 90 Hz: half a second at rest, then the slide
+TRUTH = {"tactile_weight": 0.2, "bias_deg": 2.0}
 
 
 def simulated() -> hrt.Person:
-    return hrt.Person(1, tactile_weight=TRUTH["tactile_weight"], bias_deg=TRUTH["bias_deg"],
-                      tracker_noise_m=TRUTH["tracker_noise_m"])
-
-
-def slide(session: hrt.Session, person: hrt.Person, plate_deg: float) -> "np.ndarray[Any, np.dtype[np.void]]":
-    """Ten centimetres towards a target straight ahead."""
-    person.begin(session, session.target("ahead"))
-    seen = [person.move(frame * 11_111_111, plate_deg) for frame in range(FRAMES)]
-    return hrt.samples([sample.time_ns for sample in seen], position_m=[sample.finger_position_m[:] for sample in seen])
+    return hrt.Person(1, tactile_weight=TRUTH["tactile_weight"], bias_deg=TRUTH["bias_deg"], tracker_noise_m=0.0005)
 
 
 def main() -> None:
-    random = np.random.default_rng(1)
-    with hrt.Session() as session, hrt.Calibration(session) as calibration, simulated() as person:
-        session.add_virtual("ahead", direction_deg=0)
-        for plate_deg in random.permutation([-60.0, -30.0, 0.0, 30.0, 60.0] * 8):
-            calibration.add_trial(plate_deg, slide(session, person, plate_deg))
-        result = calibration.solve()
-        session.apply_calibration(result)
-        profile = session.profile
-    print(f"{result.trials_used} simulated slides\n{'':24}truth   estimate (95 % interval)")
+    with hrt.Session() as session, simulated() as person:
+        ahead = session.add_virtual("ahead", direction_deg=0)
+        person.begin(session, ahead)
+        plate_deg, resting, frame = 0.0, False, 0
+        with session.set_up(hrt.SetupFlag.CALIBRATION) as setup:
+            while not setup.over:
+                frame += 1
+                step = setup.update(person.move(frame * 11_111_111, plate_deg))
+                plate_deg = step.plate_orientation_deg
+                asked_to_rest = step.instruction == hrt.Step.REST_AT_START
+                if asked_to_rest and not resting:
+                    person.begin(session, ahead)  # the next slide
+                resting = asked_to_rest
+        result, profile = setup.result, session.profile
+    print(f"{result.slides_used} simulated slides\n{'':24}truth   estimate (95 % interval)")
     for name, truth in TRUTH.items():
         estimate = getattr(result, name)
         shown = f"{estimate.value:.4g} ({estimate.lower:.4g} to {estimate.upper:.4g})" if estimate.known else "not known"

@@ -23,14 +23,10 @@ from . import _abi
 from ._abi import *
 from ._library import Error, library_version
 from .arrays import COMMAND, SAMPLE, commands, samples
-from .calibration import Calibration, compare_calibrations
 from .person import Person
 from .reach import Reach
 from .record import ReachRecord, RunRecord, target_place, world_to_plate
 from .recording import Recording, RecordingError, read_recording, replay
-from .registration import (
-    check_touch, fit_fingertip, fit_latency, place_fingertip, register, registration_advice,
-)
 from .scene import Scene
 from .session import Session, Target
 from .setup import SetUp
@@ -38,9 +34,8 @@ from .setup import SetUp
 __version__ = ".".join(str(number) for number in _abi.VERSION)
 
 __all__ = [
-    "Calibration", "check_touch", "COMMAND", "commands", "compare_calibrations", "Error", "fit_fingertip", "fit_latency",
-    "library_version", "Person", "place_fingertip", "Reach", "ReachRecord", "read_recording", "Recording", "RecordingError", "register",
-    "registration_advice", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "SetUp", "Target",
-    "target_place", "world_to_plate",
+    "COMMAND", "commands", "Error", "library_version", "Person", "Reach", "ReachRecord", "read_recording", "Recording",
+    "RecordingError", "replay", "RunRecord", "SAMPLE", "samples", "Scene", "Session", "SetUp", "Target", "target_place",
+    "world_to_plate",
 ]
 __all__ += _abi.__all__

@@ -15,8 +15,7 @@ from numpy.typing import ArrayLike
 
 from . import _abi
 from ._abi import (
-    AssignFlag, CalibrationResult, Conditions, Gap, Place, RecordingStatus, Registration, Role, SessionConfig, StateFlag,
-    SetupFlag, TargetConfig, TouchCheck,
+    AssignFlag, Conditions, Gap, Place, RecordingStatus, Role, SessionConfig, SetupFlag, StateFlag, TargetConfig,
 )
 from ._closing import Closing
 from ._keywords import SessionKeywords, TargetKeywords
@@ -267,26 +266,6 @@ class Session(SessionKeywords, Closing):
         check(library().hrt_profile_save(self.handle, len(text), text, byref(length)))
         profile: dict[str, Any] = json.loads(text.value)
         return profile
-
-    def apply_calibration(self, result: CalibrationResult) -> None:
-        """Takes what a Calibration has found into the configuration, and so into the profile. What it does not know
-        stays as it is."""
-        if not isinstance(result, CalibrationResult):
-            raise TypeError(f"result is a {type(result).__name__}: a CalibrationResult is needed")
-        check(library().hrt_calibration_apply(self.handle, byref(result)))
-
-    def apply_registration(self, registration: Registration, time_ns: int) -> None:
-        """Takes a registered pose (register()) and its uncertainty into the configuration: the touches were made at
-        `time_ns`, on the clock of the samples."""
-        check(library().hrt_registration_apply(self.handle, byref(registration), time_ns))
-
-    def confirm_registration(self, registration: Registration, mark_m: ArrayLike, touched_m: ArrayLike,
-                             time_ns: int) -> TouchCheck:
-        """Checks the registration that was applied by a touch of a mark, as before each reach. One that agrees counts as
-        made at `time_ns`; one that does not makes the session unregistered."""
-        touch = _abi.MarkTouch(mark_m=mark_m, touched_m=touched_m)
-        return output(TouchCheck, library().hrt_registration_confirm, self.handle, byref(registration), byref(touch),
-                      time_ns)
 
     def set_conditions(self, *, plate: str = "", tracker: str = "", time_s: int = 0) -> None:
         """Names the plate, the tracker and the time (seconds since 1970) of now: a calibration is measured under them,
