@@ -20,7 +20,7 @@ namespace {
 
 /** The engine's functions. */
 struct Interface {
-#define DECLARE(name) gde_fn_##name* name;
+#define DECLARE(result, name, arguments) result(*name) arguments;
   GDE_FUNCTIONS(DECLARE)
 #undef DECLARE
 };
@@ -36,8 +36,8 @@ const char* load_interface(gde_get_proc_address get_proc_address) {
                ? found
                : get_proc_address("classdb_register_extension_class4");
   };
-#define LOAD(name)                                             \
-  engine.name = reinterpret_cast<gde_fn_##name*>(load(#name)); \
+#define LOAD(result, name, arguments)                                 \
+  engine.name = reinterpret_cast<decltype(engine.name)>(load(#name)); \
   if (!engine.name) return #name;
   GDE_FUNCTIONS(LOAD)
 #undef LOAD
@@ -203,60 +203,39 @@ class Instance : public Engine {
   PlateNode& node() { return node_; }
 
   Pose node_pose() override {
-    gde_variant transform = call(is_inside_tree() ? "get_global_transform" : "get_transform", {});
-    const Pose pose = to_pose(from_variant<EngineTransform>(transform, GDE_TRANSFORM3D));
-    engine.variant_destroy(&transform);
-    return pose;
+    return std::get<Pose>(call(is_inside_tree() ? "get_global_transform" : "get_transform", {}));
   }
-
   void move_node(const Pose& pose) override {
-    gde_variant transform;
-    to_variant(&transform, pose);
-    gde_variant nothing = call(is_inside_tree() ? "set_global_transform" : "set_transform", {&transform});
-    engine.variant_destroy(&nothing);
-    engine.variant_destroy(&transform);
+    call(is_inside_tree() ? "set_global_transform" : "set_transform", {pose});
   }
-
   void emit(const Signal& signal, const Value& argument) override {
-    gde_variant arguments[2];
-    to_variant(&arguments[0], std::string(signal.name));
-    to_variant(&arguments[1], argument);
-    gde_variant nothing = call("emit_signal", {&arguments[0], &arguments[1]});
-    for (gde_variant& variant : {std::ref(nothing), std::ref(arguments[0]), std::ref(arguments[1])})
-      engine.variant_destroy(&variant);
+    call("emit_signal", {std::string(signal.name), argument});
   }
-
-  void notify(int64_t what) {
-    gde_variant argument;
-    to_variant(&argument, what);
-    gde_variant nothing = call("notification", {&argument});
-    engine.variant_destroy(&nothing);
-    engine.variant_destroy(&argument);
-  }
+  void notify(int64_t what) { call("notification", {what}); }
 
   void push_error(const char* text) override {
     engine.print_error(text, kClassName, "extension.cpp", __LINE__, false);
   }
 
  private:
-  bool is_inside_tree() {
-    gde_variant inside = call("is_inside_tree", {});
-    const bool is_inside = std::get<bool>(to_value(inside));
-    engine.variant_destroy(&inside);
-    return is_inside;
-  }
+  bool is_inside_tree() { return std::get<bool>(call("is_inside_tree", {})); }
 
-  /** The caller destroys what is returned. */
-  gde_variant call(const char* method, std::initializer_list<const gde_variant*> arguments) {
+  /** A method of the engine's, of two arguments at most. */
+  Value call(const char* method, std::initializer_list<Value> arguments) {
     const EngineName name(method);
-    gde_variant self;
+    std::array<gde_variant, 2> variants;
+    std::array<const gde_variant*, 2> pointers{&variants[0], &variants[1]};
+    const size_t count = arguments.size();
+    for (size_t i = 0; i < count; ++i) to_variant(&variants[i], arguments.begin()[i]);
+    gde_variant self, result;
     new_variant(&self, GDE_OBJECT, &object_);
-    gde_variant result;
     gde_call_error error{};
-    engine.variant_call(&self, &name.get(), arguments.begin(), static_cast<int64_t>(arguments.size()),
-                        &result, &error);
+    engine.variant_call(&self, &name.get(), pointers.data(), static_cast<int64_t>(count), &result, &error);
+    const Value returned = to_value(result);
+    for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
     engine.variant_destroy(&self);
-    return result;
+    engine.variant_destroy(&result);
+    return returned;
   }
 
   gde_object* object_;
