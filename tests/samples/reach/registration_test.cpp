@@ -47,14 +47,6 @@ TEST_F(ReachRegistration, FindsAPlateThatIsElsewhere) {
   EXPECT_NEAR(kept["position_m"][2], PlatePose{}.z_m, 1e-4);
 }
 
-// 63 samples at rest a touch average 1.2 mm of noise.
-TEST_F(ReachRegistration, FindsItByANoisyTracker) {
-  const std::string script = Path().touch(marks).reach().script(R"("tracker": {"noise_mm": 1.2}, )");
-  const Outcome outcome = run_scripted(script, person_and({"--register", file}));
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_TRUE(rows_of(outcome)[0].reached);
-}
-
 TEST_F(ReachRegistration, IsKeptForTheNextRunAndChecked) {
   ASSERT_EQ(run(Path().touch(marks).reach(), {"--register", file}).exit_code, 0);
   const Outcome next = run(Path().hold(marks[0]).reach(), {"--registered", file});
@@ -132,14 +124,6 @@ TEST_F(ReachRegistration, IsCheckedBeforeEachReach) {
   EXPECT_EQ(refused.exit_code, 12) << refused.out << refused.err;
   EXPECT_EQ(rows_of(refused).size(), 1U);
   expect_said(refused, "touched 30 mm from where it was registered");
-}
-
-TEST_F(ReachRegistration, OneBadTouchIsLeftOut) {
-  std::vector<Place> touches = marks;
-  touches[2].right_m += 0.04;
-  const Outcome outcome = run(Path().touch(touches).reach(), {"--register", file});
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
-  EXPECT_TRUE(rows_of(outcome)[0].reached);
 }
 
 TEST_F(ReachRegistration, AsksAgainIfTheTouchesDoNotFit) {
