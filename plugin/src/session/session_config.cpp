@@ -25,10 +25,11 @@ constexpr double min_tracker_noise_m = 1e-9;
 
 static_assert(HRT_PERSON_TRAITS == PersonTrait::count && HRT_PERSON_FADING == PersonTrait::fading &&
               HRT_PERSON_COVARIANCES == HRT_PERSON_TRAITS * (HRT_PERSON_TRAITS + 1) / 2);
-static_assert(std::ranges::equal(ConfigFields::person_mean_elements, person_traits,
-                                 [](const Element& a, const Trait& b) {
-                                   return a.low == b.min && a.high == b.max;
-                                 }));
+// Not of std::ranges, which emscripten 3.1.6 lacks.
+static_assert(std::equal(std::begin(ConfigFields::person_mean_elements),
+                         std::end(ConfigFields::person_mean_elements), std::begin(person_traits),
+                         std::end(person_traits),
+                         [](const Element& a, const Trait& b) { return a.low == b.min && a.high == b.max; }));
 static_assert(ConfigFields::horizon.high == max_horizon &&
               ConfigFields::tactile_weight_sd.high == max_weight_sd);
 
