@@ -65,6 +65,7 @@ export class Wear {
   #controller: Controller;
   #reach: HandReach;
   #placing: Placing;
+  #byMarks = false;
   #time_ms = NaN;
   #owed_ms = 0;
   #seen_ms = 0;
@@ -78,7 +79,7 @@ export class Wear {
     this.#settings = { ...settings };
     this.#controller = this.#create();
     this.#reach = new HandReach(this.#controller.session, plate);
-    this.#placing = new Placing(library, false);
+    this.#placing = new Placing(null);
     this.#restart();
     this.phase = "placing";
   }
@@ -90,7 +91,8 @@ export class Wear {
 
   /** Another session of a headset: the plate is placed anew. */
   begin(byMarks: boolean): void {
-    this.#placing = new Placing(this.#library, byMarks);
+    this.#byMarks = byMarks;
+    this.#placing = new Placing(byMarks ? this.#controller.session : null);
     this.#time_ms = NaN;
     this.#restart();
     this.phase = "placing";
@@ -100,11 +102,13 @@ export class Wear {
   /** Other settings, with a hand that is unknown to the controller. */
   apply(settings: Readonly<Settings>): void {
     this.#settings = { ...settings };
+    const { plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags } = this.#controller.session.config;
     this.#controller.destroy();
     this.#controller = this.#create();
+    this.#controller.session.configure({ plate_position_m, plate_rotation, plate_covariance, registration_time_ns, flags });
     this.#reach = new HandReach(this.#controller.session, this.#plate);
-    this.#register();
-    if (this.phase !== "placing") this.#restart();
+    if (this.phase === "placing") this.begin(this.#byMarks);
+    else this.#restart();
   }
 
   /** The session is over. A reach under way is cancelled. */
@@ -158,13 +162,7 @@ export class Wear {
     this.text = this.#placing.text;
     if (!placed) return;
     this.onPlaced(this.#placing.position, this.#placing.rotation);
-    this.#register();
     this.#restart();
-  }
-
-  #register(): void {
-    const { registration } = this.#placing;
-    if (registration) this.#controller.session.applyRegistration(registration, Math.round(1e6 * (this.#time_ms || 0)));
   }
 
   #restart(): void {
