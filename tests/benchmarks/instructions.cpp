@@ -1,6 +1,6 @@
-// What `instructions` counts under callgrind: loading the library, a session, updates through the C ABI,
-// solves, a step of a batch, and simulated reaches. A row ends with a dump of its counts, "name|how many of
-// it".
+// What `instructions` counts under callgrind: loading the library, a session, updates through the C ABI, a
+// set-up's too, solves, a step of a batch, and simulated reaches. A row ends with a dump of its counts,
+// "name|how many of it".
 #include <dlfcn.h>
 #include <valgrind/callgrind.h>
 
@@ -125,6 +125,36 @@ void count_updates(const char* row, int period_ms) {
   end_row(row, updates);
 }
 
+// Of a simulated person who rests and slides as a set-up asks.
+void count_setup_updates() {
+  constexpr int updates = 3000;
+  hrt_session session{};
+  hrt_person person{};
+  hrt_target ahead{};
+  hrt_target_config target = hrt_target_config_init();
+  target.role = HRT_TARGET_VIRTUAL;
+  hrt_sample sample = hrt_sample_init();
+  hrt_setup_step step = hrt_setup_step_init();
+  require(api.session_create(HRT_VERSION, nullptr, &session) == HRT_OK, "hrt_session_create");
+  require(api.target_add(session, &target, &ahead) == HRT_OK, "hrt_target_add");
+  require(api.person_create(nullptr, 1, &person) == HRT_OK, "hrt_person_create");
+  require(api.person_begin(person, session, ahead) == HRT_OK, "hrt_person_begin");
+  require(api.setup_begin(session, HRT_SETUP_CALIBRATION, nullptr) == HRT_OK, "hrt_setup_begin");
+  for (int i = 0; i < updates; ++i) {
+    const bool rested = step.instruction == HRT_STEP_REST_AT_START;
+    require(
+        api.person_move(person, std::int64_t{11'111'111} * i, step.plate_orientation_deg, &sample) == HRT_OK,
+        "hrt_person_move");
+    require(counted([&] { return api.setup_update(session, &sample, &step); }) == HRT_OK, "hrt_setup_update");
+    if (step.instruction != HRT_STEP_REST_AT_START || rested) continue;
+    require(api.person_begin(person, session, ahead) == HRT_OK, "hrt_person_begin");
+  }
+  require(step.done > 5, "hrt_setup_update");
+  api.person_destroy(person);
+  api.session_destroy(session);
+  end_row("update of a set-up", updates);
+}
+
 void count_paper_updates(int horizon) {
   constexpr int updates = 300;
   hrt_session_config config = default_config();
@@ -187,6 +217,7 @@ int main(int argc, char** argv) {
   count_sessions();
   count_updates("update under ARRIVAL at 90 Hz", 11);
   count_updates("update under ARRIVAL at 1 kHz", 1);
+  count_setup_updates();
   for (const int horizon : {3, 50}) count_paper_updates(horizon);
   for (const int horizon : {3, 50})
     for (const bool has_rate_bound : {false, true}) count_solves(horizon, has_rate_bound);

@@ -4,7 +4,6 @@
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/init.h"
 #include "haptic_retargeting/setup.h"
-#include "haptic_retargeting/study.h"
 
 namespace {
 

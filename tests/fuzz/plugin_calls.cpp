@@ -47,13 +47,12 @@ class Caller {
   explicit Caller(FuzzedDataProvider& bytes) : bytes_(bytes) {}
   ~Caller() {
     for (const hrt_session session : sessions_) hrt_session_destroy(session);
-    hrt_calibration_destroy(calibration_);
   }
   Caller(const Caller&) = delete;
   Caller& operator=(const Caller&) = delete;
 
   void call() {
-    switch (bytes_.ConsumeIntegralInRange(0, 27)) {
+    switch (bytes_.ConsumeIntegralInRange(0, 20)) {
       case 0:
         return create();
       case 1:
@@ -73,31 +72,16 @@ class Caller {
       case 8:
         return end();
       case 9:
-        return create_calibration();
-      case 10:
-        return check(
-            hrt_calibration_begin_trial(calibration(), bytes_.ConsumeFloatingPointInRange(-400.0, 400.0)));
-      case 11:
-        return check(hrt_calibration_end_trial(calibration(), bytes_.ConsumeIntegralInRange(0u, 2u)));
-      case 12:
-        return solve();
-      case 13:
-        return slide();
-      case 21:
         return retarget();
-      case 22:
+      case 10:
         return check(hrt_reach_cancel(session()));
-      case 23:
+      case 11:
         return state();
-      case 24:
+      case 12:
         return assign();
-      case 20:
-        return register_plate();
-      case 25:
-        return check_registration();
-      case 26:
-        return bytes_.ConsumeBool() ? fingertip() : latency();
-      case 27:
+      case 13:
+        return residual();
+      case 14:
         return set_up();
       default:
         return update();
@@ -108,11 +92,6 @@ class Caller {
   hrt_session session() {
     return bytes_.ConsumeBool() ? sessions_[bytes_.ConsumeIntegralInRange<size_t>(0, sessions_.size() - 1)]
                                 : hrt_session{bytes_.ConsumeIntegral<uint64_t>()};
-  }
-
-  hrt_calibration calibration() {
-    return bytes_.ConsumeIntegralInRange(0, 7) ? calibration_
-                                               : hrt_calibration{bytes_.ConsumeIntegral<uint64_t>()};
   }
 
   hrt_target target() {
@@ -218,162 +197,16 @@ class Caller {
     uint32_t state = 77;
     const hrt_result result = hrt_session_get(asked, nullptr, &state);
     check(result);
-    require(result == HRT_OK ? state < 32 : state == 77);
+    require(result == HRT_OK ? state < 16 : state == 77);
   }
 
-  void create_calibration() {
-    hrt_calibration_config config = hrt_calibration_config_init();
-    config.max_samples = 1000;
-    disturb(config);
-    // What a few bytes ask for must not fill the memory.
-    if (config.max_samples > 1000 && config.max_samples <= 1'000'000) config.max_samples = 1000;
-    hrt_calibration created{};
-    const hrt_result result = hrt_calibration_create(session(), &config, &created);
+  void residual() {
+    hrt_setup_residual out{};
+    out.struct_size = sizeof out;
+    out.verdict = 77;
+    const hrt_result result = hrt_setup_get_residual(session(), bytes_.ConsumeIntegralInRange(0u, 20u), &out);
     check(result);
-    require((result == HRT_OK) == (created.value != 0));
-    if (result != HRT_OK) return;
-    hrt_calibration_destroy(calibration_);
-    calibration_ = created;
-  }
-
-  // A whole trial: rest, then a straight slide.
-  void slide() {
-    const hrt_result begun =
-        hrt_calibration_begin_trial(calibration_, bytes_.ConsumeIntegralInRange(-6, 6) * 10.0);
-    check(begun);
-    if (begun != HRT_OK) return;
-    const double right_m = bytes_.ConsumeFloatingPointInRange(-0.05, 0.05);
-    const double forward_m = bytes_.ConsumeFloatingPointInRange(0.0, 0.1);
-    for (int i = 0; i < 20; ++i) {
-      hrt_sample sample{};
-      sample.struct_size = sizeof sample;
-      sample.flags = HRT_SAMPLE_PLATE_POSITION;
-      sample.time_ns = i * 50'000'000ll;
-      const double share = i < 5 ? 0.0 : (i - 5) / 14.0;
-      sample.finger_position_m[0] = share * right_m;
-      sample.finger_position_m[2] = -share * forward_m;
-      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(sample);
-      check(hrt_calibration_add_sample(calibration_, &sample));
-    }
-    check(hrt_calibration_end_trial(calibration_, 1));
-  }
-
-  void solve() {
-    hrt_calibration_result result{};
-    result.struct_size = sizeof result;
-    result.trials = 77777;
-    const hrt_result solved = hrt_calibration_solve(calibration(), &result);
-    check(solved);
-    if (solved != HRT_OK) {
-      require(result.trials == 77777);
-      result = {};
-      result.struct_size = sizeof result;
-    } else {
-      for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.tracker_noise_m})
-        require(interval.known == 1 && interval.lower <= interval.value && interval.value <= interval.upper);
-    }
-    disturb(result);
-    check(hrt_calibration_apply(session(), &result));
-  }
-
-  // Touches of marks on a plate somewhere, most of them good.
-  void register_plate() {
-    constexpr double marks_m[6][2] = {{0.0, 0.0},    {0.0, 0.05},   {0.075, 0.0},
-                                      {-0.075, 0.0}, {0.0, -0.075}, {0.0, 0.05}};
-    hrt_registration_config config = hrt_registration_config_init();
-    config.flags = bytes_.ConsumeIntegralInRange(0u, 4u);
-    if (bytes_.ConsumeBool()) disturb(config);
-    const double x_m = bytes_.ConsumeFloatingPointInRange(-3.0, 3.0);
-    hrt_mark_touch touches[6]{};
-    for (size_t i = 0; i < 6; ++i) {
-      touches[i].mark_m[0] = marks_m[i][0];
-      touches[i].mark_m[2] = marks_m[i][1];
-      touches[i].touched_m[0] = x_m - marks_m[i][1];
-      touches[i].touched_m[2] = marks_m[i][0] + bytes_.ConsumeFloatingPointInRange(-0.004, 0.004);
-      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(touches[i]);
-    }
-    const uint64_t count = bytes_.ConsumeIntegralInRange<uint64_t>(0, 6);
-    double residuals_m[6]{};
-    hrt_registration found = hrt_registration_init();
-    found.touches = 77;
-    const hrt_result result =
-        hrt_registration_fit(bytes_.ConsumeBool() ? &config : nullptr, touches, count,
-                             bytes_.ConsumeIntegralInRange<uint64_t>(0, 6), residuals_m, &found);
-    check(result);
-    if (result != HRT_OK) {
-      require(found.touches == 77);
-      return;
-    }
-    require_finite(residuals_m, 0);
-    require_finite(found, offsetof(hrt_registration, plate_position_m));
-    registration_ = found;
-  }
-
-  void check_registration() {
-    hrt_registration used = registration_;
-    if (bytes_.ConsumeBool()) disturb(used);
-    hrt_mark_touch touch{{0.0, 0.0, 0.05}, {0.0, 0.0, bytes_.ConsumeFloatingPointInRange(-2.0, 2.0)}};
-    if (bytes_.ConsumeBool()) disturb(touch);
-    hrt_touch_check out = hrt_touch_check_init();
-    const hrt_result checked = hrt_registration_check(&used, &touch, &out);
-    check(checked);
-    if (checked == HRT_OK) require_finite(out, offsetof(hrt_touch_check, distance_m));
-    const hrt_session into = session();
-    const hrt_result applied = hrt_registration_apply(into, &used, bytes_.ConsumeIntegral<int64_t>());
-    check(applied);
-    if (applied != HRT_OK) return;
-    out.holds = 77;
-    const hrt_result confirmed =
-        hrt_registration_confirm(into, &used, &touch, bytes_.ConsumeIntegral<int64_t>(), &out);
-    check(confirmed);
-    require(confirmed == HRT_OK ? out.holds <= 1 : out.holds == 77);
-    hrt_session_config config = hrt_session_config_init();
-    require(hrt_session_get(into, &config, nullptr) == HRT_OK);
-    require_finite(config.plate_covariance, 0);
-    require(hrt_session_set(into, &config) == HRT_OK);
-  }
-
-  void fingertip() {
-    hrt_joint_touch touches[4]{};
-    for (hrt_joint_touch& touch : touches) {
-      touch.position_m[1] = bytes_.ConsumeFloatingPointInRange(-0.02, 0.02);
-      const int axis = bytes_.ConsumeIntegralInRange(0, 3);
-      touch.rotation[axis] = 0.6;
-      touch.rotation[(axis + 1) % 4] = 0.8;
-      if (bytes_.ConsumeIntegralInRange(0, 15) == 0) disturb(touch);
-    }
-    hrt_fingertip out = hrt_fingertip_init();
-    const hrt_result result =
-        hrt_fingertip_fit(nullptr, touches, bytes_.ConsumeIntegralInRange<uint64_t>(0, 4), &out);
-    check(result);
-    if (result == HRT_OK) require_finite(out, offsetof(hrt_fingertip, offset_m));
-    if (bytes_.ConsumeBool()) disturb(out);
-    hrt_sample placed = hrt_sample_init();
-    const hrt_result put = hrt_fingertip_place(&out, &touches[0], &placed);
-    check(put);
-    if (put == HRT_OK) require_finite(placed.finger_position_m, 0);
-  }
-
-  // A finger on the rim of a plate that turns somehow.
-  void latency() {
-    hrt_sample samples[64]{};
-    double orientation_deg = 0.0;
-    for (int i = 0; i < 64; ++i) {
-      orientation_deg += bytes_.ConsumeFloatingPointInRange(-20.0, 20.0);
-      samples[i].struct_size = sizeof samples[i];
-      samples[i].flags = HRT_SAMPLE_PLATE_POSITION | HRT_SAMPLE_PLATE_ORIENTATION;
-      samples[i].time_ns = i * 50'000'000ll;
-      samples[i].plate_orientation_deg = orientation_deg;
-      samples[i].finger_position_m[0] = 0.07 * std::cos(orientation_deg / 57.3);
-      samples[i].finger_position_m[2] = -0.07 * std::sin(orientation_deg / 57.3);
-      if (bytes_.ConsumeIntegralInRange(0, 63) == 0) disturb(samples[i]);
-    }
-    hrt_latency out = hrt_latency_init();
-    const hrt_result result = hrt_latency_fit(samples, bytes_.ConsumeIntegralInRange<uint64_t>(0, 64), &out);
-    check(result);
-    if (result != HRT_OK) return;
-    require_finite(out, offsetof(hrt_latency, residual_m));
-    require(out.latency_ns >= 0 && out.lower_ns <= out.latency_ns);
+    require(result == HRT_OK ? out.verdict <= HRT_SLIDE_ALONG_RIDGES : out.verdict == 77);
   }
 
   // Touches and slides of a finger that stays and goes, at places of the fuzzer's.
@@ -400,6 +233,8 @@ class Caller {
       require(std::isfinite(step.place_m[0] + step.place_m[2] + step.plate_orientation_deg));
       check(hrt_setup_finish(of, &result));
       require(std::isfinite(result.registration_turn_sd_deg + result.check_distance_m));
+      for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.max_gap_deg})
+        require(interval.lower <= interval.value && interval.value <= interval.upper);
     }
     if (bytes_.ConsumeBool()) check(hrt_setup_cancel(of));
   }
@@ -447,8 +282,6 @@ class Caller {
   FuzzedDataProvider& bytes_;
   std::array<hrt_session, 2> sessions_{};
   std::array<hrt_target, 4> targets_{};
-  hrt_calibration calibration_{};
-  hrt_registration registration_ = hrt_registration_init();
   int64_t time_ns_ = 0;
 };
 

@@ -189,47 +189,7 @@ void ArgumentsTest::try_people() {
 }
 
 void ArgumentsTest::try_set_up() {
-  std::uint32_t number = 7;
-  double angle_deg = 7.0;
-  hrt_calibration_config config = hrt_calibration_config_init();
-  hrt_calibration calibration{};
-  REFUSES_BUT(({"config"}), hrt_calibration_create, session, &config, &calibration);
-  ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
-  hrt_sample sample = position_sample(0, 0.0, 0.0);
-  auto result = output<hrt_calibration_result>();
-  auto slide = output<hrt_calibration_slide>();
-  auto comparison = output<hrt_calibration_comparison>();
-  REFUSES(hrt_calibration_begin_trial, calibration, 0.0);
-  REFUSES(hrt_calibration_add_sample, calibration, &sample);
-  REFUSES(hrt_calibration_end_trial, calibration, 1);
-  REFUSES(hrt_calibration_next_angle, calibration, &angle_deg, &number);
-  REFUSES(hrt_calibration_solve, calibration, &result);
-  REFUSES(hrt_calibration_get_residual, calibration, 0, &slide);
-  REFUSES(hrt_calibration_compare, &result, &result, &comparison);
-  REFUSES(hrt_calibration_apply, session, &result);
-  REFUSES(hrt_calibration_destroy, hrt_calibration{0});
-  ASSERT_OK(hrt_calibration_destroy(calibration));
-
-  hrt_registration_config setup = hrt_registration_config_init();
-  const std::array<hrt_mark_touch, 3> touches{
-      {{{0, 0, 0}, {0, 0, 0}}, {{0.05, 0, 0}, {0.05, 0, 0}}, {{0, 0, 0.05}, {0, 0, 0.05}}}};
-  const hrt_joint_touch joint{{}, {0, 0, 0, 1}};
-  double residuals_m[3];
-  auto registration = output<hrt_registration>();
-  auto check = output<hrt_touch_check>();
-  auto fingertip = output<hrt_fingertip>();
-  auto latency = output<hrt_latency>();
-  REFUSES_BUT(({"config"}), hrt_registration_fit, &setup, touches.data(), 3, 3, residuals_m, &registration);
-  ASSERT_OK(hrt_registration_fit(&setup, touches.data(), 3, 0, nullptr, &registration));
-  REFUSES(hrt_registration_apply, session, &registration, 0);
-  ASSERT_OK(hrt_registration_apply(session, &registration, 0));
-  REFUSES(hrt_registration_check, &registration, touches.data(), &check);
-  REFUSES(hrt_registration_confirm, session, &registration, touches.data(), 0, &check);
-  REFUSES_BUT(({"config"}), hrt_fingertip_fit, &setup, &joint, 1, &fingertip);
-  fingertip.known = 1;
-  REFUSES(hrt_fingertip_place, &fingertip, &joint, &sample);
-  REFUSES(hrt_latency_fit, &sample, 1, &latency);
-
+  const hrt_sample sample = position_sample(0, 0.0, 0.0);
   const hrt_setup_config loop = hrt_setup_config_init();
   auto step = output<hrt_setup_step>();
   auto found = output<hrt_setup_result>();
@@ -238,6 +198,8 @@ void ArgumentsTest::try_set_up() {
   REFUSES(hrt_setup_update, session, &sample, &step);
   REFUSES(hrt_setup_finish, session, &found);
   REFUSES(hrt_setup_cancel, hrt_session{0});
+  auto residual = output<hrt_setup_residual>();
+  REFUSES(hrt_setup_get_residual, session, 0, &residual);
   ASSERT_OK(hrt_setup_cancel(session));
 
   hrt_scene scene{};

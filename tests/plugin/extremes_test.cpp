@@ -194,50 +194,52 @@ class Extremes : public SessionTest {
     check_what_is_kept();
   }
 
-  /// A rest, then a slide of someone whose direction follows the plate by so much.
-  void slide(hrt_calibration calibration, double weight, double noise_m) {
-    const double orientation_deg = one_of({-60.0, -30.0, 0.0, 30.0, 60.0});
-    ASSERT_OK(hrt_calibration_begin_trial(calibration, orientation_deg));
-    const double side = std::tan((weight * orientation_deg + uniform(-2.0, 2.0)) / 57.3);
-    for (int i = 0; i < 40; ++i) {
-      const double away_m = i < 10 ? 0.0 : 0.003 * (i - 10);
+  /// Rests and slides as a set-up asks, in directions that follow the plate by so much. Whether it comes to
+  /// an end.
+  bool set_up(double weight, double noise_m) {
+    auto step = output<hrt_setup_step>();
+    double side = 0.0;
+    int slid = 0;
+    for (int i = 0; i < 5000 && step.instruction != HRT_STEP_FINISH; ++i) {
+      if (step.instruction != HRT_STEP_SLIDE) slid = 0;
+      if (step.instruction == HRT_STEP_SLIDE && slid++ == 0)
+        side = std::tan((weight * std::remainder(step.plate_orientation_deg, 180.0) + uniform(-2.0, 2.0)) /
+                        57.3);
+      const double away_m = 0.0025 * std::min(slid, 40);
       const hrt_sample sample =
           position_sample(std::int64_t{i} * 33'000'000, side * away_m + noise_m * uniform(-1.0, 1.0),
                           away_m - 0.05 + noise_m * uniform(-1.0, 1.0));
-      ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
+      EXPECT_OK(hrt_setup_update(session, &sample, &step));
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
+    return step.instruction == HRT_STEP_FINISH;
   }
 
   std::mt19937_64 bits_{1};
 };
 
 TEST_F(Extremes, OfCalibrationsGiveFiniteNumbers) {
-  int solved = 0;
-  for (int i = 0; i < 90; ++i) {
+  int fitted = 0;
+  hrt_setup_config config = hrt_setup_config_init();
+  config.max_slides = 16;
+  for (int i = 0; i < 16; ++i) {
     SCOPED_TRACE("calibration " + std::to_string(i));
-    hrt_calibration_config config = hrt_calibration_config_init();
-    config.goal_direction_deg = below(2) == 0 ? 0.0 : within(-180.0, 180.0);
-    hrt_calibration calibration{};
-    ASSERT_OK(hrt_calibration_create(session, &config, &calibration));
-    const double noise_m = one_of({0.0, 1e-300, 1e-12, 1e-4, 0.01});
-    const double weight = uniform(-0.6, 0.6);
-    for (int n = 0; n < 15; ++n) slide(calibration, weight, noise_m);
-    auto result = output<hrt_calibration_result>();
-    if (hrt_calibration_solve(calibration, &result) == HRT_OK) {
-      ++solved;
-      plugin::for_each_field<hrt_calibration_result>([&](const auto& field) {
-        const auto& value = result.*field.member;
-        if constexpr (std::is_same_v<const hrt_interval&, decltype(value)>) {
-          EXPECT_TRUE(std::isfinite(value.lower) && std::isfinite(value.upper)) << field.name;
-          EXPECT_TRUE(value.lower <= value.value && value.value <= value.upper) << field.name;
-        }
-      });
-      if (hrt_calibration_apply(session, &result) == HRT_OK) check_what_is_kept();
+    ASSERT_OK(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &config));
+    const double noise_m = one_of({0.0, 1e-300, 1e-12, 1e-4, 0.002});
+    if (!set_up(uniform(-0.5, 0.5), noise_m)) {
+      ASSERT_OK(hrt_setup_cancel(session));
+      continue;
     }
-    EXPECT_OK(hrt_calibration_destroy(calibration));
+    auto result = output<hrt_setup_result>();
+    ASSERT_OK(hrt_setup_finish(session, &result));
+    EXPECT_EQ(result.left, 0u);
+    fitted += result.slides_used > 0;
+    for (const hrt_interval& interval : {result.tactile_weight, result.bias_deg, result.max_gap_deg}) {
+      EXPECT_TRUE(std::isfinite(interval.lower) && std::isfinite(interval.upper));
+      EXPECT_TRUE(interval.lower <= interval.value && interval.value <= interval.upper);
+    }
+    check_what_is_kept();
   }
-  EXPECT_GT(solved, 10);
+  EXPECT_GT(fitted, 4);
 }
 
 TEST_F(Extremes, OfEveryFieldGiveFiniteNumbers) {

@@ -33,6 +33,7 @@ class GuidedPerson {
   Eigen::Vector3d offset_m{0.002, -0.008, -0.012};  ///< from the joint to the skin, in its axes
   double touch_sd_m = 0.0015;
   double noise_m = 0.001;
+  double scale = 1.0;  ///< of the tracker's unit of length
   int latency_ms = 40;
   bool in_plate = false;  ///< the tracker has plate coordinates, and no joint
 
@@ -130,7 +131,7 @@ class GuidedPerson {
     } else {
       const Eigen::Matrix3d joint = rotation * held.attitude;
       const Eigen::Quaterniond q(joint);
-      seen_m = rotation * seen_m + position_m - joint * offset_m;
+      seen_m = scale * (rotation * seen_m + position_m - joint * offset_m);
       sample.flags |= HRT_SAMPLE_WORLD_POSITION | HRT_SAMPLE_JOINT_ROTATION;
       for (int i = 0; i < 4; ++i) sample.joint_rotation[i] = q.coeffs()(i);
     }
@@ -153,5 +154,32 @@ class GuidedPerson {
   std::optional<SlidingPerson> slide_;
   std::vector<Held> seen_;
 };
+
+/// One without noise, whose tracker is not late.
+inline GuidedPerson quiet_person() {
+  GuidedPerson person(1);
+  person.condition.person = Person{};
+  person.condition.person.noise_deg2_per_s = 0.0;
+  person.touch_sd_m = person.noise_m = 0.0;
+  person.latency_ms = 0;
+  return person;
+}
+
+/// Leads the person through a whole set-up.
+inline hrt_setup_result set_up(hrt_session session, std::uint32_t what, GuidedPerson* person,
+                               const hrt_setup_config& config = hrt_setup_config_init()) {
+  EXPECT_EQ(hrt_setup_begin(session, what, &config), HRT_OK) << hrt_last_error();
+  auto step = output<hrt_setup_step>();
+  auto result = output<hrt_setup_result>();
+  result.left = what;
+  for (int frame = 0; result.left != 0 && frame < 40'000; ++frame) {
+    const hrt_sample sample = person->follow(step);
+    EXPECT_EQ(hrt_setup_update(session, &sample, &step), HRT_OK) << hrt_last_error();
+    if (step.instruction != HRT_STEP_FINISH) continue;
+    EXPECT_EQ(hrt_setup_finish(session, &result), HRT_OK) << hrt_last_error();
+  }
+  EXPECT_EQ(result.left, 0u) << step.text;
+  return result;
+}
 
 }  // namespace hrt::test

@@ -230,20 +230,6 @@ TEST_F(PersonTest, ProfileHoldsThePersonToTheBit) {
   EXPECT_EQ(config_of(session).tactile_weight, 0.25);
 }
 
-TEST_F(PersonTest, CalibrationReplacesWhatReachesHaveLearnt) {
-  create(servo_config());
-  lead(steady_person());
-  ASSERT_FALSE(is_unknown(config_of(session)));
-  auto result = output<hrt_calibration_result>();
-  result.tracker_noise_m = {.value = 0.001, .lower = 0.0009, .upper = 0.0011, .known = 1, .reserved = 0};
-  ASSERT_OK(hrt_calibration_apply(session, &result));
-  EXPECT_FALSE(is_unknown(config_of(session)));
-  result.tactile_weight = {.value = 0.25, .lower = 0.2, .upper = 0.3, .known = 1, .reserved = 0};
-  ASSERT_OK(hrt_calibration_apply(session, &result));
-  EXPECT_TRUE(is_unknown(config_of(session)));
-  EXPECT_EQ(config_of(session).tactile_weight, 0.25);
-}
-
 TEST_F(PersonTest, AdaptationOffTakesTheWeightAsKnown) {
   hrt_session_config config = servo_config();
   config.adaptation = HRT_ADAPTATION_OFF;

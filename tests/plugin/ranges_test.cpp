@@ -99,20 +99,6 @@ TEST(Ranges, OfASession) {
             (Names{"plate_lower_stop_deg", "plate_upper_stop_deg", "person_covariance", "plate_covariance"}));
 }
 
-TEST_F(SessionTest, RangesOfACalibration) {
-  const auto take = [&](const hrt_calibration_config& config) {
-    hrt_calibration calibration{7};
-    const hrt_result result = hrt_calibration_create(session, &config, &calibration);
-    if (result == HRT_OK) return hrt_calibration_destroy(calibration);
-    EXPECT_EQ(calibration.value, 7u);
-    return result;
-  };
-  // The upper end is at least 40 degrees above the lower one.
-  EXPECT_EQ(try_ranges<hrt_calibration_config>(
-                [](const std::string&) { return hrt_calibration_config_init(); }, take),
-            (Names{"lower_plate_deg", "upper_plate_deg"}));
-}
-
 TEST_F(SessionTest, RangesOfASetup) {
   const auto take = [&](const hrt_setup_config& config) {
     const hrt_result result = hrt_setup_begin(session, HRT_SETUP_CALIBRATION, &config);
@@ -204,49 +190,6 @@ TEST_F(SessionTest, RangesOfTheConditionsOfAMeasurement) {
   }
 }
 
-TEST(Ranges, OfARegistration) {
-  std::vector<hrt_mark_touch> touches(4);
-  const auto fit = [&](const hrt_registration_config* config) {
-    auto found = output<hrt_registration>();
-    found.verdict = 77;
-    const hrt_result result =
-        hrt_registration_fit(config, touches.data(), touches.size(), 0, nullptr, &found);
-    EXPECT_EQ(result == HRT_OK, found.verdict != 77u);
-    return result;
-  };
-  const auto prepare = [](const std::string& field) {
-    hrt_registration_config config = hrt_registration_config_init();
-    if (field == "up") config.flags = HRT_REGISTER_UP;
-    return config;
-  };
-  EXPECT_EQ(try_ranges<hrt_registration_config>(
-                prepare, [&](const hrt_registration_config& config) { return fit(&config); }),
-            Names{});
-  const auto touch = [&](const hrt_mark_touch& given) {
-    touches[3] = given;
-    const hrt_result result = fit(nullptr);
-    if (result != HRT_OK) {
-      EXPECT_NE(std::strstr(hrt_last_error(), "touches[3]."), nullptr) << hrt_last_error();
-    }
-    return result;
-  };
-  EXPECT_EQ(try_ranges<hrt_mark_touch>([](const std::string&) { return hrt_mark_touch{}; }, touch), Names{});
-}
-
-TEST(Ranges, OfAJoint) {
-  const auto take = [](const hrt_joint_touch& given) {
-    auto found = output<hrt_fingertip>();
-    return hrt_fingertip_fit(nullptr, &given, 1, &found);
-  };
-  const auto prepare = [](const std::string&) { return hrt_joint_touch{{}, {0.0, 0.0, 0.0, 1.0}}; };
-  EXPECT_EQ(try_ranges<hrt_joint_touch>(prepare, take), Names{});
-  for (const double bad : {0.9, std::nan(""), 1e300}) {
-    hrt_joint_touch joint = prepare("");
-    joint.rotation[3] = bad;
-    expect_error(take(joint), HRT_ERROR_OUT_OF_RANGE, "touches[0].rotation");
-  }
-}
-
 /// Whether `hrt_NAME_init()` gives what the table has.
 template <class S>
 void expect_defaults(const S& given) {
@@ -257,8 +200,7 @@ TEST(Defaults, AreThoseOfTheHeaders) {
   expect_defaults(hrt_session_config_init());
   expect_defaults(hrt_target_config_init());
   expect_defaults(hrt_reach_config_init());
-  expect_defaults(hrt_calibration_config_init());
-  expect_defaults(hrt_registration_config_init());
+  expect_defaults(hrt_setup_config_init());
   expect_defaults(hrt_person_config_init());
 }
 

@@ -123,15 +123,6 @@ class RealTimeTest : public SessionTest {
     expect(hrt_reach_end(session, nullptr), HRT_ERROR_NULL_ARGUMENT);
     expect(hrt_reach_end(session, &summary), HRT_OK);
 
-    auto fingertip = output<hrt_fingertip>();
-    fingertip.known = 1;
-    const hrt_joint_touch joint{{0.0, 0.0, 0.05}, {0.0, 0.0, 0.0, 1.0}};
-    hrt_sample placed = direction_sample(0, 0.0);
-    expect(hrt_fingertip_place(&fingertip, &joint, &placed), HRT_OK);
-    expect(hrt_fingertip_place(&fingertip, nullptr, &placed), HRT_ERROR_NULL_ARGUMENT);
-    fingertip.known = 0;
-    expect(hrt_fingertip_place(&fingertip, &joint, &placed), HRT_ERROR_OUT_OF_RANGE);
-
     std::uint32_t state = 0;
     expect(hrt_session_get(session, nullptr, &state), HRT_OK);
     auto configured = output<hrt_session_config>();
@@ -156,40 +147,6 @@ class RealTimeTest : public SessionTest {
     return wrong;
   }
 
-  /// The same of a calibration, made before.
-  int calibrate(hrt_calibration calibration) const {
-    int wrong = 0;
-    const auto expect = [&](hrt_result result, hrt_result expected) { wrong += result != expected; };
-    const hrt_sample direction = direction_sample(0, 0.0), early = position_sample(-1, 0.0, 0.0);
-    for (int trial = 0; trial < 10; ++trial) {
-      expect(hrt_calibration_end_trial(calibration, 1), HRT_ERROR_WRONG_STATE);
-      expect(hrt_calibration_end_trial(calibration, 2), HRT_ERROR_OUT_OF_RANGE);
-      expect(hrt_calibration_add_sample(calibration, &early), HRT_ERROR_WRONG_STATE);
-      expect(hrt_calibration_begin_trial(calibration, std::nan("")), HRT_ERROR_OUT_OF_RANGE);
-      expect(hrt_calibration_begin_trial({42}, 0.0), HRT_ERROR_INVALID_HANDLE);
-      expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_OK);
-      expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_ERROR_WRONG_STATE);
-      for (int i = 0; i < 10; ++i) {
-        const hrt_sample position = position_sample(i, 0.0, 0.001 * i);
-        expect(hrt_calibration_add_sample(calibration, &position), HRT_OK);
-      }
-      expect(hrt_calibration_add_sample(calibration, &early), HRT_ERROR_TIME_REVERSED);
-      expect(hrt_calibration_add_sample(calibration, &direction), HRT_ERROR_OUT_OF_RANGE);
-      expect(hrt_calibration_add_sample(calibration, nullptr), HRT_ERROR_NULL_ARGUMENT);
-      expect(hrt_calibration_end_trial(calibration, 0), HRT_OK);
-      expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_OK);
-      for (int i = 0; i < 10; ++i) {
-        const hrt_sample position = position_sample(i, 0.0, 0.001 * i);
-        expect(hrt_calibration_add_sample(calibration, &position), HRT_OK);
-      }
-      const hrt_sample one_more = position_sample(10, 0.0, 0.0);
-      if (trial == 9) expect(hrt_calibration_add_sample(calibration, &one_more), HRT_ERROR_LIMIT_REACHED);
-      expect(hrt_calibration_end_trial(calibration, 1), HRT_OK);
-    }
-    expect(hrt_calibration_begin_trial(calibration, 30.0), HRT_ERROR_LIMIT_REACHED);
-    return wrong;
-  }
-
   /// A set-up, begun before: touches without end, and every refusal.
   int set_up() const {
     int wrong = 0;
@@ -211,15 +168,6 @@ class RealTimeTest : public SessionTest {
     return wrong + (step.done < 5) + ((instructions & 1u << HRT_STEP_SLIDE) == 0);
   }
 
-  hrt_calibration full_of(std::uint32_t trials, std::uint32_t samples) const {
-    hrt_calibration_config config = hrt_calibration_config_init();
-    config.max_trials = trials;
-    config.max_samples = samples;
-    hrt_calibration calibration{};
-    EXPECT_OK(hrt_calibration_create(session, &config, &calibration));
-    return calibration;
-  }
-
   hrt_reach_config reach;
 };
 
@@ -237,12 +185,11 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   ASSERT_EQ(locks, 1) << "the test does not see locks";
 
   // On a thread of its own, whose first call of the library this is.
-  const hrt_calibration calibration = full_of(10, 100);
   int wrong = -1;
   std::thread([&] {
     allocations = locks = 0;
     watching = true;
-    wrong = call_everything() + calibrate(calibration);
+    wrong = call_everything();
     watching = false;
   }).join();
   ASSERT_OK(hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr));
@@ -250,7 +197,6 @@ TEST_F(RealTimeTest, AllocatesNothingAndTakesNoLock) {
   wrong += set_up();
   watching = false;
   ASSERT_OK(hrt_setup_cancel(session));
-  EXPECT_OK(hrt_calibration_destroy(calibration));
   EXPECT_EQ(wrong, 0);
   EXPECT_EQ(allocations, 0);
   EXPECT_EQ(locks, 0);
@@ -287,15 +233,12 @@ TEST_F(RealTimeTest, MakesNoSystemCall) {
   const int guarded = status_without_system_calls([] {}, [] { return getppid() > 0 ? 0 : 1; });
   ASSERT_TRUE(WIFSIGNALED(guarded) && WTERMSIG(guarded) == SIGSYS) << "the test does not see system calls";
 
-  const hrt_calibration calibration = full_of(10, 100);
   const int status = status_without_system_calls(
       [&] {
         if (hrt_setup_begin(session, HRT_SETUP_CALIBRATION, nullptr) != HRT_OK) _exit(98);
       },
       [&] { return set_up(); });
-  const int reaching =
-      status_without_system_calls([] {}, [&] { return call_everything() + calibrate(calibration); });
-  EXPECT_OK(hrt_calibration_destroy(calibration));
+  const int reaching = status_without_system_calls([] {}, [&] { return call_everything(); });
   for (const int ended : {status, reaching}) {
     ASSERT_FALSE(WIFSIGNALED(ended)) << "ended by signal " << WTERMSIG(ended);
     EXPECT_EQ(WEXITSTATUS(ended), 0);

@@ -85,28 +85,6 @@ TEST_F(RetargetTest, StateIsWhatTheSessionIsAbout) {
   expect_error(hrt_session_get({7}, nullptr, &state), HRT_ERROR_INVALID_HANDLE, "session 7");
 }
 
-TEST_F(RetargetTest, StateSaysThatATrialIsUnderWay) {
-  hrt_calibration_config config = hrt_calibration_config_init();
-  hrt_calibration first{}, second{};
-  ASSERT_OK(hrt_calibration_create(session, &config, &first));
-  ASSERT_OK(hrt_calibration_create(session, &config, &second));
-  expect_state(0);
-  ASSERT_OK(hrt_calibration_begin_trial(first, 30.0));
-  expect_state(HRT_STATE_CALIBRATING);
-  ASSERT_OK(hrt_calibration_begin_trial(second, 30.0));
-  ASSERT_OK(hrt_calibration_end_trial(first, 1));
-  expect_state(HRT_STATE_CALIBRATING);
-  ASSERT_OK(hrt_calibration_end_trial(second, 0));
-  expect_state(0);
-  ASSERT_OK(hrt_calibration_begin_trial(second, 30.0));
-  ASSERT_OK(hrt_calibration_destroy(second));
-  expect_state(0);
-  ASSERT_OK(hrt_calibration_begin_trial(first, 30.0));
-  ASSERT_OK(hrt_session_destroy(session));
-  session.value = 0;
-  ASSERT_OK(hrt_calibration_destroy(first));
-}
-
 TEST_F(RetargetTest, IsThereWhileTheSessionExists) {
   EXPECT_EQ(hrt_session_get({0}, nullptr, nullptr), HRT_ERROR_INVALID_HANDLE);
   EXPECT_EQ(hrt_session_get({42}, nullptr, nullptr), HRT_ERROR_INVALID_HANDLE);

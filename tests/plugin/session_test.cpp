@@ -84,9 +84,6 @@ TEST_F(SessionTest, NullMeansTheDefaults) {
   ASSERT_OK(hrt_session_destroy(session));
   ASSERT_OK(hrt_session_create(HRT_VERSION, nullptr, &session));
   EXPECT_TRUE(has_defaults());
-  hrt_calibration calibration{};
-  ASSERT_OK(hrt_calibration_create(session, nullptr, &calibration));
-  ASSERT_OK(hrt_calibration_destroy(calibration));
 }
 
 TEST_F(SessionTest, ConfigComesBackAsGiven) {

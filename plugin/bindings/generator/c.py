@@ -11,7 +11,7 @@ from abi import Abi, Function, Struct
 _WIDTH = 110
 # The layers of headers, each with the file that has its structs by value.
 LAYERS = {"init.h": ("base.h", "reach.h", "session.h", "target.h"),
-          "setup_init.h": ("calibration.h", "profile.h", "registration.h", "scene.h", "setup.h"),
+          "setup_init.h": ("profile.h", "scene.h", "setup.h"),
           "study_init.h": ("study.h",)}
 
 

@@ -15,12 +15,11 @@ _STATIC = "HapticRetargetingLibrary"
 # Whose names do not follow from those of the headers.
 _NAMES = {"hrt_target_list": "ListTargets", "hrt_target_assign": "AssignTargets"}
 # What the classes have by hand: constructors, updates without garbage, scenes, and what belongs to the process.
-_IN_A_SETUP = ("hrt_calibration_", "hrt_registration_", "hrt_fingertip_", "hrt_latency_")
 BY_HAND = ("hrt_session_get", "_create", "_destroy", "_open", "_close", "hrt_reach_update", "hrt_set_host", "hrt_replay")
 
 
 def is_generated(function: Function) -> bool:
-    by_hand = function.name.endswith(BY_HAND) or function.name.startswith(("hrt_scene_", *_IN_A_SETUP))
+    by_hand = function.name.endswith(BY_HAND) or function.name.startswith("hrt_scene_")
     return function.returns_result and not by_hand
 
 

@@ -44,10 +44,7 @@ _LEFT_OUT = (
     ("unreal", "hrt_target_list", "a Blueprint has the ids"),
     ("unreal", "hrt_target_assign hrt_profile_get_conditions hrt_profile_set_conditions hrt_person_get_state",
      "C++ calls the C interface with GetSession()"),
-    ("godot python unity unreal", "hrt_calibration_create hrt_calibration_destroy hrt_calibration_begin_trial hrt_calibration_add_sample "
-     "hrt_calibration_end_trial hrt_calibration_next_angle hrt_calibration_solve hrt_calibration_get_residual "
-     "hrt_calibration_apply hrt_calibration_compare hrt_registration_fit hrt_registration_advice hrt_registration_apply "
-     "hrt_registration_check hrt_registration_confirm hrt_latency_fit hrt_fingertip_fit hrt_fingertip_place", "a set-up has them"),
+    ("godot unreal web", "hrt_setup_get_residual", "a plot of slides is made in Python, C# and C"),
     ("python", "hrt_sample::joint_rotation", "a set-up's fingertip is found in engines and C"),
     ("unreal", "hrt_get_version", "the library is part of the plugin"),
     ("web", _PLATE, "a web page has no serial lines of the system's: samples/web drives a plate by Web Serial"),

@@ -1,10 +1,8 @@
 // Structs have the fields of the C headers, under their names, which end in the unit: see abi.d.ts.
 import type {
-  hrt_gap, hrt_calibration_comparison, hrt_calibration_config, hrt_calibration_result, hrt_calibration_slide,
-  hrt_command, hrt_conditions, hrt_fingertip, hrt_joint_touch, hrt_latency, hrt_mark_touch, hrt_person_config,
-  hrt_person_state, hrt_reach_summary,
-  hrt_recording_status, hrt_registration, hrt_registration_config, hrt_replay_report, hrt_sample, hrt_scene_info,
-  hrt_scene_target, hrt_session_config, hrt_setup_config, hrt_setup_result, hrt_setup_step, hrt_target_config, hrt_touch_check,
+  hrt_gap, hrt_command, hrt_conditions, hrt_person_config, hrt_person_state, hrt_reach_summary,
+  hrt_recording_status, hrt_replay_report, hrt_sample, hrt_scene_info, hrt_scene_target, hrt_session_config,
+  hrt_setup_config, hrt_setup_result, hrt_setup_step, hrt_target_config,
 } from "./abi.js";
 export * from "./abi.js";
 
@@ -34,14 +32,6 @@ export class HapticRetargetingError extends Error {
   readonly codeName: string;
 }
 
-/** Where the plate is, from touches of its marks. */
-export interface Registration extends Output<hrt_registration> {
-  /** Distance of each touch from its mark under the pose; 0 if there is none. */
-  readonly residuals_m: number[];
-  /** What to do about the verdict, for the user. */
-  readonly advice: string;
-}
-
 /** Loads the module: haptic_retargeting.wasm beside this file, unless `source` is another address, or the module
  *  itself as a bundler gives it. */
 export function load(source?: string | URL | WebAssembly.Module | ArrayBuffer | ArrayBufferView): Promise<Library>;
@@ -53,22 +43,12 @@ export interface Library {
   createPerson(seed?: number | bigint, config?: Input<hrt_person_config>): Person;
   /** A .gltf or .glb file's bytes; `name` stands for it in error texts. */
   loadScene(bytes: ArrayBuffer | Uint8Array, name?: string): Scene;
-  /** The plate's pose from touches of its marks: registration.h. A verdict other than HRT_REGISTRATION_HOLDS is no error. */
-  fitRegistration(touches: readonly Readonly<hrt_mark_touch>[], config?: Input<hrt_registration_config>): Registration;
-  /** Whether a registration that holds is still true, by a later touch of a mark. */
-  checkRegistration(registration: Registration, touch: Readonly<hrt_mark_touch>): Output<hrt_touch_check>;
-  /** The offset from a tracked joint to the skin, of one hand: touches of one mark with the finger held differently. */
-  fitFingertip(touches: readonly Readonly<hrt_joint_touch>[], config?: Input<hrt_registration_config>): Output<hrt_fingertip>;
-  /** How late the tracker is: samples of a finger that rests on a mark while the plate turns to and fro under it. */
-  fitLatency(samples: readonly Input<hrt_sample>[]): Output<hrt_latency>;
-  /** Test and retest: which values of two calibrations differ (HRT_DIFFERS_*), with the intervals of the differences. */
-  compareCalibrations(first: Output<hrt_calibration_result>, second: Output<hrt_calibration_result>): Output<hrt_calibration_comparison>;
   /** Runs a recording again and compares, bit for bit. */
   replay(recording: string): Output<hrt_replay_report>;
 }
 
 /** A tracked fingertip: WebXR's XRPose or XRJointPose, or what has a place, as objects of three.js and vectors do. Null
- *  or undefined: lost. Its rotation is read only after Session.setFingertip(). */
+ *  or undefined: lost. A rotation is that of the joint's axes, by which the session finds the skin. */
 export type FingerPose = { readonly transform: { readonly position: Point; readonly orientation?: Rotation } }
   | { readonly position: Point; readonly quaternion?: Rotation } | Point | null | undefined;
 export interface Point { readonly x: number; readonly y: number; readonly z: number }
@@ -119,9 +99,6 @@ export interface Session {
   retargetReach(realTarget: TargetId, virtualTarget: TargetId): void;
   /** Ends the reach without a summary; nothing is learnt from it. */
   cancelReach(): void;
-  /** From now on setFinger() gets a joint's pose, with its rotation, and places the skin by this offset of
-   *  Library.fitFingertip(). Of one hand; null: a pose is that of the skin again. */
-  setFingertip(fingertip: Output<hrt_fingertip> | null): void;
   /** Writes the fingertip's place in the world to `sample`, or a dropout, in place of other flags. `time_ms`: the frame's
    *  time, as the callback of requestAnimationFrame() has it; finite. */
   setFinger(pose: FingerPose, time_ms: number): void;
@@ -137,13 +114,6 @@ export interface Session {
   readonly conditions: Output<hrt_conditions>;
   /** The conditions of now: names of plate and tracker, and the time, seconds since 1970. */
   setConditions(conditions: Input<hrt_conditions>): void;
-  /** Sets plate pose and uncertainty, between reaches; `timeNs`: when the touches were made, on the clock of the samples. */
-  applyRegistration(registration: Registration, timeNs: number | bigint): void;
-  /** Checks the applied registration by a touch of a mark: one that agrees counts as made at `timeNs`, one that does not
-   *  makes the session unregistered. */
-  confirmRegistration(registration: Registration, touch: Readonly<hrt_mark_touch>, timeNs: number | bigint): Output<hrt_touch_check>;
-  createCalibration(config?: Input<hrt_calibration_config>): Calibration;
-  applyCalibration(result: Output<hrt_calibration_result>): void;
 
   /** Begins a set-up of HRT_SETUP_*: registration, fingertip, latency, calibration, retest, or all that is missing. */
   beginSetup(what?: number, config?: Input<hrt_setup_config>): void;
@@ -160,25 +130,6 @@ export interface Session {
   /** Rows so far. */
   readonly recordingStatus: Output<hrt_recording_status>;
   stopRecording(): string;
-}
-
-/** Identifies the user by slides over a plate at rest. For each: nextAngle(), turn the plate, beginTrial(), addSample() as
- *  samples come, endTrial(). */
-export interface Calibration {
-  destroy(): void;
-  /** Where the plate should stand for the next slide, and whether the slides so far are enough. Some tenths of a second of
-   *  work: not between two frames. */
-  nextAngle(): { plateOrientationDeg: number; enough: boolean };
-  beginTrial(plateOrientationDeg: number): void;
-  /** Input of the next addSample(). */
-  readonly sample: Frame<hrt_sample>;
-  addSample(): void;
-  /** Discards the trial unless it is to be kept, for example after a slip. */
-  endTrial(keep?: boolean): void;
-  /** Half a second of work for 20000 samples: not between two frames. */
-  solve(): Output<hrt_calibration_result>;
-  /** A slide of the last solve(), from 0 to trials_used - 1: seen, fitted, and whether it was left out (HRT_SLIDE_*). */
-  residual(slide: number): Output<hrt_calibration_slide>;
 }
 
 /** A finger for first programs and tests. No measurement of people. */

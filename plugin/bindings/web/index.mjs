@@ -50,39 +50,6 @@ class Library {
   createPerson(seed = 0, config = {}) { return new Person(this.#memory, seed, config); }
   loadScene(bytes, name = "scene") { return new Scene(this.#memory, bytes, name); }
 
-  fitRegistration(touches, config = {}) {
-    const memory = this.#memory, { length } = touches, { size } = abi.structs.hrt_mark_touch;
-    return memory.withStruct("hrt_registration_config", config, (settings) =>
-      memory.with(size * length + 1, (marks) => memory.with(8 * length + 1, (residuals) => {
-        touches.forEach((touch, i) => {
-          for (const name of ["mark_m", "touched_m"]) memory.write("hrt_mark_touch", marks + size * i, name, touch[name]);
-        });
-        const registration = memory.get("hrt_registration", "hrt_registration_fit", settings, marks, BigInt(length), BigInt(length), residuals);
-        const residuals_m = Array.from(touches, (_, i) => memory.view.getFloat64(residuals + 8 * i, true));
-        return { ...registration, residuals_m, advice: readText(memory.view.buffer, memory.entry("hrt_registration_advice")(registration.verdict)) };
-      })));
-  }
-  checkRegistration({ residuals_m, advice, ...registration }, touch) {
-    const memory = this.#memory;
-    return memory.withStruct("hrt_registration", registration, (at) => memory.withStruct("hrt_mark_touch", touch, (mark) =>
-      memory.get("hrt_touch_check", "hrt_registration_check", at, mark)));
-  }
-
-  fitFingertip(touches, config = {}) {
-    const memory = this.#memory;
-    return memory.withStruct("hrt_registration_config", config, (settings) =>
-      memory.withStructs("hrt_joint_touch", touches, (at) => memory.get("hrt_fingertip", "hrt_fingertip_fit", settings, at, BigInt(touches.length))));
-  }
-  fitLatency(samples) {
-    const memory = this.#memory;
-    return memory.withStructs("hrt_sample", samples, (at) => memory.get("hrt_latency", "hrt_latency_fit", at, BigInt(samples.length)));
-  }
-  compareCalibrations(first, second) {
-    const memory = this.#memory;
-    return memory.withStructs("hrt_calibration_result", [first, second], (at) =>
-      memory.get("hrt_calibration_comparison", "hrt_calibration_compare", at, at + abi.structs.hrt_calibration_result.size));
-  }
-
   replay(text) {
     return this.#memory.withText(text, (at, length) =>
       this.#memory.get("hrt_replay_report", "hrt_replay", 0, at, length));
@@ -121,8 +88,6 @@ class Frame {
 
 function shown(object, name, value) { Object.defineProperty(object, name, { value, enumerable: true }); }
 
-const jointFields = abi.structs.hrt_joint_touch.fields, sampleFields = abi.structs.hrt_sample.fields;
-
 class Session {
   static #count = 0;
   #memory;
@@ -131,8 +96,6 @@ class Session {
   #path;
   #input;
   #output;
-  #fingertip;  // null while a finger's pose is that of its skin
-  #joint;
 
   constructor(memory, config) {
     this.#memory = memory;
@@ -142,8 +105,6 @@ class Session {
     this.#path = `recording ${++Session.#count}`;
     this.#input = new Frame(memory, "hrt_sample", "session");
     this.#output = new Frame(memory, "hrt_command", "session");
-    this.#joint = new Frame(memory, "hrt_joint_touch", "session");
-    this.#fingertip = null;
     shown(this, "sample", new Sample());
     shown(this, "command", new Command());
   }
@@ -154,8 +115,6 @@ class Session {
     this.#memory.call("hrt_session_destroy", this.#handle);
     this.#input.free();
     this.#output.free();
-    this.#joint.free();
-    this.setFingertip(null);
     Object.freeze(this.sample);
   }
 
@@ -232,17 +191,6 @@ class Session {
     this.#memory.call("hrt_reach_retarget", this.#handle, realTarget, virtualTarget);
   }
   cancelReach() { this.#memory.call("hrt_reach_cancel", this.#handle); }
-  setFingertip(fingertip) {
-    const made = fingertip ? new Frame(this.#memory, "hrt_fingertip", "session") : null;
-    try {
-      for (const [name, value] of Object.entries(fingertip ?? {})) this.#memory.write("hrt_fingertip", made.at, name, value);
-    } catch (error) {
-      made.free();
-      throw error;
-    }
-    this.#fingertip?.free();
-    this.#fingertip = made;
-  }
   setFinger(pose, time_ms) {
     if (!Number.isFinite(time_ms)) {
       throw new RangeError(`time_ms is ${String(time_ms)}; a finite number is needed, such as the time that the frame's callback is given`);
@@ -251,27 +199,16 @@ class Session {
     sample.time_ns = time_ms * 1e6;
     sample.flags = at ? abi.HRT_SAMPLE_WORLD_POSITION : 0;
     if (!at) return;
-    if (this.#fingertip) this.#placeSkin(at, rotationOf(pose));
-    else this.#place(at.x, at.y, at.z);
-  }
-  #place(x, y, z) {
-    const position = this.sample.finger_position_m;
-    position[0] = x;
-    position[1] = y;
-    position[2] = z;
-  }
-  #placeSkin(at, rotation) {
-    const { view } = this.#memory, joint = this.#joint.at, out = this.#input.at;
-    view.setFloat64(joint + jointFields.position_m.offset, at.x, true);
-    view.setFloat64(joint + jointFields.position_m.offset + 8, at.y, true);
-    view.setFloat64(joint + jointFields.position_m.offset + 16, at.z, true);
-    view.setFloat64(joint + jointFields.rotation.offset, rotation.x, true);
-    view.setFloat64(joint + jointFields.rotation.offset + 8, rotation.y, true);
-    view.setFloat64(joint + jointFields.rotation.offset + 16, rotation.z, true);
-    view.setFloat64(joint + jointFields.rotation.offset + 24, rotation.w, true);
-    this.#memory.call("hrt_fingertip_place", this.#fingertip.at, joint, out);
-    const skin = out + sampleFields.finger_position_m.offset;
-    this.#place(view.getFloat64(skin, true), view.getFloat64(skin + 8, true), view.getFloat64(skin + 16, true));
+    const { finger_position_m: position, joint_rotation: rotation } = sample, turned = rotationOf(pose);
+    position[0] = at.x;
+    position[1] = at.y;
+    position[2] = at.z;
+    if (!turned) return;
+    sample.flags |= abi.HRT_SAMPLE_JOINT_ROTATION;
+    rotation[0] = turned.x;
+    rotation[1] = turned.y;
+    rotation[2] = turned.z;
+    rotation[3] = turned.w;
   }
   update() {
     const input = this.#input.at, output = this.#output.at, memory = this.#memory;
@@ -299,28 +236,11 @@ class Session {
     this.#memory.withText(text, (at, length) => this.#memory.call("hrt_profile_load", this.#handle, at, length));
   }
 
-  applyRegistration({ residuals_m, advice, ...registration }, timeNs) {
-    this.#memory.withStruct("hrt_registration", registration, (at) =>
-      this.#memory.call("hrt_registration_apply", this.#handle, at, BigInt(checked("timeNs", "i64", timeNs))));
-  }
-
   get conditions() {
     return this.#memory.get("hrt_conditions", "hrt_profile_get_conditions", this.#handle);
   }
   setConditions(conditions) {
     this.#memory.put("hrt_conditions", conditions, "hrt_profile_set_conditions", this.#handle);
-  }
-
-  confirmRegistration({ residuals_m, advice, ...registration }, touch, timeNs) {
-    const memory = this.#memory;
-    return memory.withStruct("hrt_registration", registration, (at) => memory.withStruct("hrt_mark_touch", touch, (mark) =>
-      memory.output("hrt_touch_check", (out) => memory.call("hrt_registration_confirm", this.#handle, at, mark,
-        BigInt(checked("timeNs", "i64", timeNs)), out))));
-  }
-
-  createCalibration(config = {}) { return new Calibration(this.#memory, this.#handle, config); }
-  applyCalibration(result) {
-    this.#memory.put("hrt_calibration_result", result, "hrt_calibration_apply", this.#handle);
   }
 
   beginSetup(what = abi.HRT_SETUP_ALL_MISSING, config = {}) {
@@ -342,49 +262,6 @@ class Session {
   stopRecording() {
     this.#memory.get("hrt_recording_status", "hrt_recording_stop", this.#handle);
     return this.#memory.takeFile(this.#path);
-  }
-}
-
-class Calibration {
-  #memory;
-  #handle;
-  #input;
-
-  constructor(memory, session, config) {
-    this.#memory = memory;
-    this.#handle = memory.withStruct("hrt_calibration_config", config, (at) =>
-      created(memory, (out) => memory.call("hrt_calibration_create", session, at, out)));
-    this.#input = new Frame(memory, "hrt_sample", "calibration");
-    shown(this, "sample", new Sample());
-  }
-
-  destroy() {
-    this.#memory.call("hrt_calibration_destroy", this.#handle);
-    this.#input.free();
-    Object.freeze(this.sample);
-  }
-
-  beginTrial(plateOrientationDeg) {
-    this.#memory.call("hrt_calibration_begin_trial", this.#handle,
-      checked("plateOrientationDeg", "f64", plateOrientationDeg));
-  }
-  addSample() {
-    writeSample(this.#memory.view, this.#input.at, this.sample);
-    this.#memory.call("hrt_calibration_add_sample", this.#handle, this.#input.at);
-  }
-  endTrial(keep = true) { this.#memory.call("hrt_calibration_end_trial", this.#handle, keep ? 1 : 0); }
-  nextAngle() {
-    const memory = this.#memory;
-    return memory.with(16, (at) => {
-      memory.call("hrt_calibration_next_angle", this.#handle, at, at + 8);
-      return { plateOrientationDeg: memory.view.getFloat64(at, true), enough: memory.view.getUint32(at + 8, true) !== 0 };
-    });
-  }
-  residual(slide) {
-    return this.#memory.get("hrt_calibration_slide", "hrt_calibration_get_residual", this.#handle, checked("slide", "u32", slide));
-  }
-  solve() {
-    return this.#memory.get("hrt_calibration_result", "hrt_calibration_solve", this.#handle);
   }
 }
 

@@ -8,11 +8,10 @@ export function fingertipOf(pose) {
   throw new TypeError("the pose has neither transform.position nor position nor x, y, z");
 }
 
-/** The { x, y, z, w } of a joint's rotation. */
+/** The { x, y, z, w } of a joint's rotation, or undefined if the pose has none. */
 export function rotationOf(pose) {
   const rotation = pose.transform?.orientation ?? pose.quaternion;
-  if (typeof rotation?.w === "number") return rotation;
-  throw new TypeError("the pose has neither transform.orientation nor quaternion, which the offset to the skin turns with");
+  return typeof rotation?.w === "number" ? rotation : undefined;
 }
 
 /** Place and rotation of a plate out of a matrix of 4 x 4, column by column, from plate coordinates to the world. */

@@ -52,7 +52,7 @@ export class HandReach {
   /** Once in each frame of an XRSession, while a reach is under way: `time_ms` is the time that the frame's callback is given,
    *  which every browser has; `hand` is inputSource.hand, `referenceSpace` the space
    *  in which the scene is drawn, null before there is one. Updates the session with the index fingertip, or with a dropout, and shows the plate's
-   *  command. After Session.setFingertip() the joint's rotation places the skin. Makes no objects of its own. Errors are those of Session.update(). */
+   *  command. Makes no objects of its own. Errors are those of Session.update(). */
   updateFromHand<Joint, Space>(time_ms: number, frame: HandFrame<Joint, Space>, hand: { get(name: "index-finger-tip"): Joint | undefined } | null | undefined,
                                referenceSpace: Space | null): Session["command"];
 }

@@ -161,7 +161,7 @@ typedef struct hrt_host {
 
 /** Sets allocator and log; the struct is copied. Null: the defaults. Waits for a call of the former log to
  * end; it is not called any more once this returns. Errors: WRONG_STATE if the allocator changes while a
- * session, calibration, person or scene exists; NULL_ARGUMENT for one of allocate and release. [any-thread];
+ * session, person or scene exists; NULL_ARGUMENT for one of allocate and release. [any-thread];
  * an allocator changes while no other thread is in a call of this library. */
 HRT_NODISCARD HRT_API hrt_result hrt_set_host(const hrt_host* host) HRT_NOEXCEPT;
 

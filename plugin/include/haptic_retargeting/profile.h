@@ -37,14 +37,14 @@ typedef struct hrt_conditions {
   char tracker[HRT_NAME_SIZE];
 } hrt_conditions;
 
-/** Sets the session's conditions of now: what hrt_calibration_apply() measures under, and what profiles are
+/** Sets the session's conditions of now: what a set-up's calibration measures under, and what profiles are
  * compared with. If those of the profile differ, the log has a warning, here or when the profile is loaded.
  * Errors: OUT_OF_RANGE naming the field, WRONG_STATE during a reach. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_set_conditions(hrt_session session,
                                                             const hrt_conditions* conditions) HRT_NOEXCEPT;
 
 /** Returns the conditions under which the person was measured: of the loaded profile, or of now if a
- * calibration was applied since; unknown without both. `differing` compares them with those of now. Set
+ * set-up has calibrated since; unknown without both. `differing` compares them with those of now. Set
  * `struct_size` before the call. [one-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_profile_get_conditions(hrt_session session,
                                                             hrt_conditions* out_conditions) HRT_NOEXCEPT;

@@ -96,8 +96,8 @@ typedef struct hrt_sample {
  * says so once a session, when the session is next configured or destroyed. */
 #define HRT_COMMAND_FAULT UINT32_C(2048)
 /** The plate's registration is older or worse than the configuration allows, or there is none:
- * max_registration_age_ns, max_registration_sd_deg. Touch the marks again (registration.h). The log has it at
- * the next call of hrt_session_set(), _destroy() or hrt_registration_apply(). */
+ * max_registration_age_ns, max_registration_sd_deg. Set up again: setup.h. The log has it at the next call of
+ * hrt_session_set(), hrt_session_destroy() or hrt_setup_begin(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
 
 /** hrt_command::time_to_go_s: the finger rests before the motion or within it; or, under FIXED_DIRECTION, the

@@ -49,7 +49,7 @@ typedef struct hrt_session {
  * the motion wants it as soon as a reach begins, which brings more fast reaches to the target. Set this if
  * the finger rests on the ridges before a reach: a plate that turns under a resting finger is felt. */
 #define HRT_SESSION_PLATE_WAITS UINT32_C(1)
-/** The plate's pose is from a registration made at registration_time_ns. hrt_registration_apply() sets this;
+/** The plate's pose is from a registration made at registration_time_ns. A set-up sets this;
  * hrt_scene_register(), which writes the scene's pose, clears it. */
 #define HRT_SESSION_REGISTERED UINT32_C(2)
 
@@ -150,7 +150,7 @@ typedef struct hrt_session_config {
    * world's axes. It does not turn with the ridges. Length 1 within 0.001. Default (0, 0, 0, 1). */
   double plate_rotation[4];
   /** Perceptual bias: perceived minus true direction of a virtual target. The user goes to the virtual
-   * direction plus this bias. Found by calibration.h; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default 0.
+   * direction plus this bias. Found by a set-up; GUIDANCE_ARRIVAL learns the rest. -45 to 45. Default 0.
    * In profiles. */
   double bias_deg;
   /** Standard deviation of motor_variance_deg2, from which adaptation starts. Raising it makes adaptation
@@ -193,7 +193,7 @@ typedef struct hrt_session_config {
    * Default 0. */
   double max_registration_sd_deg;
   /** Standard deviation of the correlated part of the tracker's noise in each coordinate, under
-   * GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by calibration.h. 0 to 0.1; 0: not
+   * GUIDANCE_ARRIVAL; tracker_noise_m is then the white part alone. Found by a set-up. 0 to 0.1; 0: not
    * known. Default 0. In profiles if tracker_correlated_noise_m is not 0. */
   double tracker_correlated_noise_m;
   /** Time in which that part decays to 1/e; read if it is not 0. 0.01 to 2 s. Default 0.1. In profiles if
@@ -212,11 +212,9 @@ HRT_NODISCARD HRT_API hrt_result hrt_session_create(uint32_t version, const hrt_
 
 /** What a session is about: bits of hrt_session_get(). 0: idle, no reach can begin. */
 #define HRT_STATE_READY UINT32_C(1) /**< a real and a virtual target are there, and no reach is under way */
-#define HRT_STATE_REACHING UINT32_C(2) /**< a reach is under way */
-/** A trial of a calibration that was created from this session is under way. */
-#define HRT_STATE_CALIBRATING UINT32_C(4)
-#define HRT_STATE_RECORDING UINT32_C(8)   /**< the calls of the session are recorded */
-#define HRT_STATE_SETTING_UP UINT32_C(16) /**< a set-up is under way: no reach can begin */
+#define HRT_STATE_REACHING UINT32_C(2)   /**< a reach is under way */
+#define HRT_STATE_SETTING_UP UINT32_C(4) /**< a set-up is under way: no reach can begin */
+#define HRT_STATE_RECORDING UINT32_C(8)  /**< the calls of the session are recorded */
 
 /** Returns the configuration and what the session is about: HRT_STATE_*; later versions may set further bits.
  * A null output is skipped. Set `out_config->struct_size` before the call. INVALID_HANDLE: there is no such

@@ -17,9 +17,8 @@
 #ifndef HAPTIC_RETARGETING_SETUP_H
 #define HAPTIC_RETARGETING_SETUP_H
 
-#include "calibration.h"
 #include "profile.h"
-#include "registration.h"
+#include "reach.h"
 #include "scene.h"
 
 #if defined(__cplusplus)
@@ -136,6 +135,36 @@ typedef struct hrt_setup_step {
   char text[HRT_TEXT_SIZE];
 } hrt_setup_step;
 
+/** An estimate with the ends of its 95 % interval. This struct never grows. */
+typedef struct hrt_interval {
+  double value;
+  double lower;
+  double upper;
+  /** 1; or 0: the data cannot determine the value. Then the interval is the range that was searched, and
+   *  the value its likeliest point. */
+  uint32_t known;
+  uint32_t reserved;
+} hrt_interval;
+
+/** Families of illusion curves: the felt shift over the offset t from the motion to the ridge normal. */
+#define HRT_ILLUSION_LINEAR UINT32_C(0)     /**< w t */
+#define HRT_ILLUSION_SATURATING UINT32_C(1) /**< w t within the scale, constant beyond */
+#define HRT_ILLUSION_SINE UINT32_C(2)       /**< w 45 sin 2t */
+#define HRT_ILLUSION_TANH UINT32_C(3)       /**< w scale tanh(t / scale) */
+#define HRT_ILLUSION_DEAD_BAND UINT32_C(4)  /**< nothing within the scale, w (|t| - scale) beyond */
+#define HRT_ILLUSION_UNEQUAL UINT32_C(5)    /**< different slopes to the left and to the right */
+#define HRT_ILLUSION_CUBIC UINT32_C(6)      /**< w t - b t (t / 75)^2, the controller's model */
+#define HRT_ILLUSION_NONE UINT32_C(7)       /**< no family fits the slides */
+
+/** Patterns in what the fit leaves unexplained: hrt_setup_result::lack_of_fit. */
+/** Over the plate orientation: no curve fits. Check the plate's orientations and the goal direction. */
+#define HRT_LACK_OF_FIT_ANGLE UINT32_C(1)
+/** Over the order of the slides: the user learns or tires. Let them practise or rest, and repeat. */
+#define HRT_LACK_OF_FIT_ORDER UINT32_C(2)
+/** Along the paths: they bend as neither a habit nor the model's steering does. Ask for slower, longer and
+ *  even slides, and repeat. */
+#define HRT_LACK_OF_FIT_PATH UINT32_C(4)
+
 /** Differences of a retest: hrt_setup_result::differing. */
 #define HRT_RETEST_TACTILE_WEIGHT UINT32_C(1)
 #define HRT_RETEST_BIAS UINT32_C(2)
@@ -153,7 +182,8 @@ typedef struct hrt_setup_result {
   uint32_t differing;
   /** HRT_ILLUSION_*, the likeliest family. */
   uint32_t illusion;
-  /** HRT_LACK_OF_FIT_*: the user is not like the model, and nothing of them is known. */
+  /** HRT_LACK_OF_FIT_*: the user is not like the model, and nothing of them is known. 0: none was found, each
+   * at 1 % of people whom the model fits. */
   uint32_t lack_of_fit;
   /** Slides that were made, and those of them that count. */
   uint32_t slides;

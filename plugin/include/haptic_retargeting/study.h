@@ -1,5 +1,5 @@
 /*
- * Studies: a simulated person, recordings of a session, and their replay.
+ * Studies: a simulated person, recordings of a session and their replay, and what a calibration is made of.
  *
  * The simulated person is a finger that slides over the plate, feels its ridges and is bent by them. It takes
  * the place of a tracked finger and of the plate's servo in a first program, a demo or an engine's test. It
@@ -7,15 +7,15 @@
  * the plate's angle.
  *
  * A recording is a CSV file with comments (#), which R, pandas and MATLAB open directly. Each begin, update,
- * retarget, cancel and end of a reach is a row, refused calls too; so is each trial, sample, next angle and
- * solution of a calibration that was created while the recording ran. Comments hold configurations, targets
- * and the plate orientation (base.h). Numbers have full precision. A thread of the library writes the file: a
- * slow or full disk never delays a call; rows are dropped and counted.
+ * retarget, cancel and end of a reach, and each update, finish and cancel of a set-up, is a row, refused
+ * calls too. Comments hold configurations, targets, beginnings of set-ups and the plate orientation (base.h).
+ * Numbers have full precision. A thread of the library writes the file: a slow or full disk never delays a
+ * call; rows are dropped and counted.
  */
 #ifndef HAPTIC_RETARGETING_STUDY_H
 #define HAPTIC_RETARGETING_STUDY_H
 
-#include "reach.h"
+#include "setup.h"
 
 #if defined(__cplusplus)
 extern "C" {
@@ -95,6 +95,29 @@ HRT_NODISCARD HRT_API hrt_result hrt_person_move(hrt_person person, int64_t time
 HRT_NODISCARD HRT_API hrt_result hrt_person_get_state(hrt_person person,
                                                       hrt_person_state* out_state) HRT_NOEXCEPT;
 
+/** What became of a slide: hrt_setup_residual::verdict. */
+#define HRT_SLIDE_USED UINT32_C(0)
+#define HRT_SLIDE_OUTLYING UINT32_C(1)     /**< unlike the others: left out */
+#define HRT_SLIDE_ALONG_RIDGES UINT32_C(2) /**< left out: the illusion flips along the ridges */
+
+/** One slide of a calibration, straight ahead. Set `struct_size` before the call. */
+typedef struct hrt_setup_residual {
+  uint32_t struct_size;
+  /** HRT_SLIDE_*. */
+  uint32_t verdict;
+  /** Plate orientation (base.h). */
+  double plate_deg;
+  /** Of the second half of the path, seen and fitted, and their difference. */
+  double direction_deg;
+  double fitted_deg;
+  double residual_deg;
+} hrt_setup_residual;
+
+/** Returns a slide of the session's last fit of a CALIBRATION or RETEST, in the order in which they were
+ * made, from 0. Errors: WRONG_STATE before the first fit; OUT_OF_RANGE beyond the last slide. [one-thread] */
+HRT_NODISCARD HRT_API hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide,
+                                                        hrt_setup_residual* out_residual) HRT_NOEXCEPT;
+
 /** State of a recording. Set `struct_size` before the call. */
 typedef struct hrt_recording_status {
   uint32_t struct_size;
@@ -146,9 +169,10 @@ typedef struct hrt_replay_report {
   uint32_t reserved;
 } hrt_replay_report;
 
-/** Repeats the recorded calls and compares results, commands, summaries, angles and solutions: of the file
- * `path`, of at most 1 GiB; or, unless `text` is null, of a text, and `path` is not read. Errors: BAD_FORMAT
- * naming the line, or a version that is not supported; SYSTEM if the file cannot be read. [any-thread] */
+/** Repeats the recorded calls and compares results, commands, summaries, steps and results of set-ups: of the
+ * file `path`, of at most 1 GiB; or, unless `text` is null, of a text, and `path` is not read. Errors:
+ * BAD_FORMAT naming the line, or a version that is not supported; SYSTEM if the file cannot be read.
+ * [any-thread] */
 HRT_NODISCARD HRT_API hrt_result hrt_replay(const char* path, const char* text, uint64_t length,
                                             hrt_replay_report* out_report) HRT_NOEXCEPT;
 

@@ -65,7 +65,7 @@ hrt_result check_allocator(const hrt_host& next) {
   const bool reads_context = next.allocate != c_allocate;
   if (held == 0 || (same_functions && (!reads_context || next.context == lent.context))) return HRT_OK;
   return fail(HRT_ERROR_WRONG_STATE, "the library holds ", held,
-              " blocks of memory; destroy its sessions, calibrations, people and scenes first");
+              " blocks of memory; destroy its sessions, people and scenes first");
 }
 
 constexpr std::size_t plain = alignof(std::max_align_t);

@@ -1,6 +1,7 @@
 #include "haptic_retargeting/setup.h"
 
 #include "generated/fields.h"
+#include "haptic_retargeting/study.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/api/sessions.h"
 
@@ -40,4 +41,15 @@ hrt_result hrt_setup_finish(hrt_session session, hrt_setup_result* out_result) n
 
 hrt_result hrt_setup_cancel(hrt_session session) noexcept {
   return with_session("hrt_setup_cancel", session, [](RecordedSession& s) { return s.cancel_setup(); });
+}
+
+hrt_result hrt_setup_get_residual(hrt_session session, uint32_t slide,
+                                  hrt_setup_residual* out_residual) noexcept {
+  return with_session("hrt_setup_get_residual", session, [&](RecordedSession& s) -> hrt_result {
+    HRT_RETURN_IF_FAILED(check_output("out_residual", out_residual));
+    hrt_setup_residual known{};
+    HRT_RETURN_IF_FAILED(s.session().get_residual(slide, &known));
+    write_struct(known, out_residual);
+    return HRT_OK;
+  });
 }

@@ -4,7 +4,6 @@
 #include <bit>
 #include <iterator>
 
-#include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/row.h"
 #include "plugin/src/recording/setup_format.h"
 
@@ -59,16 +58,6 @@ void write(const TargetChanged& changed, hrt_result, RecordText& out) {
   if (changed.change != TargetChanged::Change::removed) {
     JsonText json;
     write_target(changed.config, json);
-    out << " " << json.view();
-  }
-  out << "\n";
-}
-
-void write(const CalibrationChanged& changed, hrt_result, RecordText& out) {
-  out << calibration_comment << (changed.added ? "added " : "destroyed ") << changed.number;
-  if (changed.added) {
-    JsonText json;
-    write_calibration_config(changed.config, json);
     out << " " << json.view();
   }
   out << "\n";
@@ -256,9 +245,8 @@ hrt_result FileColumns::read_row(std::string_view line, Record* out) const {
     return HRT_OK;
   }
   if (is_setup_call(cells[0])) return read_setup_call(cells, out);
-  if (is_calibration_call(cells[0])) return read_calibration_call(cells, out);
   return fail(HRT_ERROR_BAD_FORMAT, "the row's call is \"", Shown{cells[0]},
-              "\"; allowed: begin, update, retarget, cancel, end", calibration_calls);
+              "\"; allowed: begin, update, retarget, cancel, end, setup_update, setup_finish, setup_cancel");
 }
 
 bool FileColumns::is_same_row(std::string_view row, std::string_view written) const {
@@ -287,19 +275,6 @@ hrt_result read_target_changed(std::string_view rest, TargetChanged* out) {
   *out = {.change = static_cast<TargetChanged::Change>(known - verbs), .number = 0, .config = {}};
   HRT_RETURN_IF_FAILED(take_number("the target's number", next_word(), &out->number));
   return out->change == TargetChanged::Change::removed ? HRT_OK : read_target(rest, &out->config);
-}
-
-hrt_result read_calibration_changed(std::string_view rest, CalibrationChanged* out) {
-  const bool added = rest.starts_with("added ");
-  if (!added && !rest.starts_with("destroyed "))
-    return fail(HRT_ERROR_BAD_FORMAT, "the calibration is \"", Shown{rest}, "\"; allowed: added, destroyed");
-  rest.remove_prefix(rest.find(' ') + 1);
-  const std::string_view number = rest.substr(0, rest.find(' '));
-  *out = {.added = added, .number = 0, .config = {}};
-  HRT_RETURN_IF_FAILED(take_number("the calibration's number", number, &out->number));
-  if (!added) return HRT_OK;
-  rest.remove_prefix(std::min(number.size() + 1, rest.size()));
-  return read_calibration_config(rest, &out->config);
 }
 
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out) {

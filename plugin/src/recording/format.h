@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/reach/reach.h"
-#include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/reach.h"
 #include "haptic_retargeting/setup.h"
 #include "haptic_retargeting/target.h"
@@ -62,42 +61,6 @@ struct ReachEnded {
   hrt_reach_summary summary;  ///< only if the call succeeded
 };
 
-/// Calibrations have the numbers that the recording gives them, from 1.
-struct CalibrationChanged {
-  bool added;  ///< else destroyed
-  std::uint64_t number;
-  hrt_calibration_config config;  ///< not of a destroyed one
-};
-
-struct TrialBegun {
-  std::uint64_t number;
-  double plate_orientation_deg;
-};
-
-struct TrialSampled {
-  std::uint64_t number;
-  hrt_sample sample;
-};
-
-struct TrialEnded {
-  std::uint64_t number;
-};
-
-struct TrialCancelled {
-  std::uint64_t number;
-};
-
-struct AngleChosen {
-  std::uint64_t number;
-  double plate_orientation_deg;  ///< this and the next only if the call succeeded
-  std::uint32_t enough;
-};
-
-struct CalibrationSolved {
-  std::uint64_t number;
-  hrt_calibration_result result;  ///< only if the call succeeded
-};
-
 struct SetupBegun {
   std::uint32_t what;
   hrt_setup_config config;
@@ -125,8 +88,7 @@ struct Refused {
 struct Record {
   hrt_result result = HRT_OK;
   std::variant<ConfigSet, TargetChanged, PlateStands, ReachBegun, Updated, Retargeted, ReachCancelled,
-               ReachEnded, Refused, CalibrationChanged, TrialBegun, TrialSampled, TrialEnded, TrialCancelled,
-               AngleChosen, CalibrationSolved, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
+               ReachEnded, Refused, SetupBegun, SetupUpdated, SetupFinished, SetupCancelled>
       call;
 };
 
@@ -145,6 +107,7 @@ void write_record(const Record& record, RecordText& out);
 inline constexpr std::string_view config_comment = "# config ";
 inline constexpr std::string_view target_comment = "# target ";
 inline constexpr std::string_view plate_comment = "# plate ";
+/// Of 0.3: refused.
 inline constexpr std::string_view calibration_comment = "# calibration ";
 inline constexpr std::string_view setup_comment = "# setup ";
 inline constexpr std::string_view lost_comment = "# lost ";
@@ -170,11 +133,10 @@ class FileColumns {
       places_;  // of each column of the file, among ours; beyond the last: not one of ours
 };
 
-/// Reads the rest of a comment about a target, the plate or a calibration. Checked except for what depends on
+/// Reads the rest of a comment about a target, the plate or a set-up. Checked except for what depends on
 /// others.
 hrt_result read_target_changed(std::string_view rest, TargetChanged* out);
 hrt_result read_plate_stands(std::string_view rest, PlateStands* out);
 hrt_result read_setup_begun(std::string_view rest, SetupBegun* out);
-hrt_result read_calibration_changed(std::string_view rest, CalibrationChanged* out);
 
 }  // namespace hrt::plugin

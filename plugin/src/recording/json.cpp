@@ -16,7 +16,6 @@
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session_config.h"
 #include "plugin/src/session/session_setup.h"
-#include "plugin/src/session/streamed_calibration.h"
 #include "plugin/src/session/targets.h"
 
 namespace hrt::plugin {
@@ -250,10 +249,6 @@ void write_target(const hrt_target_config& target, JsonText& out) {
   write_object(read, out);
 }
 
-void write_calibration_config(const hrt_calibration_config& config, JsonText& out) {
-  write_object(config, out);
-}
-
 void write_setup_config(const hrt_setup_config& config, JsonText& out) {
   write_object(config, out);
 }
@@ -280,14 +275,6 @@ hrt_result read_target(std::string_view text, hrt_target_config* out) {
   HRT_RETURN_IF_FAILED(read_object("target", text, &target));
   HRT_RETURN_IF_FAILED(check_target_fields(&target));
   *out = target;
-  return HRT_OK;
-}
-
-hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out) {
-  hrt_calibration_config config = defaults<hrt_calibration_config>;
-  HRT_RETURN_IF_FAILED(read_object("calibration", text, &config));
-  HRT_RETURN_IF_FAILED(check_calibration_config(config));
-  *out = config;
   return HRT_OK;
 }
 

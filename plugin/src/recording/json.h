@@ -3,7 +3,6 @@
 
 #include <string_view>
 
-#include "haptic_retargeting/calibration.h"
 #include "haptic_retargeting/profile.h"
 #include "haptic_retargeting/session.h"
 #include "haptic_retargeting/setup.h"
@@ -24,14 +23,8 @@ void write_target(const hrt_target_config& target, JsonText& out);
 /// on the session.
 hrt_result read_target(std::string_view text, hrt_target_config* out);
 
-/// A calibration's configuration, in one line.
-void write_calibration_config(const hrt_calibration_config& config, JsonText& out);
-
-/// Reads what write_calibration_config() wrote, and no other field; those that are missing take their
+/// A set-up's configuration, in one line; and reads it, and no other field; those that are missing take their
 /// defaults. Checked.
-hrt_result read_calibration_config(std::string_view text, hrt_calibration_config* out);
-
-/// A set-up's configuration, likewise.
 void write_setup_config(const hrt_setup_config& config, JsonText& out);
 hrt_result read_setup_config(std::string_view text, hrt_setup_config* out);
 

@@ -34,24 +34,6 @@ class TargetRollback {
 
 }  // namespace
 
-RecordedSession::~RecordedSession() {
-  end_recording();
-}
-
-void RecordedSession::end_recording() {
-  if (!recorder_) return;
-  line_->close(recorder_->is_of_parent());
-  recorder_.reset();
-}
-
-std::unique_ptr<RecordedCalibration> RecordedSession::make_calibration(
-    const hrt_calibration_config& checked_config) {
-  auto made = std::make_unique<RecordedCalibration>(session_.config(), checked_config, trials_, line_,
-                                                    calibrations_ + 1);
-  ++calibrations_;
-  return made;
-}
-
 hrt_result RecordedSession::set_config(const hrt_session_config& checked_config) {
   HRT_RETURN_IF_FAILED(session_.set_config(checked_config));
   registration_logged_ = false;
@@ -201,7 +183,6 @@ std::uint32_t RecordedSession::state() const {
   return (session_.reaching()               ? HRT_STATE_REACHING
           : ready && !session_.setting_up() ? HRT_STATE_READY
                                             : 0) |
-         (trials_->load() > 0 ? HRT_STATE_CALIBRATING : 0) |
          (session_.setting_up() ? HRT_STATE_SETTING_UP : 0) | (recorder_ ? HRT_STATE_RECORDING : 0);
 }
 
@@ -213,12 +194,8 @@ hrt_result RecordedSession::start_recording(const char* path, std::uint64_t hand
   HRT_RETURN_IF_FAILED(File::create(path, &file));
   Text<128> name;
   name << "session " << handle << ", " << Shown{path};
-  auto recorder = std::make_unique<Recorder>(std::move(file), name.view(), session_.config(),
-                                             session_.targets, session_.plate_orientation_deg());
-  end_recording();  // of the parent
-  recorder_ = std::move(recorder);
-  calibrations_ = 0;
-  line_->open(recorder_.get());
+  recorder_ = std::make_unique<Recorder>(std::move(file), name.view(), session_.config(), session_.targets,
+                                         session_.plate_orientation_deg());
   return HRT_OK;
 }
 
@@ -230,7 +207,6 @@ hrt_result RecordedSession::check_recording() const {
 }
 
 RecorderStatus RecordedSession::stop_recording() {
-  line_->close(false);
   const RecorderStatus status = recorder_->stop();
   recorder_.reset();
   return status;

@@ -1,15 +1,12 @@
 // A session whose calls are recorded while a recording runs.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "plugin/src/recording/recorded_calibration.h"
 #include "plugin/src/recording/recorder.h"
-#include "plugin/src/recording/recording_line.h"
 #include "plugin/src/session/conditions.h"
 #include "plugin/src/session/session.h"
 
@@ -21,7 +18,6 @@ namespace hrt::plugin {
 class RecordedSession {
  public:
   explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
-  ~RecordedSession();
   RecordedSession(const RecordedSession&) = delete;
   RecordedSession& operator=(const RecordedSession&) = delete;
 
@@ -58,9 +54,6 @@ class RecordedSession {
   /// HRT_STATE_*.
   std::uint32_t state() const;
 
-  /// A calibration with the configuration that the session has now.
-  std::unique_ptr<RecordedCalibration> make_calibration(const hrt_calibration_config& checked_config);
-
   /// The log names the session by `handle`.
   hrt_result start_recording(const char* path, std::uint64_t handle);
   hrt_result check_recording() const;
@@ -73,19 +66,14 @@ class RecordedSession {
  private:
   template <class MakeRecord>
   void record(MakeRecord&& make_record) const {
-    line_->record(make_record);
+    if (recorder_) recorder_->push(make_record());
   }
   std::uint64_t number(hrt_target target) const;
   void record_target(TargetChanged::Change change, std::uint64_t id) const;
-  void end_recording();
 
   Session session_;
   bool failure_logged_ = false;
-  bool registration_logged_ = false;  // for this configuration
-  // How many trials of calibrations of this session are under way, for as long as any of them exists.
-  std::shared_ptr<std::atomic<int>> trials_ = std::make_shared<std::atomic<int>>(0);
-  std::shared_ptr<RecorderGate> line_ = std::make_shared<RecorderGate>();
-  std::uint64_t calibrations_ = 0;      // made in the recording that runs
+  bool registration_logged_ = false;    // for this configuration
   std::unique_ptr<Recorder> recorder_;  // null: nothing is recorded
 };
 

@@ -26,7 +26,6 @@ constexpr std::chrono::seconds seconds_between_reports{1};
 Recorder::Recorder(File file, std::string_view name, const hrt_session_config& config, const Targets& targets,
                    double plate_orientation_deg)
     : ring_(std::make_unique<Entry[]>(capacity)), file_(std::move(file)) {
-  for (std::size_t i = 0; i < capacity; ++i) ring_[i].turn.store(i, std::memory_order_relaxed);
   name_ << name;
   watch_forks();
   forks_ = forks();
@@ -48,35 +47,20 @@ Recorder::~Recorder() {
 }
 
 void Recorder::push(const Record& record) noexcept {
-  Entry* entry = is_of_parent() || overrun_.load() ? nullptr : claim();
-  if (!has_threads && !entry) {
-    drain();
-    entry = claim();
-  }
-  if (!entry) {
+  if (!has_threads && is_full()) drain();
+  if (is_of_parent() || overrun_.load() || is_full()) {
     overrun_.store(has_threads);
     lost_.fetch_add(1);
     lost_unnoted_.fetch_add(1);
     return;
   }
-  entry->record = record;
-  entry->lost_before = lost_unnoted_.exchange(0);
-  entry->turn.fetch_add(1, std::memory_order_release);
+  const std::uint64_t n = pushed_.load(std::memory_order_relaxed);
+  ring_[n % capacity] = {record, lost_unnoted_.exchange(0)};
+  pushed_.store(n + 1, std::memory_order_release);
 }
 
-// A free entry, which is the caller's until its turn advances; null if there is none.
-Recorder::Entry* Recorder::claim() {
-  std::uint64_t n = pushed_.load(std::memory_order_relaxed);
-  for (;;) {
-    Entry& entry = ring_[n % capacity];
-    const std::uint64_t turn = entry.turn.load(std::memory_order_acquire);
-    if (turn < n) return nullptr;  // it still holds the record of a lap before
-    if (turn > n) {
-      n = pushed_.load(std::memory_order_relaxed);
-    } else if (pushed_.compare_exchange_weak(n, n + 1, std::memory_order_relaxed)) {
-      return &entry;
-    }
-  }
+bool Recorder::is_full() const {
+  return pushed_.load(std::memory_order_relaxed) - taken_.load(std::memory_order_acquire) == capacity;
 }
 
 RecorderStatus Recorder::stop() {
@@ -124,14 +108,15 @@ void Recorder::write_all() {
 
 // Hands what the ring holds to the operating system.
 void Recorder::drain() {
-  for (;; ++taken_) {
-    if (pushed_.load() - taken_ <= capacity / 2) overrun_.store(false);
-    Entry& entry = ring_[taken_ % capacity];
-    if (entry.turn.load(std::memory_order_acquire) != taken_ + 1) return;
+  for (std::uint64_t n = taken_.load(std::memory_order_relaxed);;
+       taken_.store(++n, std::memory_order_release)) {
+    const std::uint64_t held = pushed_.load(std::memory_order_acquire) - n;
+    if (held <= capacity / 2) overrun_.store(false);
+    if (held == 0) return;
+    const Entry& entry = ring_[n % capacity];
     write_lost(entry.lost_before);
     write_record_of(entry.record);
     if (system_error_.load() == 0) written_.fetch_add(1);
-    entry.turn.store(taken_ + capacity, std::memory_order_release);
   }
 }
 

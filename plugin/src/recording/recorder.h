@@ -23,8 +23,8 @@ struct RecorderStatus {
   int system_error = 0;       ///< errno of the first failed write; 0: none
 };
 
-/// A file, and a thread that writes to it what a ring hands over. push() is real-time, and may be called from
-/// any threads at once until the recording ends; the other calls are one thread's.
+/// A file, and a thread that writes to it what a ring hands over. One thread at a time may be in a call;
+/// push() is real-time.
 class Recorder {
  public:
   /// Writes what the session is before anything happens. `name` names session and file in the log. Throws
@@ -48,9 +48,6 @@ class Recorder {
 
  private:
   struct Entry {
-    // Whose turn it is: n and it is free for the n-th record, n + 1 and it holds that one. (D. Vyukov's
-    // bounded queue.)
-    std::atomic<std::uint64_t> turn;
     Record record;
     std::uint64_t lost_before;  // records lost between the last entry and this one
   };
@@ -58,7 +55,7 @@ class Recorder {
 
   void write_all();
   void drain();
-  Entry* claim();
+  bool is_full() const;
   void write(std::string_view text);
   void write_record_of(const Record& record);
   void write_lost(std::uint64_t count);
@@ -67,8 +64,8 @@ class Recorder {
   void abandon();
 
   std::unique_ptr<Entry[]> ring_;
-  std::atomic<std::uint64_t> pushed_{0};  // places in the ring that were claimed
-  std::uint64_t taken_ = 0;               // of the thread that writes
+  std::atomic<std::uint64_t> pushed_{0};  // records, by the caller
+  std::atomic<std::uint64_t> taken_{0};   // of them, by the thread that writes
   std::atomic<std::uint64_t> lost_{0};
   std::atomic<std::uint64_t> written_{0};
   std::atomic<int> system_error_{0};

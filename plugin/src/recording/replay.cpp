@@ -9,10 +9,8 @@
 #include "generated/fields.h"
 #include "plugin/src/abi/checks.h"
 #include "plugin/src/abi/number.h"
-#include "plugin/src/recording/calibration_format.h"
 #include "plugin/src/recording/format.h"
 #include "plugin/src/recording/hash.h"
-#include "plugin/src/recording/replayed_calibrations.h"
 #include "plugin/src/session/session.h"
 
 namespace hrt::plugin {
@@ -94,7 +92,8 @@ class Replay {
     if (starts_with_and_drops(line, config_comment)) return take_config(line);
     if (starts_with_and_drops(line, target_comment)) return take_target(line);
     if (starts_with_and_drops(line, plate_comment)) return take_plate(line);
-    if (starts_with_and_drops(line, calibration_comment)) return take_calibration(line);
+    if (line.starts_with(calibration_comment))
+      return fail(HRT_ERROR_BAD_FORMAT, "a calibration by calls of version 0.3 is not replayed any more");
     if (starts_with_and_drops(line, setup_comment)) return take_setup(line);
     if (starts_with_and_drops(line, end_comment)) {
       take_end(line);
@@ -153,13 +152,6 @@ class Replay {
     return HRT_OK;
   }
 
-  hrt_result take_calibration(std::string_view rest) {
-    HRT_RETURN_IF_FAILED(check_session());
-    CalibrationChanged changed;
-    HRT_RETURN_IF_FAILED(read_calibration_changed(rest, &changed));
-    return calibrations_.change(session_->config(), changed);
-  }
-
   hrt_result take_setup(std::string_view rest) {
     HRT_RETURN_IF_FAILED(check_session());
     SetupBegun begun{};
@@ -172,31 +164,17 @@ class Replay {
     HRT_RETURN_IF_FAILED(check_session());
     Record record;
     HRT_RETURN_IF_FAILED(columns_.read_row(line, &record));
-    HRT_RETURN_IF_FAILED(rerun(&record));
+    std::visit([&](auto& call) { call_again(call, &record.result); }, record.call);
     ++report_.rows;
     RecordText again;
     write_record(record, again);
     const std::string_view row = again.view().substr(0, again.view().size() - 1);
-    if (report_.first_different_line == 0 && !columns_.is_same_row(without_former_values(line), row))
+    if (report_.first_different_line == 0 && !columns_.is_same_row(line, row))
       report_.first_different_line = line_number_;
     return HRT_OK;
   }
 
-  // Makes the record's call, and puts what came out of it in place of what was recorded. Fails if the call is
-  // of a calibration that is not there.
-  hrt_result rerun(Record* record) {
-    return std::visit(
-        [&](auto& call) -> hrt_result {
-          if constexpr (requires { calibrations_.rerun(call, &record->result); }) {
-            return calibrations_.rerun(call, &record->result);
-          } else {
-            call_again(call, &record->result);
-            return HRT_OK;
-          }
-        },
-        record->call);
-  }
-
+  // Each makes a call, and puts what came out of it in place of what was recorded.
   void call_again(ReachBegun& call, hrt_result* result) {
     *result = session_->begin({
         .struct_size = sizeof(hrt_reach_config),
@@ -234,7 +212,6 @@ class Replay {
   static void call_again(const ConfigSet&, hrt_result*) {}
   static void call_again(const TargetChanged&, hrt_result*) {}
   static void call_again(const PlateStands&, hrt_result*) {}
-  static void call_again(const CalibrationChanged&, hrt_result*) {}
   static void call_again(const SetupBegun&, hrt_result*) {}
 
   hrt_target target(std::uint64_t number) const {
@@ -250,7 +227,6 @@ class Replay {
   FileColumns columns_;
   std::optional<Session> session_;
   std::map<std::uint64_t, std::uint64_t> target_ids_;  // by their numbers in the recording; 0: removed
-  ReplayedCalibrations calibrations_;
   Hash hash_;
   hrt_replay_report report_{.struct_size = sizeof(hrt_replay_report),
                             .complete = 0,

@@ -244,7 +244,7 @@ hrt_result Session::update_setup(const hrt_sample& sample, hrt_setup_step* step)
 
 hrt_result Session::finish_setup(hrt_setup_result* result) {
   HRT_RETURN_IF_FAILED(check_setup());
-  HRT_RETURN_IF_FAILED(setup_->finish(&config_, result));
+  HRT_RETURN_IF_FAILED(setup_->finish(&config_, &residuals_, result));
   registration_doubted_ = false;
   *retargeter_ = Retargeter(to_core(config_));
   if (setup_->is_over()) setup_.reset();
@@ -254,6 +254,13 @@ hrt_result Session::finish_setup(hrt_setup_result* result) {
 hrt_result Session::cancel_setup() {
   HRT_RETURN_IF_FAILED(check_setup());
   setup_.reset();
+  return HRT_OK;
+}
+
+hrt_result Session::get_residual(std::uint32_t slide, hrt_setup_residual* out) const {
+  if (residuals_.empty()) return fail(HRT_ERROR_WRONG_STATE, "no set-up of this session has calibrated yet");
+  HRT_RETURN_IF_FAILED(check_range("slide", slide, 0u, static_cast<std::uint32_t>(residuals_.size()) - 1));
+  *out = residuals_[slide];
   return HRT_OK;
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "core/reach/reach.h"
 #include "haptic_retargeting/reach.h"
@@ -46,6 +48,7 @@ class Session {
   /// Not real-time, as begin_setup() and cancel_setup().
   hrt_result finish_setup(hrt_setup_result* result);
   hrt_result cancel_setup();
+  hrt_result get_residual(std::uint32_t slide, hrt_setup_residual* out) const;
   bool setting_up() const { return setup_ != nullptr; }
   /// A value of some command or summary was not finite (HRT_COMMAND_FAULT).
   bool has_failed() const { return failed_; }
@@ -69,9 +72,10 @@ class Session {
 
   hrt_session_config config_;
   const std::unique_ptr<Retargeter>
-      retargeter_;                       // apart, so that who calls a session is not built anew with it
-  std::unique_ptr<SessionSetup> setup_;  // null: none is under way
-  Pair pair_{};                          // as the targets were when the reach was given them
+      retargeter_;                             // apart, so that who calls a session is not built anew with it
+  std::unique_ptr<SessionSetup> setup_;        // null: none is under way
+  std::vector<hrt_setup_residual> residuals_;  // of the last calibration
+  Pair pair_{};                                // as the targets were when the reach was given them
   PlatePoint start_;
   Reach reach_{};
   bool reaching_ = false;

@@ -33,6 +33,7 @@ static_assert(static_cast<std::uint32_t>(Instruction::finish) == HRT_STEP_FINISH
               static_cast<std::uint32_t>(Instruction::slide) == HRT_STEP_SLIDE &&
               static_cast<std::uint32_t>(SetupProblem::undetermined) == HRT_PROBLEM_UNDETERMINED &&
               static_cast<std::uint32_t>(SetupProblem::left_plate) == HRT_PROBLEM_LEFT_PLATE);
+static_assert(static_cast<std::uint32_t>(SlideVerdict::along_ridges) == HRT_SLIDE_ALONG_RIDGES);
 static_assert(SetupConfig::max_marks == HRT_MARKS_MAX && 3 * HRT_MARKS_MAX == HRT_MARK_NUMBERS &&
               MarkTouches::max_touches >= 5 * HRT_MARKS_MAX);
 
@@ -109,6 +110,20 @@ void describe(const Calibration& calibration, hrt_setup_result* result) {
   result->tactile_weight = as_found(calibration.tactile_weight);
   result->bias_deg = as_found(calibration.bias_deg);
   result->max_gap_deg = as_found(calibration.max_gap_deg);
+}
+
+// Allocates nothing if `*residuals` has room.
+void write_residuals(const Calibration& calibration, std::vector<hrt_setup_residual>* residuals) {
+  for (const CalibratedSlide& slide : calibration.slides) {
+    const double seen_deg = settled_direction_deg(slide.parts_deg);
+    const double fitted_deg = settled_direction_deg(slide.fitted_deg);
+    residuals->push_back({.struct_size = sizeof(hrt_setup_residual),
+                          .verdict = static_cast<std::uint32_t>(slide.verdict),
+                          .plate_deg = slide.plate_deg,
+                          .direction_deg = seen_deg,
+                          .fitted_deg = fitted_deg,
+                          .residual_deg = seen_deg - fitted_deg});
+  }
 }
 
 // What the fit found, described and written into the configuration. False if it is nothing to be applied.
@@ -256,13 +271,21 @@ hrt_result SessionSetup::update(const hrt_session_config& session, const hrt_sam
   return HRT_OK;
 }
 
-hrt_result SessionSetup::finish(hrt_session_config* session, hrt_setup_result* out) {
+hrt_result SessionSetup::finish(hrt_session_config* session, std::vector<hrt_setup_residual>* residuals,
+                                hrt_setup_result* out) {
   const SetupStep step = setup_.step();
   if (!setup_.finish_is_due())
     return fail(HRT_ERROR_WRONG_STATE, step.done, " of ", step.of,
                 " are done; allowed once a step says HRT_STEP_FINISH");
   if (setup_.left() != 0) {
+    std::vector<hrt_setup_residual> slides;  // memory is taken before anything changes
+    if (setup_.part() & slide_parts_asked)
+      slides.reserve(static_cast<std::size_t>(setup_.config().max_slides));
     const SetupFit fit = finish_part(&setup_, registration_of(*session, touch_sd_m_));
+    if (fit.calibration) {
+      write_residuals(*fit.calibration, &slides);
+      residuals->swap(slides);
+    }
     if (fit.slides > 0) result_.slides = static_cast<std::uint32_t>(fit.slides);
     hrt_session_config next = *session;
     const ThreadError before = thread_error;

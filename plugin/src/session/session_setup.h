@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/setup/setup.h"
 #include "haptic_retargeting/setup.h"
+#include "haptic_retargeting/study.h"
 
 namespace hrt::plugin {
 
@@ -21,8 +23,9 @@ class SessionSetup {
 
   /// Real-time.
   hrt_result update(const hrt_session_config& session, const hrt_sample& sample, hrt_setup_step* out);
-  /// Fits and writes what is found into `*session`.
-  hrt_result finish(hrt_session_config* session, hrt_setup_result* out);
+  /// Fits and writes what is found into `*session`, and the slides of a calibration to `*residuals`.
+  hrt_result finish(hrt_session_config* session, std::vector<hrt_setup_residual>* residuals,
+                    hrt_setup_result* out);
   bool is_over() const { return setup_.left() == 0; }
 
  private:

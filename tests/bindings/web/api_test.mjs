@@ -134,9 +134,6 @@ test("what has been destroyed is refused, and writes into no other session", () 
   sample.finger_position_m[0] = 9;
   assert.equal(other.sample.time_ns, 0);
   assert.equal(other.sample.finger_position_m[0], 0);
-  const calibration = other.createCalibration();
-  calibration.destroy();
-  throws(() => calibration.addSample(), "HRT_ERROR_INVALID_HANDLE", "calibration has been destroyed");
   other.destroy();
 });
 
@@ -318,35 +315,13 @@ test("bad arguments are refused by name", () => {
   session.destroy();
 });
 
-// Marks of the plate, touched while it stands at (0.3, 0.75, -0.4), turned by 20 degrees to the left.
-const marks = [[0, 0, 0.05], [0.076, 0, 0.044], [0.076, 0, -0.044], [-0.076, 0, -0.044], [-0.076, 0, 0.044], [0, 0, 0.088]];
+// Where a mark is in the world, of a plate at (0.3, 0.75, -0.4), turned by 20 degrees to the left.
 const angle = 20 * Math.PI / 180, cos = Math.cos(angle), sin = Math.sin(angle);
-const touchOf = (mark_m) => ({ mark_m, touched_m: [0.3 + cos * mark_m[0] + sin * mark_m[2], 0.75, -0.4 - sin * mark_m[0] + cos * mark_m[2]] });
+const inWorld = ([x, y, z]) => [0.3 + cos * x + sin * z, 0.75 + y, -0.4 - sin * x + cos * z];
 
-test("touches of marks place the plate", () => {
-  const touches = marks.map(touchOf), fit = library.fitRegistration(touches);
-  const near = (values, expected) => values.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-9, `${values}`));
-  near(fit.plate_position_m, [0.3, 0.75, -0.4]);
-  near(fit.residuals_m, marks.map(() => 0));
-  touches[2].touched_m[0] += 0.03;
-  assert.equal(library.fitRegistration(touches).left_out, 2);
-  assert.equal(library.checkRegistration(fit, touchOf(marks[0])).holds, 1);
-  assert.equal(library.checkRegistration(fit, touches[2]).holds, 0);
-  const few = library.fitRegistration([]);
-  assert.deepEqual([few.verdict, few.residuals_m], [hrt.HRT_REGISTRATION_TOO_FEW, []]);
-  assert.ok(few.advice.length > 10);
-  assert.throws(() => library.fitRegistration([{ mark_m: [0, 0], touched_m: [0, 0, 0] }]), TypeError);
-
-  const { session } = newSession();
-  session.applyRegistration(fit, 5 * ms);
-  assert.equal(session.config.registration_time_ns, BigInt(5 * ms));
-  assert.equal(session.confirmRegistration(fit, touchOf(marks[1]), 6 * ms).holds, 1);
-  session.destroy();
-});
-
-// A joint 8 mm above the skin and 5 mm behind it, while the finger leans in several ways on one mark.
-test("the skin is placed by its offset from the joint", () => {
-  const offset_m = [0.001, -0.008, -0.005], mark = [0.3, 0.75, -0.4];
+// A joint 8 mm above the skin and 5 mm behind it; on the mark of the fingertip's part it leans otherwise at each touch.
+test("a set-up finds the skin and the plate in a loop of frames", () => {
+  const offset_m = [0.001, -0.008, -0.005], { session } = newSession();
   const turned = ([x, y, z, w], [a, b, c]) => {  // v + 2 w (q x v) + 2 q x (q x v)
     const t = [2 * (y * c - z * b), 2 * (z * a - x * c), 2 * (x * b - y * a)];
     return [a + w * t[0] + y * t[2] - z * t[1], b + w * t[1] + z * t[0] - x * t[2], c + w * t[2] + x * t[1] - y * t[0]];
@@ -356,68 +331,56 @@ test("the skin is placed by its offset from the joint", () => {
     q[axis] = Math.sin(half);
     return q;
   };
-  const joints = [about(0, 0), about(0, 40), about(0, -30), about(1, 50), about(1, -40), about(2, 35), about(2, -35)].map((rotation) =>
-    ({ rotation, position_m: turned(rotation, offset_m).map((part, i) => mark[i] - part) }));
-  const fingertip = library.fitFingertip(joints);
-  assert.equal(fingertip.known, 1);
-
-  const { session } = newSession(), { sample } = session;
-  const poseOf = ({ position_m: [x, y, z], rotation: [a, b, c, w] }) =>
-    ({ transform: { position: { x, y, z }, orientation: { x: a, y: b, z: c, w } } });
-  session.setFingertip(fingertip);
-  for (const joint of joints) {
-    const pose = poseOf(joint), { position, orientation } = pose.transform;
-    for (const same of [pose, { position, quaternion: orientation }]) {
-      session.setFinger(same, 1);
-      assert.equal(sample.flags, hrt.HRT_SAMPLE_WORLD_POSITION);
-      sample.finger_position_m.forEach((part, i) => assert.ok(Math.abs(part - mark[i]) < 1e-9, `${part}`));
-    }
+  const attitudes = [about(0, 0), about(0, 40), about(0, -30), about(1, 50), about(1, -40), about(2, 35)];
+  throws(() => session.updateSetup(), "HRT_ERROR_WRONG_STATE", "no set-up is under way");
+  session.beginSetup(hrt.HRT_SETUP_FINGERTIP | hrt.HRT_SETUP_REGISTRATION);
+  assert.equal(session.state, hrt.HRT_STATE_SETTING_UP);
+  throws(() => session.finishSetup(), "HRT_ERROR_WRONG_STATE", "HRT_STEP_FINISH");
+  let step = { place_m: [0, 0, 0], number: 0, done: 0 }, asked = "", since = 0, result = { left: 1 };
+  for (let frame = 0; result.left !== 0; ++frame) {
+    if (asked !== (asked = `${step.part} ${step.done}`)) since = frame;
+    const q = attitudes[step.part === hrt.HRT_SETUP_FINGERTIP ? step.number % attitudes.length : 0], away = turned(q, offset_m);
+    const [x, y, z] = inWorld(step.place_m).map((part, i) => part - away[i]), lifted = frame - since < 20 ? 0.05 : 0;
+    const position = { x, y: y + lifted, z }, orientation = { x: q[0], y: q[1], z: q[2], w: q[3] };
+    session.setFinger(frame % 2 ? { position, quaternion: orientation } : { transform: { position, orientation } }, 11 * frame);
+    step = session.updateSetup();
+    assert.ok(frame < 5000, step.text);
+    if (step.instruction === hrt.HRT_STEP_FINISH) result = session.finishSetup();
   }
-  assert.throws(() => session.setFinger({ x: 0, y: 0, z: 0 }, 2), /neither transform.orientation nor quaternion/);
-  throws(() => session.setFinger(poseOf({ position_m: [NaN, 0, 0], rotation: [0, 0, 0, 1] }), 2), "HRT_ERROR_OUT_OF_RANGE", "position_m");
-  throws(() => {
-    session.setFingertip(library.fitFingertip(joints.slice(0, 1)));
-    session.setFinger(poseOf(joints[0]), 2);
-  }, "HRT_ERROR_OUT_OF_RANGE", "known");
-  assert.throws(() => session.setFingertip({ offset_m: 3 }), TypeError);
-  session.setFinger(null, 2);
-  assert.equal(sample.flags, 0);
-  session.setFingertip(null);
-  session.setFinger(poseOf(joints[1]), 3);
-  assert.deepEqual([...sample.finger_position_m], joints[1].position_m);
+  assert.equal(result.done, hrt.HRT_SETUP_FINGERTIP | hrt.HRT_SETUP_REGISTRATION);
+  const near = (values, expected) => values.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-9, `${values}`));
+  near(session.config.fingertip_offset_m, offset_m);
+  near(session.config.plate_position_m, [0.3, 0.75, -0.4]);
+  session.setFinger({ x: 0, y: 0, z: 0 }, 0);
+  assert.equal(session.sample.flags, hrt.HRT_SAMPLE_WORLD_POSITION);
   session.destroy();
 });
 
-test("a calibration finds the simulated person's share of touch", () => {
-  const session = library.createSession(), person = library.createPerson(1, { tactile_weight: 0.2 });
+test("a set-up finds the simulated person's share of touch", () => {
+  const session = library.createSession(), person = library.createPerson(1, { tactile_weight: 0.2, tracker_noise_m: 0.0005 });
   const ahead = session.addTarget({ role: hrt.HRT_TARGET_VIRTUAL, direction_deg: 0 });
-  const calibration = session.createCalibration({ goal_direction_deg: 0 });
-  throws(() => calibration.solve(), "HRT_ERROR_INSUFFICIENT_DATA", "10");
-  for (let trial = 0; trial < 20; ++trial) {
-    const plate = [-60, -30, 0, 30, 60][trial % 5];
-    person.begin(session, ahead);
-    calibration.beginTrial(plate);
-    for (let i = 0; i < 220; ++i) {
-      person.move(calibration.sample, i * 11 * ms, plate);
-      calibration.addSample();
-    }
-    calibration.endTrial();
-  }
-  const result = calibration.solve();
-  assert.equal(result.tactile_weight.known, 1);
-  assert.ok(Math.abs(result.tactile_weight.value - 0.2) < 0.05, `${result.tactile_weight.value}`);
-  const { plateOrientationDeg, enough } = calibration.nextAngle();
-  assert.ok(Math.abs(plateOrientationDeg) <= 75 && typeof enough === "boolean");
-  assert.equal(calibration.residual(result.trials_used - 1).trial, 19);
-  throws(() => calibration.residual(20), "HRT_ERROR_OUT_OF_RANGE", "slide is 20");
-  const other = { ...result, tactile_weight: { ...result.tactile_weight, value: 0.3, lower: 0.29, upper: 0.31 } };
-  assert.equal(library.compareCalibrations(result, other).tactile_weight.value, 0.3 - result.tactile_weight.value);
   session.setConditions({ plate: "desk 1", tracker: "Ultraleap", time_s: 1767225600 });
-  session.applyCalibration(result);
+  session.beginSetup(hrt.HRT_SETUP_CALIBRATION, { max_slides: 60 });
+  person.begin(session, ahead);
+  let plate = 0, resting = false, result = { left: 1 };
+  for (let frame = 1; result.left !== 0; ++frame) {
+    person.move(session.sample, frame * 11_111_111, plate);
+    const step = session.updateSetup(), asked = step.instruction === hrt.HRT_STEP_REST_AT_START;
+    plate = step.plate_orientation_deg;
+    if (asked && !resting) person.begin(session, ahead);  // the next slide
+    resting = asked;
+    assert.ok(frame < 40_000, step.text);
+    if (step.instruction === hrt.HRT_STEP_FINISH) result = session.finishSetup();
+  }
+  assert.equal(result.done, hrt.HRT_SETUP_CALIBRATION);
+  assert.equal(result.tactile_weight.known, 1);
+  assert.ok(Math.abs(result.tactile_weight.value - 0.2) < 0.03, `${result.tactile_weight.value}`);
+  assert.equal(session.config.tactile_weight, result.tactile_weight.value);
   assert.deepEqual({ ...session.conditions }, { differing: 0, time_s: 1767225600n, plate: "desk 1", tracker: "Ultraleap" });
+  session.beginSetup();
+  session.cancelSetup();
   person.destroy();
   throws(() => person.begin(session, ahead), "HRT_ERROR_INVALID_HANDLE", "person");
-  calibration.destroy();
   session.destroy();
 });
 

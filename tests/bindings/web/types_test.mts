@@ -20,9 +20,7 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   session.sample.finger_position_m[0] = margin;
   session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 } } }, performance.now());
   session.setFinger(null, 1);
-  session.setFingertip(library.fitFingertip([{ position_m: [0, 0, 0], rotation: [0, 0, 0, 1] }]));
   session.setFinger({ transform: { position: { x: 0, y: 0, z: 0 }, orientation: { x: 0, y: 0, z: 0, w: 1 } } }, 1);
-  session.setFingertip(null);
   session.setPlate(new Float32Array(16));
   session.setPlate({ elements: [1] });
   session.update();
@@ -34,14 +32,10 @@ async function host(bytes: ArrayBuffer): Promise<number> {
   const report = library.replay(session.stopRecording());
   const same: boolean = report.hash === samples;
 
-  const calibration = session.createCalibration({ goal_direction_deg: 1 });
-  calibration.beginTrial(30);
-  calibration.sample.time_ns = 0;
-  calibration.addSample();
-  calibration.endTrial();
-  const result = calibration.solve();
-  const known: number = result.tactile_weight.known;
-  session.applyCalibration(result);
+  session.beginSetup(hrt.HRT_SETUP_ALL_MISSING, { max_slides: 40 });
+  const step = session.updateSetup();
+  if (step.instruction !== hrt.HRT_STEP_FINISH) session.cancelSetup();
+  const known: number = session.finishSetup().tactile_weight.known + step.text.length;
   session.loadProfile(session.profile);
   const names: string[] = library.loadScene(bytes, "desk").targets.map((target) => target.name);
 

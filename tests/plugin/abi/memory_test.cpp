@@ -8,9 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "core/paper_simulation/paper_slide.h"
 #include "tests/plugin/counting_allocator.h"
-#include "tests/plugin/fixture.h"
+#include "tests/plugin/guided_person.h"
 
 namespace hrt::test {
 namespace {
@@ -99,38 +98,56 @@ TEST(Memory, EveryRequestOfProfilesMayBeRefused) {
   ASSERT_OK(hrt_session_destroy(session));
 }
 
-TEST(Memory, EveryRequestOfACalibrationMayBeRefused) {
+// Of each part, begun with every request refused, and finished with every one of the first
+// fifty, and every 211th beyond.
+TEST(Memory, EveryRequestOfASetupMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
-  hrt_session session{};
-  ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
-  hrt_calibration_config calibration_config = hrt_calibration_config_init();
-  hrt_calibration calibration{};
-  refuse_each_request(allocator, [&] {
-    const hrt_result result = hrt_calibration_create(session, &calibration_config, &calibration);
-    if (result == HRT_OK) {
-      EXPECT_OK(hrt_calibration_destroy(calibration));
+  hrt_setup_config setup = hrt_setup_config_init();
+  setup.max_slides = 16;
+  for (const std::uint32_t part :
+       {HRT_SETUP_FINGERTIP, HRT_SETUP_REGISTRATION, HRT_SETUP_LATENCY, HRT_SETUP_CALIBRATION}) {
+    hrt_session session{};
+    ASSERT_OK(hrt_session_create(HRT_VERSION, &config, &session));
+    refuse_each_request(allocator, [&] {
+      const hrt_result result = hrt_setup_begin(session, part, &setup);
+      if (result == HRT_OK) {
+        EXPECT_OK(hrt_setup_cancel(session));
+      }
+      return result;
+    });
+    GuidedPerson person = quiet_person();
+    person.in_plate = part == HRT_SETUP_LATENCY || part == HRT_SETUP_CALIBRATION;
+    ASSERT_OK(hrt_setup_begin(session, part, &setup));
+    auto step = output<hrt_setup_step>();
+    for (int frame = 0; frame < 20'000 && step.instruction != HRT_STEP_FINISH; ++frame) {
+      const hrt_sample sample = person.follow(step);
+      if (part == HRT_SETUP_CALIBRATION && frame % 3 != 0) continue;  // at 30 Hz, as the fit takes time
+      ASSERT_OK(hrt_setup_update(session, &sample, &step));
     }
-    return result;
-  });
-  ASSERT_OK(hrt_calibration_create(session, &calibration_config, &calibration));
-  const long before_trials = allocator.requests;
-  for (std::uint32_t trial = 0; trial < 10; ++trial) {
-    const CalibrationTrial slide = simulate_calibration_trial({.tracker_rate_hz = 30.0}, 30.0 * (trial % 3),
-                                                              {.seed = 1, .condition = 0, .trial = trial});
-    ASSERT_OK(hrt_calibration_begin_trial(calibration, slide.plate_orientation_deg));
-    for (const TimedPoint& point : slide.samples) {
-      const hrt_sample sample = position_sample(point.time_ns, point.position.right_m, point.position.away_m);
-      ASSERT_OK(hrt_calibration_add_sample(calibration, &sample));
+    const long held = allocator.held;
+    auto result = output<hrt_setup_result>();
+    hrt_result finished = HRT_ERROR_OUT_OF_MEMORY;
+    long n = 0;
+    while (finished == HRT_ERROR_OUT_OF_MEMORY) {
+      n += n < 50 ? 1 : 211;
+      for (const bool fail_on : {true, false}) {
+        allocator.fail_on = fail_on;
+        allocator.requests = 0;
+        allocator.fail_at = n;
+        finished = hrt_setup_finish(session, &result);
+        allocator.fail_at = 0;
+        if (finished == HRT_OK) break;
+        ASSERT_EQ(finished, HRT_ERROR_OUT_OF_MEMORY) << "refusing request " << n << " of part " << part;
+        ASSERT_EQ(allocator.held, held) << "after refusing request " << n << " of part " << part;
+      }
     }
-    ASSERT_OK(hrt_calibration_end_trial(calibration, 1));
+    allocator.fail_on = false;
+    EXPECT_GT(n, 1);
+    EXPECT_EQ(result.done, part);
+    ASSERT_OK(hrt_session_destroy(session));
+    EXPECT_EQ(allocator.held, 0);
   }
-  EXPECT_EQ(allocator.requests, before_trials);
-  auto result = output<hrt_calibration_result>();
-  refuse_each_request(allocator, [&] { return hrt_calibration_solve(calibration, &result); });
-  ASSERT_OK(hrt_calibration_destroy(calibration));
-  ASSERT_OK(hrt_session_destroy(session));
-  EXPECT_EQ(allocator.held, 0);
 }
 
 TEST(Memory, EveryRequestOfRecordingsMayBeRefused) {
@@ -238,36 +255,7 @@ TEST(Memory, AnyBudgetOfARefusedSceneIsEnoughOrRefused) {
   }
 }
 
-TEST(Memory, EveryRequestOfTouchesMayBeRefused) {
-  CountingAllocator allocator;
-  const hrt_mark_touch touches[] = {{{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}},
-                                    {{0.0, 0.0, 0.05}, {1.0, 0.0, 0.05}},
-                                    {{0.075, 0.0, 0.0}, {1.075, 0.0, 0.0}},
-                                    {{-0.075, 0.0, 0.0}, {0.925, 0.0, 0.0}},
-                                    {{0.0, 0.0, -0.075}, {1.05, 0.0, -0.075}}};
-  auto registration = output<hrt_registration>();
-  refuse_each_request(allocator,
-                      [&] { return hrt_registration_fit(nullptr, touches, 5, 0, nullptr, &registration); });
-  EXPECT_EQ(registration.left_out, 4);
-  const hrt_joint_touch joints[] = {{{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0, 1.0}},
-                                    {{0.0, 0.0, 0.0}, {0.6, 0.0, 0.0, 0.8}},
-                                    {{0.0, 0.0, 0.0}, {0.0, 0.6, 0.0, 0.8}}};
-  auto fingertip = output<hrt_fingertip>();
-  refuse_each_request(allocator, [&] { return hrt_fingertip_fit(nullptr, joints, 3, &fingertip); });
-  std::vector<hrt_sample> carried;
-  for (int i = 0; i < 300; ++i) {
-    hrt_sample sample =
-        position_sample(10'000'000ll * i, 0.07 * std::cos(1e-4 * i * i), 0.07 * std::sin(1e-4 * i * i));
-    sample.flags |= HRT_SAMPLE_PLATE_ORIENTATION;
-    sample.plate_orientation_deg = 57.3e-4 * i * i;
-    carried.push_back(sample);
-  }
-  auto latency = output<hrt_latency>();
-  refuse_each_request(allocator, [&] { return hrt_latency_fit(carried.data(), carried.size(), &latency); });
-  EXPECT_EQ(allocator.held, 0);
-}
-
-TEST(Memory, EveryRequestOfARegistrationMayBeRefused) {
+TEST(Memory, EveryRequestOfASceneMayBeRefused) {
   CountingAllocator allocator;
   const hrt_session_config config = session_config();
   hrt_session session{};

@@ -399,6 +399,13 @@ TEST_F(RecordingTest, NamesOfFormerColumnsAreKnown) {
   EXPECT_NE(first_different_line(false), 0u);
 }
 
+// A rate and a delay of the steering, which 0.3 had in its configurations.
+TEST_F(RecordingTest, FormerFieldsOfAConfigurationAreIgnored) {
+  std::string text = recording();
+  text.insert(text.find("# config {") + 10, "\"steering_rate_per_s\":0,\"steering_delay_s\":0.05,");
+  EXPECT_EQ(replay(text).first_different_line, 0u);
+}
+
 TEST_F(RecordingTest, OpensAsATable) {
   std::istringstream rows(rows_of(recording()));
   std::string line;
@@ -456,6 +463,9 @@ TEST_F(RecordingTest, WhatIsNotARecordingIsRefusedByLine) {
   refused_after_config(row("begin", "reach_flags", "-1"), "reach_flags is \"-1\"");
   refused_after_config(row("begin", "refused_argument", "sample"),
                        "the refused argument is \"sample\", which \"begin\" does not have");
+  refused_after_config(row("calibration_solve", "", ""), "the row's call is \"calibration_solve\"");
+  refused_after_config("# calibration added 1 {\"max_trials\":20}",
+                       "a calibration by calls of version 0.3 is not replayed any more");
   refused_after_config("# plate ", "the plate's orientation is \"\"");
   refused_after_config("# plate nan", "the plate's orientation is NaN");
   refused_after_config("# plate 1 ", "the plate's orientation is \"1 \"");

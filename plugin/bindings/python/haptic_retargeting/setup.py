@@ -6,7 +6,7 @@ from ctypes import byref
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
-from ._abi import Sample, SetupConfig, SetupFlag, SetupResult, SetupStep, Step
+from ._abi import Sample, SetupConfig, SetupFlag, SetupResidual, SetupResult, SetupStep, Step
 from ._library import check, library, output
 
 if TYPE_CHECKING:
@@ -40,6 +40,10 @@ class SetUp:
             self.result = output(SetupResult, library().hrt_setup_finish, self._session)
             self.over = self.result.left == 0
         return step
+
+    def residual(self, slide: int) -> SetupResidual:
+        """A slide of the last calibration that was found, from 0: seen and fitted direction, and whether it was left out."""
+        return output(SetupResidual, library().hrt_setup_get_residual, self._session, slide)
 
     def cancel(self) -> None:
         """Ends it; what was found stays in the session's configuration."""
