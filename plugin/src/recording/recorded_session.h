@@ -18,6 +18,7 @@ namespace hrt::plugin {
 class RecordedSession {
  public:
   explicit RecordedSession(const hrt_session_config& checked_config) : session_(checked_config) {}
+  ~RecordedSession() = default;
   RecordedSession(const RecordedSession&) = delete;
   RecordedSession& operator=(const RecordedSession&) = delete;
 
