@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/calibrate/steering_delay.h"
 #include "core/math/exponential.h"
 #include "core/math/trigonometry.h"
-#include "core/person/steering_delay.h"
 
 namespace hrt {
 namespace {
