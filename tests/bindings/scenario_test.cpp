@@ -1,6 +1,8 @@
 // The scenario of all hosts through the C interface itself.
 #include "tests/bindings/scenario.h"
 
+#include <array>
+
 #include "haptic_retargeting/haptic_retargeting.h"
 #include "haptic_retargeting/init.h"
 #include "haptic_retargeting/setup.h"
@@ -120,7 +122,7 @@ class Caller {
     std::uint64_t length = 0;
     profile_.resize(10'000);
     const hrt_result result = hrt_profile_save(session_, profile_.size(), profile_.data(), &length);
-    profile_.resize(length);
+    profile_.resize(static_cast<std::size_t>(length));
     return result;
   }
 

@@ -147,8 +147,9 @@ void Recorder::write_lost(std::uint64_t count) {
 
 // A disk that is too slow stays so for a while: the log gets one line about many gaps.
 void Recorder::report_lost(std::chrono::seconds after) {
+  if (lost_unreported_ == 0) return;
   const auto now = std::chrono::steady_clock::now();
-  if (lost_unreported_ == 0 || now - reported_ < after) return;
+  if (now - reported_ < after) return;
   Text<128> line;
   line << "lost " << std::exchange(lost_unreported_, 0) << " calls: the disk is too slow";
   report(HRT_LOG_WARNING, line.view());
