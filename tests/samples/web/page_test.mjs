@@ -268,8 +268,8 @@ test("a scene whose meshes cannot be drawn is shown without them, and nothing is
                                   [changed(({ buffers }) => { buffers[0].uri = "data:application/octet-stream;base64,%%%"; }), /not drawn: .|^bad/],
                                   [changed(({ buffers }) => { buffers[0].uri = "https://127.0.0.1:9/desk.bin"; }), /another file, which the page does not load|^bad/]]) {
     await drop(page, "bad.gltf", content);
-    await page.waitForFunction((source) => [...document.querySelectorAll("#scene-about, #problem:not([hidden])")].some((place) => new RegExp(source).test(place.textContent)),
-                               words.source, { timeout: 5000, polling: 20 });
+    // Not waitForFunction(), which the page's policy forbids.
+    await page.locator("#scene-about, #problem:not([hidden])").filter({ hasText: words }).first().waitFor({ timeout: 5000 });
     await page.evaluate(() => { for (const id of ["problem", "scene-about"]) document.getElementById(id).textContent = ""; });
   }
 }));
