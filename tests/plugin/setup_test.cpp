@@ -19,6 +19,13 @@ hrt_setup_result cancelled_result() {
   return result;
 }
 
+// A belief about the user, with no deviation above 0.1.
+void know_person(hrt_session_config& config, double weight) {
+  config.person_mean[HRT_PERSON_WEIGHT] = weight;
+  config.person_mean[HRT_PERSON_GAIN] = 9.0;
+  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person_covariance[at] = 0.01;
+}
+
 class SetupTest : public RecordingTest {
  protected:
   void SetUp() override {
@@ -121,9 +128,7 @@ TEST_F(SetupTest, LeavesOutWhatIsThereOrCannotBeShown) {
   person.in_plate = true;
   hrt_session_config config = session_config();
   config.tracker_latency_ns = 1;
-  config.person_mean[HRT_PERSON_WEIGHT] = 0.2;
-  config.person_mean[HRT_PERSON_GAIN] = 9.0;
-  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) config.person_covariance[at] = 0.01;
+  know_person(config, 0.2);
   create(config);
   begin_setup(HRT_SETUP_ALL_MISSING);
   std::uint32_t state = 0;
@@ -250,9 +255,7 @@ TEST_F(SetupTest, RetestFindsAnotherPerson) {
 TEST_F(SetupTest, ACalibrationBecomesThePerson) {
   hrt_session_config before = session_config();
   before.motion_bound_deg = 30.0;
-  before.person_mean[HRT_PERSON_WEIGHT] = 0.5;
-  before.person_mean[HRT_PERSON_GAIN] = 9.0;
-  for (int i = 0, at = 0; i < HRT_PERSON_TRAITS; at += ++i + 1) before.person_covariance[at] = 0.01;
+  know_person(before, 0.5);
   create(before);
   auto residual = output<hrt_setup_residual>();
   expect_error(hrt_setup_get_residual(session, 0, &residual), HRT_ERROR_WRONG_STATE, "has calibrated yet");
