@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <utility>
 
@@ -105,7 +106,8 @@ void SetUp::lead(Stage& stage, XrTime* now, std::ostream* slides) {
     const hrt_setup_step step = update(stage, *now);
     if (asks_anew(asked_, step)) {
       if (slides != nullptr && step.done > asked_.done)
-        *slides << format("slide %3u  plate %6.1f deg\n", step.done, asked_.plate_orientation_deg)
+        *slides << format("slide %3u  plate %6.1f deg\n", step.done,
+                          std::remainder(asked_.plate_orientation_deg, 180.0))  // half turns feel the same
                 << std::flush;
       ask(stage, step);
       asked_ = step;
