@@ -1,6 +1,7 @@
 // XR_HRTX_mock_control and XR_KHR_convert_timespec_time.
 #include "samples/mock_runtime/abi/two_call.h"
 #include "samples/mock_runtime/api/session.h"
+#include "samples/mock_runtime/script/parts.h"
 
 namespace hrt::mock {
 
@@ -25,6 +26,36 @@ void advance_time(XrInstance handle, XrDuration duration) {
           "the clock is the real-time one");
   instance.clock.advance_to(instance.clock.now() + duration);
   fire_due_events();
+}
+
+std::string obey(Session& session, const std::string& line) {
+  static constexpr std::array states{"UNKNOWN", "IDLE",     "READY",        "SYNCHRONIZED", "VISIBLE",
+                                     "FOCUSED", "STOPPING", "LOSS_PENDING", "EXITING"};
+  static_assert(XR_SESSION_STATE_EXITING + 1 == states.size());
+  Json reply;
+  try {
+    const Json command = Json::parse(line);
+    Members members(command, "control");
+    const auto what = members.has("do") ? std::optional(read_happening(members)) : std::nullopt;
+    const auto fault = members.has("function") ? std::optional(read_call(members)) : std::nullopt;
+    const XrDuration advance_ns = members.nanoseconds("advance_ms", 0.0);
+    members.finish();
+    if (what) session.happen(*what);
+    // The application may have located what it draws in this frame before.
+    if (what && std::holds_alternative<TakePicture>(*what)) session.picture_from = session.frame_number + 1;
+    if (fault) runtime().faults.add(*fault);
+    if (advance_ns > 0) advance_time(handle_of<XrInstance>(session.instance()), advance_ns);
+  } catch (const Error& error) {
+    reply["error"] = error.why;
+  } catch (const Json::exception& error) {
+    reply["error"] = std::string("control: ") + error.what();
+  }
+  const XrTime now = session.instance().clock.now();
+  reply["time_ns"] = now;
+  reply["frame"] = session.frame_number;
+  reply["state"] = states.at(static_cast<std::size_t>(session.state()));
+  if (!session.player) reply["plate_deg"] = session.world().plate_orientation_deg(now);
+  return reply.dump(-1, ' ', true, Json::error_handler_t::replace);
 }
 
 void get_call_log(XrInstance handle, std::uint32_t capacity, std::uint32_t* count,

@@ -2,6 +2,7 @@
 #include "samples/mock_runtime/api/session.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iterator>
 
 namespace hrt::mock {
@@ -20,6 +21,27 @@ Session::Session(Instance* instance, const Script& script, std::shared_ptr<Graph
     if (const auto& controller = world_.controller_settings(hand); !controller.profile.empty())
       happen(
           DeviceEvent{hand == XR_HAND_LEFT_EXT ? "/user/hand/left" : "/user/hand/right", controller.profile});
+  open_to_outside(script);
+}
+
+void Session::open_to_outside(const Script& script) {
+  if (script.world.plate && !script.world.plate->terminal.empty())
+    plate_.emplace(script.world.plate->terminal, script.world.servo, created_);
+  if (const char* path = std::getenv("HRT_MOCK_CONTROL"); path != nullptr) control_.emplace(path);
+  // Who destroys the session waits for the thread and holds the lock.
+  if (plate_ || control_)
+    ticker_.emplace([this] {
+      if (const std::unique_lock lock(runtime().mutex, std::try_to_lock); lock) serve_outside();
+    });
+}
+
+void Session::serve_outside() {
+  if (plate_) {
+    const XrTime now = instance().clock.now();
+    if (const auto sent_deg = plate_->run_until(now, world().plate_orientation_deg(now)))
+      world().command_plate(*sent_deg);
+  }
+  if (control_) control_->serve([this](const std::string& line) { return obey(*this, line); });
 }
 
 World& Session::world() {
@@ -74,7 +96,7 @@ void Session::fire_due_events() {
   std::vector<ScriptEvent> due;
   std::copy_if(events_.begin(), events_.end(), std::back_inserter(due), is_due);
   std::erase_if(events_, is_due);
-  for (const ScriptEvent& event : due) happen(event);
+  for (const ScriptEvent& event : due) happen(event.what);
 }
 
 void fire_due_events() {
@@ -83,27 +105,30 @@ void fire_due_events() {
     session->fire_due_events();
 }
 
-void Session::happen(const ScriptEvent& event) {
-  if (const auto* state = std::get_if<StateEvent>(&event.what)) {
+void Session::happen(const Happening& what) {
+  if (const auto* state = std::get_if<StateEvent>(&what)) {
     // The user ends the application: after xrEndSession it is not to begin again.
     const bool ends = state->state == XR_SESSION_STATE_EXITING;
     exit_requested = exit_requested || (ends && running);
     go_to(ends ? XR_SESSION_STATE_STOPPING : state->state);
   }
-  if (std::holds_alternative<TakePicture>(event.what)) picture_from = std::max<std::int64_t>(1, frame_number);
-  if (const auto* recenter = std::get_if<Recenter>(&event.what)) happen(*recenter);
-  if (const auto* device = std::get_if<DeviceEvent>(&event.what)) happen(*device);
-  if (const auto* input_event = std::get_if<InputEvent>(&event.what))
+  if (std::holds_alternative<TakePicture>(what)) picture_from = std::max<std::int64_t>(1, frame_number);
+  if (const auto* recenter = std::get_if<Recenter>(&what)) happen(*recenter);
+  if (const auto* device = std::get_if<DeviceEvent>(&what)) happen(*device);
+  if (const auto* input_event = std::get_if<InputEvent>(&what))
     for (const auto& [source, value] : input_event->values)
       input.devices[input_event->device].values[source] = value;
-  if (std::holds_alternative<RepeatState>(event.what)) report_state();
-  if (std::holds_alternative<LoseSession>(event.what)) lost = XR_ERROR_SESSION_LOST;
-  if (std::holds_alternative<LoseInstance>(event.what)) instance().lost = XR_ERROR_INSTANCE_LOST;
-  if (std::holds_alternative<InstanceLossPending>(event.what))
+  if (std::holds_alternative<RepeatState>(what)) report_state();
+  if (std::holds_alternative<LoseSession>(what)) lost = XR_ERROR_SESSION_LOST;
+  if (std::holds_alternative<LoseInstance>(what)) instance().lost = XR_ERROR_INSTANCE_LOST;
+  if (std::holds_alternative<InstanceLossPending>(what))
     instance().push_event(XrEventDataInstanceLossPending{XR_TYPE_EVENT_DATA_INSTANCE_LOSS_PENDING, nullptr,
                                                          instance().clock.now()});
-  if (const auto* head = std::get_if<HeadEvent>(&event.what)) world().lose_head(head->lost);
-  if (const auto* hand = std::get_if<HandEvent>(&event.what)) happen(*hand);
+  if (const auto* head = std::get_if<HeadEvent>(&what)) world().lose_head(head->lost);
+  if (const auto* hand = std::get_if<HandEvent>(&what)) happen(*hand);
+  if (const auto* put = std::get_if<Put>(&what))
+    put->hand ? world().put_hand(*put->hand, put->pose) : world().put_head(put->pose);
+  if (std::holds_alternative<UnplugPlate>(what) && plate_) plate_->unplug();
   runtime().frame_begun.notify_all();
 }
 

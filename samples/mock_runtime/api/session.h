@@ -6,6 +6,9 @@
 
 #include "samples/mock_runtime/api/input.h"
 #include "samples/mock_runtime/graphics/device.h"
+#include "samples/mock_runtime/live/line_socket.h"
+#include "samples/mock_runtime/live/plate_terminal.h"
+#include "samples/mock_runtime/live/ticker.h"
 #include "samples/mock_runtime/playback/player.h"
 #include "samples/mock_runtime/world/world.h"
 
@@ -43,6 +46,7 @@ class Session : public Object {
 
   /// Runs the events of the script that are due in this session.
   void fire_due_events();
+  void happen(const Happening& what);
 
   const std::shared_ptr<GraphicsDevice> graphics;  ///< null: headless
   bool running = false;
@@ -54,10 +58,11 @@ class Session : public Object {
   std::optional<Player> player;  ///< of a script that plays a recording back
 
  private:
-  void happen(const ScriptEvent& event);
   void happen(const Recenter& recenter);
   void happen(const DeviceEvent& event);
   void happen(const HandEvent& event);
+  void open_to_outside(const Script& script);
+  void serve_outside();
   void report_state();
   void play_due_events();
 
@@ -65,7 +70,13 @@ class Session : public Object {
   XrTime created_;
   std::vector<ScriptEvent> events_;  // still to come
   World world_;
+  std::optional<PlateTerminal> plate_;
+  std::optional<LineSocket> control_;
+  std::optional<Ticker> ticker_;  // serves both
 };
+
+/// Does what a line of HRT_MOCK_CONTROL says. Returns the reply, a JSON object.
+std::string obey(Session& session, const std::string& line);
 
 /// What the session draws with; null: nothing. Throws an Error for a binding that cannot be used.
 std::shared_ptr<GraphicsDevice> device_of_session(const Instance& instance, const XrSessionCreateInfo& info);

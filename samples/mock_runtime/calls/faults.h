@@ -37,9 +37,11 @@ class Faults {
  public:
   Faults() = default;
   explicit Faults(const std::vector<CallFault>& faults) {
-    for (const CallFault& fault : faults) faults_.push_back({fault, 0});
+    for (const CallFault& fault : faults) add(fault);
   }
 
+  /// Counts its calls from now on.
+  void add(const CallFault& fault) { faults_.push_back({fault, 0}); }
   /// Counts a call that is made within `now`; returns its fault, if any.
   std::optional<CallFault> next(FunctionId function, const Scope& now);
   bool empty() const { return faults_.empty(); }

@@ -26,27 +26,40 @@ PlateDynamics read_servo(Members& members) {
   return settings;
 }
 
-namespace {
+PlateSettings read_plate(Members& members) {
+  PlateSettings plate{{turn(members.number("yaw_deg", 0.0, -180.0, 180.0), Eigen::Vector3d::UnitY()),
+                       members.vector("position_m", 100.0)},
+                      members.number("radius_m", 0.15, 0.001, 10.0),
+                      {}};
+  if (members.has("terminal")) {
+    const Json& path = members.at("terminal");
+    if (!path.is_string() || path.get<std::string>().empty())
+      refuse(members.where("terminal"), "must be a path, such as \"/tmp/plate\"");
+    plate.terminal = path.get<std::string>();
+  }
+  return plate;
+}
 
-Keyframe read_keyframe(Members& members, const Eigen::Quaterniond& orientation) {
-  const Eigen::Vector3d position_m = members.vector("position_m", 100.0);
-  Keyframe keyframe{members.nanoseconds("time_ms", 0.0), {orientation, position_m}};
+Pose read_pose(Members& members, const Eigen::Quaterniond& otherwise) {
+  Pose pose{otherwise, members.vector("position_m", 100.0)};
   if (members.has("orientation")) {
     const std::vector<double> q = members.numbers("orientation", 4, -1.0, 1.0);
-    keyframe.pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
-    if (std::abs(keyframe.pose.orientation.norm() - 1.0) > 0.01)
+    pose.orientation = Eigen::Quaterniond(q[3], q[0], q[1], q[2]);
+    if (std::abs(pose.orientation.norm() - 1.0) > 0.01)
       refuse(members.where("orientation"), "must be a quaternion x, y, z, w of unit length");
-    keyframe.pose.orientation.normalize();
+    pose.orientation.normalize();
   }
-  return keyframe;
+  return pose;
 }
+
+namespace {
 
 // `further(point)` reads what else a keyframe has.
 template <typename Further>
 void read_path(Members& members, const Eigen::Quaterniond& orientation, std::vector<Keyframe>& path,
                Further further) {
   members.each("path", [&](Members& point) {
-    path.push_back(read_keyframe(point, orientation));
+    path.push_back({point.nanoseconds("time_ms", 0.0), read_pose(point, orientation)});
     if (path.size() > 1 && path.back().time_ns <= path[path.size() - 2].time_ns)
       refuse(point.where("time_ms"), "must be later than the keyframe before");
     further(point);

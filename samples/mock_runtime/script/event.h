@@ -3,6 +3,7 @@
 
 #include <openxr/openxr.h>
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -50,15 +51,25 @@ struct LoseSession {};
 struct LoseInstance {};
 struct InstanceLossPending {};
 
+/// A hand, or the head, is put somewhere.
+struct Put {
+  std::optional<XrHandEXT> hand;  ///< none: the head
+  Pose pose;                      ///< in LOCAL
+};
+/// The cable of the plate's terminal is pulled out.
+struct UnplugPlate {};
+
+using Happening =
+    std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, Put, UnplugPlate,
+                 TakePicture, RepeatState, LoseSession, LoseInstance, InstanceLossPending>;
+
 /// An event in a session.
 struct ScriptEvent {
   Scope scope;
   std::int64_t frame;    ///< at the xrWaitFrame of this number, from 1; 0: at time_ns
   std::int64_t time_ns;  ///< after the session was created
   std::uint64_t reach;   ///< at the end of this reach of the session, from 1; 0: at frame or time_ns
-  std::variant<HandEvent, HeadEvent, StateEvent, Recenter, DeviceEvent, InputEvent, TakePicture, RepeatState,
-               LoseSession, LoseInstance, InstanceLossPending>
-      what;
+  Happening what;
 };
 
 }  // namespace hrt::mock

@@ -2,6 +2,7 @@
 #include "samples/mock_runtime/calls/call_log.h"
 #include "samples/mock_runtime/input/paths.h"
 #include "samples/mock_runtime/script/parts.h"
+#include "samples/mock_runtime/world/world.h"
 
 namespace hrt::mock {
 
@@ -53,22 +54,35 @@ InputEvent read_input(Members& members) {
   return input;
 }
 
-const Names<decltype(ScriptEvent::what)>& event_kinds() {
-  static const Names<decltype(ScriptEvent::what)> kinds{
-      {"lose_tracking", HandEvent{HandFault::lose_tracking}},
-      {"regain_tracking", HandEvent{HandFault::regain_tracking}},
-      {"freeze", HandEvent{HandFault::freeze}},
-      {"unfreeze", HandEvent{HandFault::unfreeze}},
-      {"jump", HandEvent{HandFault::jump}},
-      {"session_state", StateEvent{}},
-      {"recenter", Recenter{}},
-      {"interaction_profile", DeviceEvent{}},
-      {"input", InputEvent{}},
-      {"take_picture", TakePicture{}},
-      {"repeat_session_state", RepeatState{}},
-      {"lose_session", LoseSession{}},
-      {"lose_instance", LoseInstance{}},
-      {"instance_loss_pending", InstanceLossPending{}}};
+Names<XrHandEXT> hands() {
+  return {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}};
+}
+
+Put read_put(Members& members) {
+  if (members.has("of")) {
+    members.choice<int>("of", {{"head", 0}});
+    return {std::nullopt, read_pose(members, Eigen::Quaterniond::Identity())};
+  }
+  return {members.choice<XrHandEXT>("hand", hands()), read_pose(members, resting_hand_orientation())};
+}
+
+const Names<Happening>& event_kinds() {
+  static const Names<Happening> kinds{{"lose_tracking", HandEvent{HandFault::lose_tracking}},
+                                      {"regain_tracking", HandEvent{HandFault::regain_tracking}},
+                                      {"freeze", HandEvent{HandFault::freeze}},
+                                      {"unfreeze", HandEvent{HandFault::unfreeze}},
+                                      {"jump", HandEvent{HandFault::jump}},
+                                      {"session_state", StateEvent{}},
+                                      {"recenter", Recenter{}},
+                                      {"interaction_profile", DeviceEvent{}},
+                                      {"input", InputEvent{}},
+                                      {"put", Put{}},
+                                      {"unplug_plate", UnplugPlate{}},
+                                      {"take_picture", TakePicture{}},
+                                      {"repeat_session_state", RepeatState{}},
+                                      {"lose_session", LoseSession{}},
+                                      {"lose_instance", LoseInstance{}},
+                                      {"instance_loss_pending", InstanceLossPending{}}};
   return kinds;
 }
 
@@ -83,30 +97,33 @@ ScriptEvent read_event(Members& members) {
   event.frame = static_cast<std::int64_t>(members.count("frame", 0, 1));
   event.time_ns = members.nanoseconds("time_ms", 0.0);
   event.reach = members.count("reach", 0, 1);
-  event.what = members.choice("do", event_kinds());
-  if (auto* state = std::get_if<StateEvent>(&event.what))
+  event.what = read_happening(members);
+  return event;
+}
+
+Happening read_happening(Members& members) {
+  Happening what = members.choice("do", event_kinds());
+  if (auto* state = std::get_if<StateEvent>(&what))
     state->state = members.choice<XrSessionState>("state", {{"SYNCHRONIZED", XR_SESSION_STATE_SYNCHRONIZED},
                                                             {"VISIBLE", XR_SESSION_STATE_VISIBLE},
                                                             {"FOCUSED", XR_SESSION_STATE_FOCUSED},
                                                             {"STOPPING", XR_SESSION_STATE_STOPPING},
                                                             {"EXITING", XR_SESSION_STATE_EXITING},
                                                             {"LOSS_PENDING", XR_SESSION_STATE_LOSS_PENDING}});
-  if (auto* device = std::get_if<DeviceEvent>(&event.what))
-    *device = {read_device(members), read_profile(members)};
-  if (auto* input = std::get_if<InputEvent>(&event.what)) *input = read_input(members);
-  if (auto* recenter = std::get_if<Recenter>(&event.what)) *recenter = read_recenter(members);
-  if (auto* hand = std::get_if<HandEvent>(&event.what)) {
-    const bool lost = hand->fault == HandFault::lose_tracking;
-    if (members.has("of") && (lost || hand->fault == HandFault::regain_tracking)) {
-      members.choice<int>("of", {{"head", 0}});
-      event.what = HeadEvent{lost};
-      return event;
-    }
-    hand->hand =
-        members.choice<XrHandEXT>("hand", {{"left", XR_HAND_LEFT_EXT}, {"right", XR_HAND_RIGHT_EXT}});
-    if (hand->fault == HandFault::jump) hand->jump_m = members.vector("by_mm", 1e5) * 1e-3;
+  if (auto* device = std::get_if<DeviceEvent>(&what)) *device = {read_device(members), read_profile(members)};
+  if (auto* input = std::get_if<InputEvent>(&what)) *input = read_input(members);
+  if (auto* recenter = std::get_if<Recenter>(&what)) *recenter = read_recenter(members);
+  if (auto* put = std::get_if<Put>(&what)) *put = read_put(members);
+  auto* hand = std::get_if<HandEvent>(&what);
+  if (hand == nullptr) return what;
+  const bool lost = hand->fault == HandFault::lose_tracking;
+  if (members.has("of") && (lost || hand->fault == HandFault::regain_tracking)) {
+    members.choice<int>("of", {{"head", 0}});
+    return HeadEvent{lost};
   }
-  return event;
+  hand->hand = members.choice<XrHandEXT>("hand", hands());
+  if (hand->fault == HandFault::jump) hand->jump_m = members.vector("by_mm", 1e5) * 1e-3;
+  return what;
 }
 
 CallFault read_call(Members& members) {

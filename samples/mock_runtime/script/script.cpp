@@ -113,6 +113,10 @@ Script parse_script(std::string_view text) {
   }
   members.object("tracker", [&](Members& tracker) { script.world.tracker = read_tracker(tracker); });
   members.object("servo", [&](Members& servo) { script.world.servo = read_servo(servo); });
+  members.object("plate", [&](Members& plate) { script.world.plate = read_plate(plate); });
+  if (script.world.plate && !script.world.plate->terminal.empty() && script.clock != Clock::Kind::real_time)
+    refuse(members.where("plate") + ".terminal",
+           "needs \"clock\": \"real-time\": who opens it waits in real time");
   members.object("hands", [&](Members& hands) {
     hands.object("left", [&](Members& hand) { read_hand(hand, script.world.hands[0]); });
     hands.object("right", [&](Members& hand) { read_hand(hand, script.world.hands[1]); });

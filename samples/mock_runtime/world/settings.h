@@ -53,11 +53,19 @@ struct ControllerSettings {
   std::vector<Keyframe> path;  ///< of the grip, in LOCAL; empty: before the user
 };
 
+/// A plate that stands before the session begins.
+struct PlateSettings {
+  Pose pose;  ///< in LOCAL; its +Y is the normal, its -Z the mid-line
+  double radius_m;
+  std::string terminal;  ///< path of the pseudo-terminal that turns it; empty: none
+};
+
 struct WorldSettings {
   std::uint64_t seed = 1;
   std::vector<PersonSettings> participants = {{}};  ///< reach n is by entry n modulo their count
   TrackerSettings tracker;
   PlateDynamics servo;
+  std::optional<PlateSettings> plate;
   std::array<HandSettings, 2> hands = {{{}, {.tracked = true}}};  ///< left, right
   std::array<ControllerSettings, 2> controllers;                  ///< left, right
   std::vector<Keyframe> head;                                     ///< in LOCAL; empty: at its origin

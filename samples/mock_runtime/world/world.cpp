@@ -40,6 +40,10 @@ World::World(const WorldSettings& settings, XrTime start)
   servo_.advance(start);
   for (const XrHandEXT side : {XR_HAND_LEFT_EXT, XR_HAND_RIGHT_EXT})
     at(side).tracked = settings_of(side).tracked;
+  if (settings_.plate)
+    place_plate(
+        {settings_.plate->pose.orientation, local_space_in_world() * settings_.plate->pose.position_m},
+        settings_.plate->radius_m);
 }
 
 void World::place_plate(const Pose& plate, double radius_m) {
@@ -75,6 +79,15 @@ Eigen::Vector3d World::true_index_tip_m(XrHandEXT side) const {
 
 void World::freeze(XrHandEXT side, bool frozen) {
   at(side).frozen_at = frozen ? std::optional(now_) : std::nullopt;
+}
+
+void World::put_hand(XrHandEXT side, const Pose& pose) {
+  HandSettings& settings = settings_.hands[side == XR_HAND_LEFT_EXT ? 0 : 1];
+  settings.slides.reset();
+  settings.path = {{now_ - start_, pose}};
+  settings.fingers = {{now_ - start_, {}}};
+  at(side).reach.reset();
+  at(side).tracked = true;
 }
 
 void World::advance(XrTime now) {

@@ -59,6 +59,10 @@ class World {
   void freeze(XrHandEXT hand, bool frozen);
   void jump(XrHandEXT hand, const Eigen::Vector3d& by_m) { at(hand).jump_m += by_m; }
 
+  /// The index fingertip, with the wrist's axes, or the head stands there from now on; in LOCAL.
+  void put_hand(XrHandEXT hand, const Pose& pose);
+  void put_head(const Pose& pose) { settings_.head = {{now_ - start_, pose}}; }
+
   /// The headset loses track of the room: it stays where it was for the application, and what it sees is
   /// known from there alone.
   void lose_head(bool lost) {

@@ -1,0 +1,112 @@
+// A plate that any program turns by its pseudo-terminal, as it would turn a real one.
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "haptic_retargeting/plate.h"
+#include "tests/samples/mock_runtime/support.h"
+#include "tests/samples/process.h"
+#include "tests/samples/text.h"
+
+namespace hrt::mock {
+namespace {
+
+constexpr hrt_plate_report empty_report{.struct_size = sizeof(hrt_plate_report)};
+
+class MockPlateTerminal : public MockRuntime {
+ protected:
+  void TearDown() override {
+    hrt_plate_close(plate_);
+    MockRuntime::TearDown();
+  }
+
+  std::string terminal() const { return folder_ / "plate"; }
+  // A plate 40 cm below and 35 cm before the eyes, turned by `plate`, over which a finger slides straight
+  // ahead.
+  std::string script(const std::string& more = {}) const {
+    return R"({"clock": "real-time", "servo": {"speed_deg_per_s": 400, "latency_ms": 20},
+      "plate": {"position_m": [0, -0.4, -0.35], "terminal": ")" +
+           terminal() + R"("},
+      "participants": [{"tactile_weight": 0.3, "illusion": "linear", "noise_deg2_per_s": 0, "habit_deg": 0, "duration_ms": 1000,
+                        "reaction_ms": 0, "start_direction_deg": 0}],
+      "hands": {"right": {"slides": {"start_m": [0, 0.008, 0.05], "direction_deg": 0}}})" +
+           more + "}";
+  }
+  void open() {
+    ASSERT_EQ(hrt_plate_open(("serial:" + terminal()).c_str(), nullptr, &plate_), HRT_OK)
+        << hrt_plate_last_error();
+    ASSERT_TRUE(eventually([&] { return report().state == HRT_PLATE_STATE_READY; })) << report().message;
+  }
+  hrt_plate_report report() {
+    hrt_plate_report now = empty_report;
+    EXPECT_EQ(hrt_plate_get(plate_, &now), HRT_OK);
+    return now;
+  }
+  double true_orientation_deg() {
+    double orientation_deg = 0.0;
+    EXPECT_XR(XR_SUCCESS, functions->get_plate_orientation(session, 1, &orientation_deg));
+    return orientation_deg;
+  }
+  template <typename Condition>
+  static bool eventually(Condition condition) {
+    for (int tries = 0; tries < 4000; ++tries, std::this_thread::sleep_for(std::chrono::milliseconds(5)))
+      if (condition()) return true;
+    return false;
+  }
+
+  const TemporaryFolder folder_;
+  hrt_plate plate_{};
+};
+
+TEST_F(MockPlateTerminal, TurnsThePlateAndBendsThePersonsHand) {
+  begin_with(script());
+  open();
+  EXPECT_EQ(report().max_speed_deg_s, 400.0);
+  ASSERT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
+  EXPECT_TRUE(eventually([&] { return std::abs(true_orientation_deg() - 50.0) < 0.2; }));
+  EXPECT_TRUE(eventually([&] { return std::abs(report().orientation_deg - 50.0) < 0.5; }));
+
+  // Ridges to the left of the motion are felt as a motion to the left: who means to go straight ahead goes
+  // right.
+  XrReachTruthHRTX truth{XR_TYPE_REACH_TRUTH_HRTX};
+  EXPECT_TRUE(eventually([&] {
+    EXPECT_EQ(hrt_plate_set(plate_, 50.0), HRT_OK);
+    EXPECT_XR(XR_SUCCESS, functions->get_reach_truth(session, XR_HAND_RIGHT_EXT, &truth));
+    return truth.trueDirection < -10.0;
+  })) << truth.trueDirection;
+  EXPECT_LT(std::abs(truth.perceivedDirection), std::abs(truth.trueDirection));
+}
+
+TEST_F(MockPlateTerminal, PullingTheCableIsSeenByTheDriver) {
+  begin_with(script(R"(, "events": [{"frame": 3, "do": "unplug_plate"}])"));
+  open();
+  for (int i = 0; i < 4; ++i) frame();
+  EXPECT_TRUE(eventually([&] { return report().state == HRT_PLATE_STATE_FAILED; }));
+  EXPECT_TRUE(has(report().message, "unplugged")) << report().message;
+  EXPECT_FALSE(std::filesystem::exists(terminal()));
+}
+
+TEST_F(MockPlateTerminal, OnePlateServesOneProgramAfterTheOther) {
+  begin_with(script());
+  for (const double orientation_deg : {20.0, -20.0}) {
+    open();
+    ASSERT_EQ(hrt_plate_set(plate_, orientation_deg), HRT_OK);
+    EXPECT_TRUE(eventually([&] { return std::abs(true_orientation_deg() - orientation_deg) < 0.2; }));
+    hrt_plate_close(std::exchange(plate_, {}));
+  }
+}
+
+TEST_F(MockPlateTerminal, NothingOfTheUsersIsReplaced) {
+  std::ofstream(terminal()) << "thesis";
+  apply(script());
+  XrSessionCreateInfo info{XR_TYPE_SESSION_CREATE_INFO};
+  info.systemId = 1;
+  EXPECT_XR(XR_ERROR_RUNTIME_FAILURE, xrCreateSession(instance, &info, &session));
+  EXPECT_TRUE(
+      has(call_log().back().reason, "plate.terminal: " + terminal() + " cannot be made: File exists"));
+  EXPECT_EQ(read_file(terminal()), "thesis");
+}
+
+}  // namespace
+}  // namespace hrt::mock
