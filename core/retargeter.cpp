@@ -80,6 +80,7 @@ void Retargeter::begin_here(const Reach& reach) {
 void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& handover) {
   reach_ = reach;
   passed_ = felt_passed_ = reach.start;
+  end_ = ReachEnd(reach.start, reach.real_distance_m);
   if (config_.mode == ControlMode::reach) {
     leader_.emplace(std::in_place_type<PersonReach>, person_config(config_), reach, handover);
   } else {
@@ -90,7 +91,9 @@ void Retargeter::begin(const Reach& reach, const std::optional<PlateHandover>& h
 PlateCommand Retargeter::update(const FingerSample& sample) {
   const auto* person = std::get_if<PersonReach>(&*leader_);
   if (person && sample.observation == Observation::direction && !person->seen()) lead_by_directions();
-  return std::visit([&](auto& leader) { return leader.update(sample); }, *leader_);
+  std::visit([&](auto& leader) { leader.update(sample); }, *leader_);
+  end_.observe(sample);
+  return command();
 }
 
 PlateCommand Retargeter::step(double finger_direction_deg) {
@@ -101,11 +104,14 @@ PlateCommand Retargeter::step(double finger_direction_deg) {
 Reach Retargeter::retarget(const PlatePoint& real, const PlatePoint& virtual_place) {
   reach_ = seen_from_here(real, virtual_place);
   std::visit([&](auto& leader) { leader.retarget(real, reach_); }, *leader_);
+  end_ = ReachEnd(reach_.start, reach_.real_distance_m);
   return reach_;
 }
 
 PlateCommand Retargeter::command() const {
-  return std::visit([](const auto& leader) { return leader.command(); }, *leader_);
+  PlateCommand command = std::visit([](const auto& leader) { return leader.command(); }, *leader_);
+  command.arrived = end_.over();
+  return command;
 }
 
 ReachSummary Retargeter::summary() const {

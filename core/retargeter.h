@@ -8,6 +8,7 @@
 
 #include "core/paper/paper_reach.h"
 #include "core/person/person_reach.h"
+#include "core/reach_end.h"
 #include "core/retargeter_config.h"
 
 namespace hrt {
@@ -62,6 +63,7 @@ class Retargeter {
 
   RetargeterConfig config_;
   Reach reach_{};  // as it was last aimed
+  ReachEnd end_;
   // Where the finger was then or later, and where the person felt that it was.
   PlatePoint passed_;
   PlatePoint felt_passed_;

@@ -57,6 +57,7 @@ struct PlateCommand {
   bool misfit = false;       ///< the person does not move as the model does: do not trust the estimates
   bool off_target = false;   ///< the finger is going to end beyond `near_deg` of the real target's bearing
   bool resting = false;      ///< the finger rests within the reach
+  bool arrived = false;      ///< the reach is over: see reach_end.h
 };
 
 /// Within this of the real target's bearing, a reach ends on it.

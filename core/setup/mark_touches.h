@@ -4,7 +4,7 @@
 #include <array>
 
 #include "core/setup/setup_step.h"
-#include "core/setup/still_finger.h"
+#include "core/tracker/still_finger.h"
 
 namespace hrt {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/setup/setup_step.h"
-#include "core/setup/still_finger.h"
+#include "core/tracker/still_finger.h"
 
 namespace hrt {
 

@@ -73,6 +73,35 @@ TEST_F(SimulatedPersonTest, IsLedToTheRealTargetAndFeelsTheVirtualOne) {
   EXPECT_GE(on_target, 33);  // 92 % of first reaches: at most 33 in one of 100 runs
 }
 
+// 0.6 s at rest and 1.5 s of motion, whose last tenth has 1 mm of the path; then 0.4 s.
+TEST_F(SimulatedPersonTest, ArrivesSoonAfterTheMotion) {
+  for (const std::uint32_t guidance : {HRT_GUIDANCE_ARRIVAL, HRT_GUIDANCE_FIXED_DIRECTION}) {
+    hrt_session_config config = session_config();
+    config.guidance = guidance;
+    ASSERT_OK(hrt_session_set(session, &config));
+    const hrt_person person = person_of(1);
+    ASSERT_OK(begin(real, seen));
+    ASSERT_OK(hrt_person_begin(person, session, seen));
+    auto command = output<hrt_command>();
+    auto sample = output<hrt_sample>();
+    int frame = 0;
+    for (; frame < 400 && (command.flags & HRT_COMMAND_ARRIVED) == 0; ++frame) {
+      ASSERT_OK(hrt_person_move(person, frame * 11'111'111LL, command.plate_orientation_deg, &sample));
+      ASSERT_OK(hrt_reach_update(session, &sample, &command));
+    }
+    EXPECT_NEAR(frame / 90.0, 2.45, 0.25) << guidance;
+    sample.time_ns += 11'111'111;
+    sample.finger_position_m[2] += 0.05;
+    ASSERT_OK(hrt_reach_update(session, &sample, &command));
+    EXPECT_NE(command.flags & HRT_COMMAND_ARRIVED, 0u) << "it stays so";
+    ASSERT_OK(hrt_reach_retarget(session, real, seen));
+    ASSERT_OK(hrt_reach_update(session, &sample, &command));
+    EXPECT_EQ(command.flags & HRT_COMMAND_ARRIVED, 0u);
+    ASSERT_OK(hrt_reach_cancel(session));
+    EXPECT_OK(hrt_person_destroy(person));
+  }
+}
+
 TEST_F(SimulatedPersonTest, GoesToTheVirtualTargetOverAPlateThatStands) {
   const hrt_person person = person_of(3);
   EXPECT_NEAR(bearing_deg(slide(person, false).end.felt_position_m), 5.0, 1.5);

@@ -99,6 +99,12 @@ typedef struct hrt_sample {
  * max_registration_age_ns, max_registration_sd_deg. Set up again: setup.h. The log has it at the next call of
  * hrt_session_set(), hrt_session_destroy() or hrt_setup_begin(). */
 #define HRT_COMMAND_REGISTRATION UINT32_C(4096)
+/** The reach is over, and stays so until hrt_reach_retarget(): the finger has come nine tenths of the way
+ * from the start to the real target and has rested for 0.4 s, or three tenths of the way and for 2 s. It
+ * rests while means of its positions over 0.1 s stay within 4 mm, root mean square, and drift by less than
+ * 8.6 mm/s, in 2 s by less than 2 mm/s. A lift or a gap of 0.3 s starts the time anew. Never in a reach of
+ * directions alone: keep a time limit. */
+#define HRT_COMMAND_ARRIVED UINT32_C(8192)
 
 /** hrt_command::time_to_go_s: the finger rests before the motion or within it; or, under FIXED_DIRECTION, the
  * time is not known. */

@@ -204,6 +204,7 @@ hrt_command Session::command(std::uint32_t flags) const {
   if (command.misfit) flags |= HRT_COMMAND_MISFIT;
   if (command.off_target) flags |= HRT_COMMAND_OFF_TARGET;
   if (command.resting) flags |= HRT_COMMAND_RESTING;
+  if (command.arrived) flags |= HRT_COMMAND_ARRIVED;
   return {
       .struct_size = sizeof(hrt_command),
       .flags = flags,

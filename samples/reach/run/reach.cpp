@@ -14,8 +14,7 @@
 namespace hrt::reach {
 namespace {
 
-constexpr XrDuration rest_ns = 1'500'000'000;  // of a person; simulated ones pause for 0.6 s on the way
-constexpr XrDuration lift_ns = 500'000'000;    // longer than it takes the other hand to take over
+constexpr XrDuration lift_ns = 500'000'000;  // longer than it takes the other hand to take over
 
 double bearing_deg(const Point& from, const Point& to) {
   return std::atan2(from[0] - to[0], from[2] - to[2]) * 180.0 / std::numbers::pi;
@@ -77,8 +76,7 @@ bool is_on_plate(const Stage& stage, const Fingertip& tip) {
 // plate, the other one takes over: the user changed hands, or the tracker confused them.
 class FingerInUse {
  public:
-  FingerInUse(Stage& stage, Hand first, XrTime now)
-      : stage_(stage), hand_(first), came_(now), on_plate_(now) {}
+  FingerInUse(Stage& stage, Hand first, XrTime now) : stage_(stage), hand_(first), on_plate_(now) {}
 
   Fingertip locate(XrTime time) {
     const Fingertip tip = reach::locate(stage_, hand_, time);
@@ -88,7 +86,7 @@ class FingerInUse {
       const Fingertip others = other == hand_ ? Fingertip{} : reach::locate(stage_, other, time);
       if (!is_on_plate(stage_, others)) continue;
       hand_ = other;
-      came_ = on_plate_ = time;
+      on_plate_ = time;
       changed_ = true;
       return others;
     }
@@ -96,13 +94,11 @@ class FingerInUse {
   }
 
   Hand hand() const { return hand_; }
-  XrTime came() const { return came_; }
   bool has_changed() const { return changed_; }
 
  private:
   Stage& stage_;
   Hand hand_;
-  XrTime came_;
   XrTime on_plate_;  // when it was last seen there
   bool changed_ = false;
 };
@@ -120,8 +116,8 @@ std::size_t lifted_at(const Stage& stage, const std::vector<Moment>& moments) {
   return has_slid ? first : moments.size();
 }
 
-// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target, rests or
-// is lifted. People pause on the way, so a rest is a long one.
+// A simulated person has moved, and rested for settle_ns; a person's finger touches the real target, rests,
+// as the plugin reports, or is lifted.
 bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& finger,
                  std::vector<Moment>& moments, std::optional<XrTime>& done_since) {
   if (stage.simulation != nullptr) {
@@ -134,9 +130,8 @@ bool has_arrived(const Stage& stage, const TargetPair& pair, const FingerInUse& 
     return true;
   }
   const Moment& last = moments.back();
-  return (last.tracked &&
-          distance_along_plate_m(last.position_m, pair.real_position_m) <= pair.real_radius_m) ||
-         is_at_rest(moments, finger.came(), stage.targets.start_m, start_radius_m, rest_ns);
+  return last.arrived || (last.tracked && distance_along_plate_m(last.position_m, pair.real_position_m) <=
+                                              pair.real_radius_m);
 }
 
 // What the plugin is given: a lifted finger does not slide.
@@ -228,6 +223,7 @@ ReachResult run_reach(Stage& stage, const TargetPair& pair) {
                   .plate_orientation_deg = measured_deg.value_or(command.plate_orientation_deg),
                   .distance_to_go_m = command.distance_to_go_m,
                   .saturated = (command.flags & (HRT_COMMAND_SATURATED | HRT_COMMAND_RATE_LIMITED)) != 0,
+                  .arrived = (command.flags & HRT_COMMAND_ARRIVED) != 0,
                   .can_be_held = (command.flags & HRT_COMMAND_UNREACHABLE) == 0};
     if (stage.simulation != nullptr)
       moment.felt_direction_deg = stage.simulation->truth(first).perceived_direction_deg;

@@ -8,8 +8,6 @@
 namespace hrt::reach {
 namespace {
 
-constexpr double rest_m = 0.004;  // a finger that has moved less is at rest
-
 Point cross(const Point& a, const Point& b) {
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
@@ -73,18 +71,6 @@ XrTime next_frame(Stage& stage) {
   stage.plate.service(time);
   if (stage.attend) stage.attend(time);
   return time;
-}
-
-bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double min_m,
-                XrDuration rest_ns) {
-  const Moment& last = moments.back();
-  if (!last.tracked || distance_along_plate_m(last.position_m, start_m) < min_m) return false;
-  for (auto moment = moments.rbegin(); moment != moments.rend() && moment->time >= finger_came; ++moment) {
-    if (!moment->tracked) continue;
-    if (distance_along_plate_m(moment->position_m, last.position_m) > rest_m) return false;
-    if (last.time - moment->time >= rest_ns) return true;
-  }
-  return false;
 }
 
 }  // namespace hrt::reach

@@ -26,6 +26,7 @@ struct Moment {
   double plate_orientation_deg;      ///< measured, or else commanded
   double distance_to_go_m;
   bool saturated;
+  bool arrived;      ///< HRT_COMMAND_ARRIVED
   bool can_be_held;  ///< the real direction, by the controller's estimate of the user
 };
 
@@ -72,10 +73,5 @@ void instruct(Stage& stage, Hand hand, double direction_deg, double distance_m);
 
 /// The next frame, with the plate served and the user attended to.
 XrTime next_frame(Stage& stage);
-
-/// True if the finger, farther than `min_m` from the start, has stayed in place for `rest_ns`. Moments
-/// before `finger_came` do not count.
-bool is_at_rest(const std::vector<Moment>& moments, XrTime finger_came, const Point& start_m, double min_m,
-                XrDuration rest_ns);
 
 }  // namespace hrt::reach

@@ -12,15 +12,20 @@ namespace hrt {
 /// together. No heap, no lock, no exception.
 class StillFinger {
  public:
-  static constexpr int max_tenths = 15;
+  static constexpr int max_tenths = 20;
 
   void observe(std::int64_t time_ns, const Eigen::Vector3d& place_m);
   /// The finger was lost or lifted.
   void restart() { tenths_ = 0; }
 
+  /// Root mean square distance of the means from their own; and from the first half of them to the second,
+  /// whose middles are half of the time apart.
+  static constexpr double max_spread_m = 0.004;
+  static constexpr double max_drift_m_s = 0.0086;
+
   /// Where it has rested for so many tenths of a second, 2 to max_tenths: the mean over the second half, as
   /// it may have come in the first. None if it moves.
-  std::optional<Eigen::Vector3d> rest(int tenths) const;
+  std::optional<Eigen::Vector3d> rest(int tenths, double drifting_m_s = max_drift_m_s) const;
 
  private:
   struct Mean {

@@ -1,4 +1,4 @@
-#include "core/setup/still_finger.h"
+#include "core/tracker/still_finger.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,10 +9,6 @@ namespace hrt {
 namespace {
 
 constexpr std::uint64_t tenth_ns = 100'000'000;
-// Root mean square distance of the means from their own; and from the first half of them to the second, whose
-// middles are half of the time apart.
-constexpr double max_spread_m = 0.004;
-constexpr double max_drift_m_s = 0.0086;
 constexpr double half_a_tenth_s = 0.05;
 
 }  // namespace
@@ -42,7 +38,7 @@ void StillFinger::observe(std::int64_t time_ns, const Eigen::Vector3d& place_m) 
   mean.place_m += (place_m - mean.place_m) / mean.count;
 }
 
-std::optional<Eigen::Vector3d> StillFinger::rest(int tenths) const {
+std::optional<Eigen::Vector3d> StillFinger::rest(int tenths, double drifting_m_s) const {
   if (tenths_ <= tenths) return std::nullopt;
   const int late = tenths / 2;
   Eigen::Vector3d early_m = Eigen::Vector3d::Zero();
@@ -54,7 +50,7 @@ std::optional<Eigen::Vector3d> StillFinger::rest(int tenths) const {
   late_m /= late;
   early_m /= tenths - late;
   if (std::sqrt(squares_m2 / tenths) > max_spread_m ||
-      (late_m - early_m).norm() > max_drift_m_s * half_a_tenth_s * tenths)
+      (late_m - early_m).norm() > drifting_m_s * half_a_tenth_s * tenths)
     return std::nullopt;
   return late_m;
 }

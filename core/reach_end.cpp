@@ -1,0 +1,31 @@
+#include "core/reach_end.h"
+
+namespace hrt {
+namespace {
+
+// People correct themselves within 0.3 s of a first motion's end, and pause for longer on the way.
+constexpr double near_share = 0.9;
+constexpr int near_rest_tenths = 4;
+constexpr double far_share = 0.3;
+constexpr int far_rest_tenths = 20;
+// Else a pause and a slow start would be a rest.
+constexpr double max_far_drift_m_s = 0.002;
+
+}  // namespace
+
+void ReachEnd::observe(const FingerSample& sample) {
+  if (over_) return;
+  if (sample.observation == Observation::lifted) finger_.restart();
+  if (sample.observation != Observation::position) return;
+  const PlatePoint& place = sample.position;
+  finger_.observe(sample.time_ns, {place.right_m, 0.0, -place.away_m});
+  if (distance_m(start_, place) < far_share * distance_m_) return;
+  const auto rests_at_share = [&](int tenths, double share, double max_drift_m_s) {
+    const auto rest_m = finger_.rest(tenths, max_drift_m_s);
+    return rest_m && distance_m(start_, {rest_m->x(), -rest_m->z()}) >= share * distance_m_;
+  };
+  over_ = rests_at_share(near_rest_tenths, near_share, StillFinger::max_drift_m_s) ||
+          rests_at_share(far_rest_tenths, far_share, max_far_drift_m_s);
+}
+
+}  // namespace hrt

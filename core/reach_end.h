@@ -1,0 +1,27 @@
+// When a reach is over, by where its finger has been, whatever controls the plate.
+#pragma once
+
+#include "core/reach/finger_sample.h"
+#include "core/tracker/still_finger.h"
+
+namespace hrt {
+
+/// The finger has come nine tenths of the way and has rested for 0.4 s, as StillFinger has it, or three
+/// tenths of the way and for 2 s, within which it drifts by less than 2 mm/s. No heap, no lock, no exception.
+class ReachEnd {
+ public:
+  ReachEnd() = default;
+  /// Of a reach of `distance_m` > 0 from `start`.
+  ReachEnd(const PlatePoint& start, double distance_m) : start_(start), distance_m_(distance_m) {}
+
+  void observe(const FingerSample& sample);
+  bool over() const { return over_; }
+
+ private:
+  PlatePoint start_;
+  double distance_m_ = 1.0;
+  StillFinger finger_;
+  bool over_ = false;
+};
+
+}  // namespace hrt
