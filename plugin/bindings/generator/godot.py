@@ -1,9 +1,10 @@
-"""Godot's tables: fields as properties and Dictionary keys, the constants of scripts, and the class reference of both."""
+"""Godot's tables: fields as properties and Dictionary keys, constants, and the class reference."""
 
 from __future__ import annotations
 
 import re
 from decimal import Decimal
+from pathlib import Path
 from xml.sax.saxutils import escape
 
 import settings
@@ -76,12 +77,23 @@ def _step(field: Field) -> Decimal:
 
 
 def _reference(abi: Abi, plate: Abi, setup: list[Field]) -> str:
-    """The class reference of properties and constants, as the editor shows it."""
+    """The class reference, as the editor shows it: of properties and constants from the headers, of the rest from the README."""
     def doc(comment: str) -> str:
+        comment = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", comment)  # links
         return escape(re.sub(r"\bHRT_([A-Z])", r"\1", re.sub(r"`([^`]*)`", r"[code]\1[/code]", comment.replace(" (base.h)", ""))))
 
     members = [(f.name, f) for f in settings.shown(abi)] + [(f"setup_{f.name}", f) for f in setup]
-    text = '<class name="HapticRetargeting" inherits="Node3D">\n<members>\n'
+    readme = (Path(__file__).parent.parent / "godot/README.md").read_text(encoding="utf-8")
+    intro = readme[readme.index("A node of this class is"):].split("\n\n", maxsplit=1)[0]
+    text = ('<class name="HapticRetargeting" inherits="Node3D">\n<brief_description>A ridged plate and the user whose hand it '
+            f"guides.</brief_description>\n<description>{doc(intro)}</description>\n")
+    for kind in ("method", "signal"):
+        text += f"<{kind}s>\n"
+        for calls, cell in re.findall(r"^\| (`.*?) \| (.*) \|$", readme.split(f"\n| {kind} | ")[1].split("\n\n")[0], re.M):
+            for name in re.findall(r"`(\w+)\(", calls):
+                text += f'<{kind} name="{name}"><description>{doc(cell)}</description></{kind}>\n'
+        text += f"</{kind}s>\n"
+    text += "<members>\n"
     for name, f in members:
         type_ = "Vector3" if f.length else "float" if f.type.name == "double" else "int"
         text += f'<member name="{name}" type="{type_}" setter="set_{name}" getter="get_{name}">{doc(f.shared_doc)}</member>\n'
@@ -108,12 +120,3 @@ def _choices(enumeration: Enumeration) -> str:
         text = " ".join(word if word in _ACRONYMS else pascal(word) for word in short.split("_"))
         texts.append(text if member.value == i and not enumeration.flags else f"{text}:{member.value}")
     return ",".join(texts)
-
-
-def render_constants(abi: Abi, plate: Abi, notice: str) -> str:
-    text = (f"# {notice}\n# The numbers of properties and flags; session.h, reach.h and plate.h say what they mean.\n"
-            "#\n#   const HRT = preload(\"res://addons/haptic_retargeting/constants.gd\")\n"
-            "#   if flags & HRT.COMMAND_SATURATED: ...\n")
-    for enumeration in _shown(abi) + _shown(plate):
-        text += "\n" + "".join(f"const {m.name.removeprefix('HRT_')} = {m.value}\n" for m in enumeration.members)
-    return text

@@ -66,6 +66,15 @@ std::string to_utf8(const gde_string& string) {
   return text;
 }
 
+std::string to_utf8(const gde_string_name& name) {
+  const void* const arguments[] = {&name};
+  gde_string string;
+  engine.variant_get_ptr_constructor(GDE_STRING, GDE_STRING_OF_STRING_NAME)(&string, arguments);
+  std::string text = to_utf8(string);
+  engine.variant_get_ptr_destructor(GDE_STRING)(&string);
+  return text;
+}
+
 Vector3 widen(float x, float y, float z) {
   return {static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)};
 }
@@ -174,12 +183,8 @@ Value to_value(const gde_variant& variant) {
     }
     case GDE_STRING_NAME: {  // such as the name of a node
       gde_string_name name = from_variant<gde_string_name>(variant, GDE_STRING_NAME);
-      const void* const arguments[] = {&name};
-      gde_string string;
-      engine.variant_get_ptr_constructor(GDE_STRING, GDE_STRING_OF_STRING_NAME)(&string, arguments);
+      std::string text = to_utf8(name);
       engine.variant_get_ptr_destructor(GDE_STRING_NAME)(&name);
-      std::string text = to_utf8(string);
-      engine.variant_get_ptr_destructor(GDE_STRING)(&string);
       return text;
     }
     case GDE_VECTOR3: {
@@ -191,6 +196,22 @@ Value to_value(const gde_variant& variant) {
     default:
       return {};
   }
+}
+
+/** Calls a method of the engine's, of two arguments at most. */
+Value call_on(gde_variant& self, const char* method, std::initializer_list<Value> arguments) {
+  const EngineName name(method);
+  std::array<gde_variant, 2> variants;
+  std::array<const gde_variant*, 2> pointers{&variants[0], &variants[1]};
+  const size_t count = arguments.size();
+  for (size_t i = 0; i < count; ++i) to_variant(&variants[i], arguments.begin()[i]);
+  gde_variant result;
+  gde_call_error error{};
+  engine.variant_call(&self, &name.get(), pointers.data(), static_cast<int64_t>(count), &result, &error);
+  const Value returned = to_value(result);
+  for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
+  engine.variant_destroy(&result);
+  return returned;
 }
 
 /** Object.NOTIFICATION_POSTINITIALIZE. */
@@ -213,6 +234,8 @@ class Instance : public Engine {
   }
   void notify(int64_t what) { call("notification", {what}); }
 
+  void update_warnings() override { call("update_configuration_warnings", {}); }
+
   void push_error(const char* text) override {
     engine.print_error(text, kClassName, "extension.cpp", __LINE__, false);
   }
@@ -220,21 +243,11 @@ class Instance : public Engine {
  private:
   bool is_inside_tree() { return std::get<bool>(call("is_inside_tree", {})); }
 
-  /** A method of the engine's, of two arguments at most. */
   Value call(const char* method, std::initializer_list<Value> arguments) {
-    const EngineName name(method);
-    std::array<gde_variant, 2> variants;
-    std::array<const gde_variant*, 2> pointers{&variants[0], &variants[1]};
-    const size_t count = arguments.size();
-    for (size_t i = 0; i < count; ++i) to_variant(&variants[i], arguments.begin()[i]);
-    gde_variant self, result;
+    gde_variant self;
     new_variant(&self, GDE_OBJECT, &object_);
-    gde_call_error error{};
-    engine.variant_call(&self, &name.get(), pointers.data(), static_cast<int64_t>(count), &result, &error);
-    const Value returned = to_value(result);
-    for (size_t i = 0; i < count; ++i) engine.variant_destroy(&variants[i]);
+    const Value returned = call_on(self, method, arguments);
     engine.variant_destroy(&self);
-    engine.variant_destroy(&result);
     return returned;
   }
 
@@ -255,6 +268,24 @@ gde_object* create_instance(void*, gde_bool notify) noexcept {
 
 void free_instance(void*, void* instance) noexcept {
   delete static_cast<Instance*>(instance);
+}
+
+/** Node._get_configuration_warnings(). */
+void get_warnings(void* instance, const void* const*, void* out_return) noexcept try {
+  const std::string warning = static_cast<Instance*>(instance)->node().warning();
+  if (warning.empty()) return;
+  gde_variant warnings;
+  new_variant(&warnings, GDE_PACKED_STRING_ARRAY, out_return);
+  call_on(warnings, "append", {warning});
+  engine.variant_get_ptr_destructor(GDE_PACKED_STRING_ARRAY)(out_return);
+  engine.get_variant_to_type_constructor(GDE_PACKED_STRING_ARRAY)(out_return, &warnings);
+  engine.variant_destroy(&warnings);
+} catch (const std::exception& error) {
+  static_cast<Instance*>(instance)->push_error(error.what());
+}
+
+gde_virtual get_virtual(void*, const gde_string_name* name, uint32_t) noexcept {
+  return to_utf8(*name) == "_get_configuration_warnings" ? get_warnings : nullptr;
 }
 
 /** What the engine calls: a method, or the setter or getter of a property. */
@@ -408,6 +439,7 @@ void initialize(void*, int32_t level) noexcept {
   info.is_exposed = true;
   info.create_instance = create_instance;
   info.free_instance = free_instance;
+  info.get_virtual = get_virtual;
   engine.classdb_register_extension_class5(library, &name.get(), &parent.get(), &info);
   for (const Method& method : methods())
     register_callable(name, {method.name, method.returns, method.arguments, &method, nullptr});

@@ -46,7 +46,8 @@ enum {
   GDE_TRANSFORM3D = 18,
   GDE_STRING_NAME = 21,
   GDE_OBJECT = 24,
-  GDE_DICTIONARY = 27
+  GDE_DICTIONARY = 27,
+  GDE_PACKED_STRING_ARRAY = 34
 };
 
 typedef struct {
@@ -92,6 +93,9 @@ typedef struct {
   void** default_arguments;
 } gde_method;
 
+/* A function of the engine's that a class overrides, called like gde_ptrcall. */
+typedef void (*gde_virtual)(void* instance, const void* const* arguments, void* out_return);
+
 /* Of a class; what is not used may be null. */
 typedef void (*gde_unused)(void);
 typedef struct {
@@ -114,7 +118,7 @@ typedef struct {
   gde_object* (*create_instance)(void* class_data, gde_bool notify_postinitialize);
   void (*free_instance)(void* class_data, void* instance);
   gde_unused recreate_instance;
-  gde_unused get_virtual;
+  gde_virtual (*get_virtual)(void* class_data, const gde_string_name* name, uint32_t hash);
   gde_unused get_virtual_call_data;
   gde_unused call_virtual_with_data;
   gde_unused get_rid;

@@ -60,6 +60,7 @@ const Method kMethods[] = {
     METHOD(cancel_setup),
     METHOD(is_setting_up),
     METHOD(begin_simulated_finger, "virtual_target", "seed"),
+    METHOD(move_simulated_finger, "time_ns"),
     METHOD(update_simulated_finger, "time_ns"),
     METHOD(load_profile, "json"),
     METHOD(save_profile),

@@ -82,12 +82,21 @@ const void* PlateNode::of(const Field& property) const {
 }
 
 void PlateNode::set(const Field& property, const Value& value) noexcept try {
-  if (property.set(const_cast<void*>(of(property)), value)) return;
+  if (property.set(const_cast<void*>(of(property)), value)) return engine_.update_warnings();
   const std::string text = std::string(property.name) + " was given a value of type " +
                            type_name(type_of(value)) + "; allowed: " + property.allowed;
   engine_.push_error(text.c_str());
 } catch (const std::exception& error) {
   engine_.push_error(error.what());
+}
+
+std::string PlateNode::warning() {
+  hrt_session_config config = config_;
+  if (!read_pose(config.plate_position_m, config.plate_rotation)) return kNotRigid;
+  hrt_session session{};
+  if (hrt_session_create(HRT_VERSION, &config, &session) != HRT_OK) return hrt_last_error();
+  hrt_session_destroy(session);
+  return {};
 }
 
 /** Whether it succeeded; otherwise the reason has been shown to the user. */

@@ -45,6 +45,8 @@ class Engine {
   virtual void move_node(const Pose& pose) = 0;
   virtual void emit(const Signal& signal, const Value& argument) = 0;
   virtual void push_error(const char* text) = 0;
+  /** Properties have changed, so there may be other warnings. */
+  virtual void update_warnings() = 0;
 };
 
 class PlateNode;
@@ -83,6 +85,8 @@ class PlateNode {
   Value call(const Method& method, std::span<const Value> arguments) noexcept;
   Value get(const Field& property) const { return to_value(property.get(of(property))); }
   void set(const Field& property, const Value& value) noexcept;
+  /** What is wrong with the properties or the node's place, for the editor; empty: nothing. */
+  std::string warning();
 
   // What the methods of the same names in methods.cpp do; targets are ids.
   int64_t add_real_target(std::string name, double direction_deg, double distance_m);
@@ -112,6 +116,7 @@ class PlateNode {
   Record get_command();
   Record get_summary();
   Error begin_simulated_finger(int64_t felt, int64_t seed);
+  Vector3 move_simulated_finger(int64_t time_ns);
   Vector3 update_simulated_finger(int64_t time_ns);
 
   Error begin_setup(int64_t what);
@@ -149,6 +154,7 @@ class PlateNode {
   bool finger_sample(const Vector3& place, int64_t time_ns, hrt_sample& out_sample);
   Error send(const hrt_sample& sample);
   Error guide(const hrt_sample& sample);
+  Vector3 move_person(int64_t time_ns, hrt_sample& out_sample);
   bool read_device(hrt_plate_report& out_report) const;
   Error after_device(hrt_result result);
 

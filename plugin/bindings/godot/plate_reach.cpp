@@ -159,13 +159,24 @@ Error PlateNode::begin_simulated_finger(int64_t felt, int64_t seed) {
   return error();
 }
 
-/** In place of update(): the place in the world where the tracker sees the finger. */
-Vector3 PlateNode::update_simulated_finger(int64_t time_ns) {
+/** Where the tracker sees the finger in the world, which feels the plate as it was last commanded. */
+Vector3 PlateNode::move_person(int64_t time_ns, hrt_sample& out) {
   const double plate_deg = setting_up_ ? step_.plate_orientation_deg : command_.plate_orientation_deg;
-  hrt_sample sample = hrt_sample_init();
-  if (!ok(hrt_person_move(person_, time_ns, plate_deg, &sample)) || send(sample) != Error::kOk)
-    return failure<Vector3>();
-  return place(engine_.node_pose(), sample.finger_position_m);
+  out = hrt_sample_init();
+  if (!ok(hrt_person_move(person_, time_ns, plate_deg, &out))) return failure<Vector3>();
+  return place(engine_.node_pose(), out.finger_position_m);
+}
+
+Vector3 PlateNode::move_simulated_finger(int64_t time_ns) {
+  hrt_sample sample;
+  return move_person(time_ns, sample);
+}
+
+/** In place of update(), with the sample's doubles, and where the servo stands. */
+Vector3 PlateNode::update_simulated_finger(int64_t time_ns) {
+  hrt_sample sample;
+  const Vector3 seen = move_person(time_ns, sample);
+  return result_ == HRT_OK && send(sample) == Error::kOk ? seen : failure<Vector3>();
 }
 
 }  // namespace hrt_godot

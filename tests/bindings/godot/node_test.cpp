@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <new>
+#include <string>
+#include <string_view>
 
 #include "../../../plugin/bindings/godot/plate_node.h"
 
@@ -35,7 +38,8 @@ class StillEngine : public Engine {
   void move_node(const Pose& to) override { pose = to; }
   void emit(const Signal&, const Value&) override { ++signals; }
   void push_error(const char* text) override { FAIL() << text; }
-  int64_t signals = 0;
+  void update_warnings() override { ++warnings; }
+  int64_t signals = 0, warnings = 0;
   Pose pose{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, 0}};
 };
 
@@ -58,6 +62,28 @@ TEST(GodotNode, UpdatesWithoutTakingMemory) {
                                            frame * 11'111'111});
   EXPECT_EQ(allocations, before);
   EXPECT_GT(engine.signals, 200);
+}
+
+TEST(GodotNode, WarnsOfItsPropertiesAndPlace) {
+  StillEngine engine;
+  PlateNode node(engine);
+  EXPECT_EQ(node.warning(), "");
+  const auto bound = std::ranges::find(config_fields, std::string_view("plate_bound_deg"), &Field::name);
+  node.set(*bound, 91.0);
+  EXPECT_EQ(engine.warnings, 1);
+  EXPECT_NE(node.warning().find("plate_bound_deg is 91; allowed: 0.1 to 90"), std::string::npos);
+  node.set(*bound, 84.5);
+  engine.pose.x_axis = {2, 0, 0};
+  EXPECT_EQ(node.warning(), kNotRigid);
+}
+
+TEST(GodotNode, EditorExplainsEveryMethodAndSignal) {
+  const std::string_view reference = class_reference;
+  const auto explains = [&](const std::string& kind, const char* name) {
+    return reference.find('<' + kind + " name=\"" + name + "\"><description>") != std::string_view::npos;
+  };
+  for (const Method& each : methods()) EXPECT_TRUE(explains("method", each.name)) << each.name;
+  for (const Signal& each : kSignals) EXPECT_TRUE(explains("signal", each.name)) << each.name;
 }
 
 }  // namespace

@@ -12,9 +12,9 @@ var fnv := (0xcbf29ce4 << 32) | 0x84222325
 var updates := 0
 
 func _ready() -> void:
-	recording = FileAccess.open("res://reach.csv", FileAccess.READ)
+	recording = FileAccess.open("res://reach/reach.csv", FileAccess.READ)
 	if recording == null:
-		return stop("res://reach.csv cannot be read")
+		return stop("res://reach/reach.csv cannot be read")
 	var header := next_row()
 	for i in header.size():
 		columns[header[i]] = i

@@ -1,0 +1,71 @@
+## The desk of a glTF file: its objects, and the ridged plate among them, which the plugin reads from the same file.
+class_name Desk
+extends Node3D
+
+const RIDGE_PITCH_M := 0.004
+## Layers of what is drawn: for everyone, and for the experimenter alone.
+const FOR_EVERYONE := 1
+const FOR_EXPERIMENTER := 2
+
+@export_file("*.gltf", "*.glb") var file := "res://desk.gltf"
+## Real objects are not for the wearer, who feels the virtual ones.
+@export var hidden_from_wearer: PackedStringArray = ["cylinder"]
+
+@onready var plate: HapticRetargeting = $Plate
+@onready var _ridges: MultiMeshInstance3D = $Plate/Ridges
+var _objects: Node3D
+var _seen_from_plate: Transform3D
+
+
+## Draws the objects, moves the node Plate to the plate, and adds its targets. Returns what is wrong, or nothing. The plugin reads
+## files of the system, which those of an exported project are not.
+func open() -> String:
+	var copy := "user://desk." + file.get_extension()
+	var written := FileAccess.open(copy, FileAccess.WRITE)
+	if written == null:
+		return "%s cannot be written: %s" % [copy, error_string(FileAccess.get_open_error())]
+	written.store_buffer(FileAccess.get_file_as_bytes(file))
+	written.close()
+	var document := GLTFDocument.new()
+	var state := GLTFState.new()
+	if document.append_from_file(copy, state) != OK or plate.load_scene(ProjectSettings.globalize_path(copy)) != OK:
+		return "%s is no scene with a plate; the log says why." % file
+	_objects = document.generate_scene(state)
+	add_child(_objects)
+	_seen_from_plate = plate.global_transform.affine_inverse()
+	for target in hidden_from_wearer:
+		(object(target) as VisualInstance3D).layers = FOR_EXPERIMENTER
+	_make_ridges()
+	plate.plate_commanded.connect(_turn)
+	return ""
+
+
+## The object of a target, by the target's name.
+func object(target: String) -> Node3D:
+	return _objects.find_child(target.capitalize(), true, false)
+
+
+## Where the finger is to go, in plate coordinates.
+func show_hint(place_m: Vector3) -> void:
+	$Plate/Hint.position = place_m
+
+
+## The desk is where a set-up finds the plate.
+func _process(_delta: float) -> void:
+	if _objects:
+		_objects.global_transform = plate.global_transform * _seen_from_plate
+
+
+## Plate orientation is the direction of the ridges' normal, counter-clockwise from the mid-line.
+func _turn(orientation_deg: float) -> void:
+	_ridges.rotation_degrees.y = orientation_deg
+
+
+func _make_ridges() -> void:
+	var rows := int(plate.plate_radius_m / RIDGE_PITCH_M)
+	var ridges := _ridges.multimesh
+	ridges.instance_count = 2 * rows - 1
+	for i in ridges.instance_count:
+		var z := (i - rows + 1) * RIDGE_PITCH_M
+		var length := 2 * sqrt(plate.plate_radius_m ** 2 - z ** 2)
+		ridges.set_instance_transform(i, Transform3D(Basis.from_scale(Vector3(length, 1, 1)), Vector3(0, 0, z)))

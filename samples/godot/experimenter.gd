@@ -1,0 +1,71 @@
+## The experimenter's flat view, from above: where the finger is, and where it is felt to be, as the controller estimates that.
+class_name Experimenter
+extends Node3D
+
+const SHORTEST_STEP_M := 0.001
+const RED := Color(0.9, 0.2, 0.15)
+const BLUE := Color(0.2, 0.45, 0.95)
+const FADED := Color(1, 1, 1, 0.3)
+
+@onready var _camera: Camera3D = $Camera
+@onready var _paths: Node2D = $Overlay/Paths
+@onready var _text: Label = $Overlay/Text
+@onready var _inset: TextureRect = $Overlay/Wearer
+@onready var _tip: MeshInstance3D = $Tip
+@onready var _felt_tip: MeshInstance3D = $FeltTip
+# On the plate.
+var _true_place: Vector3
+var _felt_place: Vector3
+var _true_path: Line2D
+var _felt_path: Line2D
+
+
+func look_at_plate(plate: HapticRetargeting, wearer: Wearer) -> void:
+	global_transform = plate.global_transform
+	_inset.texture = wearer.get_texture()
+	_inset.visible = not wearer.use_xr
+
+
+func show_finger(place: Vector3) -> void:
+	_tip.global_position = place
+
+
+## Earlier paths fade.
+func begin(start: Vector3) -> void:
+	for path: Line2D in _paths.get_children():
+		path.modulate = FADED
+	_true_place = to_local(start)
+	_felt_place = _true_place
+	_true_path = _new_path(RED)
+	_felt_path = _new_path(BLUE)
+
+
+## Each step of the finger is drawn as long as it is, in the direction in which it is felt.
+func follow(finger: Vector3, felt_deg: float) -> void:
+	var step := to_local(finger) - _true_place
+	if step.length() < SHORTEST_STEP_M:
+		return
+	_true_place += step
+	_felt_place += Vector3.FORWARD.rotated(Vector3.UP, deg_to_rad(felt_deg)) * step.length()
+	_true_path.add_point(_camera.unproject_position(to_global(_true_place)))
+	_felt_path.add_point(_camera.unproject_position(to_global(_felt_place)))
+	_felt_tip.position = _felt_place
+
+
+func report(text: String) -> void:
+	_text.text = text
+
+
+func save_picture(path: String) -> Error:
+	await get_tree().process_frame  # in which the paths are laid out
+	await get_tree().process_frame
+	RenderingServer.force_draw()
+	return get_viewport().get_texture().get_image().save_png(path)
+
+
+func _new_path(color: Color) -> Line2D:
+	var path := Line2D.new()
+	path.width = 3
+	path.default_color = color
+	_paths.add_child(path)
+	return path

@@ -1,0 +1,256 @@
+## A session: a guided set-up, then the user reaches for virtual objects, and arrives at real ones.
+##
+##     godot --path . -- --person       a simulated person, also with a headset
+##     godot --path . -- --mouse        a finger below the mouse
+##     godot --path . -- --out=FOLDER   where results.csv, experimenter.png and wearer.png go; then the program ends
+extends Node3D
+
+signal ended
+
+enum State { SETTING_UP, GOING_TO_START, REACHING, OVER }
+
+## From the start, where the tracked joint of a finger is that touches it.
+const NEAR_M := 0.03
+## What a tracker may have a resting finger move.
+const STILL_M := 0.008
+const REOPENING_S := 3.0
+
+## The device that turns the plate, such as serial:/dev/ttyACM0; empty: it is drawn only.
+@export var device := ""
+## Parts of the set-up.
+@export_flags("Fingertip:1", "Registration:2", "Latency:8", "Calibration:16", "All that is missing:64") var set_up := 64
+@export_range(1, 100) var reaches := 6
+@export var virtual_targets: PackedStringArray = ["bottle", "goblet", "pawn"]
+## For which the finger rests before and after a reach.
+@export_range(0.2, 3.0, 0.1, "suffix:s") var rest_s := 0.6
+@export var seed_of_person := 1
+
+var finger: Finger
+var time_ns := 0
+var _state := State.OVER
+var _to_set_up: Array[int] = []
+var _gap := {}
+var _rest_place := Vector3.INF
+var _rested_s := 0.0
+var _failed_s := 0.0
+var _is_finished := false
+var _folder := "user://"
+var _results := Results.new()
+@onready var _desk: Desk = $Desk
+@onready var _plate: HapticRetargeting = $Desk/Plate
+@onready var _wearer: Wearer = $Wearer
+@onready var _experimenter: Experimenter = $Experimenter
+
+
+func _ready() -> void:
+	get_tree().auto_accept_quit = false
+	for argument in OS.get_cmdline_user_args():
+		if argument.begins_with("--out="):
+			_folder = argument.trim_prefix("--out=")
+	var headset := _wearer.start()
+	for problem: String in [_results.open(_folder.path_join("results.csv")), _desk.open()]:
+		if problem:
+			return _stop(problem)
+	finger = _make_finger(headset)
+	_wearer.recentred.connect(_place_again)
+	_wearer.taken_off.connect(_finish)
+	_plate.setup_step.connect(_on_setup_step)
+	_plate.setup_finished.connect(_on_setup_finished)
+	_experimenter.look_at_plate(_plate, _wearer)
+	if device:
+		_plate.open_device(device)
+		_plate.plate_commanded.connect(_plate.turn_device)
+	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION if finger is MouseFinger else set_up)
+
+
+func _process(delta: float) -> void:
+	if _state == State.OVER:
+		return
+	time_ns += roundi(delta * 1e9)
+	finger.advance(time_ns)
+	_experimenter.show_finger(finger.global_position)
+	if not _device_is_ready(delta):
+		return
+	_wearer.warn(finger.problem())
+	match _state:
+		State.SETTING_UP:
+			_send()
+		State.GOING_TO_START:
+			if _rests_for(delta) >= rest_s and _is_near_start():
+				_begin_reach()
+		State.REACHING:
+			_reach(delta)
+
+
+func _notification(what: int) -> void:
+	if what == NOTIFICATION_WM_CLOSE_REQUEST:
+		_finish()
+		get_tree().quit()
+
+
+func _make_finger(headset: bool) -> Finger:
+	var arguments := OS.get_cmdline_user_args()
+	var made: Finger
+	if headset and "--person" not in arguments and "--mouse" not in arguments:
+		made = preload("res://hand_finger.tscn").instantiate()
+		_wearer.origin.add_child(made)
+		return made
+	if not headset:
+		print("No headset: OpenXR has not started.")
+	made = MouseFinger.new(_plate) if "--mouse" in arguments else SimulatedFinger.new(_plate, seed_of_person)
+	add_child(made)
+	return made
+
+
+func _send() -> void:
+	if finger.seen:
+		_plate.update_joint(finger.global_transform, time_ns)
+	else:
+		_plate.update_lost(time_ns)
+
+
+func _begin_set_up(what: int) -> void:
+	_to_set_up.push_front(what)
+	finger.show_to_wearer(true)
+	if _plate.begin_setup(what) == OK:
+		_state = State.SETTING_UP
+	else:
+		_stop("The set-up cannot begin; the log says why.")
+
+
+func _on_setup_step(step: Dictionary) -> void:
+	if step.instruction == HapticRetargeting.STEP_FINISH:
+		_plate.finish_setup()
+		return
+	_wearer.say(step.text)
+	_desk.show_hint(step.place_m)
+	finger.asked_for_step.emit(step)
+
+
+func _on_setup_finished(_result: Dictionary) -> void:
+	_to_set_up.pop_front()
+	_experimenter.look_at_plate(_plate, _wearer)
+	if _to_set_up:
+		_begin_set_up(_to_set_up.pop_front())
+	else:
+		_plate.assign_targets(false)
+		_go_to_start()
+
+
+## The headset sees the room from elsewhere: what was under way is repeated once the plate is found.
+func _place_again() -> void:
+	if _state == State.OVER:
+		return
+	push_warning("The view was recentred: the plate is placed again.")
+	_cancel()
+	_begin_set_up(HapticRetargeting.SETUP_REGISTRATION)
+
+
+## What is under way.
+func _cancel() -> void:
+	if _plate.is_setting_up():
+		_plate.cancel_setup()
+	if _plate.is_reaching():
+		_plate.cancel()
+	_state = State.OVER
+
+
+func _go_to_start() -> void:
+	if _results.count == reaches:
+		return _finish()
+	_state = State.GOING_TO_START
+	finger.show_to_wearer(true)
+	_rested_s = 0.0
+	_wearer.say("Put your finger on the start.")
+	_desk.show_hint(_plate.start_position_m)
+	finger.asked_to_touch.emit(_plate.to_global(_plate.start_position_m))
+
+
+func _target_name() -> String:
+	return virtual_targets[_results.count % virtual_targets.size()]
+
+
+func _begin_reach() -> void:
+	var virtual_target := _plate.find_target(_target_name())
+	_gap = _plate.get_assigned(virtual_target)
+	if not _gap or _plate.begin(_gap.real_target, virtual_target) != OK:
+		return _stop("No reach to \"%s\" can begin; the log says why." % _target_name())
+	_state = State.REACHING
+	_rested_s = 0.0
+	finger.show_to_wearer(false)
+	_wearer.say("Slide to the %s, and stop there." % _target_name())
+	_desk.show_hint(_plate.to_local(_desk.object(_target_name()).global_position))
+	_experimenter.begin(finger.global_position)
+	finger.asked_to_slide.emit(virtual_target)
+
+
+func _reach(delta: float) -> void:
+	_send()
+	var command := _plate.get_command()
+	if not command:
+		return
+	if finger.seen:
+		_experimenter.follow(finger.global_position, command.perceived_direction_deg)
+	_experimenter.report("%s: plate %.1f°, felt error %.1f°, %.0f mm to go" % [_target_name(), command.plate_orientation_deg,
+			command.felt_error_deg, command.distance_to_go_m * 1000])
+	var rests := _rests_for(delta) >= rest_s and not _is_near_start()
+	if rests and _plate.end() == OK:
+		_results.add(_target_name(), _gap, _plate.get_summary())
+		_go_to_start()
+
+
+## For how long the finger has been still.
+func _rests_for(delta: float) -> float:
+	_rested_s += delta
+	if not finger.seen or finger.global_position.distance_to(_rest_place) > STILL_M:
+		_rest_place = finger.global_position
+		_rested_s = 0.0
+	return _rested_s
+
+
+func _is_near_start() -> bool:
+	return _rest_place.distance_to(_plate.to_global(_plate.start_position_m)) < NEAR_M
+
+
+## A device that fails is opened again and again; a reach that was under way is repeated.
+func _device_is_ready(delta: float) -> bool:
+	if not device:
+		return true
+	var report := _plate.get_device_report()
+	if report.state == HapticRetargeting.PLATE_STATE_READY:
+		return true
+	if report.state != HapticRetargeting.PLATE_STATE_FAILED:
+		return false
+	_wearer.warn("The plate does not answer: %s. Is it plugged in?" % report.message)
+	if _state == State.REACHING:
+		_cancel()
+		_go_to_start()
+	_failed_s += delta
+	if _failed_s > REOPENING_S:
+		_failed_s = 0.0
+		_plate.open_device(device)
+	return false
+
+
+func _finish() -> void:
+	if _is_finished:
+		return
+	_is_finished = true
+	_cancel()
+	_plate.close_device()
+	_wearer.say(_results.text() + (" (simulated)." if finger is SimulatedFinger else "."))
+	_experimenter.report(_results.text())
+	if DisplayServer.get_name() != "headless":
+		await _experimenter.save_picture(_folder.path_join("experimenter.png"))
+		if not _wearer.use_xr:
+			_wearer.get_texture().get_image().save_png(_folder.path_join("wearer.png"))
+	ended.emit()
+	if _folder != "user://":
+		get_tree().quit()
+
+
+func _stop(why: String) -> void:
+	_state = State.OVER
+	_wearer.warn(why)
+	if _folder != "user://":
+		get_tree().quit(1)

@@ -1,0 +1,45 @@
+## What the user sees: through a headset if OpenXR finds one, and otherwise in a picture beside the experimenter's.
+class_name Wearer
+extends SubViewport
+
+## The room has moved under the headset, so the plate is not where it was.
+signal recentred
+signal taken_off
+
+@onready var origin: XROrigin3D = $Origin
+@onready var _board: Label3D = $Origin/Board
+var _instruction := ""
+var _problem := ""
+
+
+## Whether a headset shows it.
+func start() -> bool:
+	var xr := XRServer.find_interface("OpenXR") as OpenXRInterface
+	if xr == null or not xr.is_initialized():
+		return false
+	use_xr = true
+	DisplayServer.window_set_vsync_mode(DisplayServer.VSYNC_DISABLED)  # the headset's is waited for
+	xr.pose_recentered.connect(recentred.emit)
+	xr.instance_exiting.connect(taken_off.emit)
+	return true
+
+
+## What to do now.
+func say(instruction: String) -> void:
+	if instruction != _instruction:
+		print(instruction)
+	_instruction = instruction
+	_show()
+
+
+## What is wrong, until it is not: empty.
+func warn(problem: String) -> void:
+	if problem and problem != _problem:
+		push_warning(problem)
+	_problem = problem
+	_show()
+
+
+func _show() -> void:
+	_board.text = _problem + "\n" + _instruction
+	_board.modulate = Color(1, 0.85, 0.4) if _problem else Color.WHITE
