@@ -1,0 +1,110 @@
+// The design of a study: study.json, checked as a whole.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/experiment/design/fields.h"
+
+namespace hrt::experiment {
+
+enum class Controller { people, paper, fixed, none };
+
+struct Condition {
+  std::string name;
+  Controller controller;
+  double plate_deg;  ///< under `fixed`
+};
+
+/// What is seen and what is touched, from the start.
+struct Pair {
+  std::string name;
+  double virtual_deg;
+  double real_deg;
+  double distance_m;
+};
+
+enum class Order { williams, random_in_blocks, listed };
+
+/// When a reach counts.
+struct Validity {
+  double min_s;
+  double max_s;
+  double max_dropped_share;
+  unsigned max_attempts;  ///< then the trial is missing
+};
+
+/// Which of two reaches was bent? The gap is chosen by QUEST+.
+struct Noticeability {
+  unsigned trials;
+  unsigned condition;  ///< whose controller bends
+  double virtual_deg;
+  double distance_m;
+  double min_gap_deg;
+  double max_gap_deg;
+};
+
+struct Questionnaire {
+  std::string name;
+  bool before;
+  bool after;
+  unsigned low;
+  unsigned high;
+  std::vector<std::string> items;
+};
+
+/// Traits of simulated people that the library's own lack.
+struct SimulatedTraits {
+  double invalid_share;  ///< of reaches in which the tracker loses the finger
+  double lapse_share;    ///< of answers that are guesses
+};
+
+struct Design {
+  std::string title;
+  unsigned seed;
+  unsigned participants;
+  std::vector<Condition> conditions;
+  std::vector<Pair> pairs;
+  Order order;
+  std::vector<std::vector<unsigned>> listed;  ///< conditions, one list after the other for the participants
+  std::string factor;                         ///< between people; empty: none
+  std::vector<std::string> levels;
+  unsigned rounds;   ///< blocks of each condition; of random_in_blocks: blocks
+  unsigned repeats;  ///< of each pair in a block
+  unsigned max_run;  ///< of one pair in a row
+  double catch_share;
+  unsigned practice_trials;
+  bool calibrates;
+  std::string question;  ///< after each reach; empty: none
+  std::vector<std::string> answers;
+  Validity validity;
+  double break_minutes;
+  double max_pause_minutes;
+  unsigned max_invalid_in_a_row;
+  double max_minutes;
+  double trial_s;
+  std::optional<Noticeability> noticeability;
+  std::vector<Questionnaire> questionnaires;
+  std::string measure;  ///< column of trials.csv that the analysis is of
+  std::string test;
+  unsigned reference;  ///< condition
+  double alpha;
+  SimulatedTraits simulated;
+  std::string text;    ///< the file
+  std::string sha256;  ///< of `text`
+};
+
+/// Throws Refusal naming the place and what is allowed. `name`: of the file, for messages.
+Design parse_design(const std::string& text, const std::string& name);
+Design read_design(const std::filesystem::path& file);
+
+/// The JSON schema that parse_design() reads by.
+nlohmann::json design_schema();
+
+/// Letters by which conditions are known until they are unblinded: drawn from the design's seed.
+std::string letter_of(const Design& design, unsigned condition);
+
+}  // namespace hrt::experiment

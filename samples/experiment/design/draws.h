@@ -1,0 +1,53 @@
+// Random draws, each a pure function of where it is used.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "core/simulation/philox.h"
+
+namespace hrt::experiment {
+
+/// What a draw is for.
+enum class Use : std::uint32_t { letters, orders, trials, returns, intervals, person, noise, answers };
+
+/// The design's seed, and who and which trial: 0 where it does not matter.
+struct Place {
+  std::uint64_t seed;
+  std::uint32_t participant = 0;
+  std::uint32_t block = 0;
+  std::uint32_t trial = 0;
+  std::uint32_t attempt = 0;
+};
+
+/// Draws in sequence, from one place.
+class Stream {
+ public:
+  Stream(Use use, const Place& place)
+      : key_(place.seed * 8 + static_cast<std::uint64_t>(use)),
+        counter_{0, place.participant, place.block, (place.trial << 12U) + place.attempt} {}
+
+  /// In [0, 1).
+  double uniform() {
+    std::uint32_t words[4];
+    hrt_philox(counter_, key_, words);
+    ++counter_[0];
+    constexpr double two_to_minus_32 = 1.0 / 4294967296.0;
+    return words[0] * two_to_minus_32;
+  }
+  /// Below `count`.
+  unsigned below(unsigned count) { return static_cast<unsigned>(uniform() * count); }
+
+  template <class Value>
+  void shuffle(std::vector<Value>& values) {
+    for (auto left = static_cast<unsigned>(values.size()); left > 1; --left)
+      std::swap(values[left - 1], values[below(left)]);
+  }
+
+ private:
+  std::uint64_t key_;
+  std::uint32_t counter_[4];
+};
+
+}  // namespace hrt::experiment

@@ -1,0 +1,192 @@
+#include "samples/experiment/design/schedule.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "samples/experiment/design/draws.h"
+#include "samples/format.h"
+
+namespace hrt::experiment {
+namespace {
+
+constexpr unsigned max_tries = 10'000;
+
+// No pair more than max_run times in a row; catch trials neither first nor next to each other.
+bool is_legal(const std::vector<PlannedTrial>& trials, unsigned max_run, bool has_pairs) {
+  unsigned run = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].is_catch && (i == 0 || trials[i - 1].is_catch)) return false;
+    run = i > 0 && trials[i].pair == trials[i - 1].pair ? run + 1 : 1;
+    if (has_pairs && run > max_run) return false;
+  }
+  return true;
+}
+
+Block made(BlockKind kind, std::vector<PlannedTrial> trials, const Design& design, unsigned participant,
+           unsigned number) {
+  Stream stream(Use::trials, {.seed = design.seed, .participant = participant, .block = number});
+  const bool has_pairs = design.pairs.size() > 1 && kind == BlockKind::reaches;
+  unsigned tries = 0;
+  do {
+    if (++tries > max_tries)
+      throw Refusal(
+          format("/max_run: no order of block %u has at most %u trials of a pair in a row and its catch "
+                 "trials apart; raise it, or lower catch_share",
+                 number, design.max_run));
+    stream.shuffle(trials);
+  } while (!is_legal(trials, design.max_run, has_pairs));
+  for (std::size_t i = 0; i < trials.size(); ++i) trials[i].number = static_cast<unsigned>(i) + 1;
+  return {kind, std::move(trials)};
+}
+
+std::vector<PlannedTrial> trials_of(const Design& design, const std::vector<unsigned>& conditions) {
+  std::vector<PlannedTrial> trials;
+  for (const unsigned condition : conditions)
+    for (unsigned pair = 0; pair < design.pairs.size(); ++pair)
+      for (unsigned i = 0; i < design.repeats; ++i) trials.push_back({0, condition, pair, false});
+  const auto catches = std::lround(design.catch_share * static_cast<double>(trials.size()));
+  for (unsigned i = 0; i < catches; ++i)
+    trials.push_back(
+        {0, conditions[i % conditions.size()], i % static_cast<unsigned>(design.pairs.size()), true});
+  return trials;
+}
+
+std::vector<unsigned> all_conditions(const Design& design) {
+  std::vector<unsigned> all(design.conditions.size());
+  for (unsigned i = 0; i < all.size(); ++i) all[i] = i;
+  return all;
+}
+
+unsigned order_count(const Design& design) {
+  if (design.order == Order::listed) return static_cast<unsigned>(design.listed.size());
+  if (design.order == Order::random_in_blocks) return 1;
+  return static_cast<unsigned>(williams_orders(static_cast<unsigned>(design.conditions.size())).size());
+}
+
+// Orders come in sets of all; within each set they are dealt at random.
+std::vector<unsigned> order_for(const Design& design, unsigned participant) {
+  if (design.order == Order::random_in_blocks) return {};
+  const auto orders = design.order == Order::listed
+                          ? design.listed
+                          : williams_orders(static_cast<unsigned>(design.conditions.size()));
+  const auto count = static_cast<unsigned>(orders.size());
+  const unsigned set = (participant - 1) / count;
+  std::vector<unsigned> rows(count);
+  for (unsigned i = 0; i < count; ++i) rows[i] = i;
+  Stream(Use::orders, {.seed = design.seed, .block = set}).shuffle(rows);
+  return orders[rows[(participant - 1) % count]];
+}
+
+Block noticeability_block(const Design& design, unsigned participant, unsigned number) {
+  std::vector<PlannedTrial> trials(design.noticeability->trials,
+                                   PlannedTrial{0, design.noticeability->condition, 0, false});
+  const auto catches = std::lround(design.catch_share * static_cast<double>(trials.size()));
+  trials.insert(trials.end(), static_cast<std::size_t>(catches),
+                PlannedTrial{0, design.noticeability->condition, 0, true});
+  return made(BlockKind::noticeability, std::move(trials), design, participant, number);
+}
+
+std::string letters_of(const Design& design, const std::vector<unsigned>& order) {
+  std::string text;
+  for (const unsigned condition : order) text += (text.empty() ? "" : " ") + letter_of(design, condition);
+  return text;
+}
+
+// How often each condition directly follows each other one, over all participants.
+std::string balance_text(const Design& design) {
+  if (design.order == Order::random_in_blocks)
+    return "balance: every block has every condition and pair equally often\n";
+  std::map<std::pair<unsigned, unsigned>, unsigned> follows;
+  for (unsigned p = 1; p <= design.participants; ++p) {
+    const std::vector<unsigned> order = order_for(design, p);
+    for (std::size_t i = 1; i < order.size(); ++i) ++follows[{order[i - 1], order[i]}];
+  }
+  unsigned low = follows.empty() ? 0 : follows.begin()->second, high = low;
+  const std::size_t pairs = design.conditions.size() * (design.conditions.size() - 1);
+  if (follows.size() < pairs) low = 0;
+  for (const auto& [pair, count] : follows) {
+    low = std::min(low, count);
+    high = std::max(high, count);
+  }
+  return format("balance: each condition directly follows each other one %u to %u times\n", low, high);
+}
+
+}  // namespace
+
+std::vector<std::vector<unsigned>> williams_orders(unsigned count) {
+  std::vector<unsigned> first;  // 0, 1, n - 1, 2, n - 2 ...
+  for (unsigned i = 0; i < count; ++i) first.push_back(i % 2 == 1 ? (i + 1) / 2 : (count - i / 2) % count);
+  std::vector<std::vector<unsigned>> orders;
+  for (unsigned shift = 0; shift < count; ++shift) {
+    std::vector<unsigned> order;
+    for (const unsigned place : first) order.push_back((place + shift) % count);
+    orders.push_back(order);
+  }
+  if (count % 2 == 1 && count > 1)
+    for (unsigned i = 0; i < count; ++i) orders.emplace_back(orders[i].rbegin(), orders[i].rend());
+  return orders;
+}
+
+Schedule schedule_of(const Design& design, unsigned participant) {
+  Schedule schedule{};
+  const auto levels = std::max<unsigned>(1, static_cast<unsigned>(design.levels.size()));
+  schedule.level = (participant - 1) / order_count(design) % levels;
+  schedule.order = order_for(design, participant);
+  Block practice{BlockKind::practice, {}};
+  for (unsigned i = 0; i < design.practice_trials; ++i)
+    practice.trials.push_back({i + 1, 0, i % static_cast<unsigned>(design.pairs.size()), true});
+  schedule.blocks.push_back(practice);
+  for (unsigned round = 0; round < design.rounds; ++round) {
+    std::vector<std::vector<unsigned>> sets;
+    for (const unsigned condition : schedule.order) sets.push_back({condition});
+    if (schedule.order.empty()) sets.push_back(all_conditions(design));
+    for (const std::vector<unsigned>& set : sets)
+      schedule.blocks.push_back(made(BlockKind::reaches, trials_of(design, set), design, participant,
+                                     static_cast<unsigned>(schedule.blocks.size())));
+  }
+  if (design.noticeability)
+    schedule.blocks.push_back(
+        noticeability_block(design, participant, static_cast<unsigned>(schedule.blocks.size())));
+  return schedule;
+}
+
+double minutes_of(const Design& design, const Schedule& schedule) {
+  constexpr double consent_min = 5.0, calibration_min = 6.0, item_min = 0.15, min_per_s = 1.0 / 60.0;
+  double minutes = consent_min + (design.calibrates ? calibration_min : 0.0);
+  for (const Questionnaire& paper : design.questionnaires)
+    minutes += item_min * static_cast<double>(paper.items.size()) * (int{paper.before} + int{paper.after});
+  for (const Block& block : schedule.blocks) {
+    const double reaches = block.kind == BlockKind::noticeability ? 2.0 : 1.0;
+    minutes += static_cast<double>(block.trials.size()) * reaches * design.trial_s * min_per_s;
+  }
+  return minutes + design.break_minutes * static_cast<double>(schedule.blocks.size() - 1);
+}
+
+std::string name_of(BlockKind kind) {
+  constexpr const char* names[] = {"practice", "reaches", "noticeability"};
+  return names[static_cast<std::size_t>(kind)];
+}
+
+std::string design_text(const Design& design) {
+  const Schedule first = schedule_of(design, 1);
+  std::string text = design.title + "\nSHA-256 " + design.sha256 + "\n\n";
+  std::size_t trials = 0;
+  for (std::size_t b = 0; b < first.blocks.size(); ++b) {
+    text += format("block %zu: %s, %zu trials\n", b, name_of(first.blocks[b].kind).c_str(),
+                   first.blocks[b].trials.size());
+    if (b > 0) trials += first.blocks[b].trials.size();
+  }
+  text += format("%u participants, each %zu trials beside %u of practice, some %.0f minutes\n",
+                 design.participants, trials, design.practice_trials, minutes_of(design, first));
+  text += balance_text(design) + "\n";
+  for (unsigned p = 1; p <= design.participants; ++p) {
+    const Schedule schedule = schedule_of(design, p);
+    text += format("sub-%02u  ", p) + (design.levels.empty() ? "" : design.levels[schedule.level] + "  ") +
+            (schedule.order.empty() ? "all in each block" : letters_of(design, schedule.order)) + "\n";
+  }
+  return text +
+         "\nConditions are letters until they are unblinded. No person has been led by this program.\n";
+}
+
+}  // namespace hrt::experiment

@@ -1,0 +1,126 @@
+// hrt-experiment: a study of haptic retargeting, from its design to its data. See README.md beside this file.
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstring>
+#include <iostream>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "samples/experiment/output/export.h"
+#include "samples/experiment/session/session.h"
+#include "samples/experiment/session/simulated.h"
+#include "samples/whole_file.h"
+
+namespace hrt::experiment {
+namespace {
+
+struct Options {
+  std::string study;
+  std::string data = "data";
+  unsigned participant = 1;
+  unsigned session = 1;
+  unsigned threads = 2;
+  std::uint64_t seed = 1;
+  bool unblinds = false;
+};
+
+void put(const std::filesystem::path& file, const std::string& content) {
+  if (const int error = write_whole_file(file, content); error != 0)
+    throw Refusal(file.string() + ": cannot be written: " + std::strerror(error));
+}
+
+void run_simulated(const Options& options) {
+  const Design design = read_design(options.study);
+  SimulatedSubject subject(design, options.participant, options.seed);
+  const std::string end =
+      run_session(design, {options.data, options.participant, options.session}, subject, Disk());
+  std::cout << "sub-" << options.participant << ": " << end << ", SIMULATED: no person took part\n";
+}
+
+// All participants, several at a time.
+void simulate(const Options& options) {
+  const Design design = read_design(options.study);
+  std::atomic<unsigned> next = 1;
+  std::mutex mutex;
+  std::string failure;
+  const auto work = [&] {
+    for (unsigned participant = next++; participant <= design.participants; participant = next++) try {
+        SimulatedSubject subject(design, participant, options.seed);
+        const std::string end = run_session(design, {options.data, participant, 1}, subject, Disk());
+        const std::scoped_lock lock(mutex);
+        std::cout << "sub-" << participant << ": " << end << "\n" << std::flush;
+      } catch (const std::exception& error) {
+        const std::scoped_lock lock(mutex);
+        failure = error.what();
+      }
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned i = 1; i < options.threads; ++i) threads.emplace_back(work);
+  work();
+  threads.clear();
+  if (!failure.empty()) throw Refusal(failure);
+  std::cout << "SIMULATED: no person took part\n";
+}
+
+void write_tables(const Options& options) {
+  const std::filesystem::path study = options.data;
+  const Design design = read_design(study / "study.json");
+  const Tables tables = export_study(design, study, options.unblinds);
+  std::filesystem::create_directories(study / "export");
+  put(study / "export" / "trials.csv", tables.trials);
+  put(study / "export" / "people.csv", tables.people);
+  put(study / "export" / "dictionary.md", tables.dictionary);
+  std::cout << (study / "export").string() << ": " << tables.sessions << " sessions\n";
+}
+
+void add_commands(CLI::App& app, Options& options) {
+  const auto add = [&](const char* name, const char* help, bool has_study, void (*run)(const Options&)) {
+    CLI::App* command = app.add_subcommand(name, help);
+    if (has_study) command->add_option("study", options.study, "The design, study.json")->required();
+    command->callback([run, &options] { run(options); });
+    return command;
+  };
+  add("design", "Check a design, and show its trials, minutes, balance and orders", true,
+      [](const Options& o) { std::cout << design_text(read_design(o.study)); });
+  add("schema", "Print the JSON schema of designs", false,
+      [](const Options&) { std::cout << design_schema().dump(2) << "\n"; });
+  CLI::App* run =
+      add("run", "Run or resume the session of a participant, who is simulated", true, run_simulated);
+  CLI::App* all = add("simulate", "Run sessions of simulated people, all of the design", true, simulate);
+  CLI::App* tables = add("export", "Write trials.csv, people.csv and their dictionary", false, write_tables);
+  run->add_option("--participant", options.participant, "From 1")->required();
+  run->add_option("--session", options.session, "From 1 [1]")->check(CLI::Range(1, 99));
+  run->add_option("--simulated", options.seed, "Seed of a simulated participant")->required();
+  all->add_option("--seed", options.seed, "Of the simulated people [1]");
+  all->add_option("--threads", options.threads, "[2]")->check(CLI::Range(1, 64));
+  for (CLI::App* command : {run, all, tables})
+    command->add_option("--data", options.data, "Folder of the study's data [data]");
+  tables->add_flag("--unblind", options.unblinds, "Conditions by their names");
+}
+
+}  // namespace
+}  // namespace hrt::experiment
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "A study of haptic retargeting by touch, from its design to its data. It has led simulated people "
+      "only.",
+      "hrt-experiment");
+  app.require_subcommand(1);
+  hrt::experiment::Options options;
+  hrt::experiment::add_commands(app, options);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    std::cerr << "hrt-experiment: " << error.what() << " (see --help)\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "hrt-experiment: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}

@@ -1,0 +1,41 @@
+// A session of the plugin for one reach or set-up, and its recording.
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+
+#include "samples/experiment/session/subject.h"
+
+namespace hrt::experiment {
+
+/// Throws Refusal with the plugin's text unless `result` is HRT_OK.
+void check(hrt_result result);
+
+std::string library_version();
+
+/// A sample of a set-up as numbers, and back.
+nlohmann::json row_of(const hrt_sample& sample);
+hrt_sample sample_of(const nlohmann::json& row);
+
+class LibrarySession {
+ public:
+  /// `profile`: what is believed of the person; empty: nothing.
+  LibrarySession(const Condition& condition, const std::string& profile, const Subject& subject);
+  ~LibrarySession();
+  LibrarySession(const LibrarySession&) = delete;
+  LibrarySession& operator=(const LibrarySession&) = delete;
+
+  hrt_session handle() const { return session_; }
+  /// The real one, and the virtual one.
+  std::pair<hrt_target, hrt_target> add_targets(double real_deg, double virtual_deg, double distance_m) const;
+  std::string profile() const;
+  void record(const std::filesystem::path& file) const;
+  void finish_recording(const std::filesystem::path& file) const;
+
+ private:
+  hrt_session session_{};
+};
+
+}  // namespace hrt::experiment

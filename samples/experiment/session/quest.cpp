@@ -1,0 +1,97 @@
+#include "samples/experiment/session/quest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace hrt::experiment {
+namespace {
+
+constexpr double prior_threshold_deg = 14.0;
+constexpr double prior_sd_log2 = 1.0;
+constexpr int threshold_steps = 61;  // over four standard deviations to either side, as far as it matters
+constexpr double slopes[] = {1.0, 1.5, 2.0, 3.0, 4.5};
+constexpr double lapses[] = {0.0, 0.01, 0.02, 0.03, 0.05};
+
+double entropy(double share) {
+  const double other = 1.0 - share;
+  return (share > 0.0 ? -share * std::log(share) : 0.0) + (other > 0.0 ? -other * std::log(other) : 0.0);
+}
+
+}  // namespace
+
+double right_share(double gap, double threshold, double slope, double lapse) {
+  return 1.0 - lapse - (0.5 - lapse) * std::exp(-std::pow(gap / threshold, slope));
+}
+
+QuestPlus::QuestPlus(double min_gap_deg, double max_gap_deg) {
+  constexpr double steps_per_decade = 20.0;
+  const int steps = static_cast<int>(std::lround(steps_per_decade * std::log10(max_gap_deg / min_gap_deg)));
+  for (int i = 0; i <= steps; ++i)
+    gaps_.push_back(min_gap_deg * std::pow(max_gap_deg / min_gap_deg, i / (1.0 * steps)));
+  for (int i = 0; i < threshold_steps; ++i) {
+    const double deviations = 4.0 * (2.0 * i / (threshold_steps - 1) - 1.0);
+    for (const double slope : slopes)
+      for (const double lapse : lapses) {
+        people_.push_back({prior_threshold_deg * std::exp2(prior_sd_log2 * deviations), slope, lapse});
+        belief_.push_back(std::exp(-0.5 * deviations * deviations));
+      }
+  }
+  const double sum = std::accumulate(belief_.begin(), belief_.end(), 0.0);
+  for (double& belief : belief_) belief /= sum;
+  for (const double gap : gaps_)
+    for (const Person& person : people_) {
+      right_.push_back(right_share(gap, person.threshold, person.slope, person.lapse));
+      uncertainty_.push_back(entropy(right_.back()));
+    }
+}
+
+// The expected decrease of the belief's entropy is what is not known of the answer, less what would not be
+// known of it if the person were.
+double QuestPlus::next_gap_deg() const {
+  double best = -1.0, best_gap = gaps_.front();
+  for (std::size_t g = 0; g < gaps_.size(); ++g) {
+    double right = 0.0, left_unknown = 0.0;
+    for (std::size_t p = 0; p < people_.size(); ++p) {
+      right += belief_[p] * right_[g * people_.size() + p];
+      left_unknown += belief_[p] * uncertainty_[g * people_.size() + p];
+    }
+    const double learnt = entropy(right) - left_unknown;
+    if (learnt <= best) continue;
+    best = learnt;
+    best_gap = gaps_[g];
+  }
+  return best_gap;
+}
+
+void QuestPlus::update(double gap_deg, bool is_right) {
+  double sum = 0.0;
+  for (std::size_t p = 0; p < people_.size(); ++p) {
+    const double right = right_share(gap_deg, people_[p].threshold, people_[p].slope, people_[p].lapse);
+    belief_[p] *= is_right ? right : 1.0 - right;
+    sum += belief_[p];
+  }
+  for (double& belief : belief_) belief /= sum;
+}
+
+QuestPlus::Threshold QuestPlus::threshold() const {
+  double mean_log = 0.0;
+  for (std::size_t p = 0; p < people_.size(); ++p) mean_log += belief_[p] * std::log(people_[p].threshold);
+  const auto quantile = [&](double share) {
+    double below = 0.0;
+    for (std::size_t p = 0; p < people_.size(); p += std::size(slopes) * std::size(lapses)) {
+      double here = 0.0;
+      for (std::size_t i = 0; i < std::size(slopes) * std::size(lapses); ++i) here += belief_[p + i];
+      below += here;
+      if (below < share) continue;
+      // Between the grid's values, as if each were spread over its cell.
+      const double step = 8.0 * prior_sd_log2 / (threshold_steps - 1);
+      return people_[p].threshold * std::exp2(step * (0.5 - (below - share) / here));
+    }
+    return people_.back().threshold;
+  };
+  constexpr double tail = 0.025;
+  return {std::exp(mean_log), quantile(tail), quantile(1.0 - tail)};
+}
+
+}  // namespace hrt::experiment

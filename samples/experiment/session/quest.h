@@ -1,0 +1,45 @@
+// QUEST+ (Watson 2017) for a choice between two intervals: the next gap is the one after whose answer the
+// least is expected to be unknown of threshold, slope and lapses. Our own code, of the published equations.
+#pragma once
+
+#include <vector>
+
+namespace hrt::experiment {
+
+/// Share of right answers: 1 - l - (1/2 - l) exp(-(x / t)^s).
+double right_share(double gap, double threshold, double slope, double lapse);
+
+class QuestPlus {
+ public:
+  /// Gaps of 1 dB steps of their logarithm between the two. The prior of the threshold is normal in its
+  /// logarithm about 14 (touch, Keyson 1995), wide enough for 4.5 (vision): a factor of 2 is a standard
+  /// deviation.
+  QuestPlus(double min_gap_deg, double max_gap_deg);
+
+  double next_gap_deg() const;
+  void update(double gap_deg, bool is_right);
+
+  /// With the ends of its 95 % interval: the mean of its logarithm, and its quantiles.
+  struct Threshold {
+    double deg;
+    double lower_deg;
+    double upper_deg;
+  };
+  Threshold threshold() const;
+  const std::vector<double>& gaps_deg() const { return gaps_; }
+
+ private:
+  struct Person {
+    double threshold;
+    double slope;
+    double lapse;
+  };
+
+  std::vector<double> gaps_;
+  std::vector<Person> people_;       // of the grid, by threshold
+  std::vector<double> belief_;       // of each
+  std::vector<double> right_;        // of each gap and person
+  std::vector<double> uncertainty_;  // of an answer there, nats
+};
+
+}  // namespace hrt::experiment

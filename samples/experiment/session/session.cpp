@@ -1,0 +1,369 @@
+#include "samples/experiment/session/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "samples/experiment/data/sha256.h"
+#include "samples/experiment/design/draws.h"
+#include "samples/experiment/session/library.h"
+#include "samples/format.h"
+
+namespace hrt::experiment {
+
+using nlohmann::json;
+
+namespace {
+
+constexpr double deg_per_rad = 180.0 / std::numbers::pi;
+constexpr std::int64_t ns_per_minute = 60'000'000'000, ns_per_ms = 1'000'000;
+
+// Reaches of a session are numbered from here: those before are of its set-up.
+constexpr unsigned first_reach = 512;
+
+struct Part {
+  double real_deg;
+  double virtual_deg;
+  double distance_m;
+  Condition condition;
+};
+
+json outcome_of(const Part& part, const ReachOutcome& outcome) {
+  const auto& start_m = hrt_session_config_init().start_position_m;
+  const double right_m = outcome.end_m[0] - start_m[0], away_m = start_m[2] - outcome.end_m[2];
+  const double real_rad = part.real_deg / deg_per_rad;
+  const double miss_deg = std::remainder(std::atan2(-right_m, away_m) * deg_per_rad - part.real_deg, 360.0);
+  const double miss_m = std::hypot(right_m + part.distance_m * std::sin(real_rad),
+                                   away_m - part.distance_m * std::cos(real_rad));
+  const hrt_reach_summary& summary = outcome.summary;
+  return {{"real_deg", part.real_deg},
+          {"virtual_deg", part.virtual_deg},
+          {"miss_deg", miss_deg},
+          {"miss_mm", 1e3 * miss_m},
+          {"peak_felt_error_deg", outcome.peak_felt_error_deg},
+          {"is_truth", outcome.is_truth},
+          {"duration_s", outcome.duration_s},
+          {"samples", summary.samples},
+          {"dropped", summary.dropped_samples},
+          {"tactile_weight", summary.tactile_weight},
+          {"flags", summary.flags}};
+}
+
+// Why the reach does not count; empty: it does.
+std::string judged(const Validity& rules, const ReachOutcome& outcome) {
+  if (!outcome.problem.empty()) return outcome.problem;
+  if (!outcome.has_ended) return "did not end";
+  const auto samples = static_cast<double>(std::max<std::int64_t>(1, outcome.summary.samples));
+  if (static_cast<double>(outcome.summary.dropped_samples) > rules.max_dropped_share * samples)
+    return "finger lost";
+  if (outcome.duration_s < rules.min_s) return "too fast";
+  return outcome.duration_s > rules.max_s ? "too slow" : "";
+}
+
+class SessionRun {
+ public:
+  SessionRun(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk)
+      : design_(design),
+        subject_(subject),
+        disk_(disk),
+        schedule_(schedule_of(design, place.participant)),
+        folder_(folder_of(place)),
+        stem_(format("sub-%02u_ses-%02u", place.participant, place.session)),
+        journal_((disk.make_folder(folder_ / "recordings"), folder_ / "journal.jsonl"), disk,
+                 [&subject] { return subject.now(); }),
+        state_(state_of(design, schedule_, place.participant, journal_.events())) {}
+
+  std::string run() {
+    open();
+    while (state_.end.empty()) {
+      if (const std::string left = obey(); !left.empty()) return left;
+      const Task task = state_.next();
+      if (task.kind == Task::Kind::end) {
+        log("end", {{"how", "done"}, {"reason", ""}});
+        break;
+      }
+      stop_if_due();
+      if (state_.end.empty()) perform(task);
+    }
+    subject_.say(state_.end == "done" ? "The session is done. Thank you." : "The session is stopped.");
+    return state_.end;
+  }
+
+ private:
+  void log(const std::string& name, json data) {
+    disk_.step("before state");
+    state_.apply(journal_.append(name, std::move(data)));
+    disk_.step("after state");
+  }
+
+  // A long interruption, or one of unknown length, in the middle of a block has it start again.
+  void open() {
+    const std::vector<Event>& events = journal_.events();
+    bool is_long = false;
+    if (!events.empty()) {
+      const json& first = events.front().data;
+      if (first.at("sha256") != design_.sha256)
+        throw Refusal(folder_.string() + ": began with a design of SHA-256 " +
+                      first.at("sha256").get<std::string>());
+      if (first.at("subject") != subject_.description())
+        throw Refusal(folder_.string() + ": began with " + first.at("subject").get<std::string>() +
+                      ", not with " + subject_.description());
+      if (!state_.end.empty()) return;
+      subject_.continue_after(*state_.last);
+      is_long = is_long_pause();
+    }
+    log("opened", {{"study", design_.title},
+                   {"sha256", design_.sha256},
+                   {"participant", state_.participant},
+                   {"subject", subject_.description()},
+                   {"library", library_version()},
+                   {"boot", subject_.boot()}});
+    const auto& records =
+        state_.block < state_.trials.size() ? state_.trials[state_.block] : std::vector<TrialRecord>{};
+    const bool is_in_block = std::any_of(records.begin(), records.end(),
+                                         [](const TrialRecord& record) { return record.presented > 0; });
+    if (is_long && is_in_block) log("block_again", {{"block", state_.block}});
+  }
+
+  bool is_long_pause() const {
+    std::string boot;
+    for (const Event& event : journal_.events())
+      if (event.name == "opened") boot = event.data.at("boot");
+    const Now now = subject_.now();
+    const std::int64_t pause_ns = boot == subject_.boot() ? now.monotonic_ns - state_.last->monotonic_ns
+                                                          : (now.utc_ms - state_.last->utc_ms) * ns_per_ms;
+    return pause_ns < 0 || static_cast<double>(pause_ns) > design_.max_pause_minutes * ns_per_minute;
+  }
+
+  std::string obey() {
+    for (Key key = subject_.key(); key != Key::none; key = subject_.key()) {
+      if (key == Key::leave) return "left";
+      if (key == Key::unblind) log("unblinded", json::object());
+      if (key == Key::note) log("note", {{"text", subject_.note()}});
+      if (key == Key::rest) log("rest", {{"minutes", 0}, {"asked", true}});
+      if (key == Key::stop_plate) log("plate_stopped", json::object());
+    }
+    return {};
+  }
+
+  void stop_if_due() {
+    const double minutes = static_cast<double>(subject_.now().monotonic_ns - state_.consent_ns) /
+                           static_cast<double>(ns_per_minute);
+    if (state_.refused_in_a_row >= design_.max_invalid_in_a_row)
+      log("end", {{"how", "stopped"}, {"reason", "too many reaches in a row did not count"}});
+    else if (state_.has_consent && minutes > design_.max_minutes)
+      log("end", {{"how", "stopped"}, {"reason", "the session took too long"}});
+  }
+
+  void perform(const Task& task) {
+    switch (task.kind) {
+      case Task::Kind::consent:
+        return log("consent", {{"given", subject_.consents()}});
+      case Task::Kind::set_up:
+        return set_up();
+      case Task::Kind::questionnaire: {
+        const Questionnaire& paper = design_.questionnaires[task.trial];
+        const std::vector<unsigned> answers = subject_.fill_in(paper);
+        return log("questionnaire",
+                   {{"name", paper.name}, {"when", task.after ? "after" : "before"}, {"answers", answers}});
+      }
+      case Task::Kind::rest:
+        subject_.rest(design_.break_minutes);
+        return log("rest", {{"minutes", design_.break_minutes}});
+      case Task::Kind::trial:
+        return attempt(task);
+      case Task::Kind::answer:
+        return ask(task);
+      case Task::Kind::end:
+        return;
+    }
+  }
+
+  // The slides that the journal has are given to the plugin again, then those that are missing are made.
+  void set_up() {
+    const LibrarySession session({"", Controller::people, 0.0}, "", subject_);
+    check(hrt_setup_begin(session.handle(), HRT_SETUP_CALIBRATION, nullptr));
+    hrt_setup_step step = hrt_setup_step_init();
+    hrt_setup_result result = hrt_setup_result_init();
+    std::int64_t last_ns = 0;
+    const auto use = [&](const hrt_sample& sample) {
+      last_ns = sample.time_ns;
+      check(hrt_setup_update(session.handle(), &sample, &step));
+    };
+    for (std::size_t done = 0;; ++done) {
+      if (done < state_.slides.size()) {
+        for (const json& row : state_.slides[done].at("samples")) use(sample_of(row));
+      } else {
+        json samples = json::array();
+        const unsigned before = step.done;
+        subject_.slide(session.handle(), step, static_cast<unsigned>(done), last_ns,
+                       [&](const hrt_sample& sample) {
+                         samples.push_back(row_of(sample));
+                         use(sample);
+                         const bool ends = step.done > before || step.instruction == HRT_STEP_FINISH;
+                         return ends ? std::nullopt : std::optional(step);
+                       });
+        log("slide", {{"number", done}, {"samples", std::move(samples)}});
+      }
+      if (step.instruction != HRT_STEP_FINISH) continue;
+      check(hrt_setup_finish(session.handle(), &result));
+      if (result.left == 0) break;
+    }
+    keep_set_up(session, result);
+  }
+
+  void keep_set_up(const LibrarySession& session, const hrt_setup_result& result) {
+    const std::string profile = session.profile();
+    disk_.create(folder_ / "profile.json", profile);
+    log("set_up", {{"is_known", result.done != 0},
+                   {"slides", result.slides},
+                   {"tactile_weight", result.tactile_weight.value},
+                   {"tactile_weight_low", result.tactile_weight.lower},
+                   {"tactile_weight_high", result.tactile_weight.upper},
+                   {"profile", profile}});
+  }
+
+  std::string letter(unsigned condition) const { return letter_of(design_, condition); }
+
+  // The reaches of a trial, and for noticeability which gap and which of the two is bent.
+  std::vector<Part> parts_of(const Task& task, json& about) const {
+    const Block& block = schedule_.blocks[task.block];
+    const PlannedTrial& planned = block.trials[task.trial];
+    const Condition& condition = design_.conditions[planned.condition];
+    const Condition at_rest{"", Controller::none, 0.0};
+    if (block.kind != BlockKind::noticeability) {
+      const Pair& pair = design_.pairs[planned.pair];
+      about["pair"] = pair.name;
+      if (planned.is_catch) return {{pair.real_deg, pair.real_deg, pair.distance_m, at_rest}};
+      return {{pair.real_deg, pair.virtual_deg, pair.distance_m, condition}};
+    }
+    const Noticeability& notice = *design_.noticeability;
+    Stream draw(Use::intervals,
+                {design_.seed, state_.participant, task.block, planned.number, record(task).refused});
+    const unsigned bent = draw.below(2);
+    const double gap_deg = planned.is_catch ? 0.0 : state_.quest.next_gap_deg();
+    const double sign = draw.below(2) == 0 ? 1.0 : -1.0;
+    about["gap_deg"] = gap_deg;
+    about["bent"] = bent;
+    std::vector<Part> parts(2, Part{notice.virtual_deg, notice.virtual_deg, notice.distance_m, condition});
+    parts[bent].real_deg -= sign * gap_deg;
+    return parts;
+  }
+
+  const TrialRecord& record(const Task& task) const { return state_.trials[task.block][task.trial]; }
+
+  // A name that no file has: one of a crash may be there.
+  std::string new_stem(const Task& task, unsigned* number) const {
+    const PlannedTrial& planned = schedule_.blocks[task.block].trials[task.trial];
+    for (*number = record(task).attempts + 1;; ++*number) {
+      const std::string stem =
+          stem_ + format("_block-%02u_trial-%03u_attempt-%02u_cond-", task.block, planned.number, *number) +
+          letter(planned.condition);
+      if (!std::filesystem::exists(folder_ / "recordings" / (stem + ".json"))) return stem;
+    }
+  }
+
+  void attempt(const Task& task) {
+    const PlannedTrial& planned = schedule_.blocks[task.block].trials[task.trial];
+    json about{{"block", task.block},
+               {"kind", name_of(schedule_.blocks[task.block].kind)},
+               {"pass", state_.passes[task.block]},
+               {"trial", planned.number},
+               {"condition", letter(planned.condition)},
+               {"is_catch", planned.is_catch}};
+    const std::vector<Part> parts = parts_of(task, about);
+    unsigned number = 0;
+    const std::string stem = new_stem(task, &number);
+    about["attempt"] = number;
+    about["recording"] = stem;
+    log("attempt", about);
+    describe(stem, about);
+    json reach{{"parts", json::array()}, {"counts", true}, {"reason", ""}};
+    for (std::size_t i = 0; i < parts.size() && reach["counts"]; ++i) {
+      const std::string file = stem + (parts.size() > 1 ? format("_part-%zu", i + 1) : "") + ".csv";
+      make(parts[i], planned.condition, static_cast<unsigned>(i), folder_ / "recordings" / file, reach);
+    }
+    log("reach", std::move(reach));
+  }
+
+  // Beside each recording: whose it is.
+  void describe(const std::string& stem, json about) const {
+    about["study"] = design_.title;
+    about["study_sha256"] = design_.sha256;
+    about["participant"] = state_.participant;
+    about["subject"] = subject_.description();
+    about["library"] = library_version();
+    about["utc"] = utc_text(subject_.now().utc_ms);
+    for (const char* name : {"profile.json", "registration.json", "plate.json"})
+      if (std::filesystem::exists(folder_ / name))
+        about["sha256"][name] = sha256_of(content_of(folder_ / name));
+    disk_.create(folder_ / "recordings" / (stem + ".json"), about.dump(1) + "\n");
+  }
+
+  void make(const Part& part, unsigned condition, unsigned index, const std::filesystem::path& file,
+            json& reach) {
+    const std::string& learnt = state_.beliefs[condition];
+    const std::string first = state_.set_up ? state_.set_up->at("profile").get<std::string>() : "";
+    const LibrarySession session(part.condition, learnt.empty() ? first : learnt, subject_);
+    const auto [real, seen] = session.add_targets(part.real_deg, part.virtual_deg, part.distance_m);
+    session.record(file);
+    const ReachOutcome outcome =
+        subject_.reach({session.handle(), real, seen, part.real_deg, part.virtual_deg, part.distance_m,
+                        first_reach + state_.reaches + index});
+    session.finish_recording(file);
+    disk_.sync(file);
+    reach["parts"].push_back(outcome_of(part, outcome));
+    reach["reason"] = judged(design_.validity, outcome);
+    reach["counts"] = reach["reason"] == "";
+    if (part.condition.controller == Controller::people && reach["counts"])
+      reach["belief"] = session.profile();
+  }
+
+  void ask(const Task& task) {
+    const json& about = record(task).attempt;
+    const unsigned number = first_reach + state_.reaches;
+    unsigned answer = 0;
+    if (schedule_.blocks[task.block].kind == BlockKind::noticeability)
+      answer = subject_.answer("Which reach was bent?", {"the first", "the second"}, about.at("bent"),
+                               about.at("gap_deg"), number);
+    else
+      answer = subject_.answer(design_.question, design_.answers, 0,
+                               record(task).reach.at("parts")[0].at("peak_felt_error_deg"), number);
+    log("answer", {{"answer", answer}});
+  }
+
+  const Design& design_;
+  Subject& subject_;
+  const Disk& disk_;
+  Schedule schedule_;
+  std::filesystem::path folder_;
+  std::string stem_;
+  Journal journal_;
+  State state_;
+};
+
+}  // namespace
+
+std::filesystem::path folder_of(const SessionPlace& place) {
+  return place.study / format("sub-%02u", place.participant) / format("ses-%02u", place.session);
+}
+
+void freeze(const Design& design, const std::filesystem::path& study, const Disk& disk) {
+  disk.make_folder(study);
+  const std::filesystem::path frozen = study / "study.json";
+  if (disk.create(frozen, design.text)) return;
+  const std::string before = sha256_of(content_of(frozen));
+  if (before != design.sha256)
+    throw Refusal(frozen.string() + ": the design was frozen with SHA-256 " + before +
+                  " at the first participant; this one has " + design.sha256);
+}
+
+std::string run_session(const Design& design, const SessionPlace& place, Subject& subject, const Disk& disk) {
+  if (place.participant < 1 || place.participant > design.participants)
+    throw Refusal(format("--participant: %u is not from 1 to %u, the design's number", place.participant,
+                         design.participants));
+  freeze(design, place.study, disk);
+  return SessionRun(design, place, subject, disk).run();
+}
+
+}  // namespace hrt::experiment

@@ -1,0 +1,169 @@
+#include "samples/experiment/session/simulated.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "samples/experiment/design/draws.h"
+#include "samples/experiment/session/library.h"
+#include "samples/format.h"
+
+namespace hrt::experiment {
+namespace {
+
+constexpr std::int64_t frame_ns = 11'111'111, settle_ns = 300'000'000, limit_ns = 30'000'000'000;
+constexpr double max_speed_deg_s = 400.0;
+constexpr std::int64_t latency_ns = 30'000'000;
+constexpr double notice_slope = 2.0;
+
+// The library's person, at its reach of a number.
+class Person {
+ public:
+  Person(const hrt_person_config& config, std::uint64_t seed, hrt_session session, hrt_target seen,
+         unsigned number) {
+    check(hrt_person_create(&config, seed, &person_));
+    for (unsigned i = 0; i <= number; ++i) check(hrt_person_begin(person_, session, seen));
+  }
+  ~Person() { hrt_person_destroy(person_); }
+  Person(const Person&) = delete;
+  Person& operator=(const Person&) = delete;
+
+  hrt_sample move(std::int64_t time_ns, double plate_deg) const {
+    hrt_sample sample = hrt_sample_init();
+    check(hrt_person_move(person_, time_ns, plate_deg, &sample));
+    return sample;
+  }
+  hrt_person_state state() const {
+    hrt_person_state state = hrt_person_state_init();
+    check(hrt_person_get_state(person_, &state));
+    return state;
+  }
+  void begin(hrt_session session, hrt_target seen) const { check(hrt_person_begin(person_, session, seen)); }
+
+ private:
+  hrt_person person_{};
+};
+
+}  // namespace
+
+// Weights of touch and biases as the library's people have them; thresholds by the prior of QUEST+, narrower.
+SimulatedSubject::SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed)
+    : design_(design), participant_(participant), seed_(seed) {
+  Stream draw(Use::person, {seed, participant});
+  constexpr double low_weight = 0.12, weights = 0.18, max_bias_deg = 3.0, low_s = 1.0, pace_s = 1.0;
+  config_.tactile_weight = low_weight + weights * draw.uniform();
+  config_.bias_deg = max_bias_deg * (2.0 * draw.uniform() - 1.0);
+  config_.duration_s = low_s + pace_s * draw.uniform();
+  constexpr double usual_threshold_deg = 10.0;
+  threshold_deg_ = usual_threshold_deg * std::exp2(draw.uniform() - 0.5);
+  constexpr std::int64_t new_year_2000_ms = 946'684'800'000, day_ms = 86'400'000;
+  now_ = {new_year_2000_ms + participant * day_ms, 0};
+}
+
+std::string SimulatedSubject::description() const {
+  return format("simulated, seed %llu", static_cast<unsigned long long>(seed_));
+}
+
+void SimulatedSubject::plan(hrt_session_config& config) const {
+  config.plate_max_speed_deg_s = max_speed_deg_s;
+  config.plate_latency_ns = latency_ns;
+}
+
+void SimulatedSubject::pass(double seconds) {
+  const auto ms = std::llround(1e3 * seconds);
+  now_.utc_ms += ms;
+  now_.monotonic_ns += ms * 1'000'000;
+}
+
+bool SimulatedSubject::consents() {
+  pass(300.0);
+  return true;
+}
+
+void SimulatedSubject::slide(hrt_session session, const hrt_setup_step& first, unsigned number,
+                             std::int64_t from_ns,
+                             const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) {
+  hrt_target_config config = hrt_target_config_init();
+  config.role = HRT_TARGET_VIRTUAL;
+  hrt_target ahead{};
+  check(hrt_target_add(session, &config, &ahead));
+  const Person person(config_, seed_ * 1000 + participant_, session, ahead, 2 * number);
+  hrt_setup_step step = first;
+  std::int64_t time_ns = from_ns;
+  bool rested = false;
+  for (std::optional<hrt_setup_step> next = first; next;
+       rested = step.instruction == HRT_STEP_REST_AT_START) {
+    step = *next;
+    if (step.instruction == HRT_STEP_REST_AT_START && !rested) person.begin(session, ahead);
+    time_ns += frame_ns;
+    next = use(person.move(time_ns, step.plate_orientation_deg));
+  }
+  check(hrt_target_remove(session, ahead));
+  pass(1e-9 * static_cast<double>(time_ns - from_ns));
+}
+
+std::vector<unsigned> SimulatedSubject::fill_in(const Questionnaire& paper) {
+  Stream draw(Use::answers, {seed_, participant_, static_cast<std::uint32_t>(paper.name.size()), 0, 0});
+  std::vector<unsigned> answers;
+  for (std::size_t i = 0; i < paper.items.size(); ++i)
+    answers.push_back(paper.low + draw.below(paper.high - paper.low + 1));
+  pass(8.0 * static_cast<double>(answers.size()));
+  return answers;
+}
+
+void SimulatedSubject::rest(double minutes) {
+  pass(60.0 * minutes);
+}
+
+ReachOutcome SimulatedSubject::reach(const ReachOrder& order) {
+  const Person person(config_, seed_ * 1000 + participant_, order.session, order.virtual_target,
+                      order.number);
+  Stream draw(Use::noise, place(order.number));
+  const bool loses_finger = draw.uniform() < design_.simulated.invalid_share;
+  hrt_reach_config config = hrt_reach_config_init();
+  config.real_target = order.real_target;
+  config.virtual_target = order.virtual_target;
+  config.flags = HRT_REACH_PLATE_ORIENTATION;
+  check(hrt_reach_begin(order.session, &config));
+  ReachOutcome outcome;
+  outcome.summary = hrt_reach_summary_init();
+  outcome.is_truth = true;
+  double plate_deg = 0.0;
+  std::int64_t done_ns = 0, began_ns = 0;
+  hrt_person_state state{};
+  for (std::int64_t time_ns = 0; time_ns < limit_ns && !outcome.has_ended; time_ns += frame_ns) {
+    hrt_sample sample = person.move(time_ns, plate_deg);
+    state = person.state();
+    // Of every other frame.
+    if (loses_finger && time_ns / frame_ns % 2 == 1) sample.flags &= ~HRT_SAMPLE_PLATE_POSITION;
+    hrt_command command = hrt_command_init();
+    check(hrt_reach_update(order.session, &sample, &command));
+    plate_deg = command.plate_orientation_deg;
+    if (began_ns == 0 && command.step >= 0) began_ns = time_ns;
+    if (!state.done)
+      outcome.peak_felt_error_deg = std::max(outcome.peak_felt_error_deg, std::abs(state.felt_error_deg));
+    if (state.done && done_ns == 0) done_ns = time_ns;
+    outcome.has_ended = state.done && time_ns - done_ns >= settle_ns;
+  }
+  check(hrt_reach_end(order.session, &outcome.summary));
+  std::copy(std::begin(state.position_m), std::end(state.position_m), outcome.end_m);
+  outcome.duration_s = 1e-9 * static_cast<double>(done_ns - began_ns);
+  pass(design_.trial_s);
+  return outcome;
+}
+
+// A choice between intervals is right by the psychometric function; "did something bend it" is the first
+// answer if what was felt was beyond the threshold.
+unsigned SimulatedSubject::answer(const std::string& question, const std::vector<std::string>& answers,
+                                  unsigned right, double gap_deg, unsigned number) {
+  Stream draw(Use::answers, place(number));
+  const auto count = static_cast<unsigned>(answers.size());
+  pass(2.0);
+  if (draw.uniform() < design_.simulated.lapse_share) return draw.below(count);
+  const double noticed = 1.0 - std::exp(-std::pow(gap_deg / threshold_deg_, notice_slope));
+  const bool notices = draw.uniform() < noticed;
+  if (notices) return right;
+  return question == design_.question ? count - 1 : draw.below(count);
+}
+
+}  // namespace hrt::experiment

@@ -1,0 +1,47 @@
+// A simulated participant and experimenter: the library's person, in the time of a clock that only they move.
+#pragma once
+
+#include <cstdint>
+
+#include "samples/experiment/design/draws.h"
+#include "samples/experiment/session/subject.h"
+
+namespace hrt::experiment {
+
+class SimulatedSubject : public Subject {
+ public:
+  /// Who it is follows from `seed` and the participant's number.
+  SimulatedSubject(const Design& design, unsigned participant, std::uint64_t seed);
+
+  Now now() override { return now_; }
+  void continue_after(const Now& last) override { now_ = last; }
+  std::string boot() const override { return "simulated"; }
+  std::string description() const override;
+  void plan(hrt_session_config& config) const override;
+  void say(const std::string&) override {}
+  std::string note() override { return {}; }
+  bool consents() override;
+  void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
+             const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) override;
+  std::vector<unsigned> fill_in(const Questionnaire& paper) override;
+  void rest(double minutes) override;
+  ReachOutcome reach(const ReachOrder& order) override;
+  unsigned answer(const std::string& question, const std::vector<std::string>& answers, unsigned right,
+                  double gap_deg, unsigned number) override;
+
+  double tactile_weight() const { return config_.tactile_weight; }
+  double threshold_deg() const { return threshold_deg_; }
+
+ private:
+  void pass(double seconds);
+  Place place(unsigned number) const { return {seed_, participant_, 0, number, 0}; }
+
+  const Design& design_;
+  unsigned participant_;
+  std::uint64_t seed_;
+  hrt_person_config config_ = hrt_person_config_init();
+  double threshold_deg_;  // of noticing a gap
+  Now now_;
+};
+
+}  // namespace hrt::experiment

@@ -1,0 +1,138 @@
+#include "samples/experiment/session/state.h"
+
+#include "samples/experiment/design/draws.h"
+
+namespace hrt::experiment {
+
+using nlohmann::json;
+
+State::State(const Design& of_design, const Schedule& of_schedule, unsigned of_participant)
+    : design(of_design),
+      schedule(of_schedule),
+      participant(of_participant),
+      passes(of_schedule.blocks.size(), 1),
+      beliefs(of_design.conditions.size()),
+      quest(of_design.noticeability ? of_design.noticeability->min_gap_deg : 1.0,
+            of_design.noticeability ? of_design.noticeability->max_gap_deg : 2.0) {
+  for (const Block& planned : schedule.blocks) trials.emplace_back(planned.trials.size());
+  begin_block(0);
+}
+
+void State::begin_block(unsigned number) {
+  block = number;
+  pending.clear();
+  if (block == schedule.blocks.size()) return;
+  for (unsigned i = 0; i < schedule.blocks[block].trials.size(); ++i) pending.push_back(i);
+  if (pending.empty()) begin_block(number + 1);
+}
+
+void State::end_trial(TrialRecord::End of_trial) {
+  TrialRecord& record = trials[block][pending.front()];
+  record.end = of_trial;
+  record.presented = ++presented;
+  awaits_answer = false;
+  pending.erase(pending.begin());
+  if (!pending.empty()) return;
+  begin_block(block + 1);
+  rest_due = block < schedule.blocks.size();
+}
+
+// A reach that does not count returns later in its block, at a place that is drawn.
+void State::apply_reach(const Event& event) {
+  TrialRecord& record = trials[block][pending.front()];
+  record.reach = event.data;
+  is_open = false;
+  reaches += static_cast<unsigned>(event.data.at("parts").size());
+  const std::string belief = event.data.value("belief", "");
+  if (!belief.empty()) beliefs[schedule.blocks[block].trials[pending.front()].condition] = belief;
+  if (event.data.at("counts").get<bool>()) {
+    refused_in_a_row = 0;
+    awaits_answer = schedule.blocks[block].kind == BlockKind::noticeability || !design.question.empty();
+    if (!awaits_answer) end_trial(TrialRecord::End::counted);
+    return;
+  }
+  ++record.refused;
+  ++refused_in_a_row;
+  if (record.refused >= design.validity.max_attempts) return end_trial(TrialRecord::End::missing);
+  const unsigned again = pending.front();
+  pending.erase(pending.begin());
+  Stream draw(Use::returns, {design.seed, participant, block, again, record.refused});
+  const auto left = static_cast<unsigned>(pending.size());
+  pending.insert(pending.begin() + (left == 0 ? 0 : 1 + draw.below(left)), again);
+}
+
+void State::apply_answer(unsigned answer) {
+  TrialRecord& record = trials[block][pending.front()];
+  record.answer = answer;
+  const bool is_catch = schedule.blocks[block].trials[pending.front()].is_catch;
+  if (schedule.blocks[block].kind == BlockKind::noticeability && !is_catch)
+    quest.update(record.attempt.at("gap_deg"), answer == record.attempt.at("bent").get<unsigned>());
+  end_trial(TrialRecord::End::counted);
+}
+
+void State::apply(const Event& event) {
+  last = Now{event.utc_ms, event.monotonic_ns};
+  const json& data = event.data;
+  if (event.name == "opened") {
+    is_open = false;  // an attempt that was interrupted
+  } else if (event.name == "consent") {
+    has_consent = data.at("given");
+    consent_ns = event.monotonic_ns;
+    if (!has_consent) end = "stopped";
+  } else if (event.name == "slide") {
+    slides.push_back(data);
+  } else if (event.name == "set_up") {
+    set_up = data;
+    slides.clear();
+  } else if (event.name == "questionnaire") {
+    questionnaires.insert(data.at("when").get<std::string>() + " " + data.at("name").get<std::string>());
+  } else if (event.name == "rest") {
+    rest_due = false;
+  } else if (event.name == "attempt") {
+    TrialRecord& record = trials[block][pending.front()];
+    ++record.attempts;
+    record.attempt = data;
+    record.began_utc_ms = event.utc_ms;
+    is_open = true;
+  } else if (event.name == "reach") {
+    apply_reach(event);
+  } else if (event.name == "answer") {
+    apply_answer(data.at("answer"));
+  } else if (event.name == "block_again") {
+    ++passes[block];
+    for (TrialRecord& record : trials[block]) record = {.attempts = record.attempts};
+    awaits_answer = false;
+    rest_due = false;
+    begin_block(block);
+  } else if (event.name == "unblinded") {
+    is_unblinded = true;
+  } else if (event.name == "end") {
+    end = data.at("how");
+  }
+}
+
+Task State::next() const {
+  if (!end.empty()) return {Task::Kind::end};
+  if (!has_consent) return {Task::Kind::consent};
+  if (design.calibrates && !set_up) return {Task::Kind::set_up};
+  const bool after = block == schedule.blocks.size();
+  for (unsigned i = 0; i < design.questionnaires.size(); ++i) {
+    const Questionnaire& paper = design.questionnaires[i];
+    if ((after ? paper.after : paper.before) &&
+        !questionnaires.contains((after ? "after " : "before ") + paper.name))
+      return {Task::Kind::questionnaire, block, i, after};
+  }
+  if (after) return {Task::Kind::end};
+  if (awaits_answer) return {Task::Kind::answer, block, pending.front()};
+  if (rest_due) return {Task::Kind::rest, block};
+  return {Task::Kind::trial, block, pending.front()};
+}
+
+State state_of(const Design& design, const Schedule& schedule, unsigned participant,
+               const std::vector<Event>& events) {
+  State state(design, schedule, participant);
+  for (const Event& event : events) state.apply(event);
+  return state;
+}
+
+}  // namespace hrt::experiment

@@ -1,0 +1,77 @@
+// Where a session stands: a fold over its journal, and nothing else.
+#pragma once
+
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "samples/experiment/data/journal.h"
+#include "samples/experiment/design/schedule.h"
+#include "samples/experiment/session/quest.h"
+
+namespace hrt::experiment {
+
+/// What became of a trial.
+struct TrialRecord {
+  enum class End { open, counted, missing } end = End::open;
+  unsigned attempts = 0;   ///< begun
+  unsigned refused = 0;    ///< ended, and did not count: interrupted ones are not the person's
+  unsigned presented = 0;  ///< order in which trials of the session ended, from 1
+  std::int64_t began_utc_ms = 0;
+  nlohmann::json attempt;  ///< the last one's event, and its reach
+  nlohmann::json reach;
+  std::optional<unsigned> answer;  ///< from 0
+};
+
+/// What the session does next.
+struct Task {
+  enum class Kind { consent, set_up, questionnaire, rest, trial, answer, end } kind;
+  unsigned block = 0;
+  unsigned trial = 0;  ///< index in the block; of a questionnaire: its index in the design
+  bool after = false;  ///< of a questionnaire: at the end
+};
+
+struct State {
+  State(const Design& design, const Schedule& schedule, unsigned participant);
+
+  void apply(const Event& event);
+  Task next() const;
+
+  const Design& design;
+  const Schedule& schedule;
+  unsigned participant;
+
+  bool has_consent = false;
+  std::optional<nlohmann::json> set_up;          ///< its result, once it is done
+  std::vector<nlohmann::json> slides;            ///< of a set-up that is not
+  std::set<std::string> questionnaires;          ///< "before SSQ"
+  std::vector<std::vector<TrialRecord>> trials;  ///< of each block
+  std::vector<unsigned> passes;  ///< of each block, from 1: it starts again after a long pause
+  unsigned block = 0;
+  std::vector<unsigned> pending;  ///< indices of the block's trials, the next one first
+  bool rest_due = false;
+  bool is_open = false;  ///< an attempt is
+  bool awaits_answer = false;
+  unsigned reaches = 0;  ///< ended, counted or not
+  unsigned presented = 0;
+  unsigned refused_in_a_row = 0;
+  std::vector<std::string> beliefs;  ///< profile of each condition after its last reach; empty: the set-up's
+  QuestPlus quest;
+  std::string end;  ///< "done" or "stopped"; empty: neither
+  bool is_unblinded = false;
+  std::int64_t consent_ns = 0;
+  std::optional<Now> last;  ///< when the journal was last written
+
+ private:
+  void end_trial(TrialRecord::End end);
+  void apply_reach(const Event& event);
+  void apply_answer(unsigned answer);
+  void begin_block(unsigned number);
+};
+
+/// The fold of a journal.
+State state_of(const Design& design, const Schedule& schedule, unsigned participant,
+               const std::vector<Event>& events);
+
+}  // namespace hrt::experiment

@@ -1,0 +1,77 @@
+// The participant, and the experimenter beside them, as a session meets them.
+#pragma once
+
+#include <haptic_retargeting/haptic_retargeting.h>
+#include <haptic_retargeting/setup.h>
+#include <haptic_retargeting/study.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "samples/experiment/data/journal.h"
+#include "samples/experiment/design/design.h"
+
+namespace hrt::experiment {
+
+/// One reach that is to be made, in a session of the plugin that is being recorded.
+struct ReachOrder {
+  hrt_session session;
+  hrt_target real_target;
+  hrt_target virtual_target;
+  double real_deg;
+  double virtual_deg;
+  double distance_m;
+  unsigned number;  ///< of all of the session, from 0
+};
+
+struct ReachOutcome {
+  bool has_ended = false;
+  std::string problem;      ///< why it does not count, beside the rules of validity; empty: nothing
+  double end_m[3]{};        ///< of the fingertip, in plate coordinates
+  double duration_s = 0.0;  ///< of the motion
+  double peak_felt_error_deg = 0.0;
+  bool is_truth = false;  ///< simulated; else the plugin's estimates
+  hrt_reach_summary summary{};
+};
+
+/// Asked for by Subject::key() and during waits.
+enum class Key { none, refuse, note, rest, stop_plate, unblind, leave };
+
+class Subject {
+ public:
+  virtual ~Subject() = default;
+
+  virtual Now now() = 0;
+  /// Of a simulated clock: after what the journal has.
+  virtual void continue_after(const Now&) {}
+  /// Names this run of the machine: its monotonic times can be compared.
+  virtual std::string boot() const = 0;
+  /// Fills in what the plate can do.
+  virtual void plan(hrt_session_config&) const {}
+  /// "simulated, seed 7", or what tracks and turns.
+  virtual std::string description() const = 0;
+  /// Key that the experimenter has pressed since.
+  virtual Key key() { return Key::none; }
+  virtual void say(const std::string& text) = 0;
+  /// After Key::note.
+  virtual std::string note() = 0;
+
+  virtual bool consents() = 0;
+  /// Of one slide of a set-up, from its begin to its end: gives each sample to `use`, which returns what the
+  /// next step asks for, or nothing at the slide's end. `number` from 0; `from_ns`: time after the last
+  /// sample.
+  virtual void slide(hrt_session session, const hrt_setup_step& step, unsigned number, std::int64_t from_ns,
+                     const std::function<std::optional<hrt_setup_step>(const hrt_sample&)>& use) = 0;
+  virtual std::vector<unsigned> fill_in(const Questionnaire& paper) = 0;
+  virtual void rest(double minutes) = 0;
+  /// The plate is at its home, the finger comes to the start, and reaches.
+  virtual ReachOutcome reach(const ReachOrder& order) = 0;
+  /// Index of the answer. `right`: that of a choice between intervals, which a simulated person may find;
+  /// `gap_deg`: of the trial. `place`: of the trial, for draws.
+  virtual unsigned answer(const std::string& question, const std::vector<std::string>& answers,
+                          unsigned right, double gap_deg, unsigned number) = 0;
+};
+
+}  // namespace hrt::experiment

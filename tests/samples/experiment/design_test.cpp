@@ -1,0 +1,151 @@
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "samples/experiment/data/sha256.h"
+#include "tests/samples/experiment/study.h"
+
+namespace hrt::experiment {
+namespace {
+
+using nlohmann::json;
+
+// FIPS 180-4's examples, and a message of a whole block.
+TEST(ExperimentDesign, Sha256IsTheStandards) {
+  EXPECT_EQ(sha256_of(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256_of("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256_of("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256_of(std::string(1'000'000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+// Each ordered pair of conditions is neighbours equally often, and each condition is in each place equally
+// often.
+TEST(ExperimentDesign, WilliamsOrdersAreBalanced) {
+  for (unsigned count = 1; count <= 12; ++count) {
+    const auto orders = williams_orders(count);
+    ASSERT_EQ(orders.size(), count % 2 == 0 || count == 1 ? count : 2 * count);
+    std::map<std::pair<unsigned, unsigned>, unsigned> follows, places;
+    for (const auto& order : orders) {
+      ASSERT_EQ(std::set<unsigned>(order.begin(), order.end()).size(), count);
+      for (unsigned i = 0; i < count; ++i) {
+        ++places[{i, order[i]}];
+        if (i > 0) ++follows[{order[i - 1], order[i]}];
+      }
+    }
+    EXPECT_EQ(follows.size(), count * (count - 1));
+    EXPECT_EQ(places.size(), count * count);
+    for (const auto& [pair, times] : follows) EXPECT_EQ(times, orders.size() / count) << count;
+    for (const auto& [place, times] : places) EXPECT_EQ(times, orders.size() / count) << count;
+  }
+}
+
+// Of each block: every pair of each condition as often as planned, no pair three times in a row, catch trials
+// apart.
+void expect_legal(const Design& design, const Block& block, std::size_t conditions) {
+  std::map<std::pair<unsigned, unsigned>, unsigned> cells;
+  std::size_t catches = 0;
+  for (std::size_t i = 0; i < block.trials.size(); ++i) {
+    const PlannedTrial& trial = block.trials[i];
+    ASSERT_EQ(trial.number, i + 1);
+    ASSERT_FALSE(trial.is_catch && (i == 0 || block.trials[i - 1].is_catch));
+    ASSERT_FALSE(i > 1 && trial.pair == block.trials[i - 1].pair && trial.pair == block.trials[i - 2].pair);
+    catches += std::size_t{trial.is_catch};
+    if (!trial.is_catch) ++cells[{trial.condition, trial.pair}];
+  }
+  ASSERT_EQ(cells.size(), conditions * 2);
+  for (const auto& [cell, times] : cells) ASSERT_EQ(times, design.repeats);
+  ASSERT_EQ(catches, static_cast<std::size_t>(
+                         std::lround(0.2 * static_cast<double>(conditions * 2 * design.repeats))));
+}
+
+TEST(ExperimentDesign, TenThousandSeedsHaveLegalSequences) {
+  for (unsigned seed = 0; seed < 10'000; ++seed) {
+    const Design design = small_design(3, [&](json& study) {
+      study["seed"] = seed;
+      study["catch_share"] = 0.2;
+      study["order"] = seed % 2 == 0 ? "williams" : "random_in_blocks";
+    });
+    const Schedule schedule = schedule_of(design, 1 + seed % 2);
+    ASSERT_EQ(schedule.blocks.size(), seed % 2 == 0 ? 3U : 2U);
+    for (std::size_t b = 1; b < schedule.blocks.size(); ++b)
+      expect_legal(design, schedule.blocks[b], seed % 2 == 0 ? 1 : 2);
+    if (HasFatalFailure()) FAIL() << seed;
+  }
+}
+
+// People of a set of orders have all of them, and each level has whole sets.
+TEST(ExperimentDesign, LevelsAreCrossedWithOrders) {
+  const Design design = small_design(2, [](json& study) {
+    study["participants"] = 8;
+    study["between"] = {{"factor", "hand"}, {"levels", {"left", "right"}}};
+  });
+  std::map<std::pair<unsigned, std::vector<unsigned>>, unsigned> cells;
+  for (unsigned p = 1; p <= 8; ++p) {
+    const Schedule schedule = schedule_of(design, p);
+    ++cells[{schedule.level, schedule.order}];
+  }
+  EXPECT_EQ(cells.size(), 4U);
+  for (const auto& [cell, times] : cells) EXPECT_EQ(times, 2U);
+}
+
+struct Wrong {
+  const char* place;  // in the refusal
+  std::function<void(json&)> change;
+};
+
+TEST(ExperimentDesign, RefusalsNameThePlace) {
+  const Wrong wrongs[] = {
+      {"/title: is missing", [](json& s) { s.erase("title"); }},
+      {"/titel: is unknown", [](json& s) { s["titel"] = "x"; }},
+      {"/repeats: 0 is not a whole number from 1 to 100", [](json& s) { s["repeats"] = 0; }},
+      {"/repeats: 2.5 is not", [](json& s) { s["repeats"] = 2.5; }},
+      {"/participants: 3 is not a multiple of 2", [](json& s) { s["participants"] = 3; }},
+      {"/conditions/1/controller: \"mpc\" is none of people",
+       [](json& s) { s["conditions"][1]["controller"] = "mpc"; }},
+      {"/conditions/1/name: \"secret people\" is another",
+       [](json& s) { s["conditions"][1]["name"] = "secret people"; }},
+      {"/pairs/0/virtual_deg: 61 is not a number", [](json& s) { s["pairs"][0]["virtual_deg"] = 61; }},
+      {"/pairs/0/name: is not a text", [](json& s) { s["pairs"][0]["name"] = "a\nb"; }},
+      {"/pairs/1: is not an object", [](json& s) { s["pairs"][1] = 4; }},
+      {"/listed_orders: goes with", [](json& s) { s["order"] = "listed"; }},
+      {"/listed_orders/0: does not have each",
+       [](json& s) {
+         s["order"] = "listed";
+         s["listed_orders"] = json::parse(R"([["secret people", "secret people"]])");
+       }},
+      {"/validity/max_s: is not above min_s", [](json& s) { s["validity"] = {{"min_s", 2}, {"max_s", 1}}; }},
+      {"/noticeability/condition: \"x\" is no condition; there are secret people, hidden none",
+       [](json& s) { s["noticeability"] = {{"condition", "x"}}; }},
+      {"/questionnaires/0/items: is missing", [](json& s) { s["questionnaires"] = {{{"name", "SSQ"}}}; }},
+      {"/analysis/reference: \"x\" is no", [](json& s) { s["analysis"] = {{"reference", "x"}}; }}};
+  for (const Wrong& wrong : wrongs) {
+    const std::string why = refusal_of([&] { small_design(2, wrong.change); });
+    EXPECT_TRUE(why.starts_with("study.json:") && why.find(wrong.place) != std::string::npos)
+        << wrong.place << ": " << why;
+  }
+  EXPECT_NE(refusal_of([] { parse_design("{", "study.json"); }).find("study.json"), std::string::npos);
+}
+
+// The schema is made of what reads: it has every field of the example, with its range.
+TEST(ExperimentDesign, SchemaHasEveryField) {
+  const json schema = design_schema();
+  const Design design = read_design(HRT_EXPERIMENT_SOURCE "/example.json");
+  const json example = json::parse(design.text);
+  for (const auto& [name, value] : example.items()) EXPECT_TRUE(schema["properties"].contains(name)) << name;
+  EXPECT_EQ(schema["properties"]["pairs"]["items"]["properties"]["virtual_deg"]["maximum"], 60.0);
+  EXPECT_EQ(schema["properties"]["validity"]["properties"]["max_attempts"]["default"], 5);
+  EXPECT_EQ(schema["required"],
+            json::parse(R"(["title", "participants", "conditions", "pairs", "repeats"])"));
+}
+
+TEST(ExperimentDesign, TextHasNoConditionsName) {
+  const std::string text = design_text(small_design(2));
+  EXPECT_EQ(text.find("secret"), std::string::npos);
+  EXPECT_EQ(text.find("hidden"), std::string::npos);
+  EXPECT_NE(text.find("follows each other one 1 to 1 times"), std::string::npos) << text;
+}
+
+}  // namespace
+}  // namespace hrt::experiment

@@ -1,0 +1,337 @@
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <sstream>
+
+#include "samples/experiment/data/journal.h"
+#include "tests/samples/experiment/study.h"
+
+namespace hrt::experiment {
+namespace {
+
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+const char* const session_name = "sub-01/ses-01";
+
+// trials.csv without what a crash may change: the columns attempt, began_utc and recording.
+std::string lasting(const Design& design, const fs::path& study) {
+  std::istringstream lines(export_study(design, study, false).trials);
+  std::string text, header;
+  std::getline(lines, header);
+  for (std::string line; std::getline(lines, line); text += '\n') {
+    std::istringstream cells(line), names(header);
+    std::string cell, name;
+    while (std::getline(names, name, ',')) {
+      if (line.find('"') != std::string::npos && name == "subject") {  // "simulated, seed 7"
+        std::getline(cells, cell, ',');
+      }
+      std::getline(cells, cell, ',');
+      if (name != "attempt" && name != "began_utc" && name != "recording") text += cell + ",";
+    }
+  }
+  return text;
+}
+
+unsigned counted_rows(const std::string& rows) {
+  unsigned count = 0;
+  for (std::size_t at = 0; (at = rows.find(",counted,", at)) != std::string::npos; ++at) ++count;
+  return count;
+}
+
+// Ends like kill -9 at the step of a number. Returns false if the session ended before it.
+bool killed_at(const Design& design, const fs::path& study, unsigned number) {
+  const pid_t child = fork();
+  if (child == 0) {
+    unsigned steps = 0;
+    try {
+      run_simulated(design, study,
+                    Disk(
+                        [&](const char*) {
+                          if (++steps == number) kill(getpid(), SIGKILL);
+                        },
+                        false));
+    } catch (const std::exception&) {
+      _exit(2);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) || WEXITSTATUS(status) == 0) << number;
+  return WIFSIGNALED(status);
+}
+
+void expect_recordings_replay(const Design& design, const fs::path& study) {
+  unsigned whole = 0;
+  for (const auto& entry : fs::directory_iterator(study / session_name / "recordings")) {
+    if (entry.path().extension() != ".csv" || fs::file_size(entry.path()) == 0) continue;
+    hrt_replay_report report = hrt_replay_report_init();
+    // A recording that a kill cut before its header is none.
+    if (hrt_replay(entry.path().c_str(), nullptr, 0, &report) != HRT_OK) continue;
+    EXPECT_EQ(report.first_different_line, 0U) << entry.path();
+    whole += report.complete;
+  }
+  EXPECT_GE(whole, counted_rows(lasting(design, study)));
+}
+
+// Every write, sync, link and change of state, before and after. HRT_EXPERIMENT_REPEATS=10 has the 40 trials
+// of a whole session; here there are 4 and one of practice.
+TEST(ExperimentCrash, NoFinishedTrialIsLostOrDoubled) {
+  const char* const repeats = std::getenv("HRT_EXPERIMENT_REPEATS");
+  const Design design = small_design(repeats != nullptr ? static_cast<unsigned>(std::stoi(repeats)) : 1);
+  const TemporaryFolder whole;
+  ASSERT_EQ(run_simulated(design, whole.path), "done");
+  const std::string expected = lasting(design, whole.path);
+  ASSERT_EQ(counted_rows(expected), 1 + 4 * design.repeats);
+  unsigned number = 1;
+  for (;; ++number) {
+    const TemporaryFolder folder;
+    if (!killed_at(design, folder.path, number)) break;
+    ASSERT_EQ(run_simulated(design, folder.path), "done") << number;
+    ASSERT_EQ(lasting(design, folder.path), expected) << number;
+    if (number % 10 == 0) expect_recordings_replay(design, folder.path);
+  }
+  EXPECT_GT(number, 80U);
+}
+
+// A session in which every process is killed after a few steps more.
+TEST(ExperimentCrash, ManyInARow) {
+  const Design design = small_design(2);
+  const TemporaryFolder whole, folder;
+  run_simulated(design, whole.path);
+  unsigned processes = 1;
+  for (unsigned number = 13; killed_at(design, folder.path, number); number = 13 + processes++ % 7)
+    ASSERT_LT(processes, 500U);
+  EXPECT_GT(processes, 10U);
+  EXPECT_EQ(lasting(design, folder.path), lasting(design, whole.path));
+}
+
+// What the system had not yet written when the power failed: the last event, cut at every byte.
+TEST(ExperimentCrash, TailCutAtEveryByte) {
+  const Design design = small_design(2);
+  const TemporaryFolder whole;
+  run_simulated(design, whole.path);
+  const std::string journal = content_of(whole.path / session_name / "journal.jsonl");
+  const std::vector<Event> events = read_journal(journal, "whole");
+  std::size_t begin = 0;
+  for (std::size_t line = 1; begin < journal.size(); ++line) {
+    const std::size_t end = journal.find('\n', begin) + 1;
+    for (std::size_t cut = begin; cut < end; ++cut) {
+      const auto left = read_journal(journal.substr(0, cut), "cut");
+      ASSERT_EQ(left.size(), line - 1) << cut;
+    }
+    begin = end;
+  }
+  // Resumed from some of them.
+  for (std::size_t cut = 1; cut < journal.size(); cut += journal.size() / 12) {
+    const TemporaryFolder folder;
+    fs::copy(whole.path, folder.path, fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+    fs::resize_file(folder.path / session_name / "journal.jsonl", cut);
+    ASSERT_EQ(run_simulated(design, folder.path), "done");
+    ASSERT_EQ(lasting(design, folder.path), lasting(design, whole.path)) << cut;
+    // The bytes of the cut line are still there.
+    ASSERT_EQ(content_of(folder.path / session_name / "journal.jsonl").substr(0, cut),
+              journal.substr(0, cut));
+  }
+}
+
+// The same for a set-up, whose slides are given to the plugin again.
+TEST(ExperimentCrash, ASetUpContinues) {
+  const Design design = small_design(1, [](json& study) { study["set_up"] = "calibration"; });
+  const TemporaryFolder whole;
+  run_simulated(design, whole.path);
+  const std::string journal = content_of(whole.path / session_name / "journal.jsonl");
+  const std::size_t ninth = journal.find("\"number\":9,\"samples\"");
+  ASSERT_NE(ninth, std::string::npos);
+  const TemporaryFolder folder;
+  fs::create_directories(folder.path / session_name);
+  std::ofstream(folder.path / session_name / "journal.jsonl") << journal.substr(0, ninth);
+  ASSERT_EQ(run_simulated(design, folder.path), "done");
+  EXPECT_EQ(lasting(design, folder.path), lasting(design, whole.path));
+  EXPECT_EQ(content_of(folder.path / session_name / "profile.json"),
+            content_of(whole.path / session_name / "profile.json"));
+}
+
+TEST(ExperimentJournal, DamageIsRefusedByLine) {
+  const TemporaryFolder folder;
+  run_simulated(small_design(1), folder.path);
+  std::string journal = content_of(folder.path / session_name / "journal.jsonl");
+  EXPECT_EQ(crc32("123456789"), 0xcbf43926U);  // its check value
+  const std::size_t third = journal.find("\"number\":3");
+  journal[third + 20] ^= 1;
+  EXPECT_EQ(refusal_of([&] { read_journal(journal, "j"); }),
+            "j: line 3 is damaged, and not where a process was cut off");
+  journal[third + 20] ^= 1;
+  const std::size_t begin = journal.rfind('\n', third) + 1;
+  journal.erase(begin, journal.find('\n', begin) + 1 - begin);
+  EXPECT_EQ(refusal_of([&] { read_journal(journal, "j"); }), "j: line 3 has number 4, not 3");
+}
+
+TEST(ExperimentJournal, ASecondProcessIsRefused) {
+  const TemporaryFolder folder;
+  const Disk disk;
+  fs::create_directories(folder.path / session_name);
+  const Journal journal(folder.path / session_name / "journal.jsonl", disk, [] { return Now{}; });
+  EXPECT_NE(
+      refusal_of([&] { run_simulated(small_design(1), folder.path); }).find("another process writes it"),
+      std::string::npos);
+}
+
+// A full disk, as a limit of the size of a file.
+TEST(ExperimentJournal, AFullDiskKeepsWhatIsThere) {
+  const Design design = small_design(2);
+  const TemporaryFolder folder, whole;
+  run_simulated(design, whole.path);
+  const std::string journal = "journal.jsonl";
+  const pid_t child = fork();
+  if (child == 0) {
+    std::signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{12'000, 12'000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    const std::string why = refusal_of([&] { run_simulated(design, folder.path); });
+    _exit(why.find("journal.jsonl: cannot be written: File too large") != std::string::npos ||
+                  why.find("rows were lost") != std::string::npos
+              ? 0
+              : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+  EXPECT_EQ(run_simulated(design, folder.path), "done");
+  EXPECT_EQ(lasting(design, folder.path), lasting(design, whole.path));
+}
+
+// Beneath a file there is no folder, for root neither.
+TEST(ExperimentJournal, AFolderThatCannotBeWrittenIsNamed) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "file") << "x";
+  EXPECT_NE(
+      refusal_of([&] { run_simulated(small_design(1), folder.path / "file"); }).find("cannot be created"),
+      std::string::npos);
+}
+
+// A subject that leaves after some trials, and whose clock jumps before the session is resumed.
+class Leaving : public SimulatedSubject {
+ public:
+  Leaving(const Design& design, unsigned reaches, std::int64_t jump_ms)
+      : SimulatedSubject(design, 1, 7), left_(reaches), jump_ms_(jump_ms) {}
+  Key key() override { return left_ == 0 ? Key::leave : Key::none; }
+  ReachOutcome reach(const ReachOrder& order) override {
+    if (left_ > 0) --left_;
+    return SimulatedSubject::reach(order);
+  }
+  void continue_after(const Now& last) override {
+    SimulatedSubject::continue_after({last.utc_ms + jump_ms_, last.monotonic_ns + jump_ms_ * 1'000'000});
+  }
+
+ private:
+  unsigned left_;
+  std::int64_t jump_ms_;
+};
+
+// After a pause of an hour, or a clock that was set back, the block starts again and is marked; after a
+// minute it continues.
+TEST(ExperimentSession, ALongPauseHasTheBlockStartAgain) {
+  const Design design = small_design(2);
+  struct {
+    std::int64_t jump_ms;
+    bool again;
+  } const cases[] = {{3'600'000, true}, {-60'000, true}, {60'000, false}};
+  for (const auto& [jump_ms, again] : cases) {
+    const TemporaryFolder folder;
+    Leaving first(design, 4, 0), second(design, 1000, jump_ms);
+    EXPECT_EQ(run_session(design, {folder.path, 1, 1}, first, Disk({}, false)), "left");
+    EXPECT_EQ(run_session(design, {folder.path, 1, 1}, second, Disk({}, false)), "done");
+    const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
+    EXPECT_EQ(journal.find("block_again") != std::string::npos, again) << jump_ms;
+    EXPECT_EQ(counted_rows(lasting(design, folder.path)), 9U);
+  }
+}
+
+// Two runs of a seed, one of another.
+TEST(ExperimentSession, SameSeedSameBytes) {
+  const Design design = small_design(2);
+  const TemporaryFolder one, two;
+  run_simulated(design, one.path);
+  run_simulated(design, two.path);
+  unsigned files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(one.path)) {
+    if (!entry.is_regular_file()) continue;
+    EXPECT_EQ(read_file(entry.path()), read_file(two.path / fs::relative(entry.path(), one.path)))
+        << entry.path();
+    ++files;
+  }
+  EXPECT_GT(files, 20U);
+}
+
+TEST(ExperimentSession, AChangedDesignIsRefused) {
+  const TemporaryFolder folder;
+  run_simulated(small_design(1), folder.path);
+  const Design changed = small_design(2);
+  EXPECT_NE(refusal_of([&] { run_simulated(changed, folder.path, Disk(), 2); }).find(changed.sha256),
+            std::string::npos);
+  // Of the same one nothing is done again.
+  const std::string journal = content_of(folder.path / session_name / "journal.jsonl");
+  EXPECT_EQ(run_simulated(small_design(1), folder.path), "done");
+  EXPECT_EQ(content_of(folder.path / session_name / "journal.jsonl"), journal);
+}
+
+// Invalid reaches come again until there are too many, and too many in a row stop the session.
+TEST(ExperimentSession, ReachesThatDoNotCount) {
+  const TemporaryFolder some, all;
+  const Design twice = small_design(2, [](json& s) { s["validity"] = {{"max_attempts", 1}}; });
+  run_simulated(twice, some.path);
+  const std::string rows = lasting(twice, some.path);
+  EXPECT_NE(rows.find(",missing,finger lost,"), std::string::npos);
+  const Design never = small_design(2, [](json& s) {
+    s["simulated"]["invalid_share"] = 0.5;
+    s["stop"] = {{"max_invalid_in_a_row", 1}};
+  });
+  EXPECT_EQ(run_simulated(never, all.path), "stopped");
+}
+
+// No name of a condition is in the name or the text of a file, except the design and what is exported
+// unblinded.
+TEST(ExperimentSession, ConditionsAreLetters) {
+  const Design design = small_design(2);
+  const TemporaryFolder folder;
+  run_simulated(design, folder.path);
+  for (const auto& entry : fs::recursive_directory_iterator(folder.path)) {
+    if (!entry.is_regular_file() || entry.path().filename() == "study.json") continue;
+    for (const char* name : {"secret", "hidden"}) {
+      EXPECT_EQ(entry.path().string().find(name), std::string::npos);
+      EXPECT_EQ(read_file(entry.path()).find(name), std::string::npos) << entry.path();
+    }
+  }
+  EXPECT_EQ(export_study(design, folder.path, false).trials.find("secret"), std::string::npos);
+  EXPECT_NE(export_study(design, folder.path, true).trials.find("secret people"), std::string::npos);
+}
+
+// Beside each recording is whose it is.
+TEST(ExperimentSession, RecordingsAreNamed) {
+  const Design design = small_design(1, [](json& study) { study["set_up"] = "calibration"; });
+  const TemporaryFolder folder;
+  run_simulated(design, folder.path);
+  const fs::path recordings = folder.path / session_name / "recordings";
+  unsigned count = 0;
+  for (const auto& entry : fs::directory_iterator(recordings)) {
+    if (entry.path().extension() != ".json") continue;
+    const json about = json::parse(read_file(entry.path()));
+    EXPECT_EQ(about["study_sha256"], design.sha256);
+    EXPECT_EQ(about["participant"], 1);
+    EXPECT_EQ(about["subject"], "simulated, seed 7");
+    EXPECT_EQ(about["sha256"]["profile.json"].get<std::string>().size(), 64U);
+    EXPECT_TRUE(entry.path().stem().string().ends_with("cond-" + about["condition"].get<std::string>()));
+    EXPECT_TRUE(fs::exists(recordings / (entry.path().stem().string() + ".csv")));
+    ++count;
+  }
+  EXPECT_GE(count, 5U);
+}
+
+}  // namespace
+}  // namespace hrt::experiment
